@@ -231,3 +231,38 @@ fn parts_and_arrays_have_modes() {
         assert_eq!(valves[k], if t > 0.7_f64.asin() { 1.0 } else { 20.0 }, "at {t}");
     }
 }
+
+lagrange::system! {
+    /// Two discs that collide centrally with local names for the impact, and a clock with some.
+    #[derive(Clone, Debug)]
+    pub struct Collision;
+
+    param m[2] = [1, 3], e = 0.5;
+    coord x[2] = [0, 1];
+    start dot(x[0]) = 2;
+    discrete energy, mean;
+    kinetic = sum(i in 0..2, kinetic_energy(m[i], dot(x[i])));
+    let (a, b) = ((x[0], dot(x[0])), (x[1], dot(x[1]), 0));
+    event hit = x[1] - x[0], falling => {
+        let (u, w) = dot(x);
+        let common = (m[0] * u + m[1] * w) / (m[0] + m[1]);
+        for i in 0..2 {
+            let relative = dot(x[i]) - common;
+            dot(x[i]) = common - e * relative;
+        }
+    }
+    every 0.15 => { let square(v) = v^2; energy = (m[0] * square(a.y) + m[1] * square(b.y)) / 2; mean = (a.x + b.x) / 2; }
+}
+
+/// Newton's law of impact: velocities along the line are (m₁u + m₂w ∓ m e (u − w)) / (m₁ + m₂).
+#[test]
+fn handlers_have_local_names() {
+    let system = Collision::default();
+    let run = system.simulate(system.start()).until(1.2).every(0.3).tolerance(1e-12).run().unwrap();
+    assert!((run.events()[0].time - 0.5).abs() < 1e-12);
+    let [first, second] = [0, 1].map(|i| run.x_dot(i).last().copied().unwrap());
+    assert!((first - (0.5 - 0.5 * 1.5)).abs() < 1e-12 && (second - (0.5 + 0.5 * 0.5)).abs() < 1e-12);
+    let (before, after) = (run.energy()[1], run.energy()[4]);
+    assert!((before - 2.0).abs() < 1e-12 && (after - (0.5 * 0.0625 + 1.5 * 0.5625)).abs() < 1e-12);
+    assert!((run.mean()[1] - (0.6 + 1.0) / 2.0).abs() < 1e-12);
+}

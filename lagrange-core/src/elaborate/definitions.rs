@@ -11,7 +11,7 @@ use crate::model::Parameter;
 use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
-use lagrange_language::syntax::ast::{AstId, Definition, Name};
+use lagrange_language::syntax::ast::{AstId, Definition, Expression, Name};
 
 /// Names of the components of vectors in the plane and in space.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -63,6 +63,11 @@ pub(super) fn define_constant(elaborator: &mut Elaborator<'_>, definition: &Defi
 pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let value = value_of(&mut elaborator.evaluator, syntax)
         .filter(|value| is_sound_place(elaborator, name, syntax, value));
+    declare_abbreviation(elaborator, name, value);
+}
+
+/// Declares a name for a value, whose components are labelled with it.
+fn declare_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, value: Option<Operand>) {
     match &value {
         Some(Operand::Scalar(id)) => elaborator.labels.push((*id, name.text.clone())),
         Some(Operand::Vector(components)) if components.len() <= AXES.len() => {
@@ -98,24 +103,26 @@ fn is_sound_place(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId, v
     false
 }
 
+/// Defines the components of a vector. Those that are written out need not have one shape.
 pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Name], syntax: AstId) {
-    let components = match value_of(&mut elaborator.evaluator, syntax) {
-        Some(Operand::Vector(components)) if components.len() == names.len() => {
-            components.into_iter().map(Some).collect()
+    if let Expression::Tuple(parts) = elaborator.evaluator.declaration.expressions.get(syntax)
+        && parts.len() == names.len()
+    {
+        // The names are not known in them.
+        for part in parts {
+            value_of(&mut elaborator.evaluator, *part);
         }
-        Some(other) => {
-            let message = messages::tuple_size(names.len(), other.kind());
-            let help = match other {
-                Operand::Matrix(..) => messages::TUPLE_OF_VECTORS_HELP,
-                Operand::Scalar(_) | Operand::Vector(_) => messages::TUPLE_SIZE_HELP,
-            };
-            elaborator.evaluator.refuse::<()>(syntax, message, help);
-            vec![None; names.len()]
-        }
-        None => vec![None; names.len()],
-    };
-    for (name, component) in names.iter().zip(components) {
-        elaborator.labels.extend(component.map(|id| (id, name.text.clone())));
-        elaborator.declare(name, NameKind::Abbreviation, component.map(Operand::Scalar));
+        let parts = parts.clone();
+        return names.iter().zip(parts).for_each(|(name, part)| define_abbreviation(elaborator, name, part));
+    }
+    let whole = value_of(&mut elaborator.evaluator, syntax);
+    let is_sound = whole.as_ref().is_some_and(|whole| whole.len() == names.len());
+    if let Some(other) = whole.as_ref().filter(|_| !is_sound) {
+        let message = messages::tuple_size(names.len(), other.kind());
+        elaborator.evaluator.refuse::<()>(syntax, message, messages::TUPLE_SIZE_HELP.to_owned());
+    }
+    for (i, name) in names.iter().enumerate() {
+        let component = whole.as_ref().filter(|_| is_sound).and_then(|whole| whole.entry(&[i]));
+        declare_abbreviation(elaborator, name, component);
     }
 }

@@ -49,10 +49,8 @@ messages! {
     DIVISION_BY_ZERO = "division by zero";
 
     FUNCTION_HELP = "write its arguments in parentheses after it";
-    TUPLE_OF_VECTORS_HELP =
-        "a tuple of vectors is a matrix: write a `let` for each of them, `let a = (1, 2);`";
     TUPLE_SIZE_HELP =
-        "write as many names as there are components, `let (a, b) = (e, f);`, or a single one, `let v = (e, f);`";
+        "write as many names as there are components or rows, `let (a, b) = (e, f);`, or a single one, `let v = (e, f);`";
     ZERO_BASE_HELP = "a negative power of zero is undefined";
     DIVISION_HELP = "this divisor is zero for all values of the parameters";
 

@@ -40,6 +40,15 @@ impl Operand {
         Some(Operand::of(shape, self.components()[places].to_vec()))
     }
 
+    /// The number of components of a vector, or of rows of a matrix.
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Operand::Scalar(_) => 1,
+            Operand::Vector(components) => components.len(),
+            Operand::Matrix([rows, _], _) => *rows,
+        }
+    }
+
     /// One component for a scalar, all of them for a vector or a matrix.
     pub(super) fn components(&self) -> &[ExprId] {
         match self {

@@ -22,7 +22,7 @@ lagrange::system! {
     event idle = x, falling => {};
     event half = x, falling => { dot(x) };
     event twice = x, falling => { x = 1 y = 2; };
-    event wall = x - 3, rising => { let v = dot(x); dot(x) = -v / 2; }
+    event wall = x - 3, rising => { const v = 1; dot(x) = -v / 2; }
     event fine = x, falling => record;
 }
 

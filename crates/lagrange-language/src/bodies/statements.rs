@@ -95,14 +95,12 @@ pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: 
             translation.statements.push(Statement { kind, ..statement });
         }
         mut kind => {
-            let bound = match &kind {
-                StatementKind::Let(name, value) => Some((name.text.clone(), *value)),
-                _ => None,
-            };
+            let named = kind.named_expressions(&translation.expressions).into_iter();
+            let named = named.map(|(name, value)| (name.text.clone(), value)).collect::<Vec<_>>();
             for expression in kind.expressions_mut() {
                 *expression = plain_expression(translation, *expression);
             }
-            if let Some((name, value)) = bound {
+            for (name, value) in named {
                 note_point(translation, name, value);
             }
             translation.statements.push(Statement { kind, ..statement });

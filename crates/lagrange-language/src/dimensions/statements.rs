@@ -12,8 +12,8 @@ use super::messages;
 use super::quantities::is_of_numbers;
 use super::solver::Grounds;
 use crate::syntax::ast::{
-    Action, ArrayShape, Assignment, AstId, Declaration, Definition, Event, Expression, Friction, Name,
-    Reduction, Statement, StatementKind,
+    Action, ArrayShape, Assignment, AstId, Declaration, Definition, Event, Friction, Name, Reduction,
+    Statement, StatementKind,
 };
 use definitions::{
     declared, define_table, define_unknowns, define_value, named_component, named_value, require_start,
@@ -128,17 +128,13 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             checker.scope.insert(name.text.clone(), value);
         }
         (StatementKind::Solve(unknowns), DimensionPass::Abbreviate) => define_unknowns(checker, unknowns),
-        (StatementKind::LetTuple(names, value), DimensionPass::Abbreviate) => {
-            let parts = match checker.expressions.get(*value) {
-                Expression::Tuple(parts) => parts.iter().map(|part| Some(*part)).collect(),
-                _ => vec![None; names.len()],
-            };
+        (kind @ StatementKind::LetTuple(names, value), DimensionPass::Abbreviate) => {
+            let parts = kind.named_expressions(checker.expressions);
             let whole = checker.value(*value);
-            for (i, (name, part)) in names.iter().zip(parts).enumerate() {
-                let component = Measure::scalar(whole.components.get(i).cloned().flatten());
-                let value = match part {
-                    Some(part) => named_value(checker, name, part),
-                    None => named_component(checker, name, *value, component),
+            for (i, name) in names.iter().enumerate() {
+                let value = match parts.get(i) {
+                    Some((_, part)) => named_value(checker, name, *part),
+                    None => named_component(checker, name, *value, whole.entry(&[i])),
                 };
                 checker.scope.insert(name.text.clone(), value.with_rates(whole.has_rates));
             }

@@ -60,7 +60,7 @@ impl Collector<'_, '_> {
     /// Counts the elements of whole arrays; false from the first one on that is too large, which is
     /// reported.
     fn has_room(&mut self, instance: &Instance<'_>) -> bool {
-        let Instance { statement, scope } = *instance;
+        let Instance { statement, scope, .. } = *instance;
         if !statement.kind.declares_arrays() || self.counting.scopes.is_in_loop(scope) {
             return true;
         }
@@ -78,7 +78,7 @@ impl Collector<'_, '_> {
     }
 
     fn instance(&mut self, instance: &Instance<'_>) {
-        let Instance { statement, scope } = *instance;
+        let Instance { statement, scope, .. } = *instance;
         let kind = &statement.kind;
         if matches!(kind, StatementKind::External(_)) && self.counting.scopes.around(scope).is_some() {
             // It keeps its name.
@@ -106,7 +106,7 @@ impl Collector<'_, '_> {
         let own = format!("{}{suffix}", name.text);
         let text = self.counting.scopes.prefixed(scope, &own);
         let written = self.written(scope, &own);
-        let is_let = matches!(kind, StatementKind::Let(..));
+        let is_let = matches!(kind, StatementKind::Let(..) | StatementKind::LetTuple(..));
         let plain = Plain { span: name.span, statement, written, is_let };
         if let Some(other) = self.elements.plain.insert(text.clone(), plain.clone()) {
             // Two statements with the same name are reported where names are resolved.

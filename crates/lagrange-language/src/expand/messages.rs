@@ -28,9 +28,9 @@ messages! {
     variable_is_parameter(name) =
         "`{name}` is a parameter of the function and cannot be the variable of a sum in it";
     variable_is_declared(name) = "`{name}` is already declared and cannot be the variable of a loop";
-    local_is_declared(name) = "`{name}` is already declared, and a name in a loop must be new";
+    local_is_declared(name) = "`{name}` is already declared, and a local name must be new";
     known_in_loop(name) =
-        "`{name}` is known only inside its loop: outside, use an element, `let {name}[i] = …; … {name}[0]`";
+        "`{name}` is known only inside its loop or braces: outside, declare it again, or an element of a loop, `let {name}[i] = …; … {name}[0]`";
     values_called(name) = "`{name}` is an array of values, which cannot be called";
     VALUES_CALLED_HELP = "write `*` before the parentheses for a product";
     NOTHING_LEFT = "the braces are empty after expansion: no condition in them holds, or every range is empty";

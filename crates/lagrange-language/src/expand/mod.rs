@@ -21,7 +21,6 @@ mod corners;
 mod counting;
 mod defaults;
 mod elements;
-mod enclosures;
 mod indices;
 mod messages;
 mod parts;
@@ -122,7 +121,8 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<S
     let mut pending = statements.iter_mut().collect::<Vec<_>>();
     while let Some(Statement { kind, .. }) = pending.pop() {
         roots.extend(kind.names_mut().into_iter().flat_map(|name| name.indices.clone()));
-        roots.extend(kind.enclosures_mut().into_iter().flat_map(Enclosure::expressions_mut).map(|id| *id));
+        let around = kind.enclosures_mut().into_iter().filter(|enclosure| enclosure.is_counted());
+        roots.extend(around.flat_map(Enclosure::expressions_mut).map(|id| *id));
         if let StatementKind::Block(block) = kind {
             let (expressions, bodies) = block.parts_mut();
             roots.extend(expressions.into_iter().map(|id| *id));

@@ -16,7 +16,7 @@ use lagrange_expr::number::Number;
 pub(super) const BUILT_IN: [&str; 3] = ["t", "pi", "ground"];
 
 /// The loops and the placed part around a place; none by default.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub(super) struct ScopeId(Option<usize>);
 
 /// A placed part.
@@ -42,8 +42,8 @@ struct Scope {
     outer: ScopeId,
     /// The innermost part around it.
     part: Option<PlacedId>,
-    /// The variable of a loop; `None` of the inside of a part. Parameters of functions, which hide
-    /// other names, have no value.
+    /// The variable of a loop; `None` of the inside of a part and behind a local name. Parameters
+    /// of functions, which hide other names, have no value.
     variable: Option<(String, Option<i64>)>,
     /// Names that are known only here.
     locals: BTreeMap<String, LocalName>,
@@ -133,6 +133,11 @@ impl Scopes {
         self.add(outer, self.part_of(outer), Some((name.to_owned(), None)))
     }
 
+    /// A scope for names that are known only from here on.
+    pub(super) fn inside(&mut self, outer: ScopeId) -> ScopeId {
+        self.add(outer, self.part_of(outer), None)
+    }
+
     /// Places a part; returns the scope of its statements.
     pub(super) fn place(&mut self, name: &str, indices: Vec<i64>, part: PlacedPart) -> (PlacedId, ScopeId) {
         let id = PlacedId(self.placed.len());
@@ -152,7 +157,7 @@ impl Scopes {
         (id, self.add(ScopeId::default(), Some(id), None))
     }
 
-    /// Declares a name that is known only in this iteration of a loop.
+    /// Declares a name that is known only in this iteration of a loop, or between these braces.
     pub(super) fn localise(&mut self, scope: ScopeId, name: &Name) {
         let base = self.prefixed(scope, &name.text);
         let Some(inside) = scope.0.and_then(|index| self.scopes.get_mut(index)) else { return };

@@ -5,7 +5,7 @@ use super::defaults::{element_of, fits, positions};
 use super::messages;
 use super::paths::{Path, Target};
 use super::scopes::ScopeId;
-use super::unrolling::Instance;
+use super::unrolling::{Instance, report_nothing_left};
 use super::wholes::WholeArray;
 use crate::syntax::ast::{
     ArrayShape, Assignment, AstId, Contact, Definition, Mobilizer, MobilizerKind, Mode, Name, Quaternion,
@@ -17,7 +17,8 @@ use lagrange_expr::diagnostics::Origin;
 /// The statements that one instance stands for: one, but for quaternions and modes that are
 /// declared together, and none if it is wrong.
 pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Vec<Statement> {
-    let Instance { statement, scope } = *instance;
+    let Instance { statement, scope, lines } = instance;
+    let (statement, scope) = (*statement, *scope);
     let with = |kind| Statement { kind, origin: statement.origin, docs: statement.docs.clone() };
     if let Some(kinds) = given_to_elements(copier, instance) {
         return kinds.into_iter().map(with).collect();
@@ -41,17 +42,17 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
             return elements.map(|(_, name)| with(of_values(name))).collect();
         }
         StatementKind::Reduce(reduction) => {
-            let items = reduction.items.iter().flat_map(|item| {
-                let scopes = copier.iterations(&item.enclosures, scope).into_iter();
-                scopes.flat_map(|scope| reduced(copier, item, scope)).collect::<Vec<_>>()
+            let items = reduction.items.iter().zip(lines).flat_map(|(item, scopes)| {
+                let items = scopes.iter().flat_map(|scope| reduced(copier, item, *scope));
+                items.collect::<Vec<_>>()
             });
             let items = items.collect::<Vec<_>>();
             if items.is_empty() && !reduction.items.is_empty() {
-                copier.nothing_left(statement.origin);
+                report_nothing_left(&mut copier.complaints, statement.origin);
             }
             StatementKind::Reduce(Reduction { items, ..reduction.clone() })
         }
-        kind => match single(copier, (kind, statement.origin), scope) {
+        kind => match single(copier, (kind, statement.origin), (scope, lines)) {
             Some(kind) => kind,
             None => return Vec::new(),
         },
@@ -111,7 +112,7 @@ fn reduction_item(coordinate: Name, value: Option<AstId>, kind: ReductionKind) -
 fn single(
     copier: &mut Copier<'_>,
     (kind, origin): (&StatementKind, Origin),
-    scope: ScopeId,
+    (scope, lines): (ScopeId, &[Vec<ScopeId>]),
 ) -> Option<StatementKind> {
     let mut kind = kind.clone();
     if let StatementKind::External(function) = &kind
@@ -147,18 +148,21 @@ fn single(
     if let Some(written) = assignments
         && let Some(assignments) = kind.assignments_mut()
     {
-        *assignments = written.iter().flat_map(|one| assigned(copier, one, scope)).collect();
+        // What has no braces has no lines.
+        let own = vec![vec![scope]; if lines.is_empty() { written.len() } else { 0 }];
+        let scopes = lines.iter().chain(&own);
+        *assignments = written.iter().zip(scopes).flat_map(|(one, at)| assigned(copier, one, at)).collect();
         if assignments.is_empty() && !written.is_empty() {
-            copier.nothing_left(origin);
+            report_nothing_left(&mut copier.complaints, origin);
         }
     }
     Some(kind)
 }
 
 /// An assignment in each iteration of the loops around it.
-fn assigned(copier: &mut Copier<'_>, assignment: &Assignment, scope: ScopeId) -> Vec<Assignment> {
+fn assigned(copier: &mut Copier<'_>, assignment: &Assignment, scopes: &[ScopeId]) -> Vec<Assignment> {
     let mut all = Vec::new();
-    for scope in copier.iterations(&assignment.enclosures, scope) {
+    for &scope in scopes {
         let value = copier.copied(assignment.value, scope);
         let target = copier.copied(assignment.target, scope);
         all.extend(copier.assigned(Assignment::new(target, value)));

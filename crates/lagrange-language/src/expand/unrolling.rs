@@ -1,5 +1,9 @@
 //! Loops and choices between statements: which statements they stand for.
 
+mod enclosures;
+
+pub(super) use enclosures::report_nothing_left;
+
 use super::complaints::Complaints;
 use super::counting::Counting;
 use super::defaults::{element_of, positions};
@@ -17,10 +21,11 @@ use lagrange_expr::limits::{MAX_EXPANDED_NESTING, MAX_WRITTEN_OUT};
 use lagrange_expr::number::Number;
 
 /// A statement as it is meant once.
-#[derive(Clone, Copy)]
 pub(super) struct Instance<'d> {
     pub(super) statement: &'d Statement,
     pub(super) scope: ScopeId,
+    /// Scopes of each line between its braces, one for each iteration of the loops around the line.
+    pub(super) lines: Vec<Vec<ScopeId>>,
 }
 
 /// All that loops stand for.
@@ -64,12 +69,13 @@ pub(super) fn unroll<'d>(
     Unrolled { unplaced: placer.unplaced(), placed: placer.placed, ..unrolled }
 }
 
-struct Unroller<'a, 'c, 'd> {
-    unrolled: Unrolled<'d>,
+/// Expands loops, choices and placements.
+pub(super) struct Unroller<'a, 'c, 'd> {
+    pub(super) unrolled: Unrolled<'d>,
     placer: Placer<'d>,
-    expressions: &'a Expressions,
-    scopes: &'a mut Scopes,
-    complaints: &'a mut Complaints<'c>,
+    pub(super) expressions: &'a Expressions,
+    pub(super) scopes: &'a mut Scopes,
+    pub(super) complaints: &'a mut Complaints<'c>,
     /// Turns of loops so far.
     turns: u64,
     is_too_long: bool,
@@ -99,7 +105,8 @@ impl<'d> Unroller<'_, '_, 'd> {
                     if let StatementKind::Constants(list) = kind {
                         list.iter().for_each(|definition| self.constant(definition, scope));
                     }
-                    self.unrolled.instances.push(Instance { statement, scope });
+                    let lines = self.lines(kind, scope);
+                    self.unrolled.instances.push(Instance { statement, scope, lines });
                 }
             }
         }
@@ -123,8 +130,8 @@ impl<'d> Unroller<'_, '_, 'd> {
     }
 
     /// Counts statements before they are written out; false if they become too many.
-    fn has_room(&mut self, statements: usize) -> bool {
-        self.turns += 1 + statements as u64;
+    pub(super) fn has_room(&mut self, statements: usize) -> bool {
+        self.turns = self.turns.saturating_add(statements as u64).saturating_add(1);
         self.turns <= MAX_WRITTEN_OUT
     }
 
@@ -184,9 +191,8 @@ impl<'d> Unroller<'_, '_, 'd> {
         self.statements(&selection.otherwise, scope);
     }
 
-    /// Makes names without indices those of this iteration; false if one is known, which is
-    /// reported.
-    fn localise(&mut self, kind: &StatementKind, scope: ScopeId) -> bool {
+    /// Makes names without indices those of this scope; false if one is known, which is reported.
+    pub(super) fn localise(&mut self, kind: &StatementKind, scope: ScopeId) -> bool {
         let names = kind.written_names().into_iter().map(|(name, _)| name);
         let mut names = names.filter(|name| name.indices.is_empty());
         names.all(|name| {
@@ -205,7 +211,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         })
     }
 
-    /// Why a name cannot be local to a loop.
+    /// Why a name cannot be local.
     fn objection(&self, name: &Name, scope: ScopeId) -> Option<String> {
         if self.scopes.find(scope, &name.text).is_some() {
             return Some(messages::shadowed_variable(&name.text));
@@ -239,7 +245,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         }
     }
 
-    fn counting(&self) -> Counting<'_> {
+    pub(super) fn counting(&self) -> Counting<'_> {
         Counting { expressions: self.expressions, scopes: self.scopes, constants: &self.unrolled.constants }
     }
 
@@ -254,7 +260,7 @@ impl<'d> Unroller<'_, '_, 'd> {
     }
 
     /// Once is enough.
-    fn report_too_long(&mut self, origin: Origin) {
+    pub(super) fn report_too_long(&mut self, origin: Origin) {
         if !std::mem::replace(&mut self.is_too_long, true) {
             self.complaints
                 .report

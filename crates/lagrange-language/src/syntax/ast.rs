@@ -8,8 +8,6 @@ pub mod bodies;
 mod callables;
 mod conditions;
 mod definitions;
-mod enclosures;
-mod events;
 mod expressions;
 mod id;
 mod keywords;
@@ -29,12 +27,7 @@ pub use callables::{
     UnknownDefinition,
 };
 pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
-pub use definitions::{
-    AllowedRange, Definition, EmitItem, Limit, Mode, Reduction, ReductionItem, ReductionKind, StateKind,
-    momentum_of,
-};
-pub use enclosures::{Enclosed, Enclosure};
-pub use events::{Action, Assignment, Clock, Direction, Event, Friction};
+pub use definitions::{AllowedRange, Definition, EmitItem, Limit, Mode, StateKind};
 pub use expressions::{
     ArrayExpression, BinaryOperator, Condition, Expression, Expressions, Fold, IN_AXES, Range,
 };
@@ -50,8 +43,9 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    Block, Nested, PartArgument, PartDefinition, Placement, Repetition, Selection, Statement, StatementKind,
-    nested,
+    Action, Assignment, Block, Clock, Direction, Enclosed, Enclosure, Event, Friction, Nested, PartArgument,
+    PartDefinition, Placement, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
+    StatementKind, momentum_of, nested,
 };
 pub use surfaces::{Contact, Surface, SurfaceKind};
 
@@ -114,17 +108,6 @@ impl Declaration {
             }
         }
         places
-    }
-
-    /// Traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.
-    pub fn underivable(&self) -> Vec<&Name> {
-        let mut reductions = self.reductions().flat_map(|(reduction, _)| &reduction.items);
-        // The momentum of an ignored coordinate is a field, too.
-        let has_momentum = reductions.any(|item| item.kind == ReductionKind::Ignored);
-        let has_fields = has_momentum || self.fields().next().is_some();
-        let is_number = !matches!(self.scalar, ScalarType::Generic(_));
-        let is_exact = |name: &&Name| ["Eq", "Ord", "Hash"].contains(&name.text.as_str());
-        self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
     }
 
     /// Returns the parameters and inputs in their order.
@@ -242,14 +225,6 @@ impl Declaration {
     pub fn outputs(&self) -> impl Iterator<Item = &Name> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Output(name, _) => Some(name),
-            _ => None,
-        })
-    }
-
-    /// Returns the reduced types in their order, each with its documentation.
-    pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
-        self.statements.iter().filter_map(|statement| match &statement.kind {
-            StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
             _ => None,
         })
     }

@@ -1,6 +1,6 @@
 //! Statements that declare events.
 
-use proc_macro2::{Delimiter, Group, Span};
+use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::ast::{Action, Assignment, AstId, Clock, Direction, Event, Name};
 use super::cursor::Cursor;
@@ -56,13 +56,17 @@ impl Parser<'_> {
         self.equals(form("event"), cursor)?;
         let is_wrong = self.report.diagnostics().len() > mistakes;
         let value = self.expression(cursor)?;
-        if at_relation(cursor) && !at_arrow(cursor) {
+        let is_condition = at_relation(cursor) && !at_arrow(cursor);
+        if is_condition || at_combination(cursor) {
             if is_wrong {
                 // Written as a condition behind a colon, it is one mistake.
                 return Err(Reported);
             }
             let origin = cursor.here_to_pair();
-            let help = habits::zero_and_direction(&name.text);
+            let help = match combines_conditions(cursor) {
+                true => habits::several_conditions(&name.text),
+                false => habits::zero_and_direction(&name.text),
+            };
             return Err(self.fail_with_help(origin, habits::CONDITION_IN_EVENT, help));
         }
         if cursor.eat(',').is_some() {
@@ -184,6 +188,21 @@ impl Parser<'_> {
 
 fn direction_of(word: &str) -> Option<Direction> {
     DIRECTIONS.iter().find(|(known, _)| *known == word).map(|(_, direction)| *direction)
+}
+
+fn at_combination(cursor: &Cursor) -> bool {
+    cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
+}
+
+/// True if `&&` or `||` stands in front of the action.
+fn combines_conditions(cursor: &Cursor) -> bool {
+    let signs = |token: &TokenTree| match token {
+        TokenTree::Punct(punct) => punct.as_char(),
+        _ => ' ',
+    };
+    let signs = cursor.rest().iter().map(signs).collect::<String>();
+    let condition = signs.split("=>").next().unwrap_or_default();
+    condition.contains("&&") || condition.contains("||")
 }
 
 fn at_arrow(cursor: &Cursor) -> bool {

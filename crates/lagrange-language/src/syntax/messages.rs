@@ -80,6 +80,10 @@ messages! {
     NOTHING_ASSIGNED = "nothing is assigned between these braces";
     NOTHING_ASSIGNED_HELP = "write `{ dot(x) = -dot(x); }`, or `record` for an event that changes nothing";
 
+    NOTHING_BEHIND_LOCAL = "no line behind this `let` could use its name";
+    NOTHING_BEHIND_LOCAL_HELP = "write it before the lines that use its name, or remove it";
+    LOCAL_ELEMENT = "a name between these braces has no index";
+    LOCAL_ELEMENT_HELP = "remove it: each iteration of a loop has its own value";
     STATEMENT_IN_EVENT = "an event can only assign coordinates and velocities";
     statement_in_event_help(keyword) =
         "write the `{keyword}` before the event; the braces contain only `dot(x) = e;` or `x = e;`";
@@ -100,7 +104,8 @@ messages! {
     NOTHING_REDUCED = "nothing is frozen, small or ignored here";
     REDUCTION_ITEM = "`freeze`, `small` or `ignore`";
     frozen_without_value(name) = "the frozen coordinate {} needs a value", quoted(name);
-    frozen_without_value_help(name) = "write `freeze {} = 0;`", shortened(name);
+    frozen_without_value_help(name) =
+        "write `freeze {} = 0;`, or a parameter after `=`, which is set when the program runs", shortened(name);
     ignored_with_value(name) = "the ignored coordinate {} takes no value", quoted(name);
     IGNORED_WITH_VALUE_HELP = "remove it: the momentum of the coordinate is a parameter of the reduced type";
     unknown_statement(word) = "unknown statement {}", quoted(word);

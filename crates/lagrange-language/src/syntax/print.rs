@@ -230,12 +230,11 @@ impl Printer<'_> {
 
     fn assignments(&mut self, assignments: &[Assignment]) {
         self.text("{");
-        for assignment in assignments {
-            self.enclosed(&assignment.enclosures, |printer| {
-                printer.labelled(" ", assignment.target);
-                printer.between(" = ", assignment.value, ";");
-            });
-        }
+        let lines = assignments.iter().map(|assignment| (&assignment.enclosures[..], assignment));
+        self.enclosed_lines(lines, |printer, assignment| {
+            printer.labelled(" ", assignment.target);
+            printer.between(" = ", assignment.value, ";");
+        });
         self.text(" }");
     }
 
@@ -270,20 +269,19 @@ impl Printer<'_> {
         self.text(&reduction.name.text);
         self.text(" {");
         let is_free = |item: &ReductionItem| item.enclosures.is_empty();
-        for line in reduction.items.chunk_by(|a, b| a.kind == b.kind && is_free(a) && is_free(b)) {
-            self.enclosed(&line[0].enclosures, |printer| {
-                printer.text(match line[0].kind {
-                    ReductionKind::Frozen => " freeze ",
-                    ReductionKind::Small => " small ",
-                    ReductionKind::Ignored => " ignore ",
-                });
-                printer.list(line, |printer, item| {
-                    printer.name(&item.coordinate);
-                    printer.assigned(item.value);
-                });
-                printer.text(";");
+        let lines = reduction.items.chunk_by(|a, b| a.kind == b.kind && is_free(a) && is_free(b));
+        self.enclosed_lines(lines.map(|line| (&line[0].enclosures[..], line)), |printer, line| {
+            printer.text(match line[0].kind {
+                ReductionKind::Frozen => " freeze ",
+                ReductionKind::Small => " small ",
+                ReductionKind::Ignored => " ignore ",
             });
-        }
+            printer.list(line, |printer, item| {
+                printer.name(&item.coordinate);
+                printer.assigned(item.value);
+            });
+            printer.text(";");
+        });
         self.text(" }");
     }
 }

@@ -27,7 +27,7 @@ impl Parser<'_> {
         statements
     }
 
-    fn documented_statement(&mut self, cursor: &mut Cursor) -> Option<Statement> {
+    pub(super) fn documented_statement(&mut self, cursor: &mut Cursor) -> Option<Statement> {
         let (docs, attributes) = self.documentation(cursor);
         if cursor.at('%') {
             self.comment(cursor);

@@ -56,7 +56,7 @@ fn character_help(culprit: char) -> &'static str {
         '√' => "write `sqrt(x)`",
         '½' => "write `1/2`",
         '¼' => "write `1/4`",
-        '°' => "write `30 deg` for an angle; a temperature is in `K`",
+        '°' => "write `30 deg` for an angle and `20 degC` for a temperature",
         '∂' | '∇' => "derivatives by coordinates are computed automatically; `dot(x)` is the rate of x",
         '∫' | '∑' => "write a sum as `sum(i in 0..n, e)`; there are no integrals",
         '≤' => "write `<=`",

@@ -16,8 +16,8 @@ use lagrange_expr::collections::HashSet;
 pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
     let mut lets = HashMap::default();
     for statement in &declaration.statements {
-        if let StatementKind::Let(name, value) = &statement.kind {
-            lets.insert(name.text.clone(), *value);
+        for (name, value) in statement.kind.named_expressions(&declaration.expressions) {
+            lets.insert(name.text.clone(), value);
         }
     }
     let scene = declaration.statements.iter().filter_map(|statement| match &statement.kind {

@@ -45,6 +45,33 @@ fn loops_in_reductions_stand_for_their_lines() {
     );
 }
 
+/// A `let` between braces is one in front of the statement, new in each iteration.
+#[test]
+fn local_names_stand_in_front_of_the_statement() {
+    assert_same(
+        "coord x; event hit = x, rising => { let r = 2 * x; dot(x) = r; x = r^2; } every 1 => { let r = x; dot(x) = r; }",
+        "coord x; let r_0 = 2 * x; event hit = x, rising => { dot(x) = r_0; x = r_0^2; } let r_1 = x; every 1 => { dot(x) = r_1; }",
+    );
+    assert_same(
+        "coord x[2]; event hit = x[0], rising => {
+             let (a, b) = (x[0], x[1]); let f(z) = a * z;
+             for i in 0..2 { let r = f(i); dot(x[i]) = r; if i > 0 { let s = r + b; x[i] = s; } }
+         }",
+        "coord x_0, x_1; let (a_0, b_0) = (x_0, x_1); let f_0(z) = a_0 * z;
+         let r_0 = f_0(0); let r_1 = f_0(1); let s_0 = r_1 + b_0;
+         event hit = x_0, rising => { dot(x_0) = r_0; dot(x_1) = r_1; x_1 = s_0; }",
+    );
+    assert_same(
+        "part Leg(n) { coord y; event hit = y, rising => { let r = n * y; dot(y) = r; } } leg[i in 0..2]: Leg { n: i; }",
+        "coord leg_0_y; let leg_0_r_0 = 0 * leg_0_y; event leg_0_hit = leg_0_y, rising => { dot(leg_0_y) = leg_0_r_0; }
+         coord leg_1_y; let leg_1_r_0 = 1 * leg_1_y; event leg_1_hit = leg_1_y, rising => { dot(leg_1_y) = leg_1_r_0; }",
+    );
+    assert_same(
+        "coord x, y; reduce Held { let r = 2; freeze x = r; }",
+        "coord x, y; let r_0 = 2; reduce Held { freeze x = r_0; }",
+    );
+}
+
 #[test]
 fn mistakes_in_enclosed_lines_are_reported() {
     let mistakes = [
@@ -61,9 +88,17 @@ fn mistakes_in_enclosed_lines_are_reported() {
         ("event e = x[0], rising => { for i in 0..2 { x[i] = 1 } }", "`;`"),
         (
             "event e = x[0], rising => { for i in 0..3000000000 { for j in 0..2 { x[i] = 1; } } }",
-            "more than 200000 terms",
+            "more than 200000 statements",
         ),
         ("every 1 => { for i in 0..2 { } }", "nothing is assigned"),
+        ("every 1 => { let r = x[0]; }", "no line behind this `let`"),
+        ("every 1 => { x[0] = 1; let r = x[1]; }", "no line behind this `let`"),
+        ("every 1 => { for i in 0..2 { x[i] = 1; let r = x[i]; } }", "no line behind this `let`"),
+        ("every 1 => { let r[0] = 2; x[0] = r[0]; }", "has no index"),
+        ("every 1 => { let x = 2; dot(x[0]) = x; }", "and a local name must be new"),
+        ("every 1 => { let r = 2; for r in 0..2 { x[r] = 1; } }", "cannot be the variable of a loop"),
+        ("every 1 => { let r = 2; x[0] = r; } force x[0] = r;", "known only inside its loop or braces"),
+        ("every 1 => { for i in 0..2 { let r = 2; x[i] = r; } dot(x[0]) = r; }", "known only inside"),
         ("reduce R { for i in 0..2 { held x[i] = 1; } }", "expected"),
     ];
     let branches = "if 1 > 2 { x[0] = 1; } else ".repeat(101);

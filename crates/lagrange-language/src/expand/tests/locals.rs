@@ -63,31 +63,37 @@ fn conditions_do_not_limit_names() {
 #[test]
 fn a_local_name_is_new_and_unknown_outside() {
     let mistakes = [
-        ("let r = x[0]; for i in 0..2 { let r = x[i]; }", "`r` is already declared, and a name in a loop"),
-        ("for i in 0..2 { let x = i; }", "`x` is already declared, and a name in a loop"),
-        ("for i in 0..2 { let r = i; for j in 0..2 { let r = j; } }", "`r` is already declared, and a name"),
-        ("for i in 0..2 { let r = i; let r = x[i]; }", "`r` is already declared, and a name in a loop"),
+        ("let r = x[0]; for i in 0..2 { let r = x[i]; }", "`r` is already declared, and a local name"),
+        ("for i in 0..2 { let x = i; }", "`x` is already declared, and a local name"),
+        (
+            "for i in 0..2 { let r = i; for j in 0..2 { let r = j; } }",
+            "`r` is already declared, and a local name",
+        ),
+        ("for i in 0..2 { let r = i; let r = x[i]; }", "`r` is already declared, and a local name"),
         ("for i in 0..2 { let i = x[0]; }", "`i` is already the variable of an enclosing loop"),
         (
             "for i in 0..2 { let r = i; for r in 0..2 { force x[i] = r; } }",
             "cannot be the variable of a loop",
         ),
         ("for i in 0..2 { let r = i; let p[i] = sum(r in 0..2, r); }", "cannot be the variable of a loop"),
-        ("for i in 0..2 { let r = x[i]; } force x[0] = r;", "`r` is known only inside its loop"),
-        ("for i in 0..2 { let r = x[i]; } force x[0] = x[r];", "`r` is known only inside its loop"),
-        ("for i in 0..2 { let r(z) = z; } force x[0] = r(2);", "`r` is known only inside its loop"),
+        ("for i in 0..2 { let r = x[i]; } force x[0] = r;", "`r` is known only inside its loop or braces"),
+        ("for i in 0..2 { let r = x[i]; } force x[0] = x[r];", "`r` is known only inside its loop or braces"),
+        ("for i in 0..2 { let r(z) = z; } force x[0] = r(2);", "`r` is known only inside its loop or braces"),
         ("for i in 0..2 { let r = x[i]; } force x[0] = r_1;", "unknown name `r_1`\n  help: write `r`"),
         ("for i in 0..2 { let r = x[i]; } let r_1 = 2;", "both become `r_1`"),
         (
             "part P { coord y; for i in 0..2 { let r = y; } force y = r; } p: P {}",
-            "known only inside its loop",
+            "known only inside its loop or braces",
         ),
         ("part P { coord y; for i in 0..2 { let r = y; } } p: P {} force x[0] = p.r;", "there is no `p.r`"),
         (
             "part P(r) { coord y; for i in 0..2 { let r = y; } } p: P { r: 1; }",
             "`r` is an argument of the part",
         ),
-        ("part P { coord y; } p: P {} for i in 0..2 { let p = i; }", "`p` is already declared, and a name"),
+        (
+            "part P { coord y; } p: P {} for i in 0..2 { let p = i; }",
+            "`p` is already declared, and a local name",
+        ),
         (
             "part P { coord y; } for i in 0..2 { let p = i; } p: P {}",
             "`p` is both a placed part and another name",

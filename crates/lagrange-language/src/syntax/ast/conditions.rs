@@ -3,7 +3,7 @@
 use super::id::AstId;
 
 /// A condition: one of several alternatives holds, each of which holds if all its tests do.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CombinedCondition {
     /// Tests with `&&` between them, in groups with `||` between those.
     pub alternatives: Vec<Vec<ConditionTest>>,
@@ -69,7 +69,7 @@ impl CombinedCondition {
 }
 
 /// One test of a condition.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ConditionTest {
     /// True if `!` stands before it.
     pub is_negated: bool,
@@ -78,7 +78,7 @@ pub struct ConditionTest {
 }
 
 /// The kind of a test.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum TestKind {
     /// `i < n`
     Comparison(AstId, Comparison, AstId),

@@ -3,12 +3,30 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::definitions::{Definition, Reduction, ReductionKind, StateKind, momentum_of};
+use super::definitions::{Definition, StateKind};
+use super::statements::{Reduction, ReductionKind, momentum_of};
 use super::statements::{Statement, StatementKind};
-use super::{Declaration, Name};
+use super::{Declaration, Name, ScalarType};
 use lagrange_expr::diagnostics::Origin;
 
 impl Declaration {
+    /// Returns the reduced types in their order, each with its documentation.
+    pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
+        self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
+            _ => None,
+        })
+    }
+
+    /// Returns the traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.
+    pub fn underivable(&self) -> Vec<&Name> {
+        let has_fields =
+            self.reductions().any(|(reduction, _)| reduction.has_momenta()) || self.fields().next().is_some();
+        let is_number = !matches!(self.scalar, ScalarType::Generic(_));
+        let is_exact = |name: &&Name| ["Eq", "Ord", "Hash"].contains(&name.text.as_str());
+        self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
+    }
+
     /// Returns the declaration of a reduced type: with another name and documentation, without
     /// frozen coordinates, and with ignored ones as states behind the others. Its statements still
     /// describe the whole system.

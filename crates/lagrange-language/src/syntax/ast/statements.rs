@@ -3,9 +3,13 @@
 //! Every walk over statements asks for their names and expressions here, and so learns of a variant
 //! as soon as it is listed.
 
+mod enclosures;
+mod events;
+mod lines;
 mod loops;
 mod names;
 mod parts;
+mod reductions;
 
 use proc_macro2::TokenStream;
 
@@ -13,15 +17,16 @@ use super::bodies::SceneStatement;
 use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
-use super::definitions::{Definition, EmitItem, Mode, Reduction, ReductionItem, StateKind};
-use super::enclosures::{Enclosed, Enclosure};
-use super::events::{Action, Assignment, Clock, Event, Friction};
+use super::definitions::{Definition, EmitItem, Mode, StateKind};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
+pub use enclosures::{Enclosed, Enclosure};
+pub use events::{Action, Assignment, Clock, Direction, Event, Friction};
 use lagrange_expr::diagnostics::Origin;
 pub use loops::{Block, Nested, Repetition, Selection, nested};
 pub use parts::{PartArgument, PartDefinition, Placement};
+pub use reductions::{Reduction, ReductionItem, ReductionKind, momentum_of};
 
 /// A statement and the stretch of source it covers.
 #[derive(Clone, Debug)]
@@ -383,27 +388,6 @@ impl StatementKind {
             StatementKind::LetTuple(names, value) => names.iter().map(|name| (name, *value)).collect(),
             _ => Vec::new(),
         }
-    }
-
-    /// Returns its lists of assignments.
-    pub fn assignments_mut(&mut self) -> Option<&mut Vec<Assignment>> {
-        match self {
-            StatementKind::Start(assignments) => Some(assignments),
-            StatementKind::Every(clock) => Some(&mut clock.assignments),
-            StatementKind::Event(event) => match &mut event.action {
-                Action::Assign(assignments) => Some(assignments),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-
-    /// Returns the loops and conditions around its lines.
-    pub fn enclosures_mut(&mut self) -> Vec<&mut Enclosure> {
-        if let StatementKind::Reduce(reduction) = self {
-            return reduction.items.iter_mut().flat_map(Enclosed::enclosures_mut).collect();
-        }
-        self.assignments_mut().into_iter().flatten().flat_map(Enclosed::enclosures_mut).collect()
     }
 
     /// Returns the names that a statement declares, each with the expression for its value or for

@@ -40,6 +40,8 @@ messages! {
     CONDITION_IN_EVENT = "an event is an expression whose zeros count, not a condition";
     zero_and_direction(name) =
         "write a < b as `event {} = a - (b), falling => stop;`, and a > b with `rising`", shortened(name);
+    several_conditions(name) =
+        "write `a < b && c < d` as `event {} = max(a - (b), c - (d)), falling => stop;`, and `||` with `min`", shortened(name);
     DECIMAL_COMMA = "a comma is not a decimal point";
     decimal_point(number) = "write {}", quoted(number);
     compound_assignment(operator) = "`{operator}=` is not an operator";

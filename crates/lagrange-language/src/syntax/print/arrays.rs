@@ -30,20 +30,41 @@ impl Printer<'_> {
         }
     }
 
-    /// Lines in the loops and conditions around them.
-    pub(super) fn enclosed(&mut self, around: &[Enclosure], print: impl FnOnce(&mut Self)) {
-        for enclosure in around {
-            match enclosure {
-                Enclosure::Loop(variable, range) => self.head(variable, range, " for "),
-                Enclosure::Condition(condition) => {
-                    self.text(" if ");
-                    self.index_condition(condition);
-                }
-            }
-            self.text(" {");
+    /// Lines, each in what encloses it. What encloses several lines in a row is printed once.
+    pub(super) fn enclosed_lines<'l, T>(
+        &mut self,
+        lines: impl IntoIterator<Item = (&'l [Enclosure], T)>,
+        mut print: impl FnMut(&mut Self, T),
+    ) {
+        let mut open: &[Enclosure] = &[];
+        for (around, line) in lines {
+            let shared = open.iter().zip(around).take_while(|(a, b)| a.is_same(b)).count();
+            self.close(&open[shared..]);
+            around[shared..].iter().for_each(|enclosure| self.open(enclosure));
+            print(self, line);
+            open = around;
         }
-        print(self);
-        around.iter().for_each(|_| self.text(" }"));
+        self.close(open);
+    }
+
+    fn open(&mut self, enclosure: &Enclosure) {
+        match enclosure {
+            Enclosure::Local(statement, _) => {
+                self.text(" ");
+                return self.statement(&statement.kind);
+            }
+            Enclosure::Loop(variable, range) => self.head(variable, range, " for "),
+            Enclosure::Condition(condition) => {
+                self.text(" if ");
+                self.index_condition(condition);
+            }
+        }
+        self.text(" {");
+    }
+
+    fn close(&mut self, enclosures: &[Enclosure]) {
+        let has_braces = |enclosure: &&Enclosure| !matches!(enclosure, Enclosure::Local(..));
+        enclosures.iter().filter(has_braces).for_each(|_| self.text(" }"));
     }
 
     /// `for i in 0..n`

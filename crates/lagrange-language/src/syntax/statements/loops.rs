@@ -53,23 +53,44 @@ impl Parser<'_> {
         cursor: &mut Cursor,
         read: fn(&mut Self, &mut Cursor) -> Parsed<Vec<T>>,
     ) -> Vec<T> {
-        let mut lines = Vec::new();
+        let (mut lines, mut locals, mut last_local) = (Vec::new(), Vec::new(), None);
         self.each(cursor, |parser, cursor| {
             if cursor.eat(';').is_some() {
                 return;
             }
+            if cursor.at_word("let") {
+                last_local = Some(cursor.here());
+                return locals.extend(parser.local_name(cursor));
+            }
+            last_local = None;
             parser.begin_statement();
             let is_block = cursor.at_word("for") || cursor.at_word("if");
             let line = if is_block { parser.block_of_lines(cursor, read) } else { read(parser, cursor) };
             match line {
-                Ok(line) => lines.extend(line),
+                Ok(line) => lines.extend(enclosed(line, &locals)),
                 Err(Reported) => parser.skip_statement(cursor),
             }
             if cursor.eat(';').is_none() && !parser.skipped && !is_block {
                 parser.missing_semicolon(cursor);
             }
         });
+        if let Some(origin) = last_local {
+            self.fail_once(origin, messages::NOTHING_BEHIND_LOCAL, messages::NOTHING_BEHIND_LOCAL_HELP);
+        }
         lines
+    }
+
+    /// `let dv = e;` between the braces of an event, a clock or a reduction.
+    fn local_name(&mut self, cursor: &mut Cursor) -> Option<Enclosure> {
+        let start = cursor.position();
+        let mut statement = self.documented_statement(cursor)?;
+        let value = statement.kind.expressions().last().copied()?;
+        if let Some(name) = statement.kind.names_mut().into_iter().find(|name| !name.indices.is_empty()) {
+            self.fail_with_help(name.span, messages::LOCAL_ELEMENT, messages::LOCAL_ELEMENT_HELP);
+            self.leave_out(cursor, start);
+            return None;
+        }
+        Some(Enclosure::Local(Box::new(statement), value))
     }
 
     /// The lines of a loop or a choice, each with what encloses it.
@@ -81,7 +102,7 @@ impl Parser<'_> {
         let within = |parser: &mut Self, cursor: &mut Cursor| parser.enclosed_lines(cursor, read);
         if cursor.eat_word("for").is_some() {
             let (variable, range, lines) = self.in_each(cursor, within)?;
-            return Ok(enclosed(lines, &Enclosure::Loop(variable, range)));
+            return Ok(enclosed(lines, &[Enclosure::Loop(variable, range)]));
         }
         let start = cursor.skip_one();
         let (branches, otherwise) = self.in_branches(cursor, within)?;
@@ -93,7 +114,7 @@ impl Parser<'_> {
         let mut all = Vec::new();
         for (number, lines) in bodies.into_iter().chain([otherwise]).enumerate() {
             let condition = CombinedCondition::of_branch(&conditions[..number], conditions.get(number));
-            all.extend(enclosed(lines, &Enclosure::Condition(condition)));
+            all.extend(enclosed(lines, &[Enclosure::Condition(condition)]));
         }
         Ok(all)
     }
@@ -222,8 +243,10 @@ impl Parser<'_> {
 }
 
 /// Lines with something more around them.
-fn enclosed<T: Enclosed>(mut lines: Vec<T>, around: &Enclosure) -> Vec<T> {
-    lines.iter_mut().for_each(|line| line.enclosures_mut().insert(0, around.clone()));
+fn enclosed<T: Enclosed>(mut lines: Vec<T>, around: &[Enclosure]) -> Vec<T> {
+    for line in &mut lines {
+        line.enclosures_mut().splice(0..0, around.iter().cloned());
+    }
     lines
 }
 

@@ -194,7 +194,7 @@ error at 3:15: expected `freeze`, `small` or `ignore`, found `frieze`
 error at 3:37: expected an operator, `,` or `;`, found `+`
   help: expressions are made of numbers, names, calls such as `sin(x)`, parentheses and the operators `+ - * / ^`
 error at 3:49: the frozen coordinate `x` needs a value
-  help: write `freeze x = 0;`
+  help: write `freeze x = 0;`, or a parameter after `=`, which is set when the program runs
 error at 3:52: expected `freeze`, `small` or `ignore`, found `3`
   help: write `reduce Name { freeze x = 0; small theta; }`
 ";
@@ -312,12 +312,11 @@ fn what_is_left_out_hides_no_mistake_with_names_that_are_known() {
 
 #[test]
 fn events_say_what_stands_between_their_braces() {
-    let text =
-        "coord x;\nevent wall = x - 3, rising => { let v = dot(x); dot(x) = -v / 2; }\nkinetic = x * y;";
+    let text = "coord x;\nevent wall = x - 3, rising => { const v = 1; dot(x) = -v / 2; }\nkinetic = x * y;";
     let (declaration, report) = read_wrong(text);
     let expected = "\
 error at 2:33: an event can only assign coordinates and velocities
-  help: write the `let` before the event; the braces contain only `dot(x) = e;` or `x = e;`
+  help: write the `const` before the event; the braces contain only `dot(x) = e;` or `x = e;`
 ";
     assert_eq!(report, expected);
     let expected = ["coord x", "event wall (- x 3) Rising ((dot x) ?)", "kinetic (* x y)"];

@@ -39,12 +39,15 @@ event floor = y - b, falling => impact(1/2);
 event wall = x, rising => stop;
 event tick = sin(t), crossing => record;
 event kick = x - a, crossing => { dot(x) = -k * dot(x); y = a; }
+event push = x, falling => { let r = 2 * x; x = r; let (u, v) = (r, x); y = u; for i in 0..2 { let w = v; z[i] = w; } dot(y) = v; }
+every 1 => { if 1 < 2 { let r = x; y = r; } x = 1; }
 friction brake = dot(x) - w, mu * floor;
 friction shoe = dot(x), kinetic: mu, static: if x < 0 { a } else if x > 1 { b } else { c };
 friction slow = dot(x), mu, smooth: a;
 output tip = (p, q);
 emit { jacobian, no energy }
 reduce Near { freeze x = 0, y = a; small theta, phi = pi/2; freeze z = 1; ignore s, w; }
+reduce Far { let r = 2; freeze x = r; small y = r; }
 gravity = (0, -g);
 body rod { mass: m; inertia: slender_rod(m, l); center: (x, y); centroid: (l/2, 0); angle: a; shape: disk(r); }
 body wheel { origin: (x, y); compound { disk(r), mass: m; hole point_mass(), mass: n, at: (a, b), angle: e; } }

@@ -1,9 +1,9 @@
 //! Names in statements, as they stand in the text.
 
 use super::StatementKind;
-use crate::syntax::ast::Name;
 use crate::syntax::ast::bodies::SceneStatement;
 use crate::syntax::ast::mobilizers::MobilizerKind;
+use crate::syntax::ast::{AstId, Expression, Expressions, Name};
 
 impl StatementKind {
     /// Returns all names outside of expressions, to be read or replaced. They are the names that
@@ -51,6 +51,18 @@ impl StatementKind {
             | StatementKind::Start(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => Vec::new(),
+        }
+    }
+
+    /// Returns the names that a `let` gives to expressions of the text.
+    pub fn named_expressions(&self, expressions: &Expressions) -> Vec<(&Name, AstId)> {
+        match self {
+            StatementKind::Let(name, value) => vec![(name, *value)],
+            StatementKind::LetTuple(names, value) => match expressions.get(*value) {
+                Expression::Tuple(parts) => names.iter().zip(parts.iter().copied()).collect(),
+                _ => Vec::new(),
+            },
+            _ => Vec::new(),
         }
     }
 

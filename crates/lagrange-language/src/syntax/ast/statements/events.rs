@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use super::enclosures::{Enclosed, Enclosure};
-use super::{AstId, Name};
+use crate::syntax::ast::{AstId, Name};
 
 /// A zero to be found during a motion, and what happens there.
 #[derive(Clone, Debug)]
