@@ -182,7 +182,11 @@ fn interface(revision: &str) -> Vec<Step> {
             "changes that break users",
             &format!("semver-checks --workspace --baseline-rev {revision}"),
         ),
-        Step::new("public interface", &format!("public-api --all-features -sss diff {revision}..HEAD")),
+        // What users name is in this crate; `lagrange` re-exports it.
+        Step::new(
+            "public interface",
+            &format!("public-api --package lagrange-runtime --all-features -sss diff {revision}..HEAD"),
+        ),
     ]
 }
 

@@ -75,6 +75,7 @@ def test_plots_have_a_panel_for_each_column(tmp_path):
     assert repr(plot) == "<Plot of 2 panels>"
     assert repr(motion.plot("energy")) == "<Plot of 1 panels>"
     assert motion.plot("x_dot", x="x").svg != motion.plot("x_dot").svg
+    plot = motion.plot("x")
     for name, start in [("plot.svg", b"<svg"), ("plot.png", b"\x89PNG")]:
         plot.save(tmp_path / name)
         assert (tmp_path / name).read_bytes().startswith(start)
