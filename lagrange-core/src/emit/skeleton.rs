@@ -162,7 +162,7 @@ fn skeleton_of_lanes() -> Lanes {
 }
 
 fn skeleton_of_taylor() -> Taylor {
-    Taylor { shared: 0, groups: 0, body: quote!(::core::unreachable!()) }
+    Taylor { shared: 0, groups: 0, followed: Vec::new(), body: quote!(::core::unreachable!()) }
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
