@@ -29,6 +29,7 @@ mod projected;
 mod quaternions;
 #[path = "../references/mod.rs"]
 mod references;
+mod series_of_functions;
 mod spatial;
 #[path = "../mechanisms/spatial_slider_crank.rs"]
 mod spatial_slider_crank;

@@ -17,6 +17,19 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// Returns the ends of the piece that a number is in; infinite beyond the first and the last
+    /// knot, NaN for NaN.
+    pub fn piece<S: Number>(&self, x: S) -> [S; 2] {
+        let Some((piece, _)) = self.find(&mut Group { mask: S::Mask::splat(true) }, x) else {
+            return [S::NAN; 2];
+        };
+        let knot = |index: Option<usize>, beyond: f64| {
+            let knot = index.and_then(|index| self.knots.get(index));
+            S::from_f64(knot.copied().unwrap_or(beyond))
+        };
+        [knot(piece.checked_sub(1), f64::NEG_INFINITY), knot(Some(piece), f64::INFINITY)]
+    }
+
     /// The piece that the numbers of a group are in, and their distances from where that begins;
     /// `None` for NaN. Piece 0 is the one before the first knot, whose distance counts from there.
     /// Numbers in other pieces leave the group.

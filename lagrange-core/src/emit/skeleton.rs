@@ -169,7 +169,7 @@ fn skeleton_of_regressor() -> Regressed {
 }
 
 fn skeleton_of_taylor() -> Taylor {
-    Taylor { shared: 0, groups: 0, body: quote!(::core::unreachable!()) }
+    Taylor { shared: 0, groups: 0, followed: Vec::new(), body: quote!(::core::unreachable!()) }
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {

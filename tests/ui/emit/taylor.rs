@@ -1,3 +1,4 @@
+use lagrange::Simulate;
 use lagrange::integrate::{Taylor, integrate};
 
 lagrange::system! {
@@ -33,12 +34,13 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    struct Spring;
+    #[derive(Clone, Debug)]
+    struct Cart;
 
-    param n = 1.7;
     coord x;
+    input push;
     kinetic = 1/2 * dot(x)^2;
-    potential = abs(x)^n;
+    force x = push;
     emit { taylor }
 }
 
@@ -61,4 +63,8 @@ fn slope(_: f64) -> f64 {
 fn main() {
     let end = integrate(&Pendulum::default(), 0.0, [0.1, 0.0], 1.0, &Taylor::tolerance(1e-9), |_, _| {});
     println!("{end:?}");
+    let cart = Cart::default();
+    let driven = cart.simulate([0.0, 0.0]).until(1.0).drive(|_, t, _| CartInputs { push: t });
+    let run = driven.method(Taylor::tolerance(1e-9)).run();
+    println!("{run:?}");
 }

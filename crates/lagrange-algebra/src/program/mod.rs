@@ -31,7 +31,7 @@ pub use interpret::{run, run_with};
 pub use ir::{Float, Op, Program, ValueId, ValueTable};
 pub use labels::Labels;
 pub use listing::{Listing, listing};
-pub use lower::lower;
+pub use lower::{is_written_out, lower};
 pub use newton::NewtonProgram;
 pub use passes::{
     Pass, batch_sines_and_cosines, fuse_multiply_adds, optimise, pair_sines_and_cosines, passes, schedule,

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::program::{Op, Program, ValueId, ValueTable};
 use lagrange_expr::expr::Function;
+use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
 /// The behaviour of a value while a motion is expanded.
@@ -25,8 +26,6 @@ pub(super) enum Kind {
 pub enum NoSeries {
     /// A function without a formula.
     Function(String),
-    /// A power whose exponent is no multiple of one half.
-    Power,
     /// A value that is not linear in accelerations.
     Acceleration,
 }
@@ -35,7 +34,6 @@ impl fmt::Display for NoSeries {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NoSeries::Function(name) => write!(f, "`{name}` has no formula"),
-            NoSeries::Power => write!(f, "powers need exponents that are multiples of one half"),
             NoSeries::Acceleration => write!(f, "a term is not linear in accelerations"),
         }
     }
@@ -63,12 +61,22 @@ fn kind(op: &Op, kinds: &ValueTable<Kind>) -> Kind {
         Op::Select { then, otherwise, .. } => kinds[*then].max(kinds[*otherwise]),
         Op::Multiply(a, b) if kinds[*a].min(kinds[*b]) == Kind::Accelerated => Kind::Unknown,
         Op::Divide(_, b) if kinds[*b] == Kind::Accelerated => Kind::Unknown,
-        Op::Power(..) | Op::Opaque(..) | Op::Call(Function::Power, _) if strongest > Kind::Fixed => {
-            Kind::Unknown
-        }
-        Op::Call(..) if strongest == Kind::Accelerated => Kind::Unknown,
+        Op::Opaque(function, _) if is_fixed(function) => Kind::Fixed,
+        Op::Opaque(function, _) if !has_series(function) && strongest > Kind::Fixed => Kind::Unknown,
+        Op::Power(..) | Op::Call(..) | Op::Opaque(..) if strongest == Kind::Accelerated => Kind::Unknown,
         _ => strongest,
     }
+}
+
+/// True for functions that are known by more than their values: tables and solutions of equations.
+pub(super) fn has_series(function: &Opaque) -> bool {
+    function.table().is_some() || function.is_solution()
+}
+
+/// True for tables that have one value on each of their pieces.
+fn is_fixed(function: &Opaque) -> bool {
+    function.table().is_some()
+        && (0..function.arity()).all(|argument| function.derivative(argument).vanishes())
 }
 
 fn of_role(role: Role) -> Kind {
@@ -94,8 +102,9 @@ pub(super) fn reason(program: &Program, kinds: &ValueTable<Kind>, value: ValueId
         cause = operand;
     }
     match program.op(cause) {
-        Op::Opaque(function, _) => NoSeries::Function(function.function().name.clone()),
-        Op::Power(..) | Op::Call(Function::Power, _) => NoSeries::Power,
+        Op::Opaque(function, _) if !has_series(function) => {
+            NoSeries::Function(function.function().name.clone())
+        }
         _ => NoSeries::Acceleration,
     }
 }

@@ -19,7 +19,7 @@ use lagrange_expr::symbol::Role;
 /// The most terms of a value that is not computed by itself.
 const MAX_TERMS: usize = 8;
 /// The most products that a value may cost again where it is used more than once.
-const MAX_REPEATED: usize = 8;
+const MAX_REPEATED: usize = 4;
 
 /// A number of order zero times a power of k + 1.
 #[derive(Clone, Copy, Debug)]

@@ -11,9 +11,13 @@
 //! | z = x/y | (xₘ − Σ_{j≥1} yⱼ zₘ₋ⱼ)/y₀ |
 //! | y = √x | (xₘ − Σ_{0<j<m} yⱼ yₘ₋ⱼ)/(2 y₀) |
 //! | f(x) | f′(x) ẋ of order m − 1, divided by m |
+//! | y = xᵃ | a ẋ y/x of order m − 1, divided by m; zero if x₀ is |
 //!
-//! The last line holds for every elementary function, as its rate is a program, too. The sine of an
-//! angle costs the product cos θ · θ̇, which the system often needs for a velocity anyway.
+//! The line of f holds for every elementary function, as its rate is a program, too. It also holds
+//! for solutions of equations and for tables, as long as their arguments stay within the
+//! [pieces](TableArgument) that they start in. A root, a power or a length that starts from zero
+//! has no series there. It is kept at zero, which holds for a short time only. The sine of an angle
+//! costs the product cos θ · θ̇, which the system often needs for a velocity anyway.
 //!
 //! Source: Griewank and Walther, *Evaluating Derivatives*, 2nd ed., §13; Jorba and Zou, "A software
 //! package for the numerical integration of ODEs by means of high-order Taylor methods", *Experimental
@@ -58,11 +62,12 @@ mod schedule;
 mod slots;
 
 use crate::program::{Program, ValueId};
+use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 use recurrence::{Constants, Recurrence};
 use schedule::Schedule;
 
-pub use functions::function_rates;
+pub use functions::{function_rates, without_long_powers};
 pub use groups::Groups;
 pub use kinds::NoSeries;
 pub use slots::Slot;
@@ -108,6 +113,19 @@ pub enum Rate {
     Acceleration(u32),
 }
 
+/// An argument of a table, whose polynomials it selects.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct TableArgument {
+    /// The table.
+    pub table: Opaque,
+    /// Place among the arguments of the table.
+    pub axis: usize,
+    /// Kept value that has its coefficients.
+    pub kept: usize,
+    /// Initial value that it starts from.
+    pub initial: usize,
+}
+
 /// The programs that expand a motion, over [placeholders](lagrange_expr::symbol::Role::Placeholder)
 /// with the meaning of `slots`.
 ///
@@ -129,6 +147,8 @@ pub struct SeriesPrograms {
     pub carried: Vec<(usize, usize)>,
     /// Meaning of the placeholders, by number.
     pub slots: Vec<Slot>,
+    /// Arguments of tables.
+    pub arguments: Vec<TableArgument>,
     /// Number of initial values, without the matrix.
     pub initials: usize,
     /// Number of kept values.

@@ -4,11 +4,12 @@ use super::kinds::Kind;
 use super::linear::{Factors, flatten};
 use super::schedule::{Schedule, Source};
 use super::slots::{Slot, Slots};
-use super::{Motion, SeriesPrograms};
+use super::{Motion, SeriesPrograms, TableArgument};
 use crate::program::{Builder, Op, Program, ValueId, ValueTable};
 use lagrange_expr::collections::OrderedMap;
-use lagrange_expr::expr::Function;
+use lagrange_expr::expr::{Function, Relation};
 use lagrange_expr::number::Number;
+use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
 /// A coefficient in a program of one step; `None` is zero.
@@ -21,7 +22,7 @@ enum Initial {
     Value(ValueId),
     /// 1/x₀
     Reciprocal(ValueId),
-    /// 1/(2 x₀)
+    /// 1/(2 x₀), and 0 of 0
     HalfReciprocal(ValueId),
 }
 
@@ -113,6 +114,7 @@ impl<'a> Recurrence<'a> {
         for &value in &carried {
             self.keep(value.into());
         }
+        let arguments = self.arguments();
         let kept = self.kept.iter().map(|(value, ())| value.clone()).collect::<Vec<_>>();
         let correction = (!self.motion.residuals.is_empty()).then(|| {
             let mut share = self.pass(Builder::new(), Part::Share);
@@ -136,9 +138,33 @@ impl<'a> Recurrence<'a> {
             correction,
             sums: self.sums.iter().map(|(factors, ())| *factors).collect(),
             carried,
+            arguments,
             slots: self.slots.list(),
             kept: kept.len(),
         }
+    }
+
+    /// The moving arguments of all tables, kept.
+    fn arguments(&mut self) -> Vec<TableArgument> {
+        let mut found = Vec::new();
+        for &value in &self.schedule.order {
+            let Op::Opaque(function, arguments) = self.motion.program.op(value) else { continue };
+            if function.table().is_none() {
+                continue;
+            }
+            for (axis, &argument) in arguments.iter().enumerate() {
+                if self.schedule.kinds[argument] == Kind::Moving {
+                    let table = Opaque::value_of(function.function().clone());
+                    let (kept, initial) =
+                        (self.keep(argument.into()), self.initial(Initial::Value(argument)));
+                    let argument = TableArgument { table, axis, kept, initial };
+                    if !found.contains(&argument) {
+                        found.push(argument);
+                    }
+                }
+            }
+        }
+        found
     }
 
     fn finished(&mut self, mut pass: Pass, kept: &[Multiple]) -> Program {
@@ -419,8 +445,10 @@ impl<'a> Recurrence<'a> {
                 builder.divide(one, image[of])
             }
             Initial::HalfReciprocal(of) => {
-                let half = builder.constant(Number::HALF);
-                builder.divide(half, image[of])
+                let (half, zero) = (builder.constant(Number::HALF), builder.constant(Number::ZERO));
+                let otherwise = builder.divide(half, image[of]);
+                let relation = Relation::LessEqual;
+                builder.push(Op::Select { relation, left: image[of], right: zero, then: zero, otherwise })
             }
         });
         let mut outputs = values.collect::<Vec<_>>();

@@ -5,6 +5,7 @@ use super::kinds::{Kind, NoSeries, kinds, reason};
 use super::{Entry, Motion, Rate};
 use crate::program::{Op, Program, ValueId, ValueTable};
 use lagrange_expr::collections::{HashMap, HashSet};
+use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Function;
 use lagrange_expr::symbol::Role;
 
@@ -40,6 +41,17 @@ pub(super) enum Source {
     Previous(ValueId),
     /// Its operands.
     Operands,
+}
+
+/// The name of the function that an operation calls, unless it has a recurrence of its own.
+fn called(op: &Op) -> Option<&str> {
+    match op {
+        Op::Call(Function::Sqrt, _) => None,
+        Op::Call(function, _) => Some(row(*function).name),
+        Op::Power(..) => Some(row(Function::Power).name),
+        Op::Opaque(function, _) => Some(&function.function().name),
+        _ => None,
+    }
 }
 
 /// The acceleration that a velocity has as a function of the state.
@@ -111,6 +123,11 @@ impl Schedule {
                 op => op.for_each_operand(|operand| inputs.push(operand)),
             },
         }
+        if let Op::Opaque(function, arguments) = motion.program.op(value)
+            && function.table().is_some()
+        {
+            inputs.extend(arguments);
+        }
         inputs.retain(|&input| self.kinds[input] != Kind::Fixed);
         inputs
     }
@@ -141,10 +158,9 @@ impl Schedule {
             if self.kinds[value] == Kind::Unknown {
                 return Err(reason(motion.program, &self.kinds, value));
             }
-            let op = motion.program.op(value);
-            let is_function = matches!(op, Op::Call(function, _) if *function != Function::Sqrt);
-            if is_function && !self.functions.contains(&value) {
-                return Err(NoSeries::Power);
+            if let Some(name) = called(motion.program.op(value)).filter(|_| !self.functions.contains(&value))
+            {
+                return Err(NoSeries::Function(name.to_owned()));
             }
             pending.extend(self.inputs(motion, value));
             needed.push(value);

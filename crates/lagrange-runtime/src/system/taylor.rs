@@ -1,5 +1,8 @@
 //! Systems whose motion can be expanded in Taylor series.
 
+mod pieces;
+
+use self::pieces::Pieces;
 use super::OdeSystem;
 use crate::linalg::pivoted::{Factors, Matrix};
 use crate::scalar::{Number, Scalar};
@@ -11,7 +14,8 @@ pub const MAX_ORDER: usize = 40;
 #[diagnostic::on_unimplemented(
     message = "the declaration of `{Self}` does not emit `taylor`",
     label = "a system with Taylor series is required",
-    note = "add `emit {{ taylor }}` to the declaration"
+    note = "add `emit {{ taylor }}` to the declaration",
+    note = "inputs from a law of `drive` have no series: `sampled` holds inputs, and `Verner98` takes laws"
 )]
 pub trait TaylorSystem: OdeSystem {
     /// Storage for the series of products, to be used again for each expansion.
@@ -29,6 +33,13 @@ pub trait TaylorSystem: OdeSystem {
         series: &mut Self::Series,
         coefficients: &mut [Self::State],
     );
+
+    /// Returns the part of the time `h` for which the last expansion in `series` can hold. It ends
+    /// where an argument of a table passes one of its points.
+    #[inline]
+    fn reach(_series: &Self::Series, h: Self::Scalar) -> Self::Scalar {
+        h
+    }
 }
 
 /// Four numbers that are added and multiplied side by side.
@@ -54,25 +65,35 @@ impl<S: Number> Four<S> {
 /// Factors of products a b of series, order by order. Products form groups of four; groups may
 /// share their factors a.
 #[derive(Clone, Debug)]
-pub struct Products<S, const SHARED: usize, const GROUPS: usize> {
+pub struct Products<S, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize = 0> {
     a: [[Four<S>; SHARED]; MAX_ORDER],
     b: [[Four<S>; GROUPS]; MAX_ORDER],
     /// Factors of order zero, from the orders on in which they are multiplied with the newest ones.
     first: SeriesFactors<S, SHARED, GROUPS>,
     /// Sums without the factors of order zero and the newest ones.
     inner: [Four<S>; GROUPS],
+    /// Arguments of tables.
+    pieces: Pieces<S, ARGUMENTS>,
 }
 
 /// Factors of one order.
 pub type SeriesFactors<S, const SHARED: usize, const GROUPS: usize> = ([[S; 4]; SHARED], [[S; 4]; GROUPS]);
 
-impl<S: Number, const SHARED: usize, const GROUPS: usize> Products<S, SHARED, GROUPS> {
+impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize>
+    Products<S, SHARED, GROUPS, ARGUMENTS>
+{
     /// Without factors.
     pub const EMPTY: Self = Products {
         a: [[Four::ZERO; SHARED]; MAX_ORDER],
         b: [[Four::ZERO; GROUPS]; MAX_ORDER],
         first: Self::NONE,
         inner: [Four::ZERO; GROUPS],
+        pieces: Pieces {
+            start: [S::ZERO; ARGUMENTS],
+            ends: [[S::ZERO; 2]; ARGUMENTS],
+            coefficients: [[S::ZERO; ARGUMENTS]; MAX_ORDER],
+            orders: 0,
+        },
     };
     /// Factors of an order before the first.
     pub const NONE: SeriesFactors<S, SHARED, GROUPS> = ([[S::ZERO; 4]; SHARED], [[S::ZERO; 4]; GROUPS]);
@@ -144,6 +165,29 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize> Products<S, SHARED, GR
         }
         self.a[k] = a.map(Four);
         self.b[k] = b.map(Four);
+    }
+
+    /// Begins to follow arguments of tables from these values, in pieces with these ends.
+    #[inline(always)]
+    pub fn follow(&mut self, start: [S; ARGUMENTS], ends: [[S; 2]; ARGUMENTS]) {
+        (self.pieces.start, self.pieces.ends, self.pieces.orders) = (start, ends, 0);
+    }
+
+    /// Keeps the coefficients of arguments that step k has found.
+    #[inline(always)]
+    pub fn keep_arguments(&mut self, k: usize, coefficients: [S; ARGUMENTS]) {
+        self.pieces.coefficients[k] = coefficients;
+        self.pieces.orders = k + 1;
+    }
+}
+
+impl<S: Scalar, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize>
+    Products<S, SHARED, GROUPS, ARGUMENTS>
+{
+    /// Returns the time within `h` for which no argument of a table leaves its piece.
+    #[must_use]
+    pub fn reach(&self, h: S) -> S {
+        self.pieces.reach(h)
     }
 }
 

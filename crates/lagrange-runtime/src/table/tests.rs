@@ -18,6 +18,10 @@ fn pieces_are_found() {
         let searched = Curve { axis: Axis { density: 0.0, ..EVEN }, ..STEPS };
         assert_eq!(searched.value(x), piece, "{x}");
     }
+    let ends = [-0.1, 0.0, 0.7, 1.5, 1.6].map(|x| EVEN.piece(x));
+    let inf = f64::INFINITY;
+    assert_eq!(ends, [[-inf, 0.0], [0.0, 0.5], [0.5, 1.0], [1.0, 1.5], [1.5, inf]]);
+    assert!(EVEN.piece(f64::NAN)[0].is_nan());
     assert!(STEPS.value(f64::NAN).is_nan() && STEPS.derivative(1, f64::NAN).is_nan());
 }
 

@@ -147,6 +147,8 @@ pub(in crate::emit) struct Taylor {
     pub(in crate::emit) shared: usize,
     /// Number of groups of products.
     pub(in crate::emit) groups: usize,
+    /// Tables and places among their arguments, of arguments that are followed.
+    pub(in crate::emit) followed: Vec<(Opaque, usize)>,
     /// The body of `TaylorSystem::expand`.
     pub(in crate::emit) body: TokenStream,
 }

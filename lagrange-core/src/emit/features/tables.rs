@@ -6,7 +6,7 @@ use quote::quote;
 use crate::emit::base::members::Members;
 use crate::emit::base::shape::{Shape, doc, length, local};
 use lagrange_algebra::code::float;
-use lagrange_expr::opaque::{Axis, Opaque, Table};
+use lagrange_expr::opaque::{Axis, Opaque, OpaqueFunction, Table};
 use lagrange_language::syntax::ast::{StatementKind, TableSource};
 
 /// The items of all tables that methods call.
@@ -26,7 +26,40 @@ pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStre
         let constant = known.iter().rfind(|(known, _)| known == name).map(|(_, constant)| constant);
         items.extend(constant.map(|constant| method(shape, function, constant)));
     }
+    let mut followed = members.taylor.iter().flat_map(|taylor| &taylor.followed).collect::<Vec<_>>();
+    followed.dedup();
+    for (function, argument) in followed {
+        let constant = known.iter().find(|(known, _)| *known == function.function().name);
+        items.extend(constant.map(|(_, constant)| piece(shape, function, *argument, constant)));
+    }
     items
+}
+
+/// The name of the function that finds the piece along an argument.
+pub(in crate::emit) fn piece_name(table: &Opaque, argument: usize) -> Ident {
+    let OpaqueFunction { name, parameters, .. } = table.function();
+    local(&format!("{name}_piece_of_{}", parameters[argument]))
+}
+
+/// A function for the ends of the piece that an argument is in.
+fn piece(shape: &Shape<'_>, table: &Opaque, argument: usize, constant: &Ident) -> TokenStream {
+    let (krate, name, parameter) =
+        (shape.krate, piece_name(table, argument), local(&table.function().parameters[argument]));
+    let docs = doc(&format!("Table: the ends of the piece of `{}`.", table.function().name));
+    let axis = match table.arity() {
+        1 => quote!(axis),
+        _ => {
+            let argument = length(argument);
+            quote!(axes[#argument])
+        }
+    };
+    quote! {
+        #docs
+        #[inline]
+        fn #name<S: #krate::Number>(#parameter: S) -> [S; 2] {
+            #constant.#axis.piece(#parameter)
+        }
+    }
 }
 
 /// The name of a table in capital letters; with underscores behind it where two names differ in

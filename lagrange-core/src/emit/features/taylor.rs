@@ -7,6 +7,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::tables::piece_name;
 use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::members::{Members, Taylor};
 use crate::emit::base::method::Arguments;
@@ -17,7 +18,7 @@ use crate::model::Product;
 use lagrange_algebra::code::Names;
 use lagrange_algebra::program::{Labels, Program, ValueId, lower, optimise};
 use lagrange_algebra::series::{
-    Entry, Groups, Motion, NoSeries, Rate, SeriesPrograms, Slot, expand, function_rates,
+    Entry, Groups, Motion, NoSeries, Rate, SeriesPrograms, Slot, expand, function_rates, without_long_powers,
 };
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::symbol::{Role, Symbols};
@@ -84,7 +85,7 @@ fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms,
     let functions = function_rates(&mut writer.model.graph, &roots);
     let mut all = [state.clone(), roots].concat();
     all.extend(functions.iter().flat_map(|(value, rate)| [*value, *rate]));
-    let program = lower(&writer.model.graph, &all, &Labels::default());
+    let program = without_long_powers(&lower(&writer.model.graph, &all, &Labels::default()));
     let mut outputs = Outputs(program.outputs());
     let entries = outputs.take(state.len());
     let mut known = outputs.take(rates.len()).iter();
@@ -124,7 +125,9 @@ fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<T
     let next = newest(writer, programs, &groups)?;
     let inversion = if writer.model.constraints.is_empty() { "definite" } else { "new" };
     let body = expansion(writer.shape, programs, &groups, inversion, [&start, &next]);
-    Some(Taylor { shared: groups.shared.len(), groups: groups.groups.len(), body })
+    let followed =
+        programs.arguments.iter().map(|argument| (argument.table.clone(), argument.axis)).collect();
+    Some(Taylor { shared: groups.shared.len(), groups: groups.groups.len(), followed, body })
 }
 
 /// A block with what is kept of one order.
@@ -179,10 +182,12 @@ fn expansion(
         .map(|_| quote!(let #solver = #krate::private::SeriesSolver::#inversion([#(#start[#matrix]),*]);));
     let (starts, all_kept) = (length(programs.initial.outputs().len()), length(programs.kept));
     let number = quote!(<#scalar as #krate::Number>);
+    let [follow, keep_arguments] = followed(programs);
     quote! {
         let #start: [#scalar; #starts] = { #start_values };
         #inverted
         #series.begin();
+        #follow
         let mut #newest = <Self::Series>::NONE;
         let mut #now: [#scalar; #carried] = [#(#start[#initial]),*];
         for (#k, #coefficients) in #coefficients.iter_mut().enumerate() {
@@ -194,10 +199,27 @@ fn expansion(
             let #next: [#scalar; #all_kept] = #next_values;
             #newest = (#of_shared, #of_groups);
             #series.keep(#k, &#newest);
+            #keep_arguments
             #now = [#(#next[#kept]),*];
             #coefficients.copy_from_slice(&#next[..#all]);
         }
     }
+}
+
+/// Statements that begin to follow the arguments of tables, and that keep their newest
+/// coefficients.
+fn followed(programs: &SeriesPrograms) -> [Option<TokenStream>; 2] {
+    let [series, start, next, k] = ["series", "start", "next", "k"].map(local);
+    let starts = programs.arguments.iter().map(|argument| {
+        let place = length(argument.initial);
+        quote!(#start[#place])
+    });
+    let starts = starts.collect::<Vec<_>>();
+    let pieces = programs.arguments.iter().map(|argument| piece_name(&argument.table, argument.axis));
+    let kept = programs.arguments.iter().map(|argument| length(argument.kept));
+    let follow = quote!(#series.follow([#(#starts),*], [#(#pieces(#starts)),*]););
+    let keep = quote!(#series.keep_arguments(#k, [#(#next[#kept]),*]););
+    [follow, keep].map(|statement| (!starts.is_empty()).then_some(statement))
 }
 
 /// A block with the outputs of the program of a step.
@@ -259,16 +281,23 @@ fn variable(slot: Slot) -> String {
 
 /// `TaylorSystem`, if series are requested.
 pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
-    let Taylor { shared, groups, body } = members.taylor.as_ref()?;
+    let Taylor { shared, groups, followed, body } = members.taylor.as_ref()?;
     let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
     let (scalar, all) = (shape.scalar(), shape.state_length());
-    let [shared, groups] = [shared, groups].map(|count| length(*count));
+    let reach = (!followed.is_empty()).then(|| {
+        quote! {
+            fn reach(series: &Self::Series, h: #scalar) -> #scalar {
+                series.reach(h)
+            }
+        }
+    });
+    let [shared, groups, followed] = [*shared, *groups, followed.len()].map(length);
     let (time, state) = (&members.names.time, &members.names.state);
     let [series, coefficients] = ["series", "coefficients"].map(local);
     Some(quote! {
         #[automatically_derived]
         impl #bounds #krate::system::TaylorSystem for #name #generics {
-            type Series = #krate::private::Products<#scalar, #shared, #groups>;
+            type Series = #krate::private::Products<#scalar, #shared, #groups, #followed>;
             fn series() -> Self::Series {
                 #krate::private::Products::EMPTY
             }
@@ -283,6 +312,7 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
             ) {
                 #body
             }
+            #reach
         }
     })
 }

@@ -22,6 +22,7 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 use lowering::{Lowering, Signed};
+pub use power::is_written_out;
 use product::lower_product;
 use sharing::Sharing;
 use sum::lower_sum;

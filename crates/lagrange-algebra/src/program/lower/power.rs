@@ -9,6 +9,16 @@ use lagrange_expr::number::Number;
 /// Powers above this are left to a loop: written out they would be long and no faster.
 const LARGEST_UNROLLED_POWER: i32 = 64;
 
+/// True if a power is a product of the base and its square root, not a call.
+pub fn is_written_out(exponent: &Number) -> bool {
+    halves(exponent).is_some() || exponent.is_integer()
+}
+
+/// Twice the exponent of a power that is written out.
+fn halves(exponent: &Number) -> Option<i32> {
+    (exponent * &Number::TWO).to_i32().filter(|twice| twice.abs() / 2 <= LARGEST_UNROLLED_POWER)
+}
+
 /// The factors of a product above and below the line.
 #[derive(Default)]
 pub(super) struct Fraction {
@@ -42,8 +52,7 @@ pub(super) fn push_factor(
         false => Signed::positive(lowering.plain(base)),
     };
     let negative = negative && !exponent.is_even();
-    let twice = (exponent * &Number::TWO).to_i32().filter(|twice| twice.abs() / 2 <= LARGEST_UNROLLED_POWER);
-    let Some(twice) = twice else {
+    let Some(twice) = halves(exponent) else {
         let power = long_power(lowering, value, exponent);
         fraction.above.push((variability, power));
         return negative;

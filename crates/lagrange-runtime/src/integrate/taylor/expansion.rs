@@ -16,6 +16,8 @@ const SAFETY: f64 = 0.01;
 const LARGEST_DEFECT: f64 = 1.0;
 /// A step that changes the state by less than this part of what is tolerated leaves it at rest.
 const AT_REST: f64 = 1e-3;
+/// A step that is a smaller part of the longest one hardly leads on.
+const SHORT: f64 = 1e-7;
 /// Orders that the length of a step follows from: coefficients may vanish in turn.
 const LAST_ORDERS: usize = 4;
 
@@ -24,6 +26,10 @@ const LAST_ORDERS: usize = 4;
 pub(super) struct Expansion<S, Y> {
     pub(super) t: S,
     pub(super) y: Y,
+    /// The order up to which coefficients are followed.
+    pub(super) order: usize,
+    /// The length of a step along it.
+    pub(super) length: S,
     pub(super) coefficients: [Y; MAX_ORDER],
 }
 
@@ -33,14 +39,30 @@ pub(super) struct StepRule<S> {
     pub(super) order: usize,
     tolerated: Tolerated<S>,
     tolerance: S,
-    /// The binary logarithm of the last terms, over the order.
-    last_terms: S,
+    last_orders: LastOrders<S>,
     /// The longest steps of a moving state and of one at rest.
     longest: [S; 2],
     /// The orders 1, 2, … of coefficients.
     orders: [S; MAX_ORDER],
+}
+
+/// Numbers that follow from the highest order of a series.
+#[derive(Clone, Copy, Debug)]
+struct LastOrders<S> {
+    /// The binary logarithm of the last terms, over the order.
+    last_terms: S,
     /// −1 over each of the last orders.
     reciprocals: [S; LAST_ORDERS],
+}
+
+impl<S: Scalar> LastOrders<S> {
+    fn new(order: usize, tolerance: S) -> Self {
+        let number = |order: usize| S::from_f64(order as f64);
+        LastOrders {
+            last_terms: (S::from_f64(SAFETY) * tolerance).rough_log2() / number(order),
+            reciprocals: core::array::from_fn(|index| -S::ONE / number(order - LAST_ORDERS + index + 1)),
+        }
+    }
 }
 
 impl<S: Scalar> StepRule<S> {
@@ -53,10 +75,9 @@ impl<S: Scalar> StepRule<S> {
             order,
             tolerated: Tolerated::new(settings.relative, settings.absolute),
             tolerance,
-            last_terms: (S::from_f64(SAFETY) * tolerance).rough_log2() / S::from_f64(order as f64),
+            last_orders: LastOrders::new(order, tolerance),
             longest: [false, true].map(|is_at_rest| longest_step(settings.longest_step, span, is_at_rest)),
             orders,
-            reciprocals: core::array::from_fn(|index| -S::ONE / orders[order - LAST_ORDERS + index]),
         }
     }
 
@@ -68,34 +89,100 @@ impl<S: Scalar> StepRule<S> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
+    /// Finds the length of a step along the series. Near a point where a root or a power vanishes,
+    /// high coefficients grow beyond all numbers, although terms are small there. Steps that would
+    /// hardly lead on follow the series to the order that leads farthest.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, rule: &StepRule<S>) {
+        self.order = rule.order;
+        self.length = self.accurate_length(rule);
+        let is_finite = self.coefficients[rule.order - 1].as_ref().iter().all(|entry| entry.is_finite());
+        if !is_finite || self.length < S::from_f64(SHORT) * rule.longest[0] {
+            self.follow_farthest(rule);
+        }
+    }
+
+    #[cold]
+    fn follow_farthest(&mut self, rule: &StepRule<S>) {
+        let is_finite = |y: &Y| y.as_ref().iter().all(|entry| entry.is_finite());
+        let finite = self.coefficients[..rule.order].iter().position(|y| !is_finite(y)).unwrap_or(rule.order);
+        let (mut best, mut farthest) = (rule.order, S::ZERO);
+        for order in LAST_ORDERS..=finite {
+            self.order = order;
+            let length = self.accurate_length(rule);
+            if length > farthest {
+                (best, farthest) = (order, length);
+            }
+        }
+        (self.order, self.length) = (best, farthest);
+    }
+
     /// The change of the state over a time `h`.
     #[inline]
-    pub(super) fn change(&self, rule: &StepRule<S>, h: S) -> Y {
-        compute(Increment { expansion: self, rule, h })
+    pub(super) fn change(&self, h: S) -> Y {
+        compute(Increment { expansion: self, h })
+    }
+
+    /// The change of the state over a time `h`, and the slope of the polynomial there.
+    #[inline]
+    pub(super) fn advance(&self, rule: &StepRule<S>, h: S) -> [Y; 2] {
+        compute(Advance { expansion: self, rule, h })
+    }
+
+    /// True if the polynomial had this slope, after a time `h`, as far as is tolerated, where the
+    /// motion has the rate of `ahead`.
+    #[inline]
+    pub(super) fn fits(&self, rule: &StepRule<S>, h: S, slope: &Y, ahead: &Self) -> bool {
+        let rates = slope.as_ref().iter().zip(ahead.coefficients[0].as_ref());
+        let sizes = self.y.as_ref().iter().zip(ahead.y.as_ref());
+        let (least, h) = (LEAST_TOLERANCE.part::<S>(), h.abs());
+        rates.zip(sizes).fold(true, |fits, ((slope, rate), (before, after))| {
+            let rounding = least * rate.abs().max(slope.abs());
+            let tolerated = S::from_f64(LARGEST_DEFECT) * rule.tolerated(before.abs().max(after.abs()));
+            fits & (((*slope - *rate).abs() - rounding) * h <= tolerated)
+        })
     }
 
     /// Returns the length of a step whose last terms are small enough. It is the largest h with |cₖ|
     /// hᵏ ≤ tolerance for the last four orders k, each extrapolated to the order of the whole
     /// series.
-    #[inline]
-    pub(super) fn length(&self, rule: &StepRule<S>) -> S {
-        compute(Length { expansion: self, rule })
+    #[inline(always)]
+    fn accurate_length(&self, rule: &StepRule<S>) -> S {
+        let mut scales = self.y;
+        scales.as_mut().iter_mut().for_each(|scale| *scale = rule.tolerance / rule.tolerated(*scale));
+        let LastOrders { last_terms, reciprocals } = match self.order == rule.order {
+            true => rule.last_orders,
+            false => LastOrders::new(self.order, rule.tolerance),
+        };
+        // The least of −log₂ |cₖ| / k.
+        let mut radius = None;
+        for (index, reciprocal) in reciprocals.iter().enumerate() {
+            let largest = self.largest(self.order - LAST_ORDERS + index, &scales);
+            if largest > S::ZERO {
+                let of_order = largest.rough_log2() * *reciprocal;
+                radius = Some(radius.map_or(of_order, |radius: S| radius.min(of_order)));
+            }
+        }
+        let [longest, at_rest] = rule.longest;
+        let is_at_rest = at_rest * self.largest(0, &scales) < S::from_f64(AT_REST) * rule.tolerance;
+        let longest = if is_at_rest { at_rest } else { longest };
+        radius.map_or(longest, |radius| (radius + last_terms).rough_exp2().min(longest))
     }
 
-    /// True if the polynomial has the slope, after a time `h`, that the motion has there, as far as
-    /// is tolerated.
-    #[inline]
-    pub(super) fn fits(&self, rule: &StepRule<S>, h: S, ahead: &Self) -> bool {
-        compute(Fit { expansion: self, ahead, rule, h })
+    #[inline(always)]
+    fn increment(&self, h: S) -> Y {
+        let mut change = self.polynomial(h, |_, coefficients| *coefficients);
+        change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
+        change
     }
 
     /// Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that no term waits for the
     /// one before.
     #[inline(always)]
-    fn polynomial(&self, order: usize, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
+    fn polynomial(&self, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
         let square = h * h;
         let fourth = square * square;
-        let (blocks, rest) = self.coefficients[..order].as_chunks::<4>();
+        let (blocks, rest) = self.coefficients[..self.order].as_chunks::<4>();
         let mut sums = [Y::ZERO; 4];
         for (place, (sum, coefficients)) in sums.iter_mut().zip(rest).enumerate() {
             *sum = term(4 * blocks.len() + place, coefficients);
@@ -118,9 +205,30 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     }
 }
 
-struct Increment<'a, S, Y> {
+/// The motion after a time `h`, as a polynomial tells.
+struct Advance<'a, S, Y> {
     expansion: &'a Expansion<S, Y>,
     rule: &'a StepRule<S>,
+    h: S,
+}
+
+impl<S: Scalar, Y: StateVector<S>> WideTask for Advance<'_, S, Y> {
+    type Output = [Y; 2];
+
+    #[inline(always)]
+    fn compute(self) -> [Y; 2] {
+        let Advance { expansion, rule, h } = self;
+        let slope = expansion.polynomial(h, |index, coefficients| {
+            let (mut term, order) = (*coefficients, rule.orders[index]);
+            term.as_mut().iter_mut().for_each(|entry| *entry = *entry * order);
+            term
+        });
+        [expansion.increment(h), slope]
+    }
+}
+
+struct Increment<'a, S, Y> {
+    expansion: &'a Expansion<S, Y>,
     h: S,
 }
 
@@ -129,67 +237,6 @@ impl<S: Scalar, Y: StateVector<S>> WideTask for Increment<'_, S, Y> {
 
     #[inline(always)]
     fn compute(self) -> Y {
-        let Increment { expansion, rule, h } = self;
-        let mut change = expansion.polynomial(rule.order, h, |_, coefficients| *coefficients);
-        change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
-        change
-    }
-}
-
-struct Length<'a, S, Y> {
-    expansion: &'a Expansion<S, Y>,
-    rule: &'a StepRule<S>,
-}
-
-impl<S: Scalar, Y: StateVector<S>> WideTask for Length<'_, S, Y> {
-    type Output = S;
-
-    #[inline(always)]
-    fn compute(self) -> S {
-        let Length { expansion, rule } = self;
-        let mut scales = expansion.y;
-        scales.as_mut().iter_mut().for_each(|scale| *scale = rule.tolerance / rule.tolerated(*scale));
-        // The least of −log₂ |cₖ| / k.
-        let mut radius = None;
-        for (index, reciprocal) in rule.reciprocals.iter().enumerate() {
-            let largest = expansion.largest(rule.order - LAST_ORDERS + index, &scales);
-            if largest > S::ZERO {
-                let of_order = largest.rough_log2() * *reciprocal;
-                radius = Some(radius.map_or(of_order, |radius: S| radius.min(of_order)));
-            }
-        }
-        let [longest, at_rest] = rule.longest;
-        let is_at_rest = at_rest * expansion.largest(0, &scales) < S::from_f64(AT_REST) * rule.tolerance;
-        let longest = if is_at_rest { at_rest } else { longest };
-        radius.map_or(longest, |radius| (radius + rule.last_terms).rough_exp2().min(longest))
-    }
-}
-
-struct Fit<'a, S, Y> {
-    expansion: &'a Expansion<S, Y>,
-    ahead: &'a Expansion<S, Y>,
-    rule: &'a StepRule<S>,
-    h: S,
-}
-
-impl<S: Scalar, Y: StateVector<S>> WideTask for Fit<'_, S, Y> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn compute(self) -> bool {
-        let Fit { expansion, ahead, rule, h } = self;
-        let slope = expansion.polynomial(rule.order, h, |index, coefficients| {
-            let (mut term, order) = (*coefficients, rule.orders[index]);
-            term.as_mut().iter_mut().for_each(|entry| *entry = *entry * order);
-            term
-        });
-        let rates = slope.as_ref().iter().zip(ahead.coefficients[0].as_ref());
-        let sizes = expansion.y.as_ref().iter().zip(ahead.y.as_ref());
-        let (least, h) = (LEAST_TOLERANCE.part::<S>(), h.abs());
-        rates.zip(sizes).fold(true, |fits, ((slope, rate), (before, after))| {
-            let rounding = least * rate.abs().max(slope.abs());
-            let tolerated = S::from_f64(LARGEST_DEFECT) * rule.tolerated(before.abs().max(after.abs()));
-            fits & (((*slope - *rate).abs() - rounding) * h <= tolerated)
-        })
+        self.expansion.increment(self.h)
     }
 }

@@ -25,10 +25,19 @@ pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
     work: Work,
 }
 
+/// The length of a step.
+#[derive(Clone, Copy)]
+struct StepLength<S> {
+    length: S,
+    /// True if it is as short as it can be and leads to another piece of a table, where rates may
+    /// have jumped.
+    is_across: bool,
+}
+
 /// The expansion of a motion through a state.
 struct Expand<'a, M: TaylorSystem + ?Sized> {
     system: &'a M,
-    order: usize,
+    rule: &'a StepRule<M::Scalar>,
     series: &'a mut M::Series,
     expansion: &'a mut Expansion<M::Scalar, M::State>,
 }
@@ -38,8 +47,9 @@ impl<M: TaylorSystem + ?Sized> WideTask for Expand<'_, M> {
 
     #[inline(always)]
     fn compute(self) {
-        let Expand { system, order, series, expansion } = self;
-        system.expand(expansion.t, &expansion.y, series, &mut expansion.coefficients[..order]);
+        let Expand { system, rule, series, expansion } = self;
+        system.expand(expansion.t, &expansion.y, series, &mut expansion.coefficients[..rule.order]);
+        expansion.follow(rule);
     }
 }
 
@@ -52,7 +62,8 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         end: M::Scalar,
     ) -> Result<Self, StepFailure<M::Scalar>> {
         check_finite(end, y)?;
-        let expansion = Expansion { t, y: *y, coefficients: [M::State::ZERO; MAX_ORDER] };
+        let (order, length) = (settings.chosen_order(), M::Scalar::ZERO);
+        let expansion = Expansion { t, y: *y, order, length, coefficients: [M::State::ZERO; MAX_ORDER] };
         let mut stepper = TaylorStepper {
             rule: StepRule::new(settings, end - t),
             max_steps: settings.max_steps,
@@ -90,7 +101,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     fn expand(&mut self, system: &M, t: M::Scalar, y: &M::State) {
         let present = &mut self.expansions[self.present];
         (present.t, present.y) = (t, *y);
-        compute(Expand { system, order: self.rule.order, series: &mut self.series, expansion: present });
+        compute(Expand { system, rule: &self.rule, series: &mut self.series, expansion: present });
         self.work.evaluations += 1;
     }
 
@@ -98,7 +109,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     fn attempt(
         &mut self,
         system: &M,
-        length: M::Scalar,
+        StepLength { length, is_across }: StepLength<M::Scalar>,
         limit: M::Scalar,
     ) -> Result<bool, StepFailure<M::Scalar>> {
         let mut clock = self.clock.with_step(length);
@@ -107,20 +118,31 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
             return Err(StepFailure::StepUnderflow { step: length });
         }
         let mut state = self.state;
-        state.add(&self.ahead().change(&self.rule, h));
+        let [change, slope] = self.ahead().advance(&self.rule, h);
+        state.add(&change);
         check_finite(clock.time(), state.value())?;
         correct(system, clock.time(), &mut state)?;
         let y = *state.value();
         self.present = 1 - self.present;
         self.expand(system, clock.time(), &y);
-        if self.last().fits(&self.rule, h, self.ahead()) {
+        let rates = check_finite(clock.time(), &self.ahead().coefficients[0]);
+        if rates.is_ok() && (is_across || self.last().fits(&self.rule, h, &slope, self.ahead())) {
             (self.clock, self.state) = (clock, state);
             self.work.steps += 1;
             return Ok(true);
         }
         self.present = 1 - self.present;
         self.forget_last();
-        Ok(false)
+        rates.map(|()| false)
+    }
+
+    /// The length of the next step: as far as the series is accurate and tables are the polynomials
+    /// that it holds.
+    fn length(&self, limit: M::Scalar) -> StepLength<M::Scalar> {
+        let accurate = self.ahead().length;
+        let h = if limit < self.clock.time() { -accurate } else { accurate };
+        let (reach, least) = (M::reach(&self.series, h).abs(), least_step(self.clock.time()));
+        StepLength { length: reach.max(least), is_across: reach < accurate && reach <= least + least }
     }
 }
 
@@ -134,17 +156,17 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
     }
 
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
-        let mut length = self.ahead().length(&self.rule).max(least_step(self.clock.time()));
+        let mut next = self.length(limit);
         let mut lost = None;
         loop {
             if self.work.steps + self.work.rejections >= self.max_steps {
                 return Err(StepFailure::TooManySteps { limit: self.max_steps });
             }
-            let is_step = length > M::Scalar::ZERO && length >= least_step(self.clock.time());
+            let is_step = next.length > M::Scalar::ZERO && next.length >= least_step(self.clock.time());
             if !is_step {
-                return Err(lost.unwrap_or(StepFailure::StepUnderflow { step: length }));
+                return Err(lost.unwrap_or(StepFailure::StepUnderflow { step: next.length }));
             }
-            match self.attempt(system, length, limit) {
+            match self.attempt(system, next, limit) {
                 Ok(true) => return Ok(()),
                 Ok(false) => lost = None,
                 Err(cause @ StepFailure::StepUnderflow { .. }) => return Err(lost.unwrap_or(cause)),
@@ -152,7 +174,7 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
             }
             self.work.rejections += 1;
             let left = (limit - self.clock.time()).abs();
-            length = length.min(left) * M::Scalar::from_f64(0.5);
+            next.length = next.length.min(left) * M::Scalar::from_f64(0.5);
         }
     }
 
@@ -167,7 +189,7 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
         if t == self.last().t {
             return self.last().y;
         }
-        let change = self.last().change(&self.rule, t - self.last().t);
+        let change = self.last().change(t - self.last().t);
         let mut y = self.last().y;
         for (component, change) in y.as_mut().iter_mut().zip(change.as_ref()) {
             *component = *component + *change;
