@@ -58,20 +58,22 @@ const OF_BODIES: usize = 36;
 /// Positions, velocities and accelerations: four harmonics of 0.1 Hz with phases that depend on the
 /// seed.
 fn posture(t: f64, seed: f64) -> [[f64; 6]; 3] {
-    let mut posture = [[0.0; 6]; 3];
-    for joint in 0..6 {
-        for harmonic in 1..=4 {
-            let rate = TAU * 0.1 * f64::from(harmonic);
-            let phase =
-                TAU * (seed + 0.618_034 * (4 * joint) as f64 + 0.381_966 * f64::from(harmonic)).fract();
-            let amplitude = 1.2 / f64::from(harmonic);
-            let (sin, cos) = (rate * t + phase).sin_cos();
-            posture[0][joint] += amplitude * sin;
-            posture[1][joint] += amplitude * rate * cos;
-            posture[2][joint] -= amplitude * rate * rate * sin;
-        }
+    let joints: [[f64; 3]; 6] = core::array::from_fn(|joint| motion(t, seed + 2.472_136 * joint as f64));
+    [0, 1, 2].map(|order| joints.map(|motion| motion[order]))
+}
+
+/// The motion of one joint.
+fn motion(t: f64, seed: f64) -> [f64; 3] {
+    let mut motion = [0.0; 3];
+    for harmonic in 1..=4 {
+        let (rate, amplitude) = (TAU * 0.1 * f64::from(harmonic), 1.2 / f64::from(harmonic));
+        let phase = TAU * (seed + 0.381_966 * f64::from(harmonic)).fract();
+        let (sin, cos) = (rate * t + phase).sin_cos();
+        motion[0] += amplitude * sin;
+        motion[1] += amplitude * rate * cos;
+        motion[2] -= amplitude * rate * rate * sin;
     }
-    posture
+    motion
 }
 
 /// Normally distributed numbers, the same in every run (Box and Muller 1958, on splitmix64).

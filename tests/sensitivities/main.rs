@@ -2,4 +2,5 @@
 
 mod closed_forms;
 mod differences;
+mod gradient;
 mod refusals;

@@ -24,7 +24,7 @@ pub struct BaseParameter {
 
 impl BaseParameter {
     /// Returns the value for parameters in the order of
-    /// [`PARAMETERS`](crate::system::RegressorSystem::PARAMETERS).
+    /// [`REGRESSOR_PARAMETERS`](crate::system::RegressorSystem::REGRESSOR_PARAMETERS).
     ///
     /// # Panics
     /// If there are fewer.

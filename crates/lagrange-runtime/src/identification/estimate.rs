@@ -91,9 +91,9 @@ impl Estimate {
     }
 
     /// Returns all parameters, in the order of
-    /// [`PARAMETERS`](crate::system::RegressorSystem::PARAMETERS). The first of each combination
-    /// makes up for the estimate, and all others have the values of the system. Y times these are
-    /// the forces that belong to the estimate.
+    /// [`REGRESSOR_PARAMETERS`](crate::system::RegressorSystem::REGRESSOR_PARAMETERS). The first of
+    /// each combination makes up for the estimate, and all others have the values of the system. Y
+    /// times these are the forces that belong to the estimate.
     #[must_use]
     pub fn parameters(&self) -> &[f64] {
         &self.parameters

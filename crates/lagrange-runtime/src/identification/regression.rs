@@ -28,7 +28,7 @@ pub struct Regression<'a, M: RegressorSystem<Scalar = f64>> {
 
 impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
     pub(super) fn new(system: &'a M) -> Self {
-        let columns = std::vec![Vec::new(); M::PARAMETERS.len()];
+        let columns = std::vec![Vec::new(); M::REGRESSOR_PARAMETERS.len()];
         Regression { system, columns, forces: Vec::new(), velocities: M::Velocities::ZERO.as_ref().len() }
     }
 
@@ -83,7 +83,7 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
     /// If something is not finite.
     pub fn base_parameters(&self) -> Result<BaseParameters, IdentificationError> {
         self.check_finite()?;
-        Ok(BaseParameters::of(M::PARAMETERS, &self.columns))
+        Ok(BaseParameters::of(M::REGRESSOR_PARAMETERS, &self.columns))
     }
 
     /// Estimates these combinations from the measured forces. Parameters that forces do not tell
@@ -98,7 +98,13 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
             return Err(IdentificationError::TooFew { forces, combinations });
         }
         let known = self.system.regressor_parameters();
-        Ok(Estimate::of(M::PARAMETERS, known.as_ref(), (&self.columns, &self.forces), self.velocities, &base))
+        Ok(Estimate::of(
+            M::REGRESSOR_PARAMETERS,
+            known.as_ref(),
+            (&self.columns, &self.forces),
+            self.velocities,
+            &base,
+        ))
     }
 
     fn check_finite(&self) -> Result<(), IdentificationError> {

@@ -13,6 +13,7 @@ mod corrected;
 #[cfg(test)]
 mod doubles;
 mod error;
+mod explicit;
 mod fixed;
 mod gauss_legendre;
 mod interpolation;
@@ -32,6 +33,7 @@ mod verner;
 
 pub use self::canonical::Hamiltonian;
 pub use self::error::{IntegrationError, Outcome};
+pub use self::explicit::ExplicitRungeKutta;
 pub use self::fixed::{FixedLanes, FixedLastStep, FixedStepper, FixedSteps, Formula, LanesFormula, Memory};
 pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,

@@ -16,6 +16,7 @@ mod lanes;
 
 pub use self::lanes::ClassicalLanes;
 
+use crate::integrate::explicit::{ExplicitRungeKutta, TableauRow};
 use crate::integrate::fixed::{Formula, Memory, fixed_steps};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, SuspectStep, Work};
@@ -53,6 +54,17 @@ pub struct RungeKutta4<S> {
 
 impl<M: OdeSystem + ?Sized> Method<M> for RungeKutta4<M::Scalar> {
     fixed_steps! { "Runge–Kutta 4", 4, Classical<M::State> = Classical::new(), lanes }
+}
+
+impl<S> ExplicitRungeKutta for RungeKutta4<S> {
+    const STAGES: &'static [TableauRow] = &[
+        TableauRow { node: 0.0, weights: &[] },
+        TableauRow { node: 0.5, weights: &[(0, 0.5)] },
+        TableauRow { node: 0.5, weights: &[(1, 0.5)] },
+        TableauRow { node: 1.0, weights: &[(2, 1.0)] },
+    ];
+    const ADVANCE: TableauRow =
+        TableauRow { node: 1.0, weights: &[(0, 1.0 / 6.0), (1, 1.0 / 3.0), (2, 1.0 / 3.0), (3, 1.0 / 6.0)] };
 }
 
 /// The formula of [`RungeKutta4`]; Y is the state.

@@ -50,6 +50,7 @@ mod csv;
 mod dense;
 mod error;
 mod events;
+mod gradient;
 mod observer;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -88,6 +89,7 @@ pub(crate) use self::error::explain_run;
 pub use self::events::Event;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::events::EventOf;
+pub use self::gradient::Gradient;
 #[cfg(any(feature = "ensemble", feature = "fit"))]
 pub(crate) use self::observer::state_names;
 #[cfg(feature = "ensemble")]

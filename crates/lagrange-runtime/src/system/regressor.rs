@@ -24,7 +24,7 @@ use super::MechanicalSystem;
 /// }
 ///
 /// let rod = Rod::default();
-/// assert_eq!(Rod::PARAMETERS, ["rod.mx", "rod.my", "rod.zz", "c"]);
+/// assert_eq!(Rod::REGRESSOR_PARAMETERS, ["rod.mx", "rod.my", "rod.zz", "c"]);
 /// assert_eq!(rod.regressor_parameters(), [1.5, 0.0, 1.5, 0.1]);
 /// // Horizontal: the moments of the weight about the hinge, the angular acceleration, the velocity.
 /// assert_eq!(rod.regressor(0.0, &[0.0], &[2.0], &[3.0]), [[10.0, 0.0, 3.0, 2.0]]);
@@ -41,7 +41,7 @@ pub trait RegressorSystem: MechanicalSystem {
     type Regressor: AsRef<[Self::Row]>;
 
     /// Names of the parameters: `boom.mass` of a body, `c` of a declared one.
-    const PARAMETERS: &'static [&'static str];
+    const REGRESSOR_PARAMETERS: &'static [&'static str];
 
     /// Computes the regressor Y, in rows.
     fn regressor(

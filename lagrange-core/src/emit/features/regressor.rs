@@ -77,7 +77,7 @@ pub(in crate::emit) fn regressor_impl(shape: &Shape<'_>, members: &Members) -> O
         impl #bounds #krate::system::RegressorSystem for #name #generics {
             type Row = [#scalar; #count];
             type Regressor = [[#scalar; #count]; #nv];
-            const PARAMETERS: &'static [&'static ::core::primitive::str] = &Self::REGRESSOR_PARAMETERS;
+            const REGRESSOR_PARAMETERS: &'static [&'static ::core::primitive::str] = &Self::REGRESSOR_PARAMETERS;
             #[inline]
             fn regressor(&self, #arguments) -> [[#scalar; #count]; #nv] {
                 self.regressor(#values)

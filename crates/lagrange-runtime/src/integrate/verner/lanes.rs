@@ -8,7 +8,7 @@ use super::Verner98;
 use super::control::POWER;
 use super::lanes_control::LanesControl;
 use super::lanes_dense::{StepEnd, VernerLastStep};
-use super::stage::{STAGES, Stage, TableauRow};
+use super::stage::{STAGES, Stage};
 use super::stiffness::{Stiffness, are_many, is_at_limit};
 use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
@@ -17,6 +17,7 @@ use super::tableau::{
 use super::tolerance::Tolerated;
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
+use crate::integrate::explicit::TableauRow;
 use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
 use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, Work};
 use crate::linalg::vector::combined;
@@ -145,7 +146,7 @@ impl<S: Number> Settings<S> {
 }
 
 /// The stages of a step.
-const ROWS: [TableauRow; STAGES] = [
+pub(super) const ROWS: [TableauRow; STAGES] = [
     START.row(),
     STAGE_1.row(),
     STAGE_2.row(),

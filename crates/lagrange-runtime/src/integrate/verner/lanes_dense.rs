@@ -4,11 +4,12 @@ use super::dense::{FixedPart, Span, interpolated};
 use super::interpolant::{
     STAGE_17, STAGE_18, STAGE_19, STAGE_20, STAGE_21, STAGE_22, STAGE_23, STAGE_24, STAGE_25,
 };
-use super::stage::{RATES, STAGES, TableauRow};
+use super::stage::{RATES, STAGES};
 use super::stepper::{CHECKED, END, LARGEST_DEFECT};
 use super::tolerance::Tolerated;
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
+use crate::integrate::explicit::TableauRow;
 use crate::integrate::lane_wise::{chosen, is_equal};
 use crate::scalar::Scalar;
 use crate::system::{Equations, SideBySide, StateVector};

@@ -22,13 +22,17 @@ mod stiffness;
 mod tableau;
 pub(super) mod tolerance;
 
+use crate::integrate::explicit::{ExplicitRungeKutta, TableauRow};
 use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, SettingError, StepFailure};
 
+use self::lanes::ROWS;
 pub use self::lanes::VernerLanes;
 pub use self::lanes_dense::VernerLastStep;
+use self::stage::STAGES;
 pub use self::stepper::VernerStepper;
+use self::tableau::ADVANCE;
 use self::tolerance::check_settings;
 
 /// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not
@@ -111,6 +115,12 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
     fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
         Ok(visitor.visit(*self))
     }
+}
+
+impl<S> ExplicitRungeKutta for Verner98<S> {
+    /// Without the stage that only the error needs.
+    const STAGES: &'static [TableauRow] = ROWS.split_at(STAGES - 1).0;
+    const ADVANCE: TableauRow = ADVANCE.row();
 }
 
 #[cfg(test)]

@@ -1,0 +1,141 @@
+//! Gradients of costs by many parameters, backwards along the steps of a run.
+
+mod backwards;
+mod trace;
+
+use std::vec::Vec;
+
+use self::backwards::Backwards;
+use self::trace::Trace;
+use crate::integrate::{ExplicitRungeKutta, Method};
+use crate::scalar::Scalar;
+use crate::simulate::builder::Simulation;
+use crate::simulate::control::Undriven;
+use crate::simulate::plan::{RunPlan, RunSettings};
+use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
+
+const OF_RUN: &str =
+    "a gradient takes no events, controllers, columns, single times, restarts and dense output of a run";
+const EVENTS: &str =
+    "gradients do not go through events, contacts, friction and switches: use `.sensitivities([…])`";
+const PROJECTIONS: &str =
+    "gradients do not go through projections onto constraints and of quaternions: use `.sensitivities([…])`";
+const JUMPS: &str =
+    "gradients do not go through times at which the equations jump: use `.sensitivities([…])`";
+
+/// The gradient of a cost of a motion.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Gradient<S, const N: usize> {
+    /// The cost.
+    pub value: S,
+    /// Slopes by parameters and inputs, in the order of their names.
+    pub by: Vec<S>,
+    /// Slopes by the entries of the state at the start.
+    pub by_start: [S; N],
+    /// Number of steps.
+    pub steps: usize,
+    /// Number of states that were kept at once.
+    pub kept_states: usize,
+}
+
+impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
+    /// Computes a cost of the motion with its slopes by parameters and inputs of these names, and
+    /// by the state at the start. The work hardly depends on the number of names.
+    ///
+    /// `cost` receives a time and the state there, writes its slopes by the state to the vector of
+    /// zeros, and returns its value. It is called once for the end or, with
+    /// [`every`](Simulation::every), for each sample, the last one first; values and slopes are
+    /// added up. To integrate a cost along the motion, declare it as a `state`.
+    ///
+    /// The gradient is that of the motion as computed: each step is differentiated, with its length
+    /// held. It takes `emit { jacobian }`. Of n steps at most 3 √n + 2 states are kept, beside two
+    /// numbers for each step; the others are computed a second time.
+    ///
+    /// ```
+    /// use lagrange::Simulate;
+    ///
+    /// lagrange::system! {
+    ///     struct Oscillator;
+    ///     param k = 4.0;
+    ///     coord x;
+    ///     kinetic = 1/2 * dot(x)^2;
+    ///     potential = 1/2 * k * x^2;
+    ///     emit { jacobian }
+    /// }
+    ///
+    /// // x = cos(√k t), of which the derivative by k is −t sin(√k t)/(2 √k).
+    /// let oscillator = Oscillator::default();
+    /// let gradient = oscillator.simulate([1.0, 0.0]).until(3.0).gradient(["k"], |_, [x, _], slope| {
+    ///     slope[0] = 1.0;
+    ///     *x
+    /// })?;
+    /// assert!((gradient.value - 6.0_f64.cos()).abs() < 1e-8);
+    /// assert!((gradient.by[0] + 0.75 * 6.0_f64.sin()).abs() < 1e-8);
+    /// assert!((gradient.by_start[0] - 6.0_f64.cos()).abs() < 1e-8);
+    /// # Ok::<(), lagrange::integrate::StepFailure<f64>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If a step fails, or a setting is invalid. Motions with events, contacts, switches, clocks,
+    /// constraints or quaternions have no gradient of this kind; use
+    /// [`sensitivities`](Simulation::sensitivities). Neither have runs with controllers, columns,
+    /// events or restarts.
+    pub fn gradient<const N: usize>(
+        self,
+        names: impl IntoIterator<Item = &'static str>,
+        cost: impl FnMut(M::Scalar, &M::State, &mut M::State) -> M::Scalar,
+    ) -> Result<Gradient<M::Scalar, N>, StepFailure<M::Scalar>>
+    where
+        M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
+        K: Method<M> + ExplicitRungeKutta,
+    {
+        let Simulation { system, state, plan, method, .. } = self;
+        let indices = names.into_iter().map(|name| number(system, name)).collect::<Result<Vec<_>, _>>();
+        let settings = &plan.settings;
+        let checked =
+            indices.and_then(|indices| Ok((indices, checked(system, &plan, method)?, samples(settings)?)));
+        let (indices, method, samples) = checked.map_err(StepFailure::Setting)?;
+        let trace = Trace::of(system, &method, (settings.span[0], state), &samples, settings.max_steps)?;
+        Backwards::<M, K, N>::new(system, &indices).along(&trace, cost)
+    }
+}
+
+/// Returns the method with its settings.
+fn checked<M: MechanicalSystem, K: Method<M>>(
+    system: &M,
+    plan: &RunPlan<'_, M>,
+    method: K,
+) -> Result<K, SettingError<M::Scalar>> {
+    let settings = &plan.settings;
+    let is_plain = plan.watches.is_empty() && plan.controllers.is_empty() && plan.columns.is_empty();
+    let has_times = settings.is_dense || !settings.restarts.is_empty() || !settings.times.is_empty();
+    let [start, end] = settings.span;
+    let obstacles = [
+        (!is_plain || has_times, OF_RUN),
+        (!system.events().is_empty(), EVENTS),
+        (system.is_constrained(), PROJECTIONS),
+        (system.next_restart(start, end).is_some(), JUMPS),
+    ];
+    match obstacles.into_iter().find(|(is_there, _)| *is_there) {
+        Some((_, words)) => Err(SettingError::Invalid(words)),
+        None => settings.check::<M, K>(system, &settings.names(system.description()), method),
+    }
+}
+
+/// The times of samples, of which the last is the end.
+fn samples<S: Scalar>(settings: &RunSettings<S>) -> Result<Vec<S>, SettingError<S>> {
+    let [start, end] = settings.span;
+    let mut samples = Vec::new();
+    if let Some(mut grid) = settings.grid()? {
+        samples.push(start);
+        samples.extend(std::iter::from_fn(|| grid.up_to(end)));
+    }
+    samples.push(end);
+    Ok(samples)
+}
+
+fn number<M: ParametricSystem>(system: &M, name: &'static str) -> Result<usize, SettingError<M::Scalar>> {
+    let (numbers, state) = (system.numbers(), system.description());
+    let found = numbers.iter().position(|number| *number == name);
+    found.ok_or(SettingError::UnknownVariable { name, numbers, state })
+}
