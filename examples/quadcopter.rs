@@ -186,7 +186,7 @@ const GAIN: [f64; 12] = [
     1.102041145489295,
     0.0,
     -0.8345975549581596,
-    0.8098250839944801,
+    0.80982508399448,
 ];
 /// Position, orientation, velocity and angular velocity 2 s after a start in the place (1, −0.5,
 /// 0.3), turned by 0.4 rad about (2, −1, 2)/3.

@@ -44,6 +44,7 @@
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
 //! | [`mod@table`], [`mod@root`] | evaluation of tables and algebraic unknowns |
 //! | [`mod@scene`], `draw` (feature) | descriptions of scenes; pictures and films of systems |
+//! | `plot` (feature) | figures of curves over numbers |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
 //! | [`mod@kinematics`] | inverse kinematics: joint positions and rates for given poses and velocities of frames |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use lagrange::kinematics::{FrameTask, InverseKinematics, ReachError, resolved_rates};
+use lagrange::kinematics::{FrameTask, InverseKinematics, ReachError, Shortfall, resolved_rates};
 use lagrange::system::MechanicalSystem;
 
 /// Two links in a plane.
@@ -257,18 +257,111 @@ mod guided {
         prismatic y = carriage to rod { axis: (0, 1, 0); }
         constraint slot = y;
     }
+    lagrange::system! {
+        /// The same with a constraint that no position satisfies.
+        #[derive(Clone, Debug)]
+        pub struct Impossible;
+        emit { frames, frame_jacobians }
+        body rod { mass: 1; shape: slender_rod(1); }
+        prismatic x = ground to rod { axis: (1, 0, 0); }
+        constraint nowhere = x^2 + 1;
+    }
 }
-use guided::Guided;
+use guided::{Guided, Impossible};
+
+/// Two arms that hold the same tip, on motors 0.3 m apart.
+mod five_bar {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct FiveBar<S>;
+        emit { frames, frame_jacobians }
+        body left { mass: 1; shape: slender_rod(0.4); }
+        body fore { mass: 1; shape: slender_rod(0.5); }
+        body right { mass: 1; shape: slender_rod(0.4); }
+        body hind { mass: 1; shape: slender_rod(0.5); }
+        frame tip;
+        revolute a = ground to left { axis: (0, 0, 1); }
+        revolute b = left to fore { at: (0.4, 0, 0); axis: (0, 0, 1); }
+        weld fore to tip { at: (0.5, 0, 0); }
+        revolute c = ground to right { at: (0.3, 0, 0); axis: (0, 0, 1); }
+        revolute d = right to hind { at: (0.4, 0, 0); axis: (0, 0, 1); }
+        let gap = fore.point(0.5, 0, 0) - hind.point(0.5, 0, 0);
+        constraint gap_x = gap.x;
+        constraint gap_y = gap.y;
+    }
+}
+use five_bar::FiveBar;
+
+/// The angles of an arm of 0.4 m and 0.5 m from (x, 0) to a point, by the law of cosines.
+fn bent(x: f64, [px, py]: [f64; 2], side: f64) -> [f64; 2] {
+    let (square, direction) = ((px - x).powi(2) + py * py, py.atan2(px - x));
+    let elbow = ((square - 0.41) / 0.4).acos();
+    let inner = ((square + 0.16 - 0.25) / (0.8 * square.sqrt())).acos();
+    [direction + side * inner, -side * elbow]
+}
 
 #[test]
-fn postures_beside_constraints_are_reported() {
+fn loops_stay_closed_on_the_way_to_a_goal() {
+    let (linkage, mut seed) = (FiveBar::<f64>::default(), 7);
+    for _ in 0..200 {
+        let goal = [0.15 + 0.15 * random(&mut seed), 0.6 + 0.1 * random(&mut seed)];
+        let task = [FrameTask::position(FiveBar::tip_frame, FiveBar::tip_jacobian, [goal[0], goal[1], 0.0])];
+        // The loop is open at this start.
+        let found =
+            linkage.reach(&task, &[2.2, -1.4, 0.9, 1.4]).solve().unwrap_or_else(|e| panic!("{goal:?}: {e}"));
+        let wanted = [bent(0.0, goal, 1.0), bent(0.3, goal, -1.0)].concat();
+        for (found, wanted) in found.q.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-9, "{goal:?}: {found} {wanted}");
+        }
+    }
+    let near = [2.2_f32, -1.4, 0.9, 1.4];
+    let task = [FrameTask::position(FiveBar::tip_frame, FiveBar::tip_jacobian, [0.1_f32, 0.6, 0.0])];
+    let found = FiveBar::<f32>::default().reach(&task, &near).solve().expect("is within reach");
+    assert!((f64::from(found.q[2]) - bent(0.3, [0.1, 0.6], -1.0)[0]).abs() < 1e-4, "{found:?}");
+}
+
+#[test]
+fn limits_of_coupled_joints_are_checked() {
+    let linkage = FiveBar::<f64>::default();
+    let task = [FrameTask::position(FiveBar::tip_frame, FiveBar::tip_jacobian, [0.15, 0.6, 0.0])];
+    let from = |reach: lagrange::kinematics::Reach<'_, _, 4>| reach.solve();
+    let near = [2.2, -1.4, 0.9, 1.4];
+    assert!(from(linkage.reach(&task, &near).within("d", 0.0, 2.0)).is_ok());
+    let error = from(linkage.reach(&task, &near).within("d", 0.0, 0.5)).unwrap_err();
+    assert!(matches!(error, ReachError::BeyondLimit { name: "d", .. }), "{error}");
+    assert!(error.to_string().starts_with("constraints carry `d` beyond its limits"), "{error}");
+    let far = [FrameTask::position(FiveBar::tip_frame, FiveBar::tip_jacobian, [0.15, 2.0, 0.0])];
+    let error = linkage.reach(&far, &near).solve().unwrap_err();
+    let ReachError::Short(Shortfall { q, distance, .. }) = error else { panic!("{error}") };
+    // Both arms are stretched, as far as the loop allows.
+    let highest = (0.81 - 0.15_f64 * 0.15).sqrt();
+    assert!((distance - (2.0 - highest)).abs() < 1e-6, "{distance} {q:?}");
+}
+
+#[test]
+fn postures_beside_constraints_are_missed() {
     let rod = Guided;
     let to = |goal| [FrameTask::position(Guided::rod_frame, Guided::rod_jacobian, goal)];
     let along = rod.reach(&to([2.0, 0.0, 0.0]), &[0.0; 2]).solve().expect("along the slot");
     assert!((along.q[0] - 2.0).abs() < 1e-11);
+    // Limits of a coordinate that no constraint contains hold during the search.
+    let error = rod.reach(&to([2.0, 0.0, 0.0]), &[0.0; 2]).within("x", -1.0, 1.0).solve().unwrap_err();
+    assert!(
+        matches!(error, ReachError::Short(Shortfall { q: [1.0, _], at_limit: Some("x"), .. })),
+        "{error:?}"
+    );
     let error = rod.reach(&to([2.0, 1.0, 0.0]), &[0.0; 2]).solve().unwrap_err();
-    assert!(matches!(error, ReachError::Constrained { .. }), "{error}");
-    assert!(error.to_string().contains("`slot`"), "{error}");
+    // The nearest posture is in the slot.
+    let ReachError::Short(Shortfall { q, distance, .. }) = error else { panic!("{error}") };
+    assert!((q[0] - 2.0).abs() < 1e-6 && q[1] == 0.0 && (distance - 1.0).abs() < 1e-9, "{q:?}");
+}
+
+#[test]
+fn constraints_that_cannot_be_satisfied_are_named() {
+    let task = [FrameTask::position(Impossible::rod_frame, Impossible::rod_jacobian, [0.5, 0.0, 0.0])];
+    let error = Impossible.reach(&task, &[0.3]).starts(3).solve().unwrap_err();
+    assert!(matches!(error, ReachError::Constrained { .. }), "{error:?}");
+    assert!(error.to_string().contains("`nowhere`"), "{error}");
 }
 
 /// With more joints than rows, JᵀJ is singular at every goal.

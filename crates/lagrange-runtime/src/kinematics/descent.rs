@@ -10,6 +10,11 @@
 //! quadratic convergence of the Levenberg–Marquardt method without nonsingularity assumption",
 //! *Computing* 74 (2005) 23–39.
 //!
+//! Under constraints a step δ moves the system by P δ. Here P projects velocities onto those that
+//! the constraints allow, nearest as the mass matrix measures distances. J P takes the place of J,
+//! and positions are then brought back onto the constraints. Limits hold during the search where no
+//! constraint couples a freedom to others, and are checked at its end elsewhere.
+//!
 //! Fits solve the same goals by singular values, in `f64` with heap. Their data are many and
 //! their variables badly scaled; here steps must be cheap and of a fixed size.
 //!
@@ -22,7 +27,7 @@ use super::task::FrameTask;
 use crate::linalg::singular::regular;
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
-use crate::system::{MechanicalSystem, OdeSystem, displaced};
+use crate::system::{MechanicalSystem, OdeSystem, StepFailure, displaced, join, split};
 
 /// Steps of a search from one start.
 const MAX_STEPS: u32 = 100;
@@ -51,6 +56,20 @@ pub(super) struct Goals<'a, M: MechanicalSystem, const N: usize> {
     pub(super) tolerance: M::Scalar,
 }
 
+impl<M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>, const N: usize>
+    Goals<'_, M, N>
+{
+    /// The nearest positions that satisfy the constraints.
+    pub(super) fn restored(&self, q: M::Coordinates) -> Result<M::Coordinates, StepFailure<M::Scalar>> {
+        if !self.system.is_constrained() {
+            return Ok(q);
+        }
+        let mut y = join::<M>(&q, &[M::Scalar::ZERO; N]);
+        self.system.restore(self.time, &mut y)?;
+        Ok(split::<M>(&y).0)
+    }
+}
+
 /// A search from one start.
 pub(super) struct Descent<'a, M: MechanicalSystem, const N: usize> {
     goals: &'a Goals<'a, M, N>,
@@ -67,8 +86,17 @@ pub(super) struct PostureTrial<M: MechanicalSystem> {
     worst: M::Scalar,
 }
 
-/// JᵀJ and Jᵀe of a posture.
+impl<M: MechanicalSystem> PostureTrial<M> {
+    /// A trial that is no better, where constraints cannot be satisfied.
+    fn failed(&self) -> Self {
+        PostureTrial { q: self.q, cost: M::Scalar::NAN, worst: self.worst }
+    }
+}
+
+/// JᵀJ and Jᵀe of a posture, with J P for J under constraints.
 struct Normal<S, const N: usize> {
+    /// The columns of P, if there are constraints.
+    allowed: Option<[[S; N]; N]>,
     matrix: [[S; N]; N],
     right: [S; N],
     /// The largest diagonal entries of the search so far.
@@ -109,7 +137,9 @@ where
             *iterations += 1;
             let rounding = M::Scalar::from_f64(ROUNDING) * M::Scalar::epsilon();
             let step = self.step(&now.q, &normal, (damping * now.cost).max(rounding));
-            let (next, expected) = (self.trial(self.moved(&now.q, &step)), normal.decrease(&step));
+            let expected = normal.decrease(&step);
+            let moved = self.goals.restored(self.moved(&now.q, &normal, &step));
+            let next = moved.map_or_else(|_| now.failed(), |q| self.trial(q));
             let is_level = expected <= M::Scalar::from_f64(LEAST_DECREASE) * now.cost;
             if is_level || !expected.is_finite() {
                 break;
@@ -142,6 +172,7 @@ where
 
     fn normal(&self, q: &M::Coordinates, scales: &[M::Scalar; N]) -> Normal<M::Scalar, N> {
         let (mut matrix, mut right) = ([[M::Scalar::ZERO; N]; N], [M::Scalar::ZERO; N]);
+        let allowed = self.goals.system.is_constrained().then(|| self.allowed(q));
         for task in self.goals.tasks {
             let rows = task.rows(self.goals.system, self.goals.time, q);
             let error = task.error(self.goals.system, self.goals.time, q);
@@ -149,21 +180,34 @@ where
             for (index, (row, error)) in rows.iter().zip(errors).enumerate() {
                 let unit = if index < 3 { M::Scalar::ONE } else { self.lever };
                 let row = row.map(|entry| entry / unit);
+                let row = allowed.map_or(row, |allowed| allowed.map(|column| dot(&row, &column)));
                 for (i, entry) in row.iter().enumerate() {
                     right[i] = entry.multiply_add(*error / unit, right[i]);
                     matrix[i] = core::array::from_fn(|j| entry.multiply_add(row[j], matrix[i][j]));
                 }
             }
         }
-        Normal { matrix, right, scales: core::array::from_fn(|j| scales[j].max(matrix[j][j])) }
+        Normal { allowed, matrix, right, scales: core::array::from_fn(|j| scales[j].max(matrix[j][j])) }
+    }
+
+    /// The velocities nearest to each unit that constraints allow; zero where they determine none.
+    fn allowed(&self, q: &M::Coordinates) -> [[M::Scalar; N]; N] {
+        let Goals { system, time, .. } = self.goals;
+        core::array::from_fn(|j| {
+            let mut unit = [M::Scalar::ZERO; N];
+            unit[j] = M::Scalar::ONE;
+            let mut y = join::<M>(q, &unit);
+            let is_found = system.restore(*time, &mut y).is_ok();
+            if is_found { split::<M>(&y).1 } else { [M::Scalar::ZERO; N] }
+        })
     }
 
     /// The step of all freedoms, within the limits.
     fn step(&self, q: &M::Coordinates, normal: &Normal<M::Scalar, N>, damping: M::Scalar) -> [M::Scalar; N] {
         let value = |limit: &Limit<M::Scalar>| q.as_ref()[limit.position];
-        let limits = &self.goals.limits;
+        let limits: [_; N] = core::array::from_fn(|j| self.limit(normal, j));
         let mut is_free: [bool; N] = core::array::from_fn(|j| {
-            limits[j].as_ref().is_none_or(|limit| !limit.holds(value(limit), normal.right[j]))
+            limits[j].is_none_or(|limit| !limit.holds(value(limit), normal.right[j]))
         });
         let mut step = [M::Scalar::ZERO; N];
         // Each time, at least one freedom goes to its limit.
@@ -171,7 +215,7 @@ where
             step = normal.step(&is_free, &step, damping);
             let mut is_within = true;
             for j in 0..N {
-                let Some(limit) = limits[j].as_ref().filter(|_| is_free[j]) else { continue };
+                let Some(limit) = limits[j].filter(|_| is_free[j]) else { continue };
                 let to = value(limit) + step[j];
                 if limit.nearest(to) != to {
                     (step[j], is_free[j], is_within) = (limit.nearest(to) - value(limit), false, false);
@@ -184,12 +228,22 @@ where
         step
     }
 
+    /// The limit of a freedom that no constraint couples to others.
+    fn limit(&self, normal: &Normal<M::Scalar, N>, freedom: usize) -> Option<&Limit<M::Scalar>> {
+        self.goals.limits[freedom].as_ref().filter(|_| !normal.is_coupled(freedom))
+    }
+
     /// The posture after a step.
-    fn moved(&self, q: &M::Coordinates, step: &[M::Scalar; N]) -> M::Coordinates {
-        let Goals { system, time, limits, .. } = self.goals;
-        let mut q = displaced(*system, *time, q, [(M::Scalar::ONE, step)]);
+    fn moved(
+        &self,
+        q: &M::Coordinates,
+        normal: &Normal<M::Scalar, N>,
+        step: &[M::Scalar; N],
+    ) -> M::Coordinates {
+        let Goals { system, time, .. } = self.goals;
+        let mut q = displaced(*system, *time, q, [(M::Scalar::ONE, &normal.motion(step))]);
         // Rounding may lead beyond.
-        for limit in limits.iter().flatten() {
+        for limit in (0..N).filter_map(|j| self.limit(normal, j)) {
             let entry = &mut q.as_mut()[limit.position];
             *entry = limit.nearest(*entry);
         }
@@ -203,6 +257,22 @@ impl<S: Scalar, const N: usize> Normal<S, N> {
         let shorter: [S; N] =
             core::array::from_fn(|i| self.right[i] + self.right[i] - dot(&self.matrix[i], step));
         dot(step, &shorter)
+    }
+
+    /// True if constraints do not let this freedom move alone.
+    fn is_coupled(&self, freedom: usize) -> bool {
+        let is_off = |(i, entry): (usize, &S)| {
+            let unit = if i == freedom { S::ONE } else { S::ZERO };
+            (*entry - unit).abs() > S::epsilon().sqrt()
+        };
+        self.allowed.as_ref().is_some_and(|allowed| allowed[freedom].iter().enumerate().any(is_off))
+    }
+
+    /// The motion P δ of a step.
+    fn motion(&self, step: &[S; N]) -> [S; N] {
+        let Some(allowed) = &self.allowed else { return *step };
+        let of = |i: usize| (0..N).fold(S::ZERO, |sum, j| allowed[j][i].multiply_add(step[j], sum));
+        core::array::from_fn(of)
     }
 
     /// The step of the free freedoms beside that of the others.

@@ -14,13 +14,19 @@ pub enum ReachError<Q, S> {
         /// Index of the task.
         task: usize,
     },
-    /// The frames are at their goals, but the posture violates constraints, which the search leaves
-    /// out.
+    /// No start can be brought onto the constraints.
     Constrained {
-        /// Positions.
+        /// Positions of the last start.
         q: Q,
         /// The constraint.
         cause: StepFailure<S>,
+    },
+    /// The frames are at their goals, but constraints carry this coordinate beyond its limits.
+    BeyondLimit {
+        /// Positions.
+        q: Q,
+        /// Name of the coordinate.
+        name: &'static str,
     },
     /// There is no coordinate of this name whose rate is a velocity.
     UnknownCoordinate {
@@ -63,7 +69,13 @@ impl<Q, S: Debug> Display for ReachError<Q, S> {
                 write!(f, "the goal of task {task} is not finite, or its matrix is no rotation")
             }
             ReachError::Constrained { cause, .. } => {
-                write!(f, "the search leaves constraints out, and the posture violates them: {cause}")
+                write!(f, "the start is too far from positions that satisfy the constraints: {cause}")
+            }
+            ReachError::BeyondLimit { name, .. } => {
+                write!(
+                    f,
+                    "constraints carry `{name}` beyond its limits: start elsewhere, or search from several `starts`"
+                )
             }
             ReachError::UnknownCoordinate { name, known } => {
                 write!(f, "`{name}` is no coordinate that can have limits; coordinates are {known:?}")

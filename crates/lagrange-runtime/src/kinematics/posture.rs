@@ -8,7 +8,7 @@ use super::task::FrameTask;
 use crate::linalg::singular::negligible;
 use crate::scalar::{Number, Scalar};
 use crate::spread::spread;
-use crate::system::{MechanicalSystem, OdeSystem, displaced, join};
+use crate::system::{MechanicalSystem, OdeSystem, displaced};
 
 /// Starts reach so far without limits, in rad or units of the coordinate.
 const REACH: f64 = core::f64::consts::PI;
@@ -22,7 +22,8 @@ pub trait InverseKinematics<const N: usize>:
     OdeSystem + MechanicalSystem<Velocities = [<Self as OdeSystem>::Scalar; N]>
 {
     /// Searches for positions in which the frames of all tasks stand at their goals, from `near`
-    /// on. Of several postures one next to it is found.
+    /// on. Of several postures one next to it is found. Constraints hold throughout; the search
+    /// begins at the positions nearest to `near` that satisfy them.
     fn reach<'a>(&'a self, tasks: &'a [FrameTask<Self, N>], near: &Self::Coordinates) -> Reach<'a, Self, N>
     where
         Self: Sized,
@@ -75,7 +76,8 @@ where
         self
     }
 
-    /// Keeps a coordinate between limits, infinite ones included.
+    /// Keeps a coordinate between limits, infinite ones included. A posture in which constraints
+    /// carry it beyond them is an error.
     pub fn within(mut self, name: &'static str, lower: M::Scalar, upper: M::Scalar) -> Self {
         match freedom_of(self.goals.system, name) {
             Some((position, freedom)) if lower < upper => {
@@ -113,19 +115,29 @@ where
     pub fn solve(&self) -> SearchResult<M, Posture<M::Coordinates>> {
         self.check()?;
         let (mut iterations, mut nearest) = (0, None::<(M::Scalar, Shortfall<_, _>)>);
+        let mut failure = ReachError::NotFinite;
         for start in 0..self.starts.max(1) {
-            let start = self.start(start);
+            let start = match self.goals.restored(self.start(start)) {
+                Ok(start) => start,
+                Err(cause) => {
+                    failure = ReachError::Constrained { q: self.start(start), cause };
+                    continue;
+                }
+            };
             let descent = Descent::new(&self.goals, &start);
             let Some(found) = descent.run(start, &mut iterations) else { continue };
             if descent.is_reached(&found) {
-                return self.admitted(found.q).map(|q| Posture { q, iterations });
+                match self.beyond(&found.q) {
+                    None => return Ok(Posture { q: found.q, iterations }),
+                    Some(name) => failure = ReachError::BeyondLimit { q: found.q, name },
+                }
+                continue;
             }
             if nearest.as_ref().is_none_or(|(cost, _)| found.cost < *cost) {
                 nearest = Some((found.cost, self.shortfall(found.q, descent.lever)));
             }
         }
-        let (_, shortfall) = nearest.ok_or(ReachError::NotFinite)?;
-        Err(ReachError::Short(shortfall))
+        Err(nearest.map_or(failure, |(_, shortfall)| ReachError::Short(shortfall)))
     }
 
     fn check(&self) -> SearchResult<M, ()> {
@@ -160,11 +172,13 @@ where
         q
     }
 
-    /// These positions, if constraints do not exclude them.
-    fn admitted(&self, q: M::Coordinates) -> SearchResult<M, M::Coordinates> {
-        let mut y = join::<M>(&q, &[M::Scalar::ZERO; N]);
-        let is_admitted = self.goals.system.admit(self.goals.time, &mut y);
-        is_admitted.map(|()| q).map_err(|cause| ReachError::Constrained { q, cause })
+    /// A coordinate that constraints carry beyond its limits.
+    fn beyond(&self, q: &M::Coordinates) -> Option<&'static str> {
+        let is_beyond = |limit: &&Limit<M::Scalar>| {
+            let value = q.as_ref()[limit.position];
+            (limit.nearest(value) - value).abs() > self.goals.tolerance
+        };
+        self.goals.limits.iter().flatten().find(is_beyond).map(|limit| limit.name)
     }
 
     /// The nearest posture, with the task that it misses by most.
