@@ -97,5 +97,5 @@ fn equations_in_parts_and_across_statements_give_the_same_rates() {
     let rates = filters.rhs(0.0, &[0.5, 0.2, 0.1]);
     assert_all_close(&rates, &[5.0, 3.0, 2.0], 1e-14);
     assert_all_close(&[filters.total(0.0, &[0.5, 0.2, 0.1], &[])], &[10.0], 1e-14);
-    assert_all_close(&Later::default().rhs(0.0, &[1.0, 2.0]), &[7.0, -2.0], 1e-14);
+    assert_all_close(&Later.rhs(0.0, &[1.0, 2.0]), &[7.0, -2.0], 1e-14);
 }

@@ -111,11 +111,11 @@ fn solve(elaborator: &mut Elaborator<'_>, coupled: Vec<RateEquation>) {
     match linear_solution(&mut elaborator.evaluator.graph, &residuals, &symbols) {
         Ok(rates) => set_rates(elaborator, coupled[last].syntax, states.into_iter().zip(rates)),
         Err(LinearFailure::Nonlinear(equation)) => {
-            let message = words::nonlinear(&names(elaborator, &coupled[equation].unknowns));
+            let message = words::nonlinear(names(elaborator, &coupled[equation].unknowns));
             refuse(elaborator, &coupled, equation, (message, words::NONLINEAR_HELP));
         }
         Err(LinearFailure::Singular) => {
-            let message = words::singular(&names(elaborator, &states));
+            let message = words::singular(names(elaborator, &states));
             refuse(elaborator, &coupled, last, (message, words::SINGULAR_HELP));
         }
     }
