@@ -221,6 +221,21 @@ fn settings_without_sense_are_refused() {
     refused(Taylor { longest_step: Some(0.0), ..Taylor::tolerance(1e-9) });
 }
 
+/// Steps are as long on the way to a far end as to a near one.
+#[test]
+fn steps_do_not_depend_on_the_end() {
+    let (system, start, method) = (DoublePendulum::default(), [2.0, 1.5, 0.0, 0.0], Taylor::tolerance(1e-9));
+    let [near, far] = [10.0, 1e10].map(|end| {
+        let mut stepper = method.start(&system, 0.0, &start, end).unwrap();
+        for _ in 0..50 {
+            stepper.step(&system, end).unwrap();
+        }
+        stepper.time()
+    });
+    assert!(near < 9.0);
+    assert_eq!(near, far);
+}
+
 /// A planet without angular momentum reaches the sun; the run ends before it with a finite state.
 #[test]
 fn a_collision_ends_the_run_with_its_last_good_state() {

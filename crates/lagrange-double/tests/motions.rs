@@ -110,3 +110,35 @@ fn the_spacing_at_one_is_not_lost() {
     let spacing = (three * (Double::from(4.0) / three - Double::ONE) - Double::ONE).abs();
     assert!(Double::ZERO < spacing && spacing < Double::epsilon());
 }
+
+lagrange::system! {
+    /// A mass that a table of the time pushes against a spring whose energy is a power. Numbers of
+    /// the table are exact in binary.
+    #[derive(Clone, Debug)]
+    struct Pushed<S>;
+
+    param n = 7/4, stiff = 0;
+    coord x;
+    table push(time) = [(1, 0), (2, 6), (4, -2), (8, 0)], interpolation: linear, outside: clamp;
+    kinetic = 1/2 * dot(x)^2;
+    potential = stiff * pow(1 + x^2, n);
+    force x = push(t);
+    emit { taylor }
+}
+
+#[test]
+fn tables_and_powers_have_thirty_digits() {
+    let exact = Taylor { order: Some(40), ..Taylor::tolerance(read("1e-29")) };
+    let free = Pushed::<Double>::default();
+    let [x, v] = integrate(&free, Double::ZERO, [Double::ZERO; 2], read("9"), &exact, |_, _| {}).unwrap();
+    let wanted = [read("34"), read("3")];
+    assert!((x - wanted[0]).abs() < read("1e-28") && (v - wanted[1]).abs() < read("1e-28"), "{x} {v}");
+
+    let held = Pushed { stiff: Double::ONE, ..free };
+    let energy = |[x, v]: [Double; 2]| v * v / read("2") + (Double::ONE + x * x).powf(held.n);
+    let start = [read("0.3"), Double::ZERO];
+    // The table pushes from t = 1 on.
+    let end = integrate(&held, read("-5"), start, Double::ONE, &exact, |_, _| {}).unwrap();
+    let change = (energy(end) - energy(start)).abs();
+    assert!(change < read("1e-27") && (end[0] - start[0]).abs() > read("0.01"), "{change}");
+}

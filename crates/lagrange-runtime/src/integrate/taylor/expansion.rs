@@ -2,6 +2,7 @@
 
 use super::Taylor;
 use super::widest::{WideTask, compute};
+use crate::integrate::clock::least_step;
 use crate::integrate::verner::tolerance::{Tolerated, longest_step};
 use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
@@ -16,8 +17,8 @@ const SAFETY: f64 = 0.01;
 const LARGEST_DEFECT: f64 = 1.0;
 /// A step that changes the state by less than this part of what is tolerated leaves it at rest.
 const AT_REST: f64 = 1e-3;
-/// A step that is a smaller part of the longest one hardly leads on.
-const SHORT: f64 = 1e-7;
+/// A step of fewer roundings of time hardly leads on.
+const SHORT: f64 = 32.0;
 /// Orders that the length of a step follows from: coefficients may vanish in turn.
 const LAST_ORDERS: usize = 4;
 
@@ -97,7 +98,7 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         self.order = rule.order;
         self.length = self.accurate_length(rule);
         let is_finite = self.coefficients[rule.order - 1].as_ref().iter().all(|entry| entry.is_finite());
-        if !is_finite || self.length < S::from_f64(SHORT) * rule.longest[0] {
+        if !is_finite || self.length < S::from_f64(SHORT) * least_step(self.t) {
             self.follow_farthest(rule);
         }
     }
