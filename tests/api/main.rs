@@ -44,6 +44,7 @@ mod products;
 mod projection;
 mod ranges;
 mod reduced;
+mod regressor;
 mod resting;
 mod saved;
 mod scalars;
