@@ -45,6 +45,7 @@ mod projection;
 mod ranges;
 mod rate_equations;
 mod reduced;
+mod regressor;
 mod resting;
 mod saved;
 mod scalars;
