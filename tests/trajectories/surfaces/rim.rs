@@ -182,7 +182,7 @@ fn flat_coins_have_finite_motions() {
     assert!(run.last().iter().all(|entry| entry.is_finite()));
     // In the plane it overlaps.
     start[2] = 0.0;
-    let failure = Coin::<f64>::default().simulate(start).until(1.0).run().err().expect("it overlaps");
+    let failure = Coin::<f64>::default().simulate(start).until(1.0).run().expect_err("it overlaps");
     assert!(failure.to_string().contains("`touch`") && failure.to_string().contains("overlap"), "{failure}");
     start[2] = 0.1;
     let single = Coin::<f32>::default().simulate(start.map(|entry| entry as f32)).until(1.0).run();

@@ -226,7 +226,7 @@ fn a_slope_is_a_line() {
         }
         let start = [0.3 * sin, 0.3 * cos, 0.0, 0.0, lift, 0.0];
         let stepped = Stepped::every(1e-3);
-        let line_steps = line.simulate(start).until(1.0).method(stepped.clone()).run().expect("moves");
+        let line_steps = line.simulate(start).until(1.0).method(stepped).run().expect("moves");
         let slope_steps = slope.simulate(start).until(1.0).method(stepped).run().expect("moves");
         assert_near(&slope_steps.last(), &line_steps.last(), 1e-9);
     }
@@ -365,7 +365,7 @@ fn a_ball_that_does_not_fit_is_an_error() {
         let fitting = Ball::<f64> { size: 0.26, ..Ball::default() };
         fitting.simulate(start).until(1.0).run().expect("it fits");
         let large = Ball::<f64> { size: 0.24, ..Ball::default() };
-        let failure = large.simulate(start).until(1.0).run().err().expect("it does not fit");
+        let failure = large.simulate(start).until(1.0).run().expect_err("it does not fit");
         assert!(failure.to_string().contains("NaN"), "{failure}");
     }
 }
