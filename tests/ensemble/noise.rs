@@ -64,9 +64,9 @@ fn statistics_are_those_of_ornstein_and_uhlenbeck() {
     let mean = |values: &[f64]| values.iter().sum::<f64>() / number;
     let about = |values: &[f64]| values.iter().map(|value| value - mean(values)).collect::<Vec<_>>();
     let covariance = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / (number - 1.0);
-    for (values, t) in [(&one, 2.0), (&other, 3.0)] {
+    for (values, t) in [(&one, 2.0_f64), (&other, 3.0)] {
         let deviations = about(values);
-        let (error, exact) = (mean(values) - 1.5 * (-t as f64).exp(), variance(t));
+        let (error, exact) = (mean(values) - 1.5 * (-t).exp(), variance(t));
         assert!(error.abs() < 3.0 * (exact / number).sqrt(), "mean at {t}: {error}");
         let error = covariance(&deviations, &deviations) - exact;
         assert!(error.abs() < 3.0 * exact * (2.0 / number).sqrt(), "variance at {t}: {error}");
