@@ -8,6 +8,7 @@ mod files;
 #[cfg(feature = "parquet")]
 mod folders;
 mod lanes;
+mod noise;
 mod pictures;
 mod refusals;
 mod runs;

@@ -36,6 +36,7 @@ pages! {
     Lqr = "cookbook/lqr.md";
     Models = "models.md";
     NoStd = "cookbook/no_std.md";
+    Noise = "cookbook/noise.md";
     Orbits = "cookbook/orbits.md";
     Pictures = "cookbook/pictures.md";
     Quadruped = "cookbook/quadruped.md";

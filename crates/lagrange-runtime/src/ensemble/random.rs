@@ -130,6 +130,24 @@ impl Random<OfNoise> {
     pub fn noise(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
+
+    /// Returns the next value of white noise with the two-sided spectral density S, to be held for
+    /// a period Δ. It is a normal number with the variance S/Δ.
+    ///
+    /// Its integral over the period is √S ΔW, for the increment ΔW of a Wiener process. As Δ → 0,
+    /// solutions converge to those with white noise. They do so in the sense of Stratonovich where
+    /// the factor of the noise depends on the state. The book states the order.
+    ///
+    /// Source: Wong, Zakai, *On the convergence of ordinary integrals to stochastic integrals*,
+    /// Ann. Math. Stat. 36 (1965).
+    ///
+    /// # Panics
+    /// If the density is negative or NaN, or the period is not positive.
+    pub fn white(&mut self, density: f64, period: f64) -> f64 {
+        assert!(density >= 0.0, "the spectral density of noise cannot be {density:?}");
+        assert!(period > 0.0, "noise cannot be held for {period:?}");
+        libm::sqrt(density / period) * self.normal()
+    }
 }
 
 impl<P: Purpose> Random<P> {

@@ -101,3 +101,13 @@ fn a_range_of_neighbours_gives_its_start() {
     let (start, end) = (1.0_f64, 1.0_f64.next_up());
     assert!((0..100).all(|index| Random::start(0, index).uniform(start..end) == start));
 }
+
+/// Twice the standard deviation for a quarter of the period, and the numbers of the sequence.
+#[test]
+fn white_noise_has_the_variance_of_its_density_over_its_period() {
+    let (mut white, mut normal) = (Random::noise(7, 3), Random::noise(7, 3));
+    for _ in 0..4 {
+        assert_eq!(white.white(3.0, 0.75), 2.0 * normal.normal());
+    }
+    assert_eq!(white.white(0.0, 1.0), 0.0);
+}
