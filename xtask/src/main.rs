@@ -91,8 +91,14 @@ fn performance(root: &Path, sections: &[&str]) -> Result<(), String> {
 /// Packages every crate, compiles each from its package, and checks what the packages hold. Options
 /// are passed on to cargo.
 fn package(root: &Path, options: &[&str]) -> Result<(), String> {
-    let step = Step::new("packages", &format!("publish --workspace --dry-run {}", options.join(" ")));
-    if step.run(root) { package::check(root) } else { Err("not every crate is packaged".to_owned()) }
+    package::forget(root);
+    let command =
+        format!("publish --workspace --dry-run --target-dir {} {}", package::FOLDER, options.join(" "));
+    if Step::new("packages", &command).run(root) {
+        package::check(root)
+    } else {
+        Err("not every crate is packaged".to_owned())
+    }
 }
 
 fn code(result: Result<(), String>) -> ExitCode {

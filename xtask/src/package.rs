@@ -2,11 +2,30 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
 
 /// Folders of the repository that no package holds.
 const OUTSIDE: [&str; 6] = [".cargo/", ".ci/", "docs/", "fuzz/", "target/", "tools/"];
 /// Files that every package holds.
 const INSIDE: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
+/// Sources of a package in a local index of cargo that is this workspace's.
+const OWN: &str = concat!("lagrange-core-", env!("CARGO_PKG_VERSION"));
+
+/// Folder that packages are compiled in.
+pub(crate) const FOLDER: &str = "target/published";
+
+/// Deletes what cargo has kept of packages before. It takes packages of one version for the same,
+/// and would compile older sources again.
+pub(crate) fn forget(root: &Path) {
+    // What is not there needs no deletion; what remains shows when it is compiled.
+    drop(fs::remove_dir_all(root.join(FOLDER)));
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cargo"))).unwrap_or_default();
+    let sources = fs::read_dir(home.join("registry/src")).into_iter().flatten().flatten();
+    let local = sources.filter(|entry| entry.file_name().to_string_lossy().starts_with('-'));
+    let own = local.filter(|entry| entry.path().join(OWN).is_dir());
+    own.for_each(|entry| drop(fs::remove_dir_all(entry.path())));
+}
 
 /// Checks what the packages hold, which cargo has put into its local index.
 pub(crate) fn check(root: &Path) -> Result<(), String> {
@@ -16,7 +35,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
         return Err(mistakes.join("\n"));
     }
     println!("{} packages hold what they need", packages.len());
-    let manifest = std::fs::read_to_string(root.join("Cargo.toml")).map_err(|error| error.to_string())?;
+    let manifest = fs::read_to_string(root.join("Cargo.toml")).map_err(|error| error.to_string())?;
     if manifest.contains("\nrepository = \"\"\n") {
         println!("before they are published, `repository` in Cargo.toml needs an address");
     }
@@ -25,9 +44,8 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
 
 /// Returns the names of all packages with the files in them.
 fn packages(root: &Path) -> Result<Vec<(String, Vec<String>)>, String> {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
-    let folder = target.join("package/tmp-registry");
-    let entries = std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let folder = root.join(FOLDER).join("package/tmp-registry");
+    let entries = fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
     let mut archives =
         paths.filter(|path| path.extension().is_some_and(|end| end == "crate")).collect::<Vec<_>>();
