@@ -1,6 +1,7 @@
 //! Discrete states, modes with named values, and clocks.
 
 use lagrange::Simulate;
+use lagrange::event::Direction;
 use lagrange::integrate::RungeKutta4;
 
 lagrange::system! {
@@ -265,4 +266,54 @@ fn handlers_have_local_names() {
     let (before, after) = (run.energy()[1], run.energy()[4]);
     assert!((before - 2.0).abs() < 1e-12 && (after - (0.5 * 0.0625 + 1.5 * 0.5625)).abs() < 1e-12);
     assert!((run.mean()[1] - (0.6 + 1.0) / 2.0).abs() < 1e-12);
+}
+
+lagrange::system! {
+    /// A body that passes an origin while a controller samples where it is.
+    #[derive(Clone, Debug)]
+    pub struct Sampled;
+
+    param period = 0.5, stiffness = 0;
+    coord x = 1;
+    start dot(x) = -2;
+    discrete passed, held, mark;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/2 * stiffness * x^2;
+    event origin = x, crossing => { passed = passed + 1; }
+    event marked = x - mark, falling => record;
+    every period => { held = x; mark = if t < period { 0 } else { mark - 1 }; }
+}
+
+#[test]
+fn zeros_at_ticks_are_events() {
+    for period in [0.5, 0.25, 0.125, 0.1, 0.3, 0.7] {
+        let sampled = Sampled { period, ..Sampled::default() };
+        let start = sampled.start();
+        let given = sampled.simulate(start).until(0.9).tolerance(1e-10);
+        let given = given.event("given", Direction::Falling, |_, _, y| y[0]).run().unwrap();
+        let at_origin = given.events().iter().filter(|event| event.name != "marked").collect::<Vec<_>>();
+        assert_eq!(at_origin.len(), 2, "{period}: {at_origin:?}");
+        assert!(at_origin.iter().all(|event| (event.time - 0.5).abs() < 1e-14), "{at_origin:?}");
+        assert_eq!(given.passed().last(), Some(&1.0), "{period}");
+    }
+}
+
+/// Steps of a uniform motion are exact in binary fractions.
+#[test]
+fn zeros_that_a_tick_moves_away_are_events_before_it() {
+    let sampled = Sampled::default();
+    let run = sampled.simulate(sampled.start()).until(3.2).method(RungeKutta4 { step: 0.125 }).run().unwrap();
+    let marked = run.events().iter().filter(|event| event.name == "marked");
+    let times = marked.map(|event| event.time).collect::<Vec<_>>();
+    assert_eq!(times, [0.5, 1.0, 1.5, 2.0, 2.5, 3.0]);
+    assert_eq!(run.held().last(), Some(&-5.0));
+}
+
+#[test]
+fn zeros_at_every_tick_do_not_accumulate() {
+    let stiffness = std::f64::consts::TAU.powi(2);
+    let sampled = Sampled { stiffness, ..Sampled::default() };
+    let start = SampledState { x: 0.0, x_dot: 1.0, ..sampled.start() };
+    let run = sampled.simulate(start).until(59.9).tolerance(1e-12).run().unwrap();
+    assert_eq!(run.passed().last(), Some(&119.0));
 }

@@ -132,7 +132,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
             let middle = from + S::from_f64(0.5) * (time - from);
             let state = stepper.interpolate(system, middle);
             let mut value = |state: &M::State| values(middle, state)[event];
-            self.is_noise = is_first && event == last && is_rounding(&state, &mut value);
+            let may_be_noise = is_first && event == last && !self.functions[event].is_kept;
+            self.is_noise = may_be_noise && is_rounding(&state, &mut value);
         }
         let Some((event, time)) = found else { return Ok(None) };
         Ok(Some(Occurrence { event, time, state: stepper.interpolate(system, time) }))
@@ -262,7 +263,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         for (function, value) in self.functions.iter_mut().zip(values) {
             // What passed zero by a jump since then is found first.
             let has_jumped = function.direction.counts(function.sign, function.here);
-            if !function.is_armed() && value != S::ZERO && !has_jumped {
+            if !function.is_armed() && value != S::ZERO && !has_jumped && !function.is_kept {
                 function.sign = value;
                 if function.here * value < S::ZERO {
                     // It began beyond zero by rounding.
@@ -290,6 +291,23 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
         (self.reached, self.started, self.is_replaced) = (t, t, true);
         self.search = Search::new(t, t);
+    }
+
+    /// Goes on from time `t`, where a clock replaced the state by one in which the functions have
+    /// these values. Those that it left as they were go on as if nothing had happened, so that a
+    /// zero at the time of the tick is an event.
+    pub(crate) fn tick(&mut self, t: S, values: [S; K]) {
+        let before = *self;
+        self.restart(t, values);
+        // Ticks are no repetitions of events.
+        (self.was_fired, self.has_fired) = (before.was_fired, before.has_fired);
+        self.repetitions = if before.started == t { before.repetitions } else { 0 };
+        for (function, before) in self.functions.iter_mut().zip(before.functions) {
+            if function.here == before.here {
+                *function = before;
+                function.is_kept = true;
+            }
+        }
     }
 
     /// Continues from the place that was reached, where the functions jumped to these values. Zeros

@@ -26,6 +26,8 @@ pub(super) struct EventFunction<S> {
     pub(super) range: S,
     /// True if its values were noise up to here.
     is_noise: bool,
+    /// True if the last replacement of the state did not change it.
+    pub(super) is_kept: bool,
     /// Its last two events, the later one first: what lies behind an event is looked at before the
     /// state is replaced there.
     fired: [Option<Fired<S>>; 2],
@@ -64,6 +66,7 @@ impl<S: Scalar> EventFunction<S> {
             start: value,
             range: value.abs(),
             is_noise: false,
+            is_kept: false,
             fired: [None; 2],
         }
     }
@@ -93,7 +96,8 @@ impl<S: Scalar> EventFunction<S> {
             Some(fired) => (fired.sign, Claim::Turned),
             None => (value, Claim::Found),
         };
-        (self.here, self.start, self.fired, self.is_noise) = (value, value, [None; 2], false);
+        (self.here, self.start, self.fired) = (value, value, [None; 2]);
+        (self.is_noise, self.is_kept) = (false, false);
         self.measure(value);
     }
 

@@ -1,6 +1,6 @@
 //! The events that the declaration of a system states.
 
-use super::events::{Events, Found, Next, Origin};
+use super::events::{Events, Found, Next, Origin, Replacement};
 use super::margins::{Margins, exact_values};
 use super::pending::Pending;
 use crate::event::{Detector, Occurrence, end_of_instant, locate};
@@ -153,13 +153,13 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
         Ok(response)
     }
 
-    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State, by: Replacement) {
         self.margins = self.margins.again(system, t, y, &self.pending.ranges());
         let values = self.margins.values(system, t, y);
         if let Some(change) = &mut self.change {
             change.value = values[change.event];
         }
-        self.pending.restart(t, values);
+        self.pending.restart(t, values, by);
     }
 
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {

@@ -14,6 +14,15 @@ pub enum Origin {
     Given(usize),
 }
 
+/// What replaced a state.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Replacement {
+    /// An event, or several at the same time.
+    Event,
+    /// A clock.
+    Clock,
+}
+
 /// The owner of the next event, and its time.
 pub type Next<M> = Result<Option<(Origin, <M as OdeSystem>::Scalar)>, StepFailure<<M as OdeSystem>::Scalar>>;
 
@@ -42,7 +51,7 @@ pub trait Events<M: OdeSystem> {
     fn react(&mut self, system: &M, origin: Origin, event: &Found<M>) -> Reacted<M>;
 
     /// Goes on from another state.
-    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State);
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State, by: Replacement);
 
     /// Goes on where the system is another one, with other inputs.
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State);
@@ -86,9 +95,9 @@ impl<M: OdeSystem, D: Events<M>, G: Events<M>> Events<M> for AllEvents<D, G> {
         }
     }
 
-    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
-        self.declared.restart(system, t, y);
-        self.given.restart(system, t, y);
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State, by: Replacement) {
+        self.declared.restart(system, t, y, by);
+        self.given.restart(system, t, y, by);
     }
 
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
@@ -116,8 +125,8 @@ impl<M: OdeSystem, E: Events<M>> Events<M> for Option<E> {
         self.as_mut().map_or_else(nothing, |events| events.react(system, origin, event))
     }
 
-    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
-        self.iter_mut().for_each(|events| events.restart(system, t, y));
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State, by: Replacement) {
+        self.iter_mut().for_each(|events| events.restart(system, t, y, by));
     }
 
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
@@ -145,7 +154,7 @@ impl<M: OdeSystem> Events<M> for NoEvents {
         Ok(Response::new(Action::Continue))
     }
 
-    fn restart(&mut self, _system: &M, _t: M::Scalar, _y: &M::State) {}
+    fn restart(&mut self, _system: &M, _t: M::Scalar, _y: &M::State, _by: Replacement) {}
 
     fn jump(&mut self, _system: &M, _t: M::Scalar, _y: &M::State) {}
 }

@@ -21,7 +21,7 @@ mod with_events;
 pub use self::current::{Current, check_direction};
 pub use self::declared::DeclaredEvents;
 pub use self::drive::RunEnd;
-pub use self::events::{AllEvents, Events, Found, Next, NoEvents, Origin};
+pub use self::events::{AllEvents, Events, Found, Next, NoEvents, Origin, Replacement};
 pub use self::integrate::{arrive, integrate};
 pub use self::pending::Pending;
 pub use self::restarts::Restarts;

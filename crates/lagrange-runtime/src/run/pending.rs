@@ -1,5 +1,6 @@
 //! An event ahead: the next one of several functions, kept until its turn comes.
 
+use super::events::Replacement;
 use crate::event::{Detector, Occurrence};
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
@@ -63,9 +64,12 @@ impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
     }
 
     /// Goes on from another state, in which the functions have these values.
-    pub fn restart(&mut self, t: S, values: [S; K]) {
+    pub fn restart(&mut self, t: S, values: [S; K], by: Replacement) {
         self.next = None;
-        self.detector.restart(t, values);
+        match by {
+            Replacement::Event => self.detector.restart(t, values),
+            Replacement::Clock => self.detector.tick(t, values),
+        }
     }
 
     /// Goes on where the functions jumped to these values.

@@ -6,7 +6,7 @@
 //! simulations, which keep what was requested, are therefore the same.
 
 use super::current::Current;
-use super::events::{Events, Found, Origin};
+use super::events::{Events, Found, Origin, Replacement};
 use super::outcome::EventOutcome;
 use super::restarts::Restarts;
 use crate::event::{Occurrence, is_at_once};
@@ -178,7 +178,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.restart(system, time, &state)?;
         // The stepper may have brought the state nearer to the constraints.
         let admitted = *self.stepper.state();
-        self.events.restart(system, time, &admitted);
+        self.events.restart(system, time, &admitted, Replacement::Clock);
         sink.exchange(system, (time, &admitted));
         Ok(())
     }
@@ -199,11 +199,19 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.restarts.step(self.current.system(), &mut self.stepper, instant, is_of_interest)
     }
 
+    /// The end of the run, or of the last step if clocks tick there. A function that is zero there
+    /// has an event, whatever follows.
+    fn last_instant(&self) -> M::Scalar {
+        let (time, state) = (self.stepper.time(), self.stepper.state());
+        let ticks = self.ticked != Some(time) && self.current.system().tick(time, state).is_some();
+        if ticks { time } else { self.end }
+    }
+
     /// The next event of the last step.
     #[inline]
     fn next_event(&mut self) -> NextEvent<M, IntegrationError<M::Scalar, M::State>> {
-        let system = self.current.system();
-        match self.events.look(system, &mut self.stepper, self.end) {
+        let (end, system) = (self.last_instant(), self.current.system());
+        match self.events.look(system, &mut self.stepper, end) {
             Ok(next) => Ok(next.and_then(|(origin, _)| Some((origin, self.events.take(origin)?)))),
             Err(cause) => {
                 let time = self.stepper.last_time();
@@ -254,10 +262,10 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         outcome: &EventOutcome<M>,
         time: M::Scalar,
     ) -> NextEvent<M, StepFailure<M::Scalar>> {
-        let (from, to) = (self.stepper.last_time(), self.stepper.time());
+        let (from, to, end) = (self.stepper.last_time(), self.stepper.time(), self.last_instant());
         loop {
             // Behind the event the step is not part of the motion: functions may be anything there.
-            let next = match self.events.look(self.current.system(), &mut self.stepper, self.end) {
+            let next = match self.events.look(self.current.system(), &mut self.stepper, end) {
                 Ok(next) => next,
                 Err(cause @ StepFailure::Slides { .. }) => return Err(cause),
                 Err(_) => return Ok(None),
@@ -297,7 +305,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         restarted.map_err(|cause| failed(explained(cause, system, (time, &other), self.end)))?;
         // The stepper may have brought the state nearer to the constraints.
         let admitted = *self.stepper.state();
-        self.events.restart(system, time, &admitted);
+        self.events.restart(system, time, &admitted, Replacement::Event);
         sink.replace(system, (time, &admitted), is_silent);
         Ok(Turn::GoesOn)
     }

@@ -2,7 +2,7 @@
 
 use super::declared::DeclaredEvents;
 use super::drive::drive;
-use super::events::{AllEvents, Events, Found, Next, Origin};
+use super::events::{AllEvents, Events, Found, Next, Origin, Replacement};
 use super::pending::Pending;
 use crate::event::{Detector, Occurrence};
 use crate::integrate::{Method, Outcome, Stepper};
@@ -100,8 +100,8 @@ where
         Ok(Response::new((self.act)(event)))
     }
 
-    fn restart(&mut self, _system: &M, t: M::Scalar, y: &M::State) {
-        self.pending.restart(t, (self.values)(t, y));
+    fn restart(&mut self, _system: &M, t: M::Scalar, y: &M::State, by: Replacement) {
+        self.pending.restart(t, (self.values)(t, y), by);
     }
 
     fn jump(&mut self, _system: &M, t: M::Scalar, y: &M::State) {

@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use crate::event::{Detector, Occurrence};
 use crate::integrate::Stepper;
-use crate::run::{Events, Found, Next, Origin, Pending};
+use crate::run::{Events, Found, Next, Origin, Pending, Replacement};
 use crate::scalar::Number;
 use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::system::{
@@ -119,9 +119,9 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M, C> {
         Ok(Response::new(action))
     }
 
-    fn restart(&mut self, system: &C, t: M::Scalar, y: &C::State) {
+    fn restart(&mut self, system: &C, t: M::Scalar, y: &C::State, by: Replacement) {
         for Watcher { value, pending, .. } in &mut self.0 {
-            pending.restart(t, [ask(value, system, t, y)]);
+            pending.restart(t, [ask(value, system, t, y)], by);
         }
     }
 
