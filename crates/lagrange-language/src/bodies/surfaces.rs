@@ -120,7 +120,11 @@ fn own_height(translation: &mut Translation<'_>, statement: &ast::Surface) -> Op
         return None;
     };
     let coordinates = statement.coordinates.iter().map(|name| name.text.clone()).collect::<Vec<_>>();
-    if coordinates.len() + 1 != translation.dimension() && !coordinates.is_empty() {
+    if coordinates.is_empty() {
+        // They could not be read.
+        return None;
+    }
+    if coordinates.len() + 1 != translation.dimension() {
         let (message, help) = match translation.space {
             Some(_) => (words::height_in_space(&name.text), words::HEIGHT_IN_SPACE_HELP),
             None => (words::height_in_the_plane(&name.text), words::HEIGHT_IN_THE_PLANE_HELP),
