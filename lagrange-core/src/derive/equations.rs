@@ -93,9 +93,7 @@ impl Equations {
         }
         let is_free = model.constraints.is_empty() && model.reactions.is_empty();
         let may_be_indefinite = matches!(model.energies, Energies::Lagrangian);
-        let growth = may_be_indefinite
-            .then(|| pivot_growth(&mut model.graph, forms.mass_matrix(), &solution))
-            .flatten();
+        let growth = may_be_indefinite.then(|| pivot_growth(model, forms.mass_matrix(), &solution)).flatten();
         let (pivot_growth, of_constraints) = if is_free { (growth, None) } else { (None, growth) };
         let multipliers = solution.values.split_off(velocities.len());
         let (reactions, constraints) = match kept_elimination(model, &mut forms, &mut solution)? {

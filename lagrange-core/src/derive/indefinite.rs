@@ -9,6 +9,7 @@
 //! Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
 
 use super::elimination::solution::Solution;
+use crate::model::{Model, default_values, sample_values};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions;
@@ -16,19 +17,27 @@ use lagrange_expr::functions;
 /// Number of coordinates up to which there is a second way. It holds a matrix on the stack: 13 kB
 /// of `f64` at this size.
 const LARGEST: usize = 40;
+/// Number of points at which a mass matrix is looked at.
+const POINTS: usize = 4;
+/// Pivots below this part of the entry that they come from are zero but for rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Growth of rounding through small pivots, squared; infinite where a pivot vanishes. `None` if
-/// every coupled entry of the diagonal has a sure sign.
+/// every coupled entry of the diagonal has a sure sign, and the matrix is positive definite at some
+/// points.
 pub(super) fn pivot_growth(
-    graph: &mut Graph,
+    model: &mut Model,
     mass_matrix: &[Vec<ExprId>],
     solution: &Solution,
 ) -> Option<ExprId> {
+    let is_indefinite = mass_matrix.len() <= LARGEST && is_indefinite(model, mass_matrix);
+    let graph = &mut model.graph;
     let is_doubtful = |(i, row): (usize, &Vec<ExprId>)| {
         let is_coupled = row.iter().enumerate().any(|(j, &entry)| i != j && !graph.is_zero(entry));
         is_coupled && !graph.is_zero(row[i]) && !has_sure_sign(graph, row[i])
     };
-    if mass_matrix.len() > LARGEST || !mass_matrix.iter().enumerate().any(is_doubtful) {
+    let has_doubts = is_indefinite || mass_matrix.iter().enumerate().any(is_doubtful);
+    if mass_matrix.len() > LARGEST || !has_doubts {
         return None;
     }
     let mut growth = graph.number(1);
@@ -40,6 +49,29 @@ pub(super) fn pivot_growth(
         growth = largest(graph, growth, square);
     }
     Some(growth)
+}
+
+/// True if a mass matrix is not positive definite at one of some points, with defaults of parameters
+/// or without. Entries of the diagonal may have sure signs and be outweighed by others.
+fn is_indefinite(model: &Model, mass_matrix: &[Vec<ExprId>]) -> bool {
+    let entries = mass_matrix.concat();
+    (0..POINTS).any(|point| {
+        let values = [sample_values(model, &entries, point), default_values(model, &entries, point)];
+        values.into_iter().any(|values| has_bad_pivot(values, mass_matrix.len()))
+    })
+}
+
+/// True if a pivot of a matrix of n rows is not positive: [1, 2; 2, 1] has the pivots 1 and −3.
+/// Coordinates without inertia of their own are never eliminated first and left out.
+fn has_bad_pivot(mut entries: Vec<f64>, n: usize) -> bool {
+    let diagonal = (0..n).map(|k| entries[k * n + k]).collect::<Vec<_>>();
+    (0..n).filter(|&k| diagonal[k] != 0.0).any(|k| {
+        let pivot = entries[k * n + k];
+        for (i, j) in (k + 1..n).flat_map(|i| (k + 1..n).map(move |j| (i, j))) {
+            entries[i * n + j] -= entries[i * n + k] / pivot * entries[k * n + j];
+        }
+        pivot <= ROUNDING * diagonal[k].abs()
+    })
 }
 
 pub(super) fn largest(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {

@@ -13,7 +13,7 @@ use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{Direction, Name};
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
-pub(crate) use samples::{Entry, entries, may_be_flat};
+pub(crate) use samples::{Entry, default_values, entries, may_be_flat, sample_values};
 pub use scene::{BodyMotion, DrawnItem, InertialBody, LinkPose, LinkTwist, OutlinedPart, Scene};
 
 /// Meaning of a declaration, as expressions of one graph.

@@ -13,9 +13,26 @@ pub(crate) struct Entry {
     pub(crate) magnitude: f64,
 }
 
+/// Returns the values of expressions at a point.
+pub(crate) fn sample_values(model: &Model, roots: &[ExprId], point: usize) -> Vec<f64> {
+    evaluate(&model.graph, roots, |role| sample(model, role, point))
+}
+
+/// Returns the values of expressions at a point at which parameters have their defaults, as far as
+/// they have any.
+pub(crate) fn default_values(model: &Model, roots: &[ExprId], point: usize) -> Vec<f64> {
+    let defaults = model.parameters.iter().filter_map(|parameter| {
+        let value = evaluate(&model.graph, &[parameter.default?], |_| f64::NAN)[0];
+        Some((model.graph.symbol_of(parameter.symbol)?.role, value))
+    });
+    let defaults = defaults.collect::<HashMap<_, _>>();
+    let value = |role: Role| defaults.get(&role).copied().unwrap_or_else(|| sample(model, role, point));
+    evaluate(&model.graph, roots, value)
+}
+
 /// Returns the values of expressions at a point, with magnitudes in which no terms cancel.
 pub(crate) fn entries(model: &Model, parts: &[ExprId], point: usize) -> HashMap<ExprId, Entry> {
-    let values = evaluate(&model.graph, parts, |role| sample(model, role, point));
+    let values = sample_values(model, parts, point);
     let mut entries = HashMap::default();
     for (&id, value) in parts.iter().zip(values) {
         let known = |id: &ExprId| entries.get(id).map_or(f64::NAN, |entry: &Entry| entry.magnitude);
