@@ -8,6 +8,7 @@
 mod callables;
 mod drawn;
 mod included;
+mod lowering;
 mod numeric;
 mod orthogonal;
 mod phases;

@@ -49,6 +49,22 @@ lagrange::system! {
     dot(b) = -b;
 }
 
+lagrange::system! {
+    /// Rates in brackets, in sums and on the right, and one of a member of a part.
+    struct Bracketed;
+
+    param l = 2, m = 1;
+    input u = 3;
+    state a, b, c, d;
+    part Filter() { state y; }
+    filter: Filter {}
+    l * (dot(a) - dot(b)) = u - a;
+    (m * (dot(b) + dot(a))) = u;
+    dot(c) = 1 - dot(d) + sum(i in 0..3, i * dot(c));
+    dot(d) = 2 - 3 * dot(c);
+    2 * dot(filter.y) = 2 - filter.y;
+}
+
 /// The currents of both coils at a time, by their sum and their difference.
 fn currents(t: f64) -> [f64; 2] {
     let (l, m, r, u) = (0.5, 0.3, 2.0, 12.0);
@@ -97,5 +113,8 @@ fn equations_in_parts_and_across_statements_give_the_same_rates() {
     let rates = filters.rhs(0.0, &[0.5, 0.2, 0.1]);
     assert_all_close(&rates, &[5.0, 3.0, 2.0], 1e-14);
     assert_all_close(&[filters.total(0.0, &[0.5, 0.2, 0.1], &[])], &[10.0], 1e-14);
+    // ȧ − ḃ = (3 − 1)/2 and ȧ + ḃ = 3; ċ = 1 − ḋ + 3 ċ and ḋ = 2 − 3 ċ.
+    let bracketed = Bracketed::default().rhs(0.0, &[1.0, 0.0, 0.0, 0.0, 1.0]);
+    assert_all_close(&bracketed, &[2.0, 1.0, -1.0, 5.0, 0.5], 1e-14);
     assert_all_close(&Later.rhs(0.0, &[1.0, 2.0]), &[7.0, -2.0], 1e-14);
 }

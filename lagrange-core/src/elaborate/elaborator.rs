@@ -54,6 +54,10 @@ pub(super) struct DeclaredState {
     pub(super) equation: Option<Span>,
     /// The symbol for its rate in equations that do not determine it yet.
     pub(super) unknown_rate: Option<ExprId>,
+    /// True if its equation is wrong, which was reported.
+    pub(super) is_given_up: bool,
+    /// True if its rate was found together with others.
+    pub(super) is_coupled: bool,
 }
 
 /// An equation for rates of states that is not solved yet.

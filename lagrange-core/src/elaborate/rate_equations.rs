@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::mem::replace;
 
-use super::elaborator::{Elaborator, RateEquation, UNKNOWNS};
+use super::elaborator::{DeclaredState, Elaborator, RateEquation, UNKNOWNS};
 use super::expression::value_of;
 use super::messages::states as words;
 use lagrange_algebra::calculus::{AccelerationTerms, LinearFailure, Rates, linear_solution};
@@ -21,6 +21,11 @@ pub(super) fn add_rate_equation(elaborator: &mut Elaborator<'_>, syntax: AstId) 
     };
     for residual in residuals {
         let unknowns = unknowns_in(elaborator, residual);
+        let mentions =
+            |state: &DeclaredState| elaborator.declaration.mentions_rate_of(syntax, &state.name.text);
+        if unknowns.is_empty() && elaborator.states.iter().any(|state| state.is_given_up && mentions(state)) {
+            return;
+        }
         if unknowns.is_empty() {
             let place = elaborator.evaluator.origin(syntax);
             let error = elaborator.evaluator.report.error(place, words::NO_RATE_LEFT);
@@ -109,7 +114,10 @@ fn solve(elaborator: &mut Elaborator<'_>, coupled: Vec<RateEquation>) {
         return refuse(elaborator, &coupled, last, (message, words::TOO_COUPLED_HELP));
     }
     match linear_solution(&mut elaborator.evaluator.graph, &residuals, &symbols) {
-        Ok(rates) => set_rates(elaborator, coupled[last].syntax, states.into_iter().zip(rates)),
+        Ok(rates) => {
+            states.iter().for_each(|&state| elaborator.states[state].is_coupled = states.len() > 1);
+            set_rates(elaborator, coupled[last].syntax, states.into_iter().zip(rates));
+        }
         Err(LinearFailure::Nonlinear(equation)) => {
             let message = words::nonlinear(names(elaborator, &coupled[equation].unknowns));
             refuse(elaborator, &coupled, equation, (message, words::NONLINEAR_HELP));
@@ -163,6 +171,7 @@ fn give_up(elaborator: &mut Elaborator<'_>, equations: &[AstId]) {
         let states = elaborator.states.iter().enumerate();
         let states = states.filter(|(_, state)| state.equation.is_none() && is_in(&state.name.text));
         let states = states.map(|(place, _)| (place, zero)).collect::<Vec<_>>();
+        states.iter().for_each(|&(place, _)| elaborator.states[place].is_given_up = true);
         set_rates(elaborator, syntax, states);
     }
 }
@@ -177,6 +186,19 @@ pub(super) fn report_undetermined_rates(elaborator: &mut Elaborator<'_>) {
             count => words::undetermined(count, &rates),
         };
         refuse(elaborator, &coupled, coupled.len() - 1, (message, words::UNDETERMINED_HELP));
+    }
+}
+
+/// Reports states that are frozen in a reduced type although their rates stand in the equations of
+/// others, in which they would go on changing.
+pub(super) fn report_frozen_coupled_states(elaborator: &mut Elaborator<'_>) {
+    for pinned in elaborator.reductions.iter().flat_map(|reduction| &reduction.frozen) {
+        let place = pinned.coordinate.checked_sub(elaborator.first_state);
+        let Some(state) = place.and_then(|place| elaborator.states.get(place)) else { continue };
+        if state.is_coupled {
+            let message = words::frozen_coupled(&state.name.text);
+            elaborator.evaluator.report.error(pinned.span, message).help(words::FROZEN_COUPLED_HELP);
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use super::elaborator::{DeclaredState, Elaborator, UNKNOWNS};
 use super::expression::value_of;
 use super::messages::states as words;
 use super::operand::Operand;
-use super::rate_equations::{report_undetermined_rates, set_rate};
+use super::rate_equations::{report_frozen_coupled_states, report_undetermined_rates, set_rate};
 use super::scope::NameKind;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{Action, Coordinate};
@@ -32,6 +32,8 @@ pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name, kind: S
         kind,
         equation: None,
         unknown_rate: None,
+        is_given_up: false,
+        is_coupled: false,
     });
     elaborator.declare(name, name_kind, Some(Operand::Scalar(position)));
 }
@@ -119,6 +121,7 @@ fn report_no_state(elaborator: &mut Elaborator<'_>, name: &Name) {
 /// Checks that need all states and all that mentions them.
 pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
     report_undetermined_rates(elaborator);
+    report_frozen_coupled_states(elaborator);
     let declaration = elaborator.declaration;
     let scope = &elaborator.evaluator.scope;
     let is_unclear = !declaration.unreadable_words.is_empty();

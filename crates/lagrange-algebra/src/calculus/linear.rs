@@ -3,7 +3,7 @@
 use super::minors::Minors;
 use crate::calculus::{partial, substitute_all};
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::expr::{ExprId, Graph, Node};
 
 /// Why equations are not solved.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -29,8 +29,7 @@ pub fn linear_solution(
     let mut rows = Vec::new();
     for (place, &residual) in residuals.iter().enumerate() {
         let row = symbols.iter().map(|&symbol| partial(graph, residual, symbol)).collect::<Vec<_>>();
-        let reachable = graph.reachable(&row);
-        if symbols.iter().any(|symbol| reachable.contains(symbol)) {
+        if is_branched(graph, residual, symbols) || reaches(graph, &row, symbols) {
             return Err(LinearFailure::Nonlinear(place));
         }
         rows.push(row);
@@ -44,4 +43,18 @@ pub fn linear_solution(
         return Err(LinearFailure::Singular);
     }
     Ok((0..symbols.len()).map(|place| minors.root(graph, &constants, place)).collect())
+}
+
+fn reaches(graph: &Graph, roots: &[ExprId], symbols: &[ExprId]) -> bool {
+    graph.reachable(roots).iter().any(|id| symbols.contains(id))
+}
+
+/// True if a condition or a function depends on symbols. Derivatives do not tell where it jumps, as
+/// the sign of a symbol does.
+fn is_branched(graph: &Graph, root: ExprId, symbols: &[ExprId]) -> bool {
+    graph.reachable(&[root]).into_iter().any(|id| match graph.node(id) {
+        Node::Choose { left, right, .. } => reaches(graph, &[*left, *right], symbols),
+        Node::Call(_, arguments) => reaches(graph, arguments, symbols),
+        _ => false,
+    })
 }

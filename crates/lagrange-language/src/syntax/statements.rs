@@ -2,7 +2,7 @@
 
 mod loops;
 
-use proc_macro2::{Delimiter, Group, Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::ast::{
     Action, AstId, BinaryOperator, Block, ConnectorKind, Expression, MobilizerKind, Quaternion,
@@ -250,28 +250,52 @@ impl Parser<'_> {
         Ok(StatementKind::RateEquation(self.expressions.add(difference, cursor.since(start))))
     }
 
-    /// True at an equation that contains the rate of a state and begins with no keyword.
+    /// True at an equation with the rate of a state that is more than `dot(a) = e`.
     fn at_rate_equation(&self, cursor: &Cursor) -> bool {
-        let is_other = match cursor.peek() {
-            Some(TokenTree::Ident(word)) if word == "dot" => at_equals_past(2, cursor),
-            Some(TokenTree::Ident(word)) => {
+        let statement = cursor.rest_of_statement();
+        let equals = (0..statement.len()).find(|&count| cursor.equals_past(count));
+        match (statement, equals) {
+            (_, None) => false,
+            ([TokenTree::Ident(word), ..], Some(2)) if word == "dot" => self.mentions_rate(&statement[2..]),
+            ([TokenTree::Ident(_), TokenTree::Ident(_), ..], _) => false,
+            ([TokenTree::Ident(word), ..], Some(equals)) => {
                 let word = word.to_string();
-                keywords::statement(&word).is_some() && self.declared(&word).is_none()
+                let is_name = equals > 1 && keywords::statement(&word).is_none();
+                (is_name || self.declared(&word).is_some()) && self.mentions_rate(statement)
             }
-            _ => false,
-        };
-        let rest = cursor.rest_of_statement();
-        let is_rate = |pair: &[TokenTree]| match pair {
-            [TokenTree::Ident(word), TokenTree::Group(of)] => word == "dot" && self.begins_with_state(of),
-            _ => false,
-        };
-        !is_other && (0..rest.len()).any(|count| cursor.equals_past(count)) && rest.windows(2).any(is_rate)
+            _ => self.mentions_rate(statement),
+        }
     }
 
-    /// True if the first word between brackets is a state.
-    fn begins_with_state(&self, group: &Group) -> bool {
-        let first = group.stream().into_iter().next();
-        first.is_some_and(|word| self.declared(&word.to_string()) == Some(Declared::State))
+    /// True if `dot(…)` of a state, or of a member of a part, is among these tokens.
+    fn mentions_rate(&self, tokens: &[TokenTree]) -> bool {
+        let mut pending = vec![tokens.to_vec()];
+        while let Some(tokens) = pending.pop() {
+            for (index, token) in tokens.iter().enumerate() {
+                let TokenTree::Group(group) = token else { continue };
+                let is_dot = matches!(tokens[..index].last(), Some(TokenTree::Ident(word)) if word == "dot");
+                let inside = group.stream().into_iter().collect::<Vec<_>>();
+                if is_dot && self.mentions_state(&inside) {
+                    return true;
+                }
+                pending.push(inside);
+            }
+        }
+        false
+    }
+
+    /// True if a state, or a member of a part, is among these tokens.
+    fn mentions_state(&self, tokens: &[TokenTree]) -> bool {
+        let mut pending = tokens.to_vec();
+        while let Some(token) = pending.pop() {
+            match token {
+                TokenTree::Group(group) => pending.extend(group.stream()),
+                TokenTree::Punct(sign) if sign.as_char() == '.' => return true,
+                token if self.declared(&token.to_string()) == Some(Declared::State) => return true,
+                _ => {}
+            }
+        }
+        false
     }
 
     /// A force or moment, which is not missing.

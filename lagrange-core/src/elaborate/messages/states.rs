@@ -23,6 +23,8 @@ messages! {
     undetermined_by_one(rates) = "1 equation does not determine {rates}";
     undetermined(count, rates) = "{count} equations do not determine {rates}";
     UNDETERMINED_HELP = "write one equation for each rate, such as `dot(a) = …;`";
+    frozen_coupled(name) = "the state `{name}` cannot be frozen: equations couple its rate with others";
+    FROZEN_COUPLED_HELP = "declare the system without this state in a separate `lagrange::system!`";
     declare(name) = "`dot(…) = e;` is the equation of a state: declare it with `state {name};`";
     rate_of_coordinate(name) =
         "`{name}` is a coordinate: its velocity is part of the state and has no equation";

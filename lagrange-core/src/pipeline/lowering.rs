@@ -1,0 +1,281 @@
+//! From the equations of a system to programs.
+
+use super::drawn::{DrawnScene, placed_items};
+use super::phases::DerivedPart;
+use super::programs::{Layout, Programs, Range, Reaction, TickingClock};
+use super::system::Derived;
+use crate::derive::Equations;
+use crate::emit::{
+    NamedRoots, Variables, by_fields, by_state, by_state_and_inputs, on_sides, system_matrix, variables,
+};
+use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, Speed};
+use lagrange_algebra::calculus::gradient;
+use lagrange_algebra::program::{Labels, NewtonProgram, Program, lower, optimise};
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::expr::{ExprId, Graph, Node};
+use lagrange_language::syntax::ast::Declaration;
+
+/// Systems with more velocities have no second way: writing down their matrices may cost more than
+/// all else.
+const LARGEST_SECOND_WAY: usize = 40;
+
+impl Programs {
+    /// Lowers everything that a derived system holds.
+    pub fn new(derived: &Derived) -> Programs {
+        Lowering::new(&derived.declaration, &derived.model, &derived.equations).programs()
+    }
+
+    /// Lowers everything that a reduced type holds.
+    pub fn of_part(part: &DerivedPart) -> Programs {
+        Lowering::new(&part.declaration, &part.reduced.model, &part.equations).programs()
+    }
+}
+
+/// The lowering of a system.
+struct Lowering<'a> {
+    declaration: &'a Declaration,
+    model: Model,
+    equations: &'a Equations,
+    variables: Variables,
+    /// Names of parts of expressions. A named value is kept apart, so that only with the same names
+    /// the results are those of emitted code.
+    labels: Labels,
+}
+
+impl<'a> Lowering<'a> {
+    fn new(declaration: &'a Declaration, model: &Model, equations: &'a Equations) -> Lowering<'a> {
+        let mut labels = Labels::default();
+        equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
+        let variables = variables(declaration, model, equations);
+        Lowering { declaration, model: model.clone(), equations, variables, labels }
+    }
+
+    fn programs(mut self) -> Programs {
+        let equations = self.equations;
+        let growth = growth(equations);
+        let rates = self.model.position_rates();
+        let unknowns = self.unknowns(&rates);
+        let with_growth = |roots: &[ExprId]| [roots, &growth].concat();
+        let reactions = self.model.events.clone().iter().map(|event| self.reaction(event)).collect();
+        let clocks = self.model.clocks.clone().iter().map(|clock| self.clock(clock)).collect();
+        let located = &equations.switches[..self.variables.switches.len()];
+        let switches = located.iter().map(|switch| switch.value).collect::<Vec<_>>();
+        let times = located.iter().map(|switch| switch.time);
+        Programs {
+            name: self.declaration.name.text.clone(),
+            fingerprint: crate::emit::fingerprint(self.declaration),
+            layout: self.layout(),
+            defaults: self.defaults(),
+            ranges: self.ranges(),
+            start: (!self.model.start.is_empty()).then(|| self.as_declared(&self.model.start)),
+            position_rates: self.on_sides(&rates),
+            accelerations: self
+                .on_sides(&[&equations.accelerations[..], &beside(equations), &growth].concat()),
+            multipliers: self.on_sides(&with_growth(&equations.constraints.multipliers)),
+            growths: growth.len(),
+            is_redundant: equations.constraints.is_redundant,
+            undivided: self.on_sides(&undivided(equations)),
+            are_holonomic: self.model.constraints.iter().map(|constraint| constraint.is_holonomic).collect(),
+            position_residuals: self.position_residuals(),
+            correction: self.on_sides(&with_growth(&equations.constraints.correction)),
+            mass_times: self.mass_times(),
+            switch_times: times.map(|time| time.map(|time| self.as_declared(&[time]))).collect(),
+            switches: self.as_declared(&switches),
+            event_functions: self.event_functions(),
+            reactions,
+            clocks,
+            products: self.products(),
+            jacobian: self.derivatives(Product::Jacobian, |model, _, rows| by_state(model, rows)),
+            parameter_jacobian: self
+                .derivatives(Product::ParameterJacobian, |model, _, rows| by_fields(model, rows)),
+            linearised: self.derivatives(Product::SystemMatrix, by_state_and_inputs),
+            system_matrix: self.derivatives(Product::SystemMatrix, system_matrix),
+            regressor_parameters: self.regressor_parameters(),
+            outputs: self.outputs(),
+            drawing: self.drawing(),
+            unknowns: unknowns.iter().map(|(_, name)| name.clone()).collect(),
+            unknown_values: self.on_sides(&unknowns.iter().map(|(root, _)| *root).collect::<Vec<_>>()),
+            solutions: self.solutions(),
+            variables: self.variables,
+        }
+    }
+
+    fn layout(&self) -> Layout {
+        Layout {
+            positions: self.model.coordinates.len(),
+            velocities: self.model.speeds.len(),
+            parameters: self.model.parameters.len(),
+            inputs: self.model.inputs.len(),
+            sides: self.variables.switches.len(),
+            multipliers: self.model.constraints.len(),
+        }
+    }
+
+    /// Lowers expressions on the sides of the switches.
+    fn on_sides(&mut self, roots: &[ExprId]) -> Program {
+        let switches = &self.equations.switches[..self.variables.switches.len()];
+        let graph = &mut self.model.graph;
+        let NamedRoots { roots, labels } = on_sides(graph, &self.labels, switches, roots);
+        lowered(&self.model.graph, &roots, &labels, self.model.accuracy)
+    }
+
+    /// Lowers expressions with conditions, kinks and jumps as they are declared.
+    fn as_declared(&self, roots: &[ExprId]) -> Program {
+        lowered(&self.model.graph, roots, &self.labels, self.model.accuracy)
+    }
+
+    /// Computes expressions of numbers alone.
+    fn constants(&self, roots: &[ExprId]) -> Vec<f64> {
+        let program = lowered(&self.model.graph, roots, &Labels::default(), self.model.accuracy);
+        lagrange_algebra::program::run(&program, |_| f64::NAN)
+    }
+
+    fn defaults(&self) -> Vec<f64> {
+        let fields = self.model.parameters.iter().chain(&self.model.inputs);
+        let known = fields.clone().filter_map(|field| field.default).collect::<Vec<_>>();
+        let mut values = self.constants(&known).into_iter();
+        fields.map(|field| field.default.and_then(|_| values.next()).unwrap_or(f64::NAN)).collect()
+    }
+
+    fn ranges(&self) -> Vec<Range> {
+        let bound = |bound: &Option<Bound>| {
+            let bound = bound.as_ref()?;
+            Some((self.constants(&[bound.value])[0], bound.is_included))
+        };
+        let parameters = self.model.parameters.iter().enumerate();
+        let limited = parameters.filter(|(_, parameter)| parameter.range.iter().any(Option::is_some));
+        limited.map(|(parameter, of)| Range { parameter, bounds: of.range.each_ref().map(bound) }).collect()
+    }
+
+    fn position_residuals(&mut self) -> Program {
+        let zero = self.model.graph.number(0);
+        let constraints = self.model.constraints.iter();
+        let roots = constraints.map(|c| if c.is_holonomic { c.value } else { zero }).collect::<Vec<_>>();
+        self.on_sides(&roots)
+    }
+
+    /// Lowers M a, the gradient of a · ∂L/∂v by the velocities.
+    fn mass_times(&mut self) -> Program {
+        if self.model.constraints.is_empty() {
+            return self.as_declared(&[]);
+        }
+        let (lagrangian, velocities) = (self.model.lagrangian, self.model.velocities());
+        let changes = self.model.speeds.iter().map(|speed: &Speed| speed.acceleration).collect::<Vec<_>>();
+        let graph = &mut self.model.graph;
+        let momenta = gradient(graph, lagrangian, &velocities);
+        let products = momenta.iter().zip(&changes).map(|(&p, &change)| graph.multiply(p, change));
+        let products = products.collect::<Vec<_>>();
+        let product = graph.total(products);
+        let roots = gradient(graph, product, &velocities);
+        self.on_sides(&roots)
+    }
+
+    fn event_functions(&mut self) -> Program {
+        let one = self.model.graph.number(1);
+        let value = |event: &Event| if let Action::Impact(_) = event.action { one } else { event.value };
+        let values = self.model.events.iter().map(value).collect::<Vec<_>>();
+        self.on_sides(&values)
+    }
+
+    fn reaction(&mut self, event: &Event) -> Reaction {
+        match &event.action {
+            Action::Record => Reaction::Record,
+            Action::Stop => Reaction::Stop,
+            Action::Impact(_) => Reaction::Impact,
+            Action::Assign(assignments) => Reaction::Replace(self.assigned(assignments)),
+        }
+    }
+
+    fn clock(&mut self, clock: &Clock) -> TickingClock {
+        TickingClock { period: self.as_declared(&[clock.period]), after: self.assigned(&clock.assignments) }
+    }
+
+    /// The state after assignments.
+    fn assigned(&mut self, assignments: &[Assignment]) -> Program {
+        self.on_sides(&self.model.state_after(assignments))
+    }
+
+    fn products(&mut self) -> Vec<(Product, Program)> {
+        let is_constrained = !self.model.constraints.is_empty();
+        let wanted = Product::ALL.into_iter().filter(|product| {
+            // All rows of the system matrix have programs of their own.
+            *product != Product::SystemMatrix && (is_constrained || !product.is_of_constraints())
+        });
+        let roots =
+            wanted.filter_map(|product| Some((product, self.equations.product(product, &self.model)?)));
+        let roots = roots.collect::<Vec<_>>();
+        roots.into_iter().map(|(product, roots)| (product, self.on_sides(&roots))).collect()
+    }
+
+    /// All rows of a derivative, which follow from those of the accelerations.
+    fn derivatives(
+        &mut self,
+        product: Product,
+        all: impl FnOnce(&mut Model, &Equations, &[ExprId]) -> Vec<ExprId>,
+    ) -> Option<Program> {
+        let rows = self.equations.product(product, &self.model)?;
+        let entries = all(&mut self.model, self.equations, &rows);
+        Some(self.on_sides(&entries))
+    }
+
+    fn regressor_parameters(&mut self) -> Program {
+        let columns = self.equations.regressor.columns.iter().map(|column| column.parameter);
+        self.as_declared(&columns.collect::<Vec<_>>())
+    }
+
+    fn outputs(&mut self) -> Vec<(String, Program)> {
+        let outputs = self.model.outputs.clone().into_iter();
+        outputs.map(|output| (output.name, self.on_sides(&output.components))).collect()
+    }
+
+    fn drawing(&mut self) -> Option<DrawnScene> {
+        let is_in_space = self.declaration.is_in_space;
+        let (items, roots) = placed_items(&self.model.scene, is_in_space);
+        (!items.is_empty()).then(|| DrawnScene { is_in_space, items, program: self.on_sides(&roots) })
+    }
+
+    /// The algebraic unknowns that rates are made of, with their names.
+    fn unknowns(&self, position_rates: &[ExprId]) -> Vec<(ExprId, String)> {
+        let rates = [&self.equations.accelerations[..], position_rates].concat();
+        let graph = &self.model.graph;
+        let unknown = |id: ExprId| match graph.node(id) {
+            Node::Opaque(function, _) if function.is_solution() => {
+                Some((id, function.function().name.clone()))
+            }
+            _ => None,
+        };
+        graph.reachable(&rates).into_iter().filter_map(unknown).collect()
+    }
+
+    fn solutions(&mut self) -> Vec<NewtonProgram> {
+        let unknowns = self.model.graph.unknowns().to_vec();
+        let accuracy = self.model.accuracy;
+        unknowns.iter().map(|unknown| NewtonProgram::new(&mut self.model.graph, unknown, accuracy)).collect()
+    }
+}
+
+fn lowered(graph: &Graph, roots: &[ExprId], labels: &Labels, accuracy: Accuracy) -> Program {
+    optimise(&lower(graph, roots, labels), accuracy)
+}
+
+/// Values whose size is the growth of rounding errors, beyond which the second way is taken.
+fn growth(equations: &Equations) -> Vec<ExprId> {
+    equations.constraints.condition.into_iter().chain(equations.pivot_growth).collect()
+}
+
+/// Values that emitted code computes with the accelerations, since its second way starts from them.
+fn beside(equations: &Equations) -> Vec<ExprId> {
+    let is_indefinite = equations.pivot_growth.is_some();
+    let values = || [&equations.forcing[..], &equations.mass_matrix.concat()].concat();
+    is_indefinite.then(values).unwrap_or_default()
+}
+
+/// M and A in rows, f and b; nothing for large systems.
+fn undivided(equations: &Equations) -> Vec<ExprId> {
+    let Equations { mass_matrix, forcing, constraints, .. } = equations;
+    if forcing.len() > LARGEST_SECOND_WAY {
+        return Vec::new();
+    }
+    let matrices = [mass_matrix.concat(), constraints.jacobian.concat()].concat();
+    [&matrices[..], forcing, &constraints.drifts].concat()
+}
