@@ -166,16 +166,15 @@ fn plain_name(translation: &mut Translation<'_>, name: &str, id: AstId) -> AstId
 
 /// Reports a name that is declared further down.
 pub(super) fn report_early(translation: &mut Translation<'_>, name: &str) -> bool {
-    if translation.early.contains(&name.to_owned()) {
-        return true;
-    }
     let Some(declared) = translation.names.anywhere(name).filter(|_| translation.names.find(name).is_none())
     else {
         return false;
     };
     let declared = declared.span;
     let is_waiting = translation.waiting.iter().any(|body| body.name().text == name);
-    translation.early.insert(name.to_owned());
+    if !translation.early.insert(name.to_owned()) {
+        return true;
+    }
     let (message, help) = match is_waiting {
         true => (mobilizers::unplaced_yet(name), mobilizers::PLACE_FIRST_HELP),
         false => (messages::used_too_early(name), messages::ORDER_HELP),

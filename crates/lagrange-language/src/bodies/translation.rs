@@ -38,8 +38,10 @@ pub(super) struct Translation<'a> {
     pub(super) gravity: Option<(Pair, Origin)>,
     /// Bodies to which points belong that `let` names.
     pub(super) points: HashMap<String, usize>,
-    /// Names of which it was reported that they cannot be read or are used too early.
+    /// Names of which it was reported that they are used too early.
     pub(super) early: HashSet<String>,
+    /// Words of statements that cannot be read, which may have declared them.
+    pub(super) unreadable: HashSet<String>,
     /// Translations of expressions, each found once.
     pub(super) translated: HashMap<AstId, AstId>,
     pub(super) motions: Vec<Motion>,
@@ -76,7 +78,8 @@ impl<'a> Translation<'a> {
             origin: declaration.name.span.into(),
             gravity: None,
             points: HashMap::default(),
-            early: declaration.unreadable_words.clone(),
+            early: HashSet::default(),
+            unreadable: declaration.unreadable_words.clone(),
             translated: HashMap::default(),
             motions: Vec::new(),
             is_drawn: declaration.asks_for("drawing"),

@@ -61,7 +61,7 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
         return Some(Surface { kind, carrier, place, direction, tangents, radius, height, turning });
     }
     let before = std::mem::replace(&mut translation.origin, name.span.into());
-    if !report_early(translation, &name.text) {
+    if !translation.unreadable.contains(&name.text) && !report_early(translation, &name.text) {
         let accept =
             |object: &Object| !matches!(object, Object::Connector(_) | Object::Joint(_) | Object::Contact(_));
         let help = match translation.names.nearest(&name.text, accept) {

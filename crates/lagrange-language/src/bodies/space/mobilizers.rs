@@ -165,7 +165,7 @@ pub(in crate::bodies) fn link_of(translation: &mut Translation<'_>, name: &Name)
     }
     let found = translation.names.find(&name.text).map(Object::describe);
     let before = std::mem::replace(&mut translation.origin, name.span.into());
-    if !report_early(translation, &name.text) {
+    if !translation.unreadable.contains(&name.text) && !report_early(translation, &name.text) {
         let nearest = translation.names.nearest(&name.text, |object| matches!(object, Object::Link { .. }));
         let help = match nearest {
             Some(nearest) => messages::did_you_mean(nearest),
