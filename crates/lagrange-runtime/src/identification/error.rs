@@ -45,8 +45,8 @@ impl Display for IdentificationError {
             }
             IdentificationError::Undefined { reach } => write!(
                 f,
-                "the regressor is finite in no state that was tried within ±{reach}: check the parameters of \
-                 the system, or add states in which it is defined to a `regression`"
+                "the regressor is not finite within ±{reach}: check the parameters of the system, or add other \
+                 states to a `regression`"
             ),
             IdentificationError::TooFew { forces, combinations } => write!(
                 f,

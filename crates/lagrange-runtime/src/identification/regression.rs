@@ -15,7 +15,7 @@ const REACH: f64 = 3.0;
 const FORCES_EACH: usize = 8;
 /// The reach is halved so often where the system is not defined.
 const HALVINGS: i32 = 8;
-/// So many times as many states are tried as are wanted.
+/// The most states that are tried, for each that is wanted.
 const TRIALS_EACH: usize = 64;
 
 /// States with measured forces.
