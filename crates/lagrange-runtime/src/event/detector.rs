@@ -294,8 +294,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     }
 
     /// Goes on from time `t`, where a clock replaced the state by one in which the functions have
-    /// these values. Those that it left as they were go on as if nothing had happened, so that a
-    /// zero at the time of the tick is an event.
+    /// these values. Those that it left as they were go on. A zero at the time of the tick is then
+    /// an event.
     pub(crate) fn tick(&mut self, t: S, values: [S; K]) {
         let before = *self;
         self.restart(t, values);

@@ -14,7 +14,7 @@ pub enum Origin {
     Given(usize),
 }
 
-/// What replaced a state.
+/// The cause of another state.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Replacement {
     /// An event, or several at the same time.
