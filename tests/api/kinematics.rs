@@ -266,8 +266,19 @@ mod guided {
         prismatic x = ground to rod { axis: (1, 0, 0); }
         constraint nowhere = x^2 + 1;
     }
+    lagrange::system! {
+        /// A rod that rolls: only its velocities are constrained.
+        #[derive(Clone, Debug)]
+        pub struct Rolling;
+        emit { frames, frame_jacobians }
+        body rod { mass: 1; shape: slender_rod(1); }
+        body carriage { mass: 1; shape: slender_rod(1); }
+        prismatic x = ground to carriage { axis: (1, 0, 0); }
+        prismatic y = carriage to rod { axis: (0, 1, 0); }
+        constraint slip = dot(y) - 2 * dot(x);
+    }
 }
-use guided::{Guided, Impossible};
+use guided::{Guided, Impossible, Rolling};
 
 /// Two arms that hold the same tip, on motors 0.3 m apart.
 mod five_bar {
@@ -291,6 +302,33 @@ mod five_bar {
     }
 }
 use five_bar::FiveBar;
+
+mod turning_five_bar {
+    lagrange::system! {
+        /// The same on a base that turns at a given speed.
+        #[derive(Clone, Debug)]
+        pub struct Turning;
+        param w = 100;
+        emit { frames, frame_jacobians }
+        body base { mass: 1; inertia: (1, 1, 1); }
+        body left { mass: 1; shape: slender_rod(0.4); }
+        body fore { mass: 1; shape: slender_rod(0.5); }
+        body right { mass: 1; shape: slender_rod(0.4); }
+        body hind { mass: 1; shape: slender_rod(0.5); }
+        frame tip;
+        revolute e = ground to base { axis: (0, 0, 1); }
+        revolute a = base to left { axis: (0, 0, 1); }
+        revolute b = left to fore { at: (0.4, 0, 0); axis: (0, 0, 1); }
+        weld fore to tip { at: (0.5, 0, 0); }
+        revolute c = base to right { at: (0.3, 0, 0); axis: (0, 0, 1); }
+        revolute d = right to hind { at: (0.4, 0, 0); axis: (0, 0, 1); }
+        let gap = fore.point(0.5, 0, 0) - hind.point(0.5, 0, 0);
+        constraint gap_x = gap.x;
+        constraint gap_y = gap.y;
+        constraint drive = e - w * t;
+    }
+}
+use turning_five_bar::Turning;
 
 /// The angles of an arm of 0.4 m and 0.5 m from (x, 0) to a point, by the law of cosines.
 fn bent(x: f64, [px, py]: [f64; 2], side: f64) -> [f64; 2] {
@@ -318,6 +356,30 @@ fn loops_stay_closed_on_the_way_to_a_goal() {
     let task = [FrameTask::position(FiveBar::tip_frame, FiveBar::tip_jacobian, [0.1_f32, 0.6, 0.0])];
     let found = FiveBar::<f32>::default().reach(&task, &near).solve().expect("is within reach");
     assert!((f64::from(found.q[2]) - bent(0.3, [0.1, 0.6], -1.0)[0]).abs() < 1e-4, "{found:?}");
+}
+
+/// Time stands still in a search, however fast constraints move.
+#[test]
+fn moving_constraints_hold_a_posture_like_fixed_ones() {
+    let linkage = Turning::default();
+    for k in 0..20 {
+        let goal = [0.015 * f64::from(k), 0.5 + 0.01 * f64::from(k)];
+        let task = [FrameTask::position(Turning::tip_frame, Turning::tip_jacobian, [goal[0], goal[1], 0.0])];
+        let found = linkage.reach(&task, &[0.0, 2.2, -1.4, 0.9, 1.4]).solve();
+        let found = found.unwrap_or_else(|error| panic!("{goal:?}: {error}"));
+        let wanted = [bent(0.0, goal, 1.0), bent(0.3, goal, -1.0)].concat();
+        assert!(found.q[0].abs() < 1e-12);
+        for (found, wanted) in found.q[1..].iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-9, "{goal:?}: {found} {wanted}");
+        }
+    }
+}
+
+#[test]
+fn constraints_of_velocities_exclude_no_posture() {
+    let task = [FrameTask::position(Rolling::rod_frame, Rolling::rod_jacobian, [2.0, 2.0, 0.0])];
+    let found = Rolling.reach(&task, &[0.0; 2]).solve().expect("the rod rolls there on some way");
+    assert!(found.q.iter().all(|entry| (entry - 2.0).abs() < 1e-9), "{:?}", found.q);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::noise::Noise;
 use lagrange::identification::{IdentificationError, Identifies};
+use lagrange::system::ControlledSystem;
 
 lagrange::system! {
     /// Two rods in a vertical plane, with a spring and friction.
@@ -102,7 +103,10 @@ fn what_is_missing_or_not_finite_is_told() {
     regression.add(0.0, &q, &v, &a, &[1.0, f64::NAN]);
     assert_eq!(regression.estimate().map(drop), Err(IdentificationError::NotFinite { state: 1 }));
     let broken = Arm { l: f64::INFINITY, ..arm };
-    assert_eq!(broken.base_parameters().map(drop), Err(IdentificationError::NotFinite { state: 0 }));
+    assert_eq!(broken.base_parameters().map(drop), Err(IdentificationError::Undefined { reach: 3.0 }));
+    let broken = Arm { k: f64::NAN, ..arm };
+    let named = IdentificationError::UndefinedParameter { name: "k" };
+    assert_eq!(broken.base_parameters().map(drop), Err(named));
 }
 
 /// At rest only weights and the spring act.
@@ -119,4 +123,93 @@ fn a_motion_tells_what_it_contains() {
     assert_eq!(names, ["upper.mx + 1.5 lower.mass", "upper.my", "lower.mx", "lower.my", "k"]);
     assert_eq!(base.without_effect(), ["upper.zz", "lower.zz", "c[0]", "c[1]"]);
     assert!(base.to_string().ends_with("without effect: upper.zz, lower.zz, c[0], c[1]\n"));
+}
+
+mod oscillator {
+    lagrange::system! {
+        /// A resonator in SI units, in which everything is small.
+        #[derive(Clone, Debug)]
+        pub struct Resonator;
+        param m: kg = 1e-12, c: N*s/m = 1e-8, k: N/m = 3948;
+        coord x: m;
+        kinetic = 1/2 * m * dot(x)^2;
+        potential = 1/2 * k * x^2;
+        dissipation = 1/2 * c * dot(x)^2;
+        emit { regressor }
+    }
+}
+use oscillator::Resonator;
+
+/// Columns of the regressor are 1e-9 m, 6e-2 m/s and 4e6 m/s².
+#[test]
+fn units_do_not_decide_what_has_an_effect() {
+    let resonator = Resonator::default();
+    let w = (resonator.k / resonator.m).sqrt();
+    let mut regression = resonator.regression();
+    for step in 0..50 {
+        let phase = 0.37 * f64::from(step);
+        let [x, v, a] =
+            [phase.cos(), -w * phase.sin(), -w * w * phase.cos() * (1.0 + 0.3 * (2.0 * phase).sin())];
+        let [x, v, a] = [x, v, a].map(|entry| [1e-9 * entry]);
+        regression.add(0.0, &x, &v, &a, &resonator.inverse_dynamics(0.0, &x, &v, &a));
+    }
+    let estimate = regression.estimate().expect("enough states");
+    for (name, wanted) in [("m", 1e-12), ("c", 1e-8), ("k", 3948.0)] {
+        let found = estimate.value(name).unwrap_or_else(|| panic!("{name} has an effect"));
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{name} {found:e}");
+    }
+    let shown = estimate.to_string();
+    assert!(shown.contains("(1e-12)  m\n") && shown.contains("(3948.0)  k\n"), "{shown}");
+}
+
+mod driven {
+    lagrange::system! {
+        /// A mass that a force of the time and an input push.
+        #[derive(Clone, Debug)]
+        pub struct Driven;
+        param m = 2, c = 0.1, amp = 3, k = 5;
+        input u = 0;
+        coord x;
+        kinetic = 1/2 * m * dot(x)^2;
+        force x = -c * dot(x) + amp * sin(2*t) + k * u;
+        emit { regressor }
+    }
+    lagrange::system! {
+        /// A bead that is only defined between two walls.
+        #[derive(Clone, Debug)]
+        pub struct Walled;
+        param m = 2, k = 5;
+        coord x, y, z;
+        kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2 + dot(z)^2);
+        potential = k * (sqrt(1 - x^2) + sqrt(1 - y^2) + ln(z));
+        emit { regressor }
+    }
+}
+use driven::{Driven, DrivenInputs, Walled};
+
+#[test]
+fn times_and_present_inputs_show_what_they_multiply() {
+    let base = Driven::default().base_parameters().expect("finite");
+    assert_eq!(base.without_effect(), ["k"]);
+    let pushed = Driven::default().with_inputs(DrivenInputs { u: 1.0 });
+    assert_eq!(pushed.base_parameters().expect("finite").to_string(), "m\nc\namp\nk\n");
+}
+
+#[test]
+fn states_in_which_a_system_is_not_defined_are_left_out() {
+    let base = Walled::default().base_parameters().expect("defined somewhere");
+    assert_eq!(base.to_string(), "m\nk\n");
+}
+
+/// At rest at x = 0, only the input pushes.
+#[test]
+fn forces_that_are_met_exactly_have_no_errors() {
+    let driven = Driven { k: 0.0, ..Driven::default() }.with_inputs(DrivenInputs { u: 1.0 });
+    let mut regression = driven.regression();
+    for _ in 0..4 {
+        regression.add(0.0, &[0.0], &[0.0], &[0.0], &[0.0]);
+    }
+    let estimate = regression.estimate().expect("enough states");
+    assert_eq!((estimate.value("k"), estimate.noise()), (Some(0.0), [0.0].as_slice()));
+    assert_eq!((estimate.values()[0].standard_error, estimate.covariance()[(0, 0)]), (0.0, 0.0));
 }

@@ -10,7 +10,8 @@ use crate::linalg::singular_values::length;
 const DEPENDENT: f64 = 1e-9;
 /// Share of a column below which an amount of another is rounding.
 const NEGLIGIBLE: f64 = 1e-9;
-/// Part of the largest column below which a column has no effect.
+/// Part of the largest column, or of the largest contribution to forces, below which one is
+/// rounding.
 const WITHOUT_EFFECT: f64 = 1e-13;
 
 /// A combination of parameters that forces tell: the first parameter and multiples of others.
@@ -34,6 +35,13 @@ impl BaseParameter {
     }
 }
 
+/// Six digits of a number, which are enough to recognise it. Equal ones look alike, though rounding
+/// tells them apart.
+pub(super) fn six_digits(number: f64) -> f64 {
+    let exact = std::format!("{number:.11e}").parse::<f64>().unwrap_or(number);
+    std::format!("{exact:.5e}").parse::<f64>().unwrap_or(exact)
+}
+
 impl Display for BaseParameter {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
         for (index, (name, factor)) in self.terms.iter().enumerate() {
@@ -44,10 +52,7 @@ impl Display for BaseParameter {
                 (_, false) => f.write_str(" + ")?,
                 (_, true) => f.write_str(" - ")?,
             }
-            // Six digits are enough to recognise a length. Equal ones look alike, though rounding
-            // tells them apart.
-            let exact = std::format!("{magnitude:.11e}").parse::<f64>().unwrap_or(magnitude);
-            let rounded = std::format!("{exact:.5e}").parse::<f64>().unwrap_or(exact);
+            let rounded = six_digits(magnitude);
             if rounded != 1.0 {
                 write!(f, "{rounded} ")?;
             }
@@ -66,10 +71,18 @@ pub struct BaseParameters {
 
 impl BaseParameters {
     /// Finds them from the columns of regressors.
-    pub(super) fn of(names: &[&'static str], columns: &[Vec<f64>]) -> BaseParameters {
+    ///
+    /// A column has no effect if it is rounding. Columns have different units, so that their
+    /// lengths alone do not tell: contributions to forces, columns times parameters, have the same.
+    /// A parameter that is zero contributes nothing, and its column is compared by length.
+    pub(super) fn of(names: &[&'static str], known: &[f64], columns: &[Vec<f64>]) -> BaseParameters {
         let lengths = columns.iter().map(|column| length(column)).collect::<Vec<_>>();
-        let longest = lengths.iter().fold(0.0, |most: f64, length| most.max(*length));
-        let is_felt = |place: &usize| lengths[*place] > WITHOUT_EFFECT * longest;
+        let contributions = lengths.iter().zip(known).map(|(length, known)| length * known.abs());
+        let contributions = contributions.collect::<Vec<_>>();
+        let counts = |sizes: &[f64], place: usize| {
+            sizes[place] > WITHOUT_EFFECT * sizes.iter().fold(0.0, |most: f64, size| most.max(*size))
+        };
+        let is_felt = |place: &usize| counts(&lengths, *place) || counts(&contributions, *place);
         let (mut kept, unfelt): (Vec<_>, Vec<_>) = (0..columns.len()).partition(is_felt);
         kept.sort_by_key(|&place| names[place].ends_with(".mass"));
         let unit = |&place: &usize| columns[place].iter().map(|entry| entry / lengths[place]).collect();

@@ -11,6 +11,16 @@ pub enum IdentificationError {
         /// The state in the order of adding, counted from zero.
         state: usize,
     },
+    /// A parameter of the system is not finite.
+    UndefinedParameter {
+        /// Its name.
+        name: &'static str,
+    },
+    /// The system is defined in none of many states that look random.
+    Undefined {
+        /// The largest magnitude of their entries.
+        reach: f64,
+    },
     /// There are no more forces than combinations.
     TooFew {
         /// Number of forces in all states.
@@ -26,6 +36,17 @@ impl Display for IdentificationError {
             IdentificationError::NotFinite { state } => write!(
                 f,
                 "state {state}, counted from zero, or the regressor there, is not finite: leave it out"
+            ),
+            IdentificationError::UndefinedParameter { name } => {
+                write!(
+                    f,
+                    "`{name}` is not finite: give the system a number for it, and for what it follows from"
+                )
+            }
+            IdentificationError::Undefined { reach } => write!(
+                f,
+                "the regressor is not finite within ±{reach}: check the parameters of the system, or add other \
+                 states to a `regression`"
             ),
             IdentificationError::TooFew { forces, combinations } => write!(
                 f,

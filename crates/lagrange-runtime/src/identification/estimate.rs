@@ -3,7 +3,7 @@
 use std::fmt::{Display, Formatter, Result as Written};
 use std::vec::Vec;
 
-use super::base::{BaseParameter, BaseParameters};
+use super::base::{BaseParameter, BaseParameters, six_digits};
 use crate::linalg::dense::DenseMatrix;
 use crate::linalg::independent::IndependentColumns;
 use crate::linalg::singular_values::{dot, length};
@@ -115,7 +115,8 @@ impl Estimate {
 impl Display for Estimate {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
         for EstimatedValue { parameter, known, value, standard_error } in &self.values {
-            writeln!(f, "{value:>12.6} ± {standard_error:<10.2e} ({known:.6})  {parameter}")?;
+            let [value, known] = [value, known].map(|number| six_digits(*number));
+            writeln!(f, "{value:>12?} ± {standard_error:<10.2e} ({known:?})  {parameter}")?;
         }
         match self.without_effect.is_empty() {
             true => Ok(()),
@@ -184,6 +185,11 @@ impl Equations<'_> {
             if is_settled {
                 break;
             }
+        }
+        if noise.iter().all(|level| *level == 0.0) {
+            // Nothing is wrong with forces that are met exactly, whatever their weights.
+            let count = solution.values.len();
+            solution.covariance = DenseMatrix::zeros(count, count);
         }
         (solution, noise)
     }

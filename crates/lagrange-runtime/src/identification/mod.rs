@@ -73,13 +73,15 @@ use crate::system::RegressorSystem;
 /// Identifies parameters of systems in `f64` from forces.
 pub trait Identifies: RegressorSystem<Scalar = f64> + Sized {
     /// Finds the combinations of parameters that forces tell in any motion, from states that look
-    /// random. Positions, velocities and accelerations are within ±3 in units of the declaration.
+    /// random. Positions, velocities, accelerations and times are within ±3 in units of the
+    /// declaration. States in which the system is not defined are left out. Inputs keep the values
+    /// that they have: what an input multiplies has no effect while it is zero.
     ///
     /// # Errors
-    /// If the regressor is not finite there.
+    /// If a parameter is not finite, or the system is defined in none of these states.
     fn base_parameters(&self) -> Result<BaseParameters, IdentificationError> {
         let mut regression = self.regression();
-        regression.add_spread_states();
+        regression.add_spread_states()?;
         regression.base_parameters()
     }
 

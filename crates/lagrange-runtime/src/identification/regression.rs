@@ -9,10 +9,14 @@ use crate::linalg::vector::StateVector;
 use crate::spread::spread;
 use crate::system::RegressorSystem;
 
-/// Reach of positions, velocities and accelerations of states that look random.
+/// Reach of positions, velocities, accelerations and times of states that look random.
 const REACH: f64 = 3.0;
 /// Number of forces in such states for each parameter.
 const FORCES_EACH: usize = 8;
+/// The reach is halved so often where the system is not defined.
+const HALVINGS: i32 = 8;
+/// The most states that are tried, for each that is wanted.
+const TRIALS_EACH: usize = 64;
 
 /// States with measured forces.
 #[derive(Clone, Debug)]
@@ -56,25 +60,44 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
         self
     }
 
-    /// Adds states that look random, with the forces of the system.
-    pub(super) fn add_spread_states(&mut self) {
-        let states = (FORCES_EACH * self.columns.len()).div_ceil(self.velocities.max(1));
-        for state in 0..states {
-            let mut next = 0;
-            let mut entries = |vector: &mut [f64]| {
-                for entry in vector {
-                    *entry = REACH * spread::<f64>(state, next);
-                    next += 1;
-                }
-            };
-            let (mut q, [mut v, mut a]) = (M::Coordinates::ZERO, [M::Velocities::ZERO; 2]);
-            entries(q.as_mut());
-            entries(v.as_mut());
-            entries(a.as_mut());
-            M::normalise(&mut q);
-            let forces = self.system.inverse_dynamics(0.0, &q, &v, &a);
-            self.add(0.0, &q, &v, &a, &forces);
+    /// Adds states that look random, with the forces of the system. Those in which it is not
+    /// defined are moved towards zero, and left out if that does not help.
+    pub(super) fn add_spread_states(&mut self) -> Result<(), IdentificationError> {
+        let parameters = self.system.regressor_parameters();
+        if let Some(place) = parameters.as_ref().iter().position(|parameter| !parameter.is_finite()) {
+            return Err(IdentificationError::UndefinedParameter { name: M::REGRESSOR_PARAMETERS[place] });
         }
+        let wanted = (FORCES_EACH * self.columns.len()).div_ceil(self.velocities.max(1));
+        let trials = TRIALS_EACH * wanted;
+        let is_added = |state: &usize| (0..HALVINGS).any(|halving| self.add_spread_state(*state, halving));
+        let added = (0..trials).filter(is_added).take(wanted).count();
+        if added == 0 && trials > 0 { Err(IdentificationError::Undefined { reach: REACH }) } else { Ok(()) }
+    }
+
+    /// Adds a state that looks random, within a reach that is halved so often; whether the system
+    /// is defined there.
+    fn add_spread_state(&mut self, state: usize, halvings: i32) -> bool {
+        let (mut next, reach) = (0, REACH * 0.5_f64.powi(halvings));
+        let mut entries = |vector: &mut [f64]| {
+            for entry in vector {
+                *entry = reach * spread::<f64>(state, next);
+                next += 1;
+            }
+        };
+        let (mut q, [mut v, mut a], mut t) = (M::Coordinates::ZERO, [M::Velocities::ZERO; 2], [0.0]);
+        entries(q.as_mut());
+        entries(v.as_mut());
+        entries(a.as_mut());
+        entries(&mut t);
+        M::normalise(&mut q);
+        let (forces, before) = (self.system.inverse_dynamics(t[0], &q, &v, &a), self.forces.len());
+        self.add(t[0], &q, &v, &a, &forces);
+        let is_defined = self.undefined_row(before).is_none();
+        if !is_defined {
+            self.forces.truncate(before);
+            self.columns.iter_mut().for_each(|column| column.truncate(before));
+        }
+        is_defined
     }
 
     /// Finds the combinations of parameters that forces in these states tell.
@@ -83,7 +106,8 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
     /// If something is not finite.
     pub fn base_parameters(&self) -> Result<BaseParameters, IdentificationError> {
         self.check_finite()?;
-        Ok(BaseParameters::of(M::REGRESSOR_PARAMETERS, &self.columns))
+        let known = self.system.regressor_parameters();
+        Ok(BaseParameters::of(M::REGRESSOR_PARAMETERS, known.as_ref(), &self.columns))
     }
 
     /// Estimates these combinations from the measured forces. Parameters that forces do not tell
@@ -108,13 +132,17 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
     }
 
     fn check_finite(&self) -> Result<(), IdentificationError> {
-        let is_undefined = |row: &usize| {
-            let entries = self.columns.iter().map(|column| column[*row]).chain([self.forces[*row]]);
-            entries.into_iter().any(|entry| !entry.is_finite())
-        };
-        match (0..self.forces.len()).find(is_undefined) {
+        match self.undefined_row(0) {
             Some(row) => Err(IdentificationError::NotFinite { state: row / self.velocities.max(1) }),
             None => Ok(()),
         }
+    }
+
+    /// The first row from this one on that is not finite.
+    fn undefined_row(&self, from: usize) -> Option<usize> {
+        (from..self.forces.len()).find(|&row| {
+            let entries = self.columns.iter().map(|column| column[row]).chain([self.forces[row]]);
+            entries.into_iter().any(|entry| !entry.is_finite())
+        })
     }
 }

@@ -10,10 +10,13 @@
 //! quadratic convergence of the Levenberg–Marquardt method without nonsingularity assumption",
 //! *Computing* 74 (2005) 23–39.
 //!
-//! Under constraints a step δ moves the system by P δ. Here P projects velocities onto those that
-//! the constraints allow, nearest as the mass matrix measures distances. J P takes the place of J,
-//! and positions are then brought back onto the constraints. Limits hold during the search where no
-//! constraint couples a freedom to others, and are checked at its end elsewhere.
+//! Under constraints a step δ moves the system by P δ. Here P projects displacements onto those
+//! that the constraints of positions allow, nearest as the mass matrix measures distances. J P
+//! takes the place of J, and positions are then brought back onto the constraints. P projects
+//! velocities, too, unless there are constraints of velocities, which exclude no posture. The trace
+//! of a projection is the number of freedoms, which tells that. P is then the derivative of the way
+//! back of positions, by central differences of relative error ε^⅔. Limits hold during the search
+//! where no constraint couples a freedom to others, and are checked at its end elsewhere.
 //!
 //! Fits solve the same goals by singular values, in `f64` with heap. Their data are many and
 //! their variables badly scaled; here steps must be cheap and of a fixed size.
@@ -68,6 +71,44 @@ impl<M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>
         self.system.restore(self.time, &mut y)?;
         Ok(split::<M>(&y).0)
     }
+
+    /// True if velocities are constrained more than positions.
+    fn has_constraints_of_velocities(&self, q: &M::Coordinates) -> bool {
+        let trace = |columns: [[M::Scalar; N]; N]| (0..N).fold(M::Scalar::ZERO, |sum, j| sum + columns[j][j]);
+        let more = trace(self.allowed_displacements(q)) - trace(self.allowed_velocities(q));
+        more > M::Scalar::from_f64(0.5)
+    }
+
+    /// The columns of P, which projects velocities; zero where constraints determine none.
+    fn allowed_velocities(&self, q: &M::Coordinates) -> [[M::Scalar; N]; N] {
+        let projected = |v: [M::Scalar; N]| {
+            let mut y = join::<M>(q, &v);
+            self.system.restore(self.time, &mut y).ok().map(|()| split::<M>(&y).1)
+        };
+        // Constraints that move have velocities of their own.
+        let own = projected([M::Scalar::ZERO; N]);
+        core::array::from_fn(|j| match (projected(unit(j)), own) {
+            (Some(found), Some(own)) => core::array::from_fn(|i| found[i] - own[i]),
+            _ => [M::Scalar::ZERO; N],
+        })
+    }
+
+    /// The columns of P, which projects displacements; zero where constraints determine none.
+    fn allowed_displacements(&self, q: &M::Coordinates) -> [[M::Scalar; N]; N] {
+        let reach = M::Scalar::epsilon().powf(M::Scalar::from_f64(1.0 / 3.0));
+        core::array::from_fn(|j| {
+            let beside = |h| self.restored(displaced(self.system, self.time, q, [(h, &unit(j))]));
+            let (Ok(behind), Ok(ahead)) = (beside(-reach), beside(reach)) else {
+                return [M::Scalar::ZERO; N];
+            };
+            let way = self.system.displacement(self.time, &behind, &ahead);
+            way.map(|entry| entry / (reach + reach))
+        })
+    }
+}
+
+fn unit<S: Number, const N: usize>(place: usize) -> [S; N] {
+    core::array::from_fn(|i| if i == place { S::ONE } else { S::ZERO })
 }
 
 /// A search from one start.
@@ -75,6 +116,7 @@ pub(super) struct Descent<'a, M: MechanicalSystem, const N: usize> {
     goals: &'a Goals<'a, M, N>,
     /// The unit of displacements: the largest lever arm at the start.
     pub(super) lever: M::Scalar,
+    has_constraints_of_velocities: bool,
 }
 
 /// A posture on the way.
@@ -121,7 +163,12 @@ where
                 }
             }
         }
-        Descent { goals, lever: if lever > M::Scalar::ZERO { lever } else { M::Scalar::ONE } }
+        Descent {
+            goals,
+            lever: if lever > M::Scalar::ZERO { lever } else { M::Scalar::ONE },
+            has_constraints_of_velocities: goals.system.is_constrained()
+                && goals.has_constraints_of_velocities(start),
+        }
     }
 
     /// Goes to the goals, or to a posture from which no step leads nearer; `None` if frames are not
@@ -172,7 +219,10 @@ where
 
     fn normal(&self, q: &M::Coordinates, scales: &[M::Scalar; N]) -> Normal<M::Scalar, N> {
         let (mut matrix, mut right) = ([[M::Scalar::ZERO; N]; N], [M::Scalar::ZERO; N]);
-        let allowed = self.goals.system.is_constrained().then(|| self.allowed(q));
+        let allowed = self.goals.system.is_constrained().then(|| match self.has_constraints_of_velocities {
+            true => self.goals.allowed_displacements(q),
+            false => self.goals.allowed_velocities(q),
+        });
         for task in self.goals.tasks {
             let rows = task.rows(self.goals.system, self.goals.time, q);
             let error = task.error(self.goals.system, self.goals.time, q);
@@ -188,18 +238,6 @@ where
             }
         }
         Normal { allowed, matrix, right, scales: core::array::from_fn(|j| scales[j].max(matrix[j][j])) }
-    }
-
-    /// The velocities nearest to each unit that constraints allow; zero where they determine none.
-    fn allowed(&self, q: &M::Coordinates) -> [[M::Scalar; N]; N] {
-        let Goals { system, time, .. } = self.goals;
-        core::array::from_fn(|j| {
-            let mut unit = [M::Scalar::ZERO; N];
-            unit[j] = M::Scalar::ONE;
-            let mut y = join::<M>(q, &unit);
-            let is_found = system.restore(*time, &mut y).is_ok();
-            if is_found { split::<M>(&y).1 } else { [M::Scalar::ZERO; N] }
-        })
     }
 
     /// The step of all freedoms, within the limits.
