@@ -55,6 +55,26 @@ fn derivatives_by_unknowns_are_those_of_what_is_written() {
     assert!(system.model.graph.is_zero(output.components[0]));
 }
 
+/// d/dt ∂(x³)/∂x is 6 x ẋ. Only what is made of parameters is at rest.
+#[test]
+fn derivatives_change_with_what_they_are_derivatives_of() {
+    assert_eq!(value("output c = dot(partial(x^3, x));"), 24.0);
+    let text = "coord x; param p; kinetic = dot(x)^2; output c = dot(partial(p^3, p));";
+    let report = parse(text).expect_err("it is at rest").to_string();
+    assert!(report.contains("does not change continuously"), "{report}");
+}
+
+/// A number that is too large is reported where it stands within a derivative.
+#[test]
+fn mistakes_in_derivatives_are_reported_within() {
+    let text = "coord x; input f; kinetic = dot(x)^2; output c = dot(x * partial(f * x^2, x));";
+    let report = parse(text).expect_err("the rate of an input").to_string();
+    assert_eq!(report.lines().next(), Some("error at 1:66: the rate of input `f` is unknown"), "{report}");
+    let text = "coord x; kinetic = dot(x)^2; output c = partial(sin(x) + 1e400 * x, x);";
+    let report = parse(text).expect_err("the number is too large").to_string();
+    assert!(report.starts_with("error at 1:58: "), "{report}");
+}
+
 #[test]
 fn derivatives_nest_to_a_limit() {
     let nested = |count: usize| {
