@@ -80,7 +80,6 @@ fn a_local_name_is_new_and_unknown_outside() {
         ("for i in 0..2 { let r = x[i]; } force x[0] = x[r];", "`r` is known only inside its loop or braces"),
         ("for i in 0..2 { let r(z) = z; } force x[0] = r(2);", "`r` is known only inside its loop or braces"),
         ("for i in 0..2 { let r = x[i]; } force x[0] = r_1;", "unknown name `r_1`\n  help: write `r`"),
-        ("for i in 0..2 { let r = x[i]; } let r_1 = 2;", "both become `r_1`"),
         (
             "part P { coord y; for i in 0..2 { let r = y; } force y = r; } p: P {}",
             "known only inside its loop or braces",
