@@ -109,6 +109,7 @@ fn mistakes_in_enclosed_lines_are_reported() {
         ("every 1 => { let r = x[0]; }", "no line behind this `let`"),
         ("every 1 => { x[0] = 1; let r = x[1]; }", "no line behind this `let`"),
         ("every 1 => { for i in 0..2 { x[i] = 1; let r = x[i]; } }", "no line behind this `let`"),
+        ("every 1 => { let r = 1, dot(x[0]) = r; }", "found `,`"),
         ("every 1 => { let r[0] = 2; x[0] = r[0]; }", "has no index"),
         ("every 1 => { let x = 2; dot(x[0]) = x; }", "and a local name must be new"),
         ("every 1 => { let r = 2; for r in 0..2 { x[r] = 1; } }", "cannot be the variable of a loop"),

@@ -105,3 +105,16 @@ fn a_local_name_is_new_and_unknown_outside() {
         assert_eq!(found.matches("error at").count(), 1, "{text}\n{found}");
     }
 }
+
+/// The variable of a sum in the height of terrain is none of its coordinates.
+#[test]
+fn mistakes_in_heights_are_reported_as_they_are_written() {
+    let mistakes = [
+        ("height(s): sum(s in 0..3, s);", "`s` is a parameter of the function or height and"),
+        ("height(s) = s;", "write `height(x): …;`, or `height(x, y): …;` in space"),
+    ];
+    for (text, message) in mistakes {
+        let found = reported(&format!("coord x[2]; terrain road {{ {text} }}"));
+        assert!(found.contains(message), "{text}\n{found}");
+    }
+}
