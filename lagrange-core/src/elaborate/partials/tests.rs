@@ -75,6 +75,22 @@ fn mistakes_in_derivatives_are_reported_within() {
     assert!(report.starts_with("error at 1:58: "), "{report}");
 }
 
+/// The help against a derivative by an expression can be followed, also in calls of functions.
+#[test]
+fn expressions_need_a_name_for_derivatives_by_them() {
+    let slope = "let slope(s) = partial(s^3, s);";
+    for statements in
+        [format!("{slope} output c = slope(2 * x);"), "output c = partial(dot(x)^2, dot(x));".into()]
+    {
+        let report =
+            parse(&format!("coord x; kinetic = dot(x)^2; {statements}")).expect_err("no name").to_string();
+        assert!(report.contains("`let u = 2 * x;` or `velocity u = dot(x);`"), "{report}");
+        assert_eq!(report.matches("error at").count(), 1, "{report}");
+    }
+    assert_eq!(value(&format!("{slope} let u = 2 * x; output c = slope(u);")), 48.0);
+    assert_eq!(value("velocity u = dot(x); output c = partial(dot(x)^2, u);"), 4.0);
+}
+
 #[test]
 fn derivatives_nest_to_a_limit() {
     let nested = |count: usize| {
