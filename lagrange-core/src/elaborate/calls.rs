@@ -121,7 +121,7 @@ fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
                 }
             }
             Expression::Array(_) | Expression::Invalid => return false,
-            _ => pending.extend(evaluator.operands(id)),
+            _ => pending.extend(evaluator.constituents(id)),
         }
     }
     true

@@ -127,6 +127,15 @@ impl<'a> Evaluator<'a> {
     /// The expressions that must have values before `id` has one: the leaves of a chain.
     pub(super) fn operands(&self, id: AstId) -> Vec<AstId> {
         match self.syntax(id) {
+            Expression::Call(name, arguments) if reads_its_arguments(&name.text, arguments) => Vec::new(),
+            _ => self.constituents(id),
+        }
+    }
+
+    /// The expressions of whose values that of `id` is made: its operands, and what a call takes
+    /// the derivative of.
+    pub(super) fn constituents(&self, id: AstId) -> Vec<AstId> {
+        match self.syntax(id) {
             Expression::Number(_) | Expression::Name(_) | Expression::Array(_) | Expression::Invalid => {
                 Vec::new()
             }
@@ -135,7 +144,9 @@ impl<'a> Evaluator<'a> {
                 self.chain(id).into_iter().map(|link| link.operand).collect()
             }
             Expression::Tuple(components) => components.clone(),
-            Expression::Call(name, arguments) if reads_its_arguments(&name.text, arguments) => Vec::new(),
+            Expression::Call(name, arguments) if reads_its_arguments(&name.text, arguments) => {
+                arguments[..1].to_vec()
+            }
             Expression::Call(_, arguments) => arguments.clone(),
             Expression::Component(of, _) | Expression::Quantity(of, _) => vec![*of],
             Expression::Entry { of, .. } => vec![*of],
@@ -248,7 +259,7 @@ impl<'a> Evaluator<'a> {
             })
         };
         let mut culprit = root;
-        while let Some(inner) = self.operands(culprit).into_iter().find(|&operand| guilty(operand)) {
+        while let Some(inner) = self.constituents(culprit).into_iter().find(|&operand| guilty(operand)) {
             culprit = inner;
         }
         let name = match self.syntax(culprit) {
@@ -266,7 +277,7 @@ impl<'a> Evaluator<'a> {
             self.graph.reachable(&components).contains(&part)
         };
         let mut place = Some(root).filter(|&root| holds(root))?;
-        while let Some(inner) = self.operands(place).into_iter().find(|&operand| holds(operand)) {
+        while let Some(inner) = self.constituents(place).into_iter().find(|&operand| holds(operand)) {
             place = inner;
         }
         Some(self.origin(place))

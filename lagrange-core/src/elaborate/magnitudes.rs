@@ -34,7 +34,7 @@ pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
         if misfit.is_none() || !seen.insert(id) {
             continue;
         }
-        let mut parts = evaluator.operands(id);
+        let mut parts = evaluator.constituents(id);
         if let Expression::Name(name) = evaluator.syntax(id) {
             parts.extend(definitions.get(&name.as_str()));
         }

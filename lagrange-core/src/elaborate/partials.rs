@@ -37,7 +37,7 @@ pub(super) fn evaluate_partial(
 fn derivative(evaluator: &mut Evaluator<'_>, [of, by]: [AstId; 2], value_of: ValueOf) -> Option<Operand> {
     let Expression::Name(name) = evaluator.syntax(by) else {
         value_of(evaluator, of)?;
-        return evaluator.refuse(by, words::NAME_NEEDED, words::NAME_HELP);
+        return evaluator.refuse(by, words::NAME_NEEDED, words::NAME_NEEDED_HELP);
     };
     let value = value_of(evaluator, by)?;
     let Operand::Scalar(meant) = value else {

@@ -26,7 +26,7 @@ messages! {
     TOO_LONG_HELP = "write shorter loops";
     shadowed_variable(name) = "`{name}` is already the variable of an enclosing loop";
     variable_is_parameter(name) =
-        "`{name}` is a parameter of the function and cannot be the variable of a sum in it";
+        "`{name}` is a parameter of the function or height and cannot be the variable of a sum in it";
     variable_is_declared(name) = "`{name}` is already declared and cannot be the variable of a loop";
     local_is_declared(name) = "`{name}` is already declared, and a local name must be new";
     known_in_loop(name) =

@@ -65,7 +65,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
     let (names, counted) = (names_of(&statements), counted(&mut statements, &expressions));
     let mut complaints = Complaints::new(report, &declaration, &names);
     let before = complaints.report.diagnostics().len();
-    let mut scopes = Scopes::default();
+    let mut scopes = Scopes::among(&names);
     let unrolled = unroll(&statements, &expressions, &mut scopes, &mut complaints);
     let elements = declared_elements(&unrolled, &expressions, &scopes, &mut complaints);
     let mut silent = Report::default();

@@ -36,6 +36,8 @@ pub(super) struct Scopes {
     interiors: HashSet<String>,
     /// The number of meanings so far of each name that is local to loops, as it would be outside.
     local_counts: HashMap<String, i64>,
+    /// Names that are declared outside of parts, of which local names must be different.
+    declared: BTreeSet<String>,
 }
 
 struct Scope {
@@ -123,6 +125,11 @@ impl Interior {
 }
 
 impl Scopes {
+    /// No scopes yet, in a declaration of these names.
+    pub(super) fn among(names: &BTreeSet<String>) -> Scopes {
+        Scopes { declared: names.clone(), ..Scopes::default() }
+    }
+
     /// A scope in which a name has a value.
     pub(super) fn within(&mut self, outer: ScopeId, name: &str, value: i64) -> ScopeId {
         self.add(outer, self.part_of(outer), Some((name.to_owned(), Some(value))))
@@ -160,12 +167,22 @@ impl Scopes {
     /// Declares a name that is known only in this iteration of a loop, or between these braces.
     pub(super) fn localise(&mut self, scope: ScopeId, name: &Name) {
         let base = self.prefixed(scope, &name.text);
+        let mut count = self.local_counts.get(&base).copied().unwrap_or(0);
+        while self.is_declared(scope, &base, (&name.text, count)) {
+            count += 1;
+        }
         let Some(inside) = scope.0.and_then(|index| self.scopes.get_mut(index)) else { return };
         self.scoped.insert(name.text.clone());
-        let count = self.local_counts.get_or_insert_with(base.clone(), || 0);
-        let text = messages::element(&base, &[*count]);
-        *count += 1;
+        let text = messages::element(&base, &[count]);
+        self.local_counts.insert(base, count + 1);
         inside.locals.insert(name.text.clone(), LocalName { text, span: name.span });
+    }
+
+    /// True if a name with a number is declared around a place, or outside of parts.
+    fn is_declared(&self, scope: ScopeId, base: &str, (own, number): (&str, i64)) -> bool {
+        let member = messages::element(own, &[number]);
+        self.declared.contains(&messages::element(base, &[number]))
+            || self.around(scope).is_some_and(|part| part.interior.declared.contains(&member))
     }
 
     /// Returns what a name that is local to a loop around a place stands for.

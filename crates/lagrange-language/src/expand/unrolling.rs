@@ -279,7 +279,7 @@ pub(super) fn values(
 ) -> Option<std::ops::Range<i64>> {
     let message = match counting.scopes.find(scope, &variable.text) {
         Some(Some(_)) => Some(messages::shadowed_variable(&variable.text)),
-        Some(None) => Some(messages::variable_is_parameter(&variable.text)),
+        Some(None) => Some(messages::variable_is_parameter(variable.text.trim_end())),
         None if counting.scopes.local(scope, &variable.text).is_some()
             || complaints.knows(&variable.text, (counting.scopes, scope)) =>
         {

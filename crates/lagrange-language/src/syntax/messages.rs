@@ -135,7 +135,6 @@ messages! {
     ONE_COMPONENT_HELP = "remove the comma to write a number in parentheses";
     MISSING_ELSE = "this `if` has no value when its condition is false";
     MISSING_ELSE_HELP = "add `else { … }`";
-    COMPARISON = "`<`, `<=`, `>` or `>=`";
     one_value(name) = "the mode `{name}` needs at least two values";
     EQUALITY = "conditions compare with `==`, not `=`";
     EQUALITY_HELP = "write `if clutch == open { … } else { … }`, and `<`, `<=`, `>` or `>=` for what moves";

@@ -55,6 +55,42 @@ fn derivatives_by_unknowns_are_those_of_what_is_written() {
     assert!(system.model.graph.is_zero(output.components[0]));
 }
 
+/// d/dt ∂(x³)/∂x is 6 x ẋ. Only what is made of parameters is at rest.
+#[test]
+fn derivatives_change_with_what_they_are_derivatives_of() {
+    assert_eq!(value("output c = dot(partial(x^3, x));"), 24.0);
+    let text = "coord x; param p; kinetic = dot(x)^2; output c = dot(partial(p^3, p));";
+    let report = parse(text).expect_err("it is at rest").to_string();
+    assert!(report.contains("does not change continuously"), "{report}");
+}
+
+/// A number that is too large is reported where it stands within a derivative.
+#[test]
+fn mistakes_in_derivatives_are_reported_within() {
+    let text = "coord x; input f; kinetic = dot(x)^2; output c = dot(x * partial(f * x^2, x));";
+    let report = parse(text).expect_err("the rate of an input").to_string();
+    assert_eq!(report.lines().next(), Some("error at 1:66: the rate of input `f` is unknown"), "{report}");
+    let text = "coord x; kinetic = dot(x)^2; output c = partial(sin(x) + 1e400 * x, x);";
+    let report = parse(text).expect_err("the number is too large").to_string();
+    assert!(report.starts_with("error at 1:58: "), "{report}");
+}
+
+/// The help against a derivative by an expression can be followed, also in calls of functions.
+#[test]
+fn expressions_need_a_name_for_derivatives_by_them() {
+    let slope = "let slope(s) = partial(s^3, s);";
+    for statements in
+        [format!("{slope} output c = slope(2 * x);"), "output c = partial(dot(x)^2, dot(x));".into()]
+    {
+        let report =
+            parse(&format!("coord x; kinetic = dot(x)^2; {statements}")).expect_err("no name").to_string();
+        assert!(report.contains("`let u = 2 * x;` or `velocity u = dot(x);`"), "{report}");
+        assert_eq!(report.matches("error at").count(), 1, "{report}");
+    }
+    assert_eq!(value(&format!("{slope} let u = 2 * x; output c = slope(u);")), 48.0);
+    assert_eq!(value("velocity u = dot(x); output c = partial(dot(x)^2, u);"), 4.0);
+}
+
 #[test]
 fn derivatives_nest_to_a_limit() {
     let nested = |count: usize| {

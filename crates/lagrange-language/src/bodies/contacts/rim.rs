@@ -8,6 +8,9 @@
 //! As the circle becomes parallel, it touches below its centre, at the height R ε. At the
 //! inclination s the gap is too small by R ε²/2 s, less than rounding for s above 0.01.
 //!
+//! As the axis passes through the normal, d turns round at once. Without events there, the motion
+//! continues as under a smooth constraint, which does no work. No restitution acts on it.
+//!
 //! For R = 0.5 and an axis that is inclined by 30°, the centre is 0.25 above the plane.
 
 use super::geometry::ContactGeometry;

@@ -10,6 +10,11 @@
 //! Jacobian of the equation. A ball that is too large for a hollow would touch at two points.
 //! There, one of the equations has no solution, and the gap is NaN.
 //!
+//! In the plane, Newton's method takes full steps from under c. Each brings it closer to the foot
+//! if the values of 1 − r κ on the way differ by less than a factor of two. They do on ridges that
+//! are blunter than the ball. On sharper ones, it may not reach the foot, and the gap is NaN
+//! although the foot is unique. In space, steps are damped.
+//!
 //! On h = x²/2, a ball of radius √2 touches at the foot x = 1 where its centre is (0, 3/2).
 //!
 //! Source: do Carmo, *Differential Geometry of Curves and Surfaces*, 2nd ed., §3.5, exercise 11, on

@@ -23,6 +23,21 @@ fn loops_in_events_and_clocks_stand_for_assignments() {
     );
 }
 
+/// The spelling of local names avoids those that are declared, also in parts.
+#[test]
+fn local_names_are_none_that_are_declared() {
+    assert_same(
+        "coord x; param v_0, v_2; event hit = x, rising => { let v = 3 * v_0; let w = v; x = v + w; }
+         event fall = x, falling => { let v = v_2; x = v; }",
+        "coord x; param v_0, v_2; let v_1 = 3 * v_0; let w_0 = v_1; event hit = x, rising => { x = v_1 + w_0; }
+         let v_3 = v_2; event fall = x, falling => { x = v_3; }",
+    );
+    assert_same(
+        "part Leg() { coord y; param v_0; event hit = y, rising => { let v = v_0; y = v; } } leg: Leg {}",
+        "coord leg_y; param leg_v_0; let leg_v_1 = leg_v_0; event leg_hit = leg_y, rising => { leg_y = leg_v_1; }",
+    );
+}
+
 /// The loops around an event enclose those within.
 #[test]
 fn loops_around_and_within_events_know_each_other() {
@@ -94,6 +109,7 @@ fn mistakes_in_enclosed_lines_are_reported() {
         ("every 1 => { let r = x[0]; }", "no line behind this `let`"),
         ("every 1 => { x[0] = 1; let r = x[1]; }", "no line behind this `let`"),
         ("every 1 => { for i in 0..2 { x[i] = 1; let r = x[i]; } }", "no line behind this `let`"),
+        ("every 1 => { let r = 1, dot(x[0]) = r; }", "found `,`"),
         ("every 1 => { let r[0] = 2; x[0] = r[0]; }", "has no index"),
         ("every 1 => { let x = 2; dot(x[0]) = x; }", "and a local name must be new"),
         ("every 1 => { let r = 2; for r in 0..2 { x[r] = 1; } }", "cannot be the variable of a loop"),

@@ -80,7 +80,6 @@ fn a_local_name_is_new_and_unknown_outside() {
         ("for i in 0..2 { let r = x[i]; } force x[0] = x[r];", "`r` is known only inside its loop or braces"),
         ("for i in 0..2 { let r(z) = z; } force x[0] = r(2);", "`r` is known only inside its loop or braces"),
         ("for i in 0..2 { let r = x[i]; } force x[0] = r_1;", "unknown name `r_1`\n  help: write `r`"),
-        ("for i in 0..2 { let r = x[i]; } let r_1 = 2;", "both become `r_1`"),
         (
             "part P { coord y; for i in 0..2 { let r = y; } force y = r; } p: P {}",
             "known only inside its loop or braces",
@@ -104,5 +103,18 @@ fn a_local_name_is_new_and_unknown_outside() {
         let found = reported(&format!("coord x[2]; {text}"));
         assert!(found.contains(message), "{text}\n{found}");
         assert_eq!(found.matches("error at").count(), 1, "{text}\n{found}");
+    }
+}
+
+/// The variable of a sum in the height of terrain is none of its coordinates.
+#[test]
+fn mistakes_in_heights_are_reported_as_they_are_written() {
+    let mistakes = [
+        ("height(s): sum(s in 0..3, s);", "`s` is a parameter of the function or height and"),
+        ("height(s) = s;", "write `height(x): …;`, or `height(x, y): …;` in space"),
+    ];
+    for (text, message) in mistakes {
+        let found = reported(&format!("coord x[2]; terrain road {{ {text} }}"));
+        assert!(found.contains(message), "{text}\n{found}");
     }
 }

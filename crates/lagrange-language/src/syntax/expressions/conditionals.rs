@@ -149,10 +149,10 @@ impl Parser<'_> {
         } else if is_logical_word(cursor) {
             self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
         } else if cursor.group(Delimiter::Brace).is_some() {
-            let message = messages::expected(messages::COMPARISON, cursor.peek());
+            let message = messages::expected(messages::arrays::COMPARISON, cursor.peek());
             self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP)
         } else {
-            self.no_operator(cursor, messages::COMPARISON)
+            self.no_operator(cursor, messages::arrays::COMPARISON)
         }
     }
 

@@ -102,6 +102,7 @@ pub(in crate::syntax) fn labelled(label: &str) -> String {
         "shape" => "write `shape: disk(r);`".to_owned(),
         "on" => "write `on: cart;`, with the name of a body".to_owned(),
         "radius" => form("roll").to_owned(),
+        "height" => "write `height(x): …;`, or `height(x, y): …;` in space".to_owned(),
         label => format!("write `{label}: …;`"),
     }
 }

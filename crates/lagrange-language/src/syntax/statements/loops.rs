@@ -59,8 +59,10 @@ impl Parser<'_> {
                 return;
             }
             if cursor.at_word("let") {
-                last_local = Some(cursor.here());
-                return locals.extend(parser.local_name(cursor));
+                let (here, mistakes) = (cursor.here(), parser.report.diagnostics().len());
+                locals.extend(parser.local_name(cursor));
+                last_local = (parser.report.diagnostics().len() == mistakes).then_some(here);
+                return;
             }
             last_local = None;
             parser.begin_statement();

@@ -129,14 +129,17 @@ fn mistakes_of_conditions_are_named() {
         mistake("if a < b and c < d { 1 } else { 2 }"),
         "conditions are combined with `&&` and `||`, and are allowed only after `if`"
     );
-    assert_eq!(mistake("if a < b && c { 1 } else { 2 }"), "expected `<`, `<=`, `>` or `>=`, found `{`");
+    assert_eq!(
+        mistake("if a < b && c { 1 } else { 2 }"),
+        "expected `<`, `<=`, `>`, `>=`, `==` or `!=`, found `{`"
+    );
     assert_eq!(
         mistake("if !(a < b && c) { 1 } else { 2 }"),
-        "expected an operator, `<`, `<=`, `>` or `>=`, found nothing"
+        "expected an operator, `<`, `<=`, `>`, `>=`, `==` or `!=`, found nothing"
     );
     assert_eq!(mistake("if a = b { 1 } else { 2 }"), "conditions compare with `==`, not `=`");
     assert_eq!(mistake("if a < b < c { 1 } else { 2 }"), "a comparison has two sides");
-    assert_eq!(mistake("if a { 1 } else { 2 }"), "expected `<`, `<=`, `>` or `>=`, found `{`");
+    assert_eq!(mistake("if a { 1 } else { 2 }"), "expected `<`, `<=`, `>`, `>=`, `==` or `!=`, found `{`");
     assert_eq!(mistake("if a < 2 (1) else { 2 }"), "expected an operator or `{`, found `(`");
     assert_eq!(mistake("if a < b { 1 } else 2"), "expected `{`, found `2`");
     assert_eq!(mistake("if a < b { } else { 2 }"), "these braces are empty");
