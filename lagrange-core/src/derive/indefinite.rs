@@ -51,8 +51,8 @@ pub(super) fn pivot_growth(
     Some(growth)
 }
 
-/// True if a mass matrix is not positive definite at one of some points, with defaults of parameters
-/// or without. Entries of the diagonal may have sure signs and be outweighed by others.
+/// True if a mass matrix is not positive definite at one of some points, with defaults of
+/// parameters or without. Entries of the diagonal may have sure signs and be outweighed by others.
 fn is_indefinite(model: &Model, mass_matrix: &[Vec<ExprId>]) -> bool {
     let entries = mass_matrix.concat();
     (0..POINTS).any(|point| {
