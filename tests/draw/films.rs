@@ -80,6 +80,19 @@ fn plot_what_is_computed_at_their_times() {
 }
 
 #[test]
+fn plot_values_at_the_times_of_states_in_slow_motion() {
+    let run = run(0.5);
+    let twice = |_, y: &[f64; 2]| 2.0 * y[0];
+    let film = Drawing::of(&LADDER).timed_film(run.iter().map(|(t, y)| (10.0 * t, (t, y))));
+    let film = film.expect("can be drawn").with_energy("twice", &run, twice).expect("is known");
+    let film = film.with_columns(&run, &["energy"]).expect("is observed");
+    let states = run.states().map(|y| 2.0 * y[0]).collect::<Vec<_>>();
+    let (twice, energy) = (values(&film, "twice"), values(&film, "energy"));
+    assert_eq!((twice.len(), energy.len()), (run.len(), run.len()));
+    assert!(twice.iter().zip(states).all(|(value, state)| (value - state).abs() < 1e-12));
+}
+
+#[test]
 fn refuse_what_is_not_known_at_their_times() {
     let (drawing, run) = (Drawing::of(&LADDER), run(0.5));
     let film = drawing.film_at(30.0, &run).expect("can be drawn");

@@ -130,6 +130,8 @@ fn a_motion_that_lasts_no_time_has_the_slope_of_its_cost() {
     let gradient = chain().simulate(start()).until(0.0).gradient(["k[0]", "push"], cost).expect("smooth");
     assert_eq!((gradient.by, gradient.steps), (vec![0.0, 0.0], 0));
     assert_eq!((gradient.by_start[7], gradient.by_start[8]), (start()[7], 1.0));
+    let sampled = chain().simulate(start()).until(0.0).every(0.1).gradient(["k[0]"], cost).expect("smooth");
+    assert_eq!(sampled.value, gradient.value);
 }
 
 #[test]
@@ -220,6 +222,41 @@ lagrange::system! {
     potential = 1/2 * k * x^2;
 }
 
+lagrange::system! {
+    /// A mass before a stop that a table describes.
+    struct Stopped;
+    param k = 1;
+    coord x;
+    table stop(x) = [(-2, 0), (1, 0), (1.1, -100)], interpolation: linear, outside: extend;
+    kinetic = 1/2 * dot(x)^2;
+    force x = k * stop(x) - x;
+    emit { jacobian }
+}
+
+lagrange::system! {
+    /// A mass on a spring whose force a table describes without kinks, with all series of it.
+    struct Soft;
+    param k = 1;
+    coord x;
+    table pull(x) = [(-2, -3), (0, 0), (1, 2), (2, 3)], interpolation: monotone, outside: extend;
+    table hill(x) = [(-2, 1), (0, 0), (1, 1), (2, 3)], interpolation: natural, outside: extend;
+    kinetic = 1/2 * dot(x)^2;
+    potential = hill(x);
+    force x = -k * pull(x);
+    emit { jacobian, taylor }
+}
+
+lagrange::system! {
+    /// A mass with friction by the slope of a table, which has kinks.
+    struct Hilly;
+    param k = 1;
+    coord x;
+    table hill(x) = [(-2, 1), (0, 0), (1, 1), (2, 3)], interpolation: monotone, outside: extend;
+    kinetic = 1/2 * dot(x)^2;
+    force x = -k * dot(hill(x));
+    emit { jacobian }
+}
+
 fn words<T>(result: Result<T, StepFailure<f64>>) -> String {
     result.err().expect("a refusal").to_string()
 }
@@ -245,4 +282,29 @@ fn what_has_no_gradient_is_refused_in_words() {
     assert!(unknown.contains("`mass`"), "{unknown}");
     let observed = plain.simulate([1.0, 0.0]).until(1.0).energy();
     assert!(words(observed.gradient(["k"], position)).contains("columns"));
+    let reported = plain.simulate([1.0, 0.0]).until(1.0).progress(|_| ());
+    assert!(words(reported.gradient(["k"], position)).contains("progress"));
+    for entry in ["x", "x_dot"] {
+        let refusal = words(plain.simulate([1.0, 0.0]).until(1.0).gradient([entry], position));
+        assert!(refusal.contains("`by_start`"), "{refusal}");
+    }
+}
+
+/// At kinks of tables steps do not end, and derivatives within them are those of one side.
+#[test]
+fn tables_have_gradients_if_they_have_no_kinks() {
+    let cost = |_: f64, y: &[f64; 2], slope: &mut [f64; 2]| {
+        slope[0] = 1.0;
+        y[0]
+    };
+    let stopped = Stopped::default().simulate([0.0, 2.0]).until(10.0).gradient(["k"], cost);
+    assert!(words(stopped).contains("kinks of tables"));
+    let hilly = Hilly::default().simulate([0.0, 0.5]).until(1.0).gradient(["k"], cost);
+    assert!(words(hilly).contains("kinks of tables"));
+    let soft = Soft::default();
+    let simulation = || soft.simulate([0.0, 0.5]).until(3.0).tolerance(1e-12);
+    let gradient = simulation().gradient(["k"], cost).expect("smooth enough");
+    let motion = simulation().sensitivities(["k"]).run().expect("smooth enough");
+    let slopes = motion.sensitivities(motion.len() - 1).expect("asked for");
+    assert!((gradient.by[0] - slopes[0][0]).abs() < 1e-8, "{} {}", gradient.by[0], slopes[0][0]);
 }

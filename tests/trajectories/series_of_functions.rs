@@ -108,6 +108,20 @@ lagrange::system! {
 }
 
 lagrange::system! {
+    /// Two masses that two tables push, one of them by values and slopes for both.
+    struct Shared;
+
+    coord x, y;
+    table bump(x) = [(0, 0), (1, 1), (2, 0)], interpolation: linear, outside: clamp;
+    table dip(x) = [(0, 0), (1, -2), (2, 0)], interpolation: natural, outside: extend;
+    kinetic = 1/2 * dot(x)^2 + 1/2 * dot(y)^2;
+    potential = dip(y);
+    force x = bump(x) + dip(x);
+    force y = bump(y);
+    emit { taylor }
+}
+
+lagrange::system! {
     /// A wheel on a road, with a motor, a brake and drag from a table of two arguments.
     #[derive(Clone, Debug)]
     struct Wheel<S>;
@@ -293,6 +307,12 @@ fn tables_of_the_state_have_series() {
 }
 
 /// x = v₀ − f(x) along the path: the speed is 3 − x up to 1, and falls twice as fast beyond.
+#[test]
+fn several_series_may_follow_one_table() {
+    let start = [0.2, 1.5, 0.3, -0.4];
+    near(&end(&Shared, start, 3.0, &Taylor::tolerance(1e-12)), &by_pair(&Shared, start, 3.0), 1e-9);
+}
+
 #[test]
 fn rates_may_jump_at_the_points_of_a_table() {
     // To x = 1 it takes ln(3/2), to x = 3/2 from there ln 2 at twice that.

@@ -30,7 +30,10 @@ pub(crate) fn forget(root: &Path) {
 /// Checks what the packages hold, which cargo has put into its local index.
 pub(crate) fn check(root: &Path) -> Result<(), String> {
     let packages = packages(root)?;
-    let mistakes = packages.iter().flat_map(|(name, files)| mistakes(name, files)).collect::<Vec<_>>();
+    let mut mistakes = packages.iter().flat_map(|(name, files)| mistakes(name, files)).collect::<Vec<_>>();
+    let is_missing = |name: &String| !packages.iter().any(|(known, _)| known == name);
+    let missing = published(root)?.into_iter().filter(is_missing);
+    mistakes.extend(missing.map(|name| format!("{name} is not packaged")));
     if !mistakes.is_empty() {
         return Err(mistakes.join("\n"));
     }
@@ -40,6 +43,30 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
         println!("before they are published, `repository` in Cargo.toml needs an address");
     }
     Ok(())
+}
+
+/// Returns the names of all packages that there should be: members that are published, with their
+/// versions.
+fn published(root: &Path) -> Result<Vec<String>, String> {
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let arguments = ["tree", "--workspace", "--depth", "0", "--prefix", "none", "--format", "{p}"];
+    let members = output(Command::new(cargo).args(arguments).current_dir(root))?;
+    let mut published = Vec::new();
+    // Each line is a name, a version with a `v`, and a folder in brackets.
+    for line in members.lines().filter(|line| !line.is_empty()) {
+        let member = line.split_once(" v").and_then(|(name, rest)| {
+            let (version, rest) = rest.split_once(" (")?;
+            Some((format!("{name}-{version}"), rest.rsplit(" (").next()?.trim_end_matches(')')))
+        });
+        let (name, folder) = member.ok_or_else(|| format!("no member of the workspace: {line}"))?;
+        let manifest = Path::new(folder).join("Cargo.toml");
+        let text = fs::read_to_string(&manifest);
+        let text = text.map_err(|error| format!("{}: {error}", manifest.display()))?;
+        if !text.lines().any(|line| line == "publish = false") {
+            published.push(name);
+        }
+    }
+    Ok(published)
 }
 
 /// Returns the names of all packages with the files in them.
@@ -56,13 +83,18 @@ fn packages(root: &Path) -> Result<Vec<(String, Vec<String>)>, String> {
 
 /// Lists the files in an archive, without the folder that holds them all.
 fn files(archive: &Path) -> Result<Vec<String>, String> {
-    let output = Command::new("tar").arg("-tzf").arg(archive).output();
-    let output = output.map_err(|error| format!("tar cannot be started: {error}"))?;
+    let listed = output(Command::new("tar").arg("-tzf").arg(archive))?;
+    Ok(listed.lines().filter_map(|line| Some(line.split_once('/')?.1.to_owned())).collect())
+}
+
+/// Returns what a command writes to its standard output.
+fn output(command: &mut Command) -> Result<String, String> {
+    let program = command.get_program().to_string_lossy().into_owned();
+    let output = command.output().map_err(|error| format!("{program} cannot be started: {error}"))?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).trim().to_owned());
     }
-    let listed = String::from_utf8_lossy(&output.stdout).into_owned();
-    Ok(listed.lines().filter_map(|line| Some(line.split_once('/')?.1.to_owned())).collect())
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 /// Returns what is wrong with the files of a package.
@@ -76,7 +108,18 @@ fn mistakes(name: &str, files: &[String]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::mistakes;
+    use std::path::Path;
+
+    use super::{mistakes, published};
+
+    #[test]
+    fn published_members_are_those_that_packages_are_expected_of() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a folder of the workspace");
+        let published = published(root).expect("cargo lists members");
+        let is_among = |name: &str| published.contains(&format!("{name}-{}", env!("CARGO_PKG_VERSION")));
+        assert!(["lagrange", "lagrange-core", "lagrange-macro", "lagrange-cli"].into_iter().all(is_among));
+        assert!(!["xtask", "lagrange-tests", "lagrange-benches"].into_iter().any(is_among), "{published:?}");
+    }
 
     #[test]
     fn packages_hold_licences_and_nothing_of_the_repository() {

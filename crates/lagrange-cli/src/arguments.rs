@@ -61,7 +61,7 @@ Options:
       --seed N        seed of the random values, 0 by default (ensemble)
       --threads N     number of threads, one for each processor by default (ensemble)
       --error E       wanted error of the state at the end; a table of errors by default (trade)
-      --longest TIME  time that a run may take, 0.2 by default (trade)
+      --longest TIME  leave out settings finer than one that took so long, 0.2 by default (trade)
       --at A=VALUE    linearise, or search, where an entry of the state has this value instead of
                       that at the start; once for each (linearise)
       --equilibrium   search for an equilibrium there first (linearise)
@@ -282,7 +282,7 @@ pub(crate) struct TradeOptions {
     pub(crate) values: Values,
     /// Wanted error.
     pub(crate) error: Option<String>,
-    /// Time that a run may take.
+    /// Time of a run after which no finer setting is tried.
     pub(crate) longest: Option<String>,
 }
 

@@ -9,9 +9,7 @@ use crate::arguments::TradeOptions;
 use crate::motions::{Failure, end, set, start, time};
 use crate::values::value;
 
-/// Errors of the table.
-const GOALS: [f64; 7] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-/// Seconds that a run may take if nothing else is specified.
+/// Seconds of a run after which no finer setting is tried, if nothing else is specified.
 const LONGEST: f64 = 0.2;
 
 /// Measures methods, sets the parameters of the system, and returns the best option for the wanted
@@ -39,7 +37,7 @@ pub(crate) fn text(
     if report.rows().is_empty() {
         let reason =
             "no method with a tolerance reaches the end: `lagrange simulate` shows where a motion fails";
-        return Err(Failure::Ended(reason.to_owned()));
+        return Err(Failure::Ended(format!("{reason}{}", cut(&report))));
     }
     if let Some(folder) = folder {
         report.save(folder).map_err(|error| Failure::File(error.to_string()))?;
@@ -64,7 +62,8 @@ fn proposal(report: &Report, error: f64) -> Result<String, Failure> {
         let errors = report.rows().iter().filter_map(|row| Some(row.outcome.as_ref().ok()?.error));
         let least = errors.fold(f64::INFINITY, f64::min);
         return Err(Failure::Ended(format!(
-            "no method reaches an error of {error:e}; the smallest is {least:.1e}"
+            "no method reaches an error of {error:e}; the smallest is {least:.1e}{}",
+            cut(report)
         )));
     };
     let Measurement { error, seconds, work } = found;
@@ -72,12 +71,21 @@ fn proposal(report: &Report, error: f64) -> Result<String, Failure> {
     Ok(format!("{}\nerror {error:.1e}, {evaluations} evaluations, {milliseconds:.2} ms\n", options_of(row)))
 }
 
+/// Returns what to add to an error if finer runs were left out.
+fn cut(report: &Report) -> &'static str {
+    if report.is_cut() {
+        "; finer settings than those of long runs were not tried: set a longer `--longest`"
+    } else {
+        ""
+    }
+}
+
 /// Returns the options of the fastest run for each error.
 fn table(report: &Report) -> String {
     let mut text =
         format!("{:<14}{:<38}{:>8}{:>14}{:>10}\n", "error wanted", "options", "error", "evaluations", "ms");
-    for goal in GOALS {
-        text += &match report.fastest(goal) {
+    for (goal, choice) in report.choices() {
+        text += &match choice {
             Some((row, Measurement { error, seconds, work })) => format!(
                 "{:<14}{:<38}{error:>8.1e}{:>14}{:>10.2}\n",
                 format!("{goal:.0e}"),
@@ -94,11 +102,10 @@ fn table(report: &Report) -> String {
 /// Returns the options of `lagrange simulate` for a run. Settings are rounded down, so that errors
 /// are not larger than measured.
 fn options_of(row: &MeasuredRun) -> String {
-    let knob = if row.is_tolerance { "tolerance" } else { "step" };
     let exponent = row.setting.log10().floor();
     // Rounding must not turn 9.99… into a digit less.
     let digits = (row.setting / 10_f64.powf(exponent) * 10.0 + 1e-9).floor() / 10.0;
-    format!("--method {} --{knob} {digits}e{exponent}", row.variant)
+    format!("--method {} --{} {digits}e{exponent}", row.variant, row.knob())
 }
 
 #[cfg(test)]

@@ -94,7 +94,7 @@ fn what_cannot_be_measured_is_refused() {
         (SWING, &["--until", "1", "--longest", "-1"], 2, "--longest -1: expected a positive number"),
         (SWING, &["--until", "1", "--start", "phi=1"], 2, "no `phi`"),
         (SWING, &["--until", "1", "--every", "0.1"], 2, "--every"),
-        (SWING, &["--until", "1", "--error", "1e-30", "--longest", "0.01"], 3, "the smallest is"),
+        (SWING, &["--until", "1", "--error", "1e-30", "--longest", "0.01"], 3, "longer `--longest`"),
         (&ending, &["--until", "1"], 3, "no method with a tolerance reaches the end"),
     ];
     for (file, arguments, code, message) in cases {

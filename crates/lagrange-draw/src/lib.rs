@@ -78,6 +78,7 @@ pub use drawing::{Drawing, DrawnSpace};
 pub use error::DrawError;
 pub use film::Film;
 pub use film::page::STYLE as PAGE_STYLE;
+pub use film::trajectory::last_at_each;
 pub use moment::Moment;
 pub use picture::Picture;
 pub use sketch::Sketch;

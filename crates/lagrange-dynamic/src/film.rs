@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 use std::path::Path;
 
 use lagrange_core::pipeline::DrawnScene;
-use lagrange_draw::{DrawError, Drawing, DrawnSpace, Film};
+use lagrange_draw::{DrawError, Drawing, DrawnSpace, Film, last_at_each};
 use lagrange_runtime::scene::{Item, Scene, Spatial};
 use lagrange_runtime::system::{Description, MechanicalSystem, OdeSystem, Unnamed};
 
@@ -87,12 +87,6 @@ impl DeclaredFilm {
             Kind::Spatial(film) => film.save(path),
         }
     }
-}
-
-/// Returns the last sample at each time, in order.
-fn last_at_each(times: &[f64]) -> Vec<usize> {
-    let is_last = |index: &usize| times.get(index + 1).is_none_or(|next| *next != times[*index]);
-    (0..times.len()).filter(is_last).collect()
 }
 
 fn filmed<D: NumberedSpace + DrawnSpace>(
@@ -181,7 +175,7 @@ mod tests {
     use lagrange_core::pipeline::{Programs, parse};
     use lagrange_draw::DrawError;
 
-    use super::{DeclaredFilm, last_at_each, title};
+    use super::{DeclaredFilm, title};
     use crate::declared::DeclaredSystem;
 
     #[test]
@@ -190,12 +184,6 @@ mod tests {
             ["DoublePendulum", "four_bar", "Top2", "RLC"].map(title),
             ["Double pendulum", "four bar", "Top2", "RLC"]
         );
-    }
-
-    #[test]
-    fn of_samples_at_one_time_the_last_is_shown() {
-        assert_eq!(last_at_each(&[0.0, 1.0, 1.0, 2.0]), [0, 2, 3]);
-        assert_eq!(last_at_each(&[]), [0; 0]);
     }
 
     fn declared(text: &str) -> DeclaredSystem {

@@ -39,6 +39,7 @@ use lagrange_algebra::code::Precision;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::expr::ExprId;
+use lagrange_expr::opaque::Opaque;
 use lagrange_language::syntax::ast::Declaration;
 
 /// Writes the items of a derived system; `None` if it cannot be written, which is reported.
@@ -136,6 +137,9 @@ fn write_products(writer: &mut MethodWriter<'_>) {
             add(writer, product.name(), docs, (arguments, returns), &roots);
         }
     }
+    // Jacobians are among the products. Series call all derivatives of tables, also those that
+    // vanish.
+    writer.members.has_kinks = writer.members.callees.iter().any(Opaque::jumps);
 }
 
 fn write_outputs(writer: &mut MethodWriter<'_>) {

@@ -11,7 +11,7 @@ mod motion;
 pub(crate) mod page;
 mod palette;
 mod plane;
-mod trajectory;
+pub(crate) mod trajectory;
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -44,6 +44,8 @@ use lagrange_runtime::scene::Plane;
 pub struct Film<D: DrawnSpace = Plane> {
     pub(super) recording: D::Recording,
     pub(super) timeline: Timeline,
+    /// The time of the system in each picture.
+    pub(super) instants: Vec<f64>,
 }
 
 impl Film {
@@ -58,9 +60,9 @@ impl Film {
     /// - a mark is not at a finite place.
     pub fn new(pictures: Vec<Picture>, times: Vec<f64>) -> Result<Film, DrawError> {
         check_count(&times, pictures.len())?;
-        let timeline = Timeline::new(times)?;
+        let timeline = Timeline::new(times.clone())?;
         check_pictures(&pictures)?;
-        Ok(Film { recording: pictures, timeline })
+        Ok(Film { recording: pictures, timeline, instants: times })
     }
 }
 

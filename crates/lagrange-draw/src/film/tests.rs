@@ -8,8 +8,15 @@ mod page;
 mod svg;
 
 use crate::film::Film;
+use crate::film::trajectory::last_at_each;
 use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use lagrange_plot::label::Anchor;
+
+#[test]
+fn of_samples_at_one_time_the_last_is_shown() {
+    assert_eq!(last_at_each(&[0.0, 1.0, 1.0, 2.0]), [0, 2, 3]);
+    assert_eq!(last_at_each::<f64>(&[]), [0; 0]);
+}
 
 const HINGE: Point = [160.0, 40.0];
 const LENGTH: f64 = 120.0;

@@ -73,21 +73,25 @@ where
         let (seconds, shots): (Vec<f64>, Vec<Shot<M>>) =
             moments.into_iter().map(|(second, instant)| (second, (instant, None))).unzip();
         refuse_too_many(shots.len() as f64)?;
-        Ok(Film { recording: M::Space::record(self, &shots)?, timeline: Timeline::new(seconds)? })
+        self.shown_at(seconds, &shots)
     }
 
     fn recorded(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
+        self.shown_at(instants(shots), shots)
+    }
+
+    fn shown_at(&self, seconds: Vec<f64>, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
         let recording = M::Space::record(self, shots)?;
-        let times = shots.iter().map(|((t, _), _)| (*t).into()).collect();
-        Ok(Film { recording, timeline: Timeline::new(times)? })
+        Ok(Film { recording, timeline: Timeline::new(seconds)?, instants: instants(shots) })
     }
 }
 
 impl<D: DrawnSpace> Film<D> {
-    /// Adds columns of the film's trajectory to the plots of pages.
+    /// Adds columns of the film's trajectory to the plots of pages. Their values are those at the
+    /// times of the states, whenever these are shown.
     ///
     /// # Errors
-    /// If there is no such column, or no sample at the time of one of the pictures.
+    /// If there is no such column, or no sample at the time of one of the states.
     pub fn with_columns<M: MechanicalSystem>(
         self,
         trajectory: &Trajectory<M>,
@@ -102,7 +106,7 @@ impl<D: DrawnSpace> Film<D> {
                 .column(name)
                 .ok_or_else(|| refusal(&format!("the trajectory has no column `{name}`")))?;
             let value = |t: &f64| Some(column[sample(trajectory, *t)?].into());
-            let values: Option<Vec<f64>> = film.times().iter().map(value).collect();
+            let values: Option<Vec<f64>> = film.instants.iter().map(value).collect();
             let values =
                 values.ok_or_else(|| refusal("columns contain values only at the times of samples"))?;
             film = film.with_values(name, values)?;
@@ -114,7 +118,7 @@ impl<D: DrawnSpace> Film<D> {
     /// the film's trajectory.
     ///
     /// # Errors
-    /// If the trajectory does not know the state at the time of one of the pictures.
+    /// If the trajectory does not know the state at the time of one of those.
     pub fn with_energy<M: MechanicalSystem>(
         self,
         name: &str,
@@ -132,9 +136,20 @@ impl<D: DrawnSpace> Film<D> {
             };
             Ok(energy(t, &state).into())
         };
-        let values = self.times().iter().map(value).collect::<Result<Vec<f64>, DrawError>>()?;
+        let values = self.instants.iter().map(value).collect::<Result<Vec<f64>, DrawError>>()?;
         self.with_values(name, values)
     }
+}
+
+/// The times of the states that are shown.
+fn instants<M: MechanicalSystem<Scalar: Into<f64>>>(shots: &[Shot<M>]) -> Vec<f64> {
+    shots.iter().map(|((t, _), _)| (*t).into()).collect()
+}
+
+/// Returns the last sample at each time, in order. Impacts leave several at one time.
+pub fn last_at_each<S: PartialEq>(times: &[S]) -> Vec<usize> {
+    let is_last = |index: &usize| times.get(index + 1).is_none_or(|next| *next != times[*index]);
+    (0..times.len()).filter(is_last).collect()
 }
 
 /// More pictures are no film: at sixty a second, these last for half an hour, and take gigabytes.
@@ -153,10 +168,13 @@ fn refuse_too_many(pictures: f64) -> Result<(), DrawError> {
 /// made it then.
 fn samples<M: MechanicalSystem>(trajectory: &Trajectory<M>, system: &M) -> Result<Vec<Shot<M>>, DrawError> {
     let times = trajectory.times();
-    let is_last = |index: &usize| times.get(index + 1).is_none_or(|next| *next != times[*index]);
-    refuse_too_many((0..times.len()).filter(is_last).count() as f64)?;
-    let samples = trajectory.iter().enumerate().filter(|(index, _)| is_last(index));
-    Ok(samples.map(|(index, sample)| (sample, trajectory.with_inputs_at(index, system))).collect())
+    let shown = last_at_each(times);
+    refuse_too_many(shown.len() as f64)?;
+    let shot = |index| {
+        let state = trajectory.state(index)?;
+        Some(((times[index], state), trajectory.with_inputs_at(index, system)))
+    };
+    Ok(shown.into_iter().filter_map(shot).collect())
 }
 
 /// States of a dense trajectory at equal intervals, about so many a second, with its end.

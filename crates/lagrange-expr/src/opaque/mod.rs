@@ -165,6 +165,13 @@ impl Opaque {
         self.table().is_some_and(|table| table.vanishes(&self.orders))
     }
 
+    /// True if it jumps between pieces of a table: a derivative of higher order than are
+    /// continuous.
+    pub fn jumps(&self) -> bool {
+        let is_higher = |table: &Table| self.orders.iter().any(|order| *order > table.continuous_orders());
+        self.table().is_some_and(is_higher)
+    }
+
     /// Returns its value, if it is a table.
     pub fn known_value(&self, arguments: &[f64]) -> Option<f64> {
         self.table().map(|table| table.value(&self.orders, arguments))

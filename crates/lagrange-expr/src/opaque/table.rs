@@ -127,6 +127,15 @@ impl Table {
         values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 
+    /// Returns the order up to which derivatives are continuous wherever there are values.
+    pub fn continuous_orders(&self) -> u8 {
+        match (self.interpolation, self.outside) {
+            (Interpolation::Linear, _) | (_, Outside::Clamp) => 0,
+            (Interpolation::Monotone, _) => 1,
+            (Interpolation::Natural, _) => 2,
+        }
+    }
+
     /// True if a derivative vanishes on every piece.
     pub fn vanishes(&self, orders: &[u8]) -> bool {
         orders.iter().any(|order| usize::from(*order) >= self.interpolation.coefficients())

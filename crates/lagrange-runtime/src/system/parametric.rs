@@ -62,6 +62,13 @@ pub trait ParametricSystem: MechanicalSystem + Sized {
     ) -> bool {
         false
     }
+
+    /// True if rates have kinks or jumps that are no [events](crate::system::OdeSystem::events):
+    /// those between pieces of tables.
+    #[inline]
+    fn has_kinks(&self) -> bool {
+        false
+    }
 }
 
 /// Writes columns of a matrix in rows to as many vectors.

@@ -22,6 +22,13 @@ const RISEN: f64 = 8.0;
 /// But one error may be the least by luck.
 const OFTEN: u32 = 4;
 
+/// The runs of a contestant.
+pub(super) struct Climb {
+    pub(super) rows: Vec<MeasuredRun>,
+    /// True if the last one took too long for finer ones to be tried.
+    pub(super) is_cut: bool,
+}
+
 /// Runs with all settings, until one takes longer than `longest` or finer ones do not help.
 pub(super) fn climb(
     contestant: &Contestant<'_>,
@@ -29,21 +36,21 @@ pub(super) fn climb(
     end: f64,
     reference: &[f64],
     longest: f64,
-) -> Vec<MeasuredRun> {
-    let mut rows = Vec::new();
+) -> Climb {
+    let mut climb = Climb { rows: Vec::new(), is_cut: false };
     let (mut least, mut risen) = (f64::INFINITY, 0);
     for setting in settings(contestant.knob, end) {
         let began = Instant::now();
         let outcome = measure(contestant, setting, start, end, reference);
         // Runs that fail late are long, too.
-        let was_long = outcome.is_err() && began.elapsed().as_secs_f64() > longest;
-        let is_last = outcome.as_ref().is_ok_and(|found| {
+        let seconds = outcome.as_ref().map_or_else(|_| began.elapsed().as_secs_f64(), |found| found.seconds);
+        if let Ok(found) = &outcome {
             least = least.min(found.error);
             let has_risen = contestant.knob == Knob::Step && found.error > RISEN * least;
             risen = if has_risen && least < f64::from(f32::EPSILON) { risen + 1 } else { 0 };
-            found.seconds > longest || risen >= OFTEN
-        });
-        rows.push(MeasuredRun {
+        }
+        climb.is_cut = seconds > longest;
+        climb.rows.push(MeasuredRun {
             method: contestant.method.clone(),
             scalar: contestant.scalar,
             variant: contestant.variant.clone(),
@@ -51,11 +58,11 @@ pub(super) fn climb(
             setting,
             outcome,
         });
-        if is_last || was_long {
+        if climb.is_cut || risen >= OFTEN {
             break;
         }
     }
-    rows
+    climb
 }
 
 fn settings(knob: Knob, end: f64) -> Vec<f64> {

@@ -21,6 +21,13 @@ pub struct MeasuredRun {
     pub outcome: Result<Measurement, String>,
 }
 
+impl MeasuredRun {
+    /// Returns the name of the setting: `tolerance` or `step`.
+    pub fn knob(&self) -> &'static str {
+        if self.is_tolerance { "tolerance" } else { "step" }
+    }
+}
+
 /// A run that reached its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Measurement {

@@ -91,8 +91,8 @@ impl<'a> Trade<'a> {
         }
     }
 
-    /// Sets the state at the end. By default it is that of the finest run of [`Verner98`] on the
-    /// first system. Errors close to rounding are then not reliable.
+    /// Sets the state at the end. By default it is that of the finest run of the first method with
+    /// a tolerance that reaches the end. Errors close to rounding are then not reliable.
     ///
     /// # Panics
     /// If it is no longer or shorter than the state at the start.
@@ -272,35 +272,40 @@ impl<'a> Trade<'a> {
 
     /// Runs them all, one after the other.
     pub fn run(&self) -> Report {
-        let reference = self.reference.clone().or_else(|| self.finest());
-        let rows = match &reference {
-            Some(reference) => {
-                let climbed = self
-                    .contestants
-                    .iter()
-                    .map(|contestant| climb(contestant, &self.start, self.end, reference, self.longest));
-                climbed.flatten().collect()
-            }
-            None => Vec::new(),
+        let (reference, was_cut) = match &self.reference {
+            Some(state) => (Some(state.clone()), false),
+            None => self.finest(),
         };
-        Report { title: self.title.clone(), has_own_reference: self.reference.is_none(), rows }
+        let contestants = if reference.is_some() { &self.contestants[..] } else { &[] };
+        let reference = reference.unwrap_or_default();
+        let climbs = contestants
+            .iter()
+            .map(|contestant| climb(contestant, &self.start, self.end, &reference, self.longest))
+            .collect::<Vec<_>>();
+        let is_cut = if climbs.is_empty() { was_cut } else { climbs.iter().any(|climb| climb.is_cut) };
+        let rows = climbs.into_iter().flat_map(|climb| climb.rows).collect();
+        Report { title: self.title.clone(), has_own_reference: self.reference.is_none(), rows, is_cut }
     }
 
-    /// The end of the finest run of the first method with a tolerance that reaches it.
-    fn finest(&self) -> Option<Vec<f64>> {
+    /// The end of the finest run of the first method with a tolerance that reaches it; true if
+    /// finer ones would take too long.
+    fn finest(&self) -> (Option<Vec<f64>>, bool) {
         let mut adaptive = self.contestants.iter().filter(|contestant| contestant.knob == Knob::Tolerance);
-        adaptive.find_map(|contestant| {
+        let mut is_cut = false;
+        let finest = adaptive.find_map(|contestant| {
             let mut finest = None;
             for tolerance in FINEST {
                 let began = Instant::now();
                 let run = (contestant.run)(tolerance, &self.start, self.end).ok();
                 finest = run.map(|run| run.state).or(finest);
                 if began.elapsed().as_secs_f64() > PATIENCE * self.longest {
+                    is_cut = true;
                     break;
                 }
             }
             finest
-        })
+        });
+        (finest, is_cut)
     }
 }
 

@@ -17,6 +17,7 @@ pub struct Report {
     pub(super) title: String,
     pub(super) has_own_reference: bool,
     pub(super) rows: Vec<MeasuredRun>,
+    pub(super) is_cut: bool,
 }
 
 impl Report {
@@ -37,17 +38,28 @@ impl Report {
         good.min_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds))
     }
 
+    /// Returns accuracies, each with the fastest run for it if one reaches it.
+    pub fn choices(&self) -> impl Iterator<Item = (f64, Option<(&MeasuredRun, Measurement)>)> {
+        GOALS.into_iter().map(|goal| (goal, self.fastest(goal)))
+    }
+
+    /// True if finer settings of a method were left out because a run took longer than
+    /// [`longest`](super::Trade::longest) allows.
+    pub fn is_cut(&self) -> bool {
+        self.is_cut
+    }
+
     /// Writes the fastest way to each accuracy that was reached, a table in Markdown.
     pub fn recommendation(&self) -> String {
         let mut text = String::from(
             "| error wanted | method | numbers | variant | setting | error | µs | evaluations |\n|---|---|---|---|---|---|---|---|\n",
         );
-        for goal in GOALS {
-            let Some((row, found)) = self.fastest(goal) else {
+        for (goal, choice) in self.choices() {
+            let Some((row, found)) = choice else {
                 text += &format!("| {goal:.0e} | not reached | | | | | | |\n");
                 continue;
             };
-            let knob = if row.is_tolerance { "tolerance" } else { "step" };
+            let knob = row.knob();
             text += &format!(
                 "| {goal:.0e} | {} | {} | {} | {knob} {:.1e} | {:.1e} | {:.0} | {} |\n",
                 row.method,
@@ -60,7 +72,7 @@ impl Report {
             );
         }
         if self.has_own_reference {
-            text += "\nErrors are differences to the finest run of the first method.\n";
+            text += "\nErrors are differences to the finest run.\n";
         }
         text
     }
@@ -71,7 +83,7 @@ impl Report {
             "method,numbers,variant,knob,setting,error,microseconds,steps,rejections,evaluations,jacobians,iterations,failure\n",
         );
         for row in &self.rows {
-            let knob = if row.is_tolerance { "tolerance" } else { "step" };
+            let knob = row.knob();
             let MeasuredRun { method, scalar, setting, .. } = row;
             text += &format!("{},{scalar},{},{knob},{setting:e},", csv_cell(method), csv_cell(&row.variant));
             text += &match &row.outcome {

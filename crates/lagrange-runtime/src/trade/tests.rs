@@ -67,6 +67,14 @@ fn without_a_reference_the_finest_run_is_one() {
 }
 
 #[test]
+fn settings_that_are_left_out_are_known() {
+    let trade = |longest| Trade::new("oscillator", &Oscillator, [1.0, 0.0], 2.0).longest(longest);
+    assert!(trade(1e-9).run().is_cut());
+    let failing = Trade::new("ending", &Ending, [0.0], 2.0).longest(60.0).run();
+    assert!(failing.rows().is_empty() && !failing.is_cut());
+}
+
+#[test]
 fn short_numbers_reach_less() {
     let report = quick(Trade::new("oscillator", &Oscillator, [1.0, 0.0], 2.0))
         .variant("standard", &Short)

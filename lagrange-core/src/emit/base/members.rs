@@ -69,6 +69,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) is_tested: bool,
     /// True if explicit symplectic methods take the system.
     pub(in crate::emit) is_separable: bool,
+    /// True if rates or their derivatives jump between pieces of tables.
+    pub(in crate::emit) has_kinks: bool,
     /// True if the methods hold rounded values of irrational constants.
     pub(in crate::emit) has_rounded_constants: bool,
 }
@@ -107,6 +109,7 @@ impl Members {
             unknowns: None,
             regressor: None,
             is_separable: false,
+            has_kinks: false,
             has_rounded_constants: false,
         }
     }

@@ -40,6 +40,13 @@ pub(in crate::emit) fn parametric_impl(shape: &Shape<'_>, members: &Members) -> 
         },
     };
     let derivatives = derivatives(shape, members);
+    let kinks = members.has_kinks.then(|| {
+        quote! {
+            fn has_kinks(&self) -> ::core::primitive::bool {
+                true
+            }
+        }
+    });
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::ParametricSystem for #name #generics {
@@ -49,6 +56,7 @@ pub(in crate::emit) fn parametric_impl(shape: &Shape<'_>, members: &Members) -> 
             }
             #with_number
             #derivatives
+            #kinks
         }
     }
 }

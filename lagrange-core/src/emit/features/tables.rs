@@ -26,11 +26,15 @@ pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStre
         let constant = known.iter().rfind(|(known, _)| known == name).map(|(_, constant)| constant);
         items.extend(constant.map(|constant| method(shape, function, constant)));
     }
-    let mut followed = members.taylor.iter().flat_map(|taylor| &taylor.followed).collect::<Vec<_>>();
-    followed.dedup();
-    for (function, argument) in followed {
+    let mut pieces: Vec<Ident> = Vec::new();
+    // Series of values and of derivatives follow the same pieces.
+    for (function, argument) in members.taylor.iter().flat_map(|taylor| &taylor.followed) {
+        let name = piece_name(function, *argument);
         let constant = known.iter().find(|(known, _)| *known == function.function().name);
-        items.extend(constant.map(|(_, constant)| piece(shape, function, *argument, constant)));
+        if let Some((_, constant)) = constant.filter(|_| !pieces.contains(&name)) {
+            items.extend(piece(shape, function, *argument, constant));
+            pieces.push(name);
+        }
     }
     items
 }

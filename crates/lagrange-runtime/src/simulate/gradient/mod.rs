@@ -11,17 +11,20 @@ use crate::integrate::{ExplicitRungeKutta, Method};
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::Undriven;
+use crate::simulate::observer::state_names;
 use crate::simulate::plan::{RunPlan, RunSettings};
 use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
 
-const OF_RUN: &str =
-    "a gradient takes no events, controllers, columns, single times, restarts and dense output of a run";
+const OF_RUN: &str = "a gradient takes no events, controllers, columns, single times, restarts, dense output and progress of a run";
 const EVENTS: &str =
     "gradients do not go through events, contacts, friction and switches: use `.sensitivities([…])`";
+const KINKS: &str = "gradients do not go through kinks of tables: use `.sensitivities([…])`, or `interpolation: natural` with `outside: extend`";
 const PROJECTIONS: &str =
     "gradients do not go through projections onto constraints and of quaternions: use `.sensitivities([…])`";
 const JUMPS: &str =
     "gradients do not go through times at which the equations jump: use `.sensitivities([…])`";
+const STATE: &str =
+    "slopes by the start are in `by_start`, for all entries of the state: name parameters and inputs alone";
 
 /// The gradient of a cost of a motion.
 #[derive(Clone, PartialEq, Debug)]
@@ -77,9 +80,9 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     ///
     /// # Errors
     /// If a step fails, or a setting is invalid. Motions with events, contacts, switches, clocks,
-    /// constraints or quaternions have no gradient of this kind; use
+    /// constraints, quaternions or kinks of tables have no gradient of this kind; use
     /// [`sensitivities`](Simulation::sensitivities). Neither have runs with controllers, columns,
-    /// events or restarts.
+    /// events, restarts or progress.
     pub fn gradient<const N: usize>(
         self,
         names: impl IntoIterator<Item = &'static str>,
@@ -89,11 +92,13 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
         M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
         K: Method<M> + ExplicitRungeKutta,
     {
-        let Simulation { system, state, plan, method, .. } = self;
+        let Simulation { system, state, plan, reporter, method, .. } = self;
         let indices = names.into_iter().map(|name| number(system, name)).collect::<Result<Vec<_>, _>>();
         let settings = &plan.settings;
-        let checked =
-            indices.and_then(|indices| Ok((indices, checked(system, &plan, method)?, samples(settings)?)));
+        let is_reported = reporter.is_some();
+        let checked = indices.and_then(|indices| {
+            Ok((indices, checked(system, &plan, is_reported, method)?, samples(settings)?))
+        });
         let (indices, method, samples) = checked.map_err(StepFailure::Setting)?;
         let trace = Trace::of(system, &method, (settings.span[0], state), &samples, settings.max_steps)?;
         Backwards::<M, K, N>::new(system, &indices).along(&trace, cost)
@@ -101,9 +106,10 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
 }
 
 /// Returns the method with its settings.
-fn checked<M: MechanicalSystem, K: Method<M>>(
+fn checked<M: ParametricSystem, K: Method<M>>(
     system: &M,
     plan: &RunPlan<'_, M>,
+    is_reported: bool,
     method: K,
 ) -> Result<K, SettingError<M::Scalar>> {
     let settings = &plan.settings;
@@ -111,8 +117,9 @@ fn checked<M: MechanicalSystem, K: Method<M>>(
     let has_times = settings.is_dense || !settings.restarts.is_empty() || !settings.times.is_empty();
     let [start, end] = settings.span;
     let obstacles = [
-        (!is_plain || has_times, OF_RUN),
+        (!is_plain || has_times || is_reported, OF_RUN),
         (!system.events().is_empty(), EVENTS),
+        (system.has_kinks(), KINKS),
         (system.is_constrained(), PROJECTIONS),
         (system.next_restart(start, end).is_some(), JUMPS),
     ];
@@ -130,12 +137,18 @@ fn samples<S: Scalar>(settings: &RunSettings<S>) -> Result<Vec<S>, SettingError<
         samples.push(start);
         samples.extend(std::iter::from_fn(|| grid.up_to(end)));
     }
-    samples.push(end);
+    // A run that lasts for no time has one sample.
+    if samples.last() != Some(&end) {
+        samples.push(end);
+    }
     Ok(samples)
 }
 
 fn number<M: ParametricSystem>(system: &M, name: &'static str) -> Result<usize, SettingError<M::Scalar>> {
     let (numbers, state) = (system.numbers(), system.description());
     let found = numbers.iter().position(|number| *number == name);
-    found.ok_or(SettingError::UnknownVariable { name, numbers, state })
+    found.ok_or_else(|| match state_names(state).any(|entry| entry == name) {
+        true => SettingError::Invalid(STATE),
+        false => SettingError::UnknownVariable { name, numbers, state },
+    })
 }
