@@ -65,6 +65,16 @@ lagrange::system! {
     2 * dot(filter.y) = 2 - filter.y;
 }
 
+lagrange::system! {
+    /// Components of a vector of which one gives a rate that the next one needs.
+    struct Triangular;
+
+    const ONE = 1;
+    state x[3];
+    ((ONE, 0, 0), (1, 2, 0), (0, 0, 1)) * dot(x) = -x;
+    output second = dot(x[1]);
+}
+
 /// The currents of both coils at a time, by their sum and their difference.
 fn currents(t: f64) -> [f64; 2] {
     let (l, m, r, u) = (0.5, 0.3, 2.0, 12.0);
@@ -116,5 +126,7 @@ fn equations_in_parts_and_across_statements_give_the_same_rates() {
     // ȧ − ḃ = (3 − 1)/2 and ȧ + ḃ = 3; ċ = 1 − ḋ + 3 ċ and ḋ = 2 − 3 ċ.
     let bracketed = Bracketed::default().rhs(0.0, &[1.0, 0.0, 0.0, 0.0, 1.0]);
     assert_all_close(&bracketed, &[2.0, 1.0, 0.2, 1.4, 0.5], 1e-14);
+    assert_all_close(&Triangular.rhs(0.0, &[1.0, 3.0, 5.0]), &[-1.0, -1.0, -5.0], 1e-14);
+    assert_all_close(&[Triangular.second(0.0, &[1.0, 3.0, 5.0], &[])], &[-1.0], 1e-14);
     assert_all_close(&Later.rhs(0.0, &[1.0, 2.0]), &[7.0, -2.0], 1e-14);
 }

@@ -21,21 +21,29 @@ pub(super) fn add_rate_equation(elaborator: &mut Elaborator<'_>, syntax: AstId) 
     };
     for residual in residuals {
         let unknowns = unknowns_in(elaborator, residual);
-        let mentions =
-            |state: &DeclaredState| elaborator.declaration.mentions_rate_of(syntax, &state.name.text);
-        if unknowns.is_empty() && elaborator.states.iter().any(|state| state.is_given_up && mentions(state)) {
-            return;
-        }
         if unknowns.is_empty() {
-            let place = elaborator.evaluator.origin(syntax);
-            let error = elaborator.evaluator.report.error(place, words::NO_RATE_LEFT);
-            error.help(words::NO_RATE_LEFT_HELP);
-            return;
+            return report_no_rate_left(elaborator, syntax);
         }
-        let equation = RateEquation { syntax, residual, unknowns };
-        let coupled = take_coupled(elaborator, equation);
-        solve(elaborator, coupled);
+        elaborator.rate_equations.push(RateEquation { syntax, residual, unknowns });
     }
+    // All components first: one that gives a rate by itself may share it with the next.
+    let mut groups = Vec::new();
+    while let Some(place) = elaborator.rate_equations.iter().position(|of| of.syntax == syntax) {
+        let equation = elaborator.rate_equations.remove(place);
+        groups.push(take_coupled(elaborator, equation));
+    }
+    groups.into_iter().for_each(|coupled| solve(elaborator, coupled));
+}
+
+/// Reports an equation without an unknown rate, unless the mistake is in another one.
+fn report_no_rate_left(elaborator: &mut Elaborator<'_>, syntax: AstId) {
+    let mentions = |state: &DeclaredState| elaborator.declaration.mentions_rate_of(syntax, &state.name.text);
+    if elaborator.states.iter().any(|state| state.is_given_up && mentions(state)) {
+        return;
+    }
+    let place = elaborator.evaluator.origin(syntax);
+    let error = elaborator.evaluator.report.error(place, words::NO_RATE_LEFT);
+    error.help(words::NO_RATE_LEFT_HELP);
 }
 
 /// Lets the state at a place have this rate.
