@@ -252,19 +252,29 @@ impl Parser<'_> {
 
     /// True at an equation with the rate of a state that is more than `dot(a) = e`.
     fn at_rate_equation(&self, cursor: &Cursor) -> bool {
+        let mut is_declared = true;
+        match (cursor.peek(), cursor.peek_past(1)) {
+            (Some(TokenTree::Ident(word)), _) if word == "dot" => {}
+            (Some(TokenTree::Ident(_)), Some(TokenTree::Ident(_))) => return false,
+            (Some(TokenTree::Ident(word)), _) => {
+                let word = word.to_string();
+                is_declared = self.declared(&word).is_some();
+                // Most statements end here, before the rest of the text is looked at.
+                if keywords::statement(&word).is_some() && !is_declared {
+                    return false;
+                }
+            }
+            _ => {}
+        }
         let statement = cursor.rest_of_statement();
         let equals = (0..statement.len()).find(|&count| cursor.equals_past(count));
-        match (statement, equals) {
-            (_, None) => false,
-            ([TokenTree::Ident(word), ..], Some(2)) if word == "dot" => self.mentions_rate(&statement[2..]),
-            ([TokenTree::Ident(_), TokenTree::Ident(_), ..], _) => false,
-            ([TokenTree::Ident(word), ..], Some(equals)) => {
-                let word = word.to_string();
-                let is_name = equals > 1 && keywords::statement(&word).is_none();
-                (is_name || self.declared(&word).is_some()) && self.mentions_rate(statement)
-            }
-            _ => self.mentions_rate(statement),
-        }
+        let rates = match equals {
+            None => return false,
+            Some(1) if !is_declared => return false,
+            Some(2) if cursor.at_word("dot") => &statement[2..],
+            Some(_) => statement,
+        };
+        self.mentions_rate(rates)
     }
 
     /// True if `dot(…)` of a state, or of a member of a part, is among these tokens.
