@@ -1,9 +1,9 @@
 //! Inertial parameters from measured forces, and which combinations of them forces tell.
 //!
-//! The inverse dynamics τ = Y π + τ₀ is linear in the parameters π of
-//! [`RegressorSystem`]. States with measured generalised forces
-//! therefore give linear equations. Some parameters have no effect, and others act only in
-//! combinations, the *base parameters*. Forces tell these and nothing else.
+//! The inverse dynamics τ = Y π + τ₀ is linear in the parameters π of [`RegressorSystem`]. States
+//! with measured generalised forces therefore give linear equations. Some parameters have no
+//! effect, and others act only in combinations, the *base parameters*. Forces tell these and
+//! nothing else.
 //!
 //! ```
 //! use lagrange::identification::Identifies;
