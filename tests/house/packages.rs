@@ -1,4 +1,4 @@
-//! What the registry shows of each published package, and the files that licences ask for.
+//! Fields that the registry shows of each published package, and files that licences ask for.
 
 use std::fs;
 use std::path::Path;

@@ -126,7 +126,7 @@ fn systems_of_energies_have_columns_for_what_is_linear() {
     assert_linear(lagrangian, &["m[0]", "m[2]", "b"], 1e-15);
 }
 
-/// What a product of parameters multiplies is linear in the first of them.
+/// Factors of a product of parameters are linear in the first of them.
 #[test]
 fn of_a_product_the_first_parameter_is_taken() {
     let spring = "struct S; param a = 2, b = 3; coord x; kinetic = 1/2 * dot(x)^2;

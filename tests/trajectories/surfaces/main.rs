@@ -26,7 +26,7 @@ fn flat([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> [f64; 13] {
     [x, y, z, 1.0, 0.0, 0.0, 0.0, a, b, c, 0.0, 0.0, 0.0]
 }
 
-/// How far a column leaves its first value.
+/// Returns the largest distance of a column from its first value.
 fn drift(column: Option<&[f64]>) -> f64 {
     let column = column.expect("recorded");
     distance(column, &vec![column[0]; column.len()])

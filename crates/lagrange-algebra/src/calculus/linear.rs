@@ -5,7 +5,7 @@ use crate::calculus::{partial, substitute_all};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 
-/// Why equations are not solved.
+/// The cause for which equations are not solved.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LinearFailure {
     /// The equation at this place is not linear in the symbols.

@@ -211,7 +211,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         })
     }
 
-    /// Why a name cannot be local.
+    /// The objection to a local name, if there is one.
     fn objection(&self, name: &Name, scope: ScopeId) -> Option<String> {
         if self.scopes.find(scope, &name.text).is_some() {
             return Some(messages::shadowed_variable(&name.text));

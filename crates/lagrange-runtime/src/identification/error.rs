@@ -1,8 +1,8 @@
-//! Why parameters are not identified.
+//! Errors of the identification of parameters.
 
 use std::fmt::{Display, Formatter, Result as Written};
 
-/// Why parameters are not identified.
+/// The cause for which parameters are not identified.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum IdentificationError {

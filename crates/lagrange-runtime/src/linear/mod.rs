@@ -112,10 +112,10 @@ pub trait Linearise: MechanicalSystem + Sized {
         LinearModel::of(self, t, state.into_state())
     }
 
-    /// Turns a mode of the linear model at time `t` and a state into a motion about that state.
-    /// Where its largest displacement is largest, that is the amplitude, in the unit of its
-    /// coordinate. Continue with [`moments`](ModeMotion::moments) for a film, or
-    /// [`extremes`](ModeMotion::extremes) for a picture.
+    /// Turns a mode of the linear model at time `t` and a state into a motion about that state. The
+    /// amplitude is the peak of its largest displacement, in the unit of that coordinate. Continue
+    /// with [`moments`](ModeMotion::moments) for a film, or [`extremes`](ModeMotion::extremes) for
+    /// a picture.
     ///
     /// ```
     /// use lagrange::linear::Linearise;
