@@ -10,10 +10,12 @@ use super::random::Random;
 use super::shard::Shard;
 use super::starts::Starts;
 use crate::integrate::{Method, Verner98};
+use crate::scalar::Number;
 use crate::simulate::{
-    Drive, InitialState, Law, Sampling, Undriven, Verdict, columns_of, default_method, inputs,
+    Drive, InitialState, Law, Sampling, Undriven, Variables, Verdict, columns_of, default_method, inputs,
+    uncounted,
 };
-use crate::system::{ControlledSystem, MechanicalSystem};
+use crate::system::{ControlledSystem, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, StateVector};
 
 /// Motions of one system. They want to know when they end.
 #[must_use = "specify the end of the motions: `.until(time)`"]
@@ -142,6 +144,48 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
         self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
         let Ensemble { batch, method, kept, .. } = self;
         Ensemble { batch, method, drive: Law::new(law), kept }
+    }
+}
+
+impl<'a, M: SharedSystem + ParametricSystem, K, D, P> Ensemble<'a, M, K, D, P> {
+    /// Adds derivatives of every motion by parameters, inputs and initial values, as [in a single
+    /// run](crate::simulate::Simulation::sensitivities): a column such as `d(theta)/d(m)` for each
+    /// pair. Motions are then computed one by one.
+    pub fn sensitivities<V, const N: usize>(self, names: V) -> Ensemble<'a, M, K, V::Sensitive<M, D, N>, P>
+    where
+        V: Variables,
+        M: OdeSystem<State = [ScalarOf<M>; N]>,
+    {
+        self.differentiated::<V, N>(names, M::Scalar::ONE)
+    }
+
+    /// Adds derivatives along steps that are chosen for the state alone, as [in a single
+    /// run](crate::simulate::Simulation::sensitivities_alongside).
+    pub fn sensitivities_alongside<V, const N: usize>(
+        self,
+        names: V,
+    ) -> Ensemble<'a, M, K, V::Sensitive<M, D, N>, P>
+    where
+        V: Variables,
+        M: OdeSystem<State = [ScalarOf<M>; N]>,
+    {
+        self.differentiated::<V, N>(names, uncounted())
+    }
+
+    fn differentiated<V, const N: usize>(
+        mut self,
+        names: V,
+        weight: M::Scalar,
+    ) -> Ensemble<'a, M, K, V::Sensitive<M, D, N>, P>
+    where
+        V: Variables,
+        M: OdeSystem<State = [ScalarOf<M>; N]>,
+    {
+        let (settings, system) = (&mut self.batch.plan.settings, self.batch.system);
+        // Each motion scales them by its values.
+        let variables = settings.find_variables(system, &M::State::ZERO, names.into(), weight);
+        let Ensemble { batch, method, drive, kept } = self;
+        Ensemble { batch, method, drive: V::around(drive, variables), kept }
     }
 }
 

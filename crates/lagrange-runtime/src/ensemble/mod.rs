@@ -37,7 +37,7 @@
 //! |---|---|
 //! | say which motions | [`ensemble`](Ensembles::ensemble) of a number or a list of starts, [`start`](Motions::start), [`parameters`](Motions::parameters), [`until`](Motions::until), [`seed`](Ensemble::seed) |
 //! | say how they go | [`tolerance`](Ensemble::tolerance), [`method`](Ensemble::method), [`drive`](Ensemble::drive), [`sampled`](Ensemble::sampled), [`stop_at`](Ensemble::stop_at), [`max_steps`](Ensemble::max_steps) as in single runs |
-//! | keep ends | [`run`](Ensemble::run), which hands out [`Ends`]; [`observe`](Ensemble::observe) and [`energy`](Ensemble::energy) add columns |
+//! | keep ends | [`run`](Ensemble::run), which hands out [`Ends`]; [`observe`](Ensemble::observe) and [`energy`](Ensemble::energy) add columns, [`sensitivities`](Ensemble::sensitivities) derivatives |
 //! | keep samples | [`every`](Ensemble::every); `run` then hands out [`Samples`] |
 //! | keep a sum | [`reduce`](Ensemble::reduce) to [`Moments`], a [`Histogram`] or what implements [`Reduce`] |
 //! | see them | [`plot_quantiles`](Samples) over time, [`map`](Ends) over the two quantities of a [`Grid`], with the feature `plot` |

@@ -9,7 +9,7 @@ use super::error::{EnsembleError, panic_message};
 use super::plan::SharedSystem;
 use super::progress::Counter;
 use crate::integrate::{Method, Work};
-use crate::simulate::{Drive, Sampling, Simulation, SimulationError, Trajectory};
+use crate::simulate::{ClosedLoop, Drive, RunSettings, Sampling, Simulation, SimulationError, Trajectory};
 use crate::system::{MechanicalSystem, NamedSystem};
 
 /// A motion of an ensemble, as those who reduce it see it.
@@ -119,11 +119,15 @@ where
     /// If one makes no sense.
     pub(super) fn check(&self) -> Result<(), EnsembleError> {
         self.batch.check()?;
-        let settings = &self.batch.plan.settings;
-        let (system, description) = (self.batch.system, self.batch.system.description());
-        let checked =
-            settings.check::<D::Closed, K>(system, &settings.names(description), self.method.clone());
-        checked.map(drop).map_err(|error| EnsembleError::Setting(settings.explain(description, error)))
+        let plan = &self.batch.plan;
+        let (settings, system) = (&plan.settings, self.batch.system);
+        self.drive.close(system, |closed| {
+            let mut names = settings.names(system.description());
+            names.extend(closed.further_columns());
+            let checked = settings.check::<D::Closed, K>(system, &names, self.method.clone());
+            let checked = closed.check(settings.span, !plan.controllers.is_empty()).and(checked);
+            checked.map(drop).map_err(|error| EnsembleError::Setting(RunSettings::explain(&names, error)))
+        })
     }
 
     /// Runs a motion of which no samples are kept unless an interval gives them, and hands over the
@@ -180,7 +184,7 @@ where
         if plan.settings.interval().is_none() {
             plan.settings.sampling = sampling;
         }
-        Simulation::new(system, state, plan, (self.method.clone(), self.drive.clone()))
+        Simulation::new(system, state, plan, (self.method.clone(), self.drive.for_motion(system, &state)))
     }
 
     /// Returns the columns of a motion at a time and state.

@@ -23,6 +23,11 @@ pub trait Drive<M: MechanicalSystem>: Clone {
 
     /// Hands over the closed loop.
     fn close<R>(&self, system: &M, run: impl FnOnce(&Self::Closed) -> R) -> R;
+
+    /// Returns the drive for a motion of this system from this initial state.
+    fn for_motion(&self, _system: &M, _start: &M::State) -> Self {
+        self.clone()
+    }
 }
 
 /// Inputs stay as they are, or as sampled controllers set them.

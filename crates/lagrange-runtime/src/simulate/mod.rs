@@ -96,7 +96,7 @@ pub(crate) use self::observer::state_names;
 pub(crate) use self::observer::{columns_of, energy, inputs};
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::parquet::units;
-#[cfg(all(feature = "ensemble", feature = "parquet"))]
+#[cfg(feature = "ensemble")]
 pub(crate) use self::plan::RunSettings;
 #[cfg(any(feature = "ensemble", feature = "fit"))]
 pub(crate) use self::plan::{Plan, RunPlan};
@@ -109,6 +109,8 @@ pub use self::progress::{Progress, Verdict};
 pub(crate) use self::sampling::Grid;
 #[cfg(any(feature = "ensemble", feature = "fit"))]
 pub(crate) use self::sampling::Sampling;
+#[cfg(feature = "ensemble")]
+pub(crate) use self::sensitivity::uncounted;
 pub use self::sensitivity::{Differentiated, Sensitive, Stacked, Variables, Varied};
 #[cfg(feature = "fit")]
 pub(crate) use self::sensitivity::{slope, varied};

@@ -146,9 +146,8 @@ impl<S: Scalar> RunSettings<S> {
     /// Returns the reason for an error of [`check`](Self::check), with the name of a column that it
     /// is about.
     #[cfg(feature = "ensemble")]
-    pub(crate) fn explain(&self, system: &Description, error: SettingError<S>) -> String {
-        let names = self.names(system);
-        let name = repeated(&names).filter(|_| error == SettingError::RepeatedColumn);
+    pub(crate) fn explain(names: &[String], error: SettingError<S>) -> String {
+        let name = repeated(names).filter(|_| error == SettingError::RepeatedColumn);
         name.map_or_else(|| error.to_string(), |name| std::format!("two columns are called `{name}`"))
     }
 

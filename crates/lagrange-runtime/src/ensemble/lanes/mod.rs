@@ -25,7 +25,7 @@ use super::plan::SharedSystem;
 use super::progress::Counter;
 use crate::integrate::{LanesMethod, LanesMethodVisitor, Method};
 use crate::scalar::{Number, Scalar};
-use crate::simulate::{Drive, Grid, Sampling, Trajectory};
+use crate::simulate::{ClosedLoop, Drive, Grid, Sampling, Trajectory};
 use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, ScalarOf};
 
 /// Samples of motions that are computed together, at most: some megabytes of a small system. Beyond
@@ -62,7 +62,8 @@ where
     ///   [`StormerVerlet`](crate::integrate::StormerVerlet),
     ///   [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
     ///   [`BlanesMoan4`](crate::integrate::BlanesMoan4);
-    /// - only ends, samples and columns are requested: no laws, controllers, events or restarts.
+    /// - only ends, samples and columns are requested: no laws, sensitivities, controllers, events or
+    ///   restarts.
     ///
     /// A motion that fails, or jumps at a time known in advance, is a single run in any case.
     ///
@@ -70,7 +71,8 @@ where
     /// whether the processor fuses products and sums. They agree with those of a single run to
     /// within the tolerance only. [`one_by_one`](Self::one_by_one) gives the bits of single runs.
     pub fn is_in_lanes(&self) -> bool {
-        let is_plain = !self.batch.needs_runs()
+        let is_plain = D::Closed::IS_PLANT
+            && !self.batch.needs_runs()
             && !self.batch.system.is_constrained()
             && self.batch.system.events().is_empty();
         is_plain && self.method.in_lanes(Ask).is_ok() && M::with_lanes(Ask).is_ok()

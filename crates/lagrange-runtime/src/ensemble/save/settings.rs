@@ -51,6 +51,8 @@ where
             lines.push(format!("in lanes, products {}", if is_fused() { "fused" } else { "rounded" }));
         }
         lines.extend(words(&batch.plan.settings).into_iter().map(|words| format!("run {words}")));
+        let further = self.drive.close(batch.system, ClosedLoop::further_columns);
+        lines.extend(further.into_iter().map(|name| format!("column {name}")));
         for index in [0, batch.number / 2, batch.number - 1] {
             lines.extend(caught(index, || [self.probe(index), self.outset(index)])?);
         }

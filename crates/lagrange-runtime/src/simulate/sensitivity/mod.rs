@@ -19,6 +19,7 @@ use crate::simulate::builder::Simulation;
 use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::simulate::control::Drive;
 use crate::simulate::observer::state_names;
+use crate::simulate::plan::RunSettings;
 use crate::system::{
     EventSource, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure,
 };
@@ -83,8 +84,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         V: Variables,
         M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
     {
-        // So small that nothing of them counts beside an absolute tolerance.
-        self.differentiated::<V, N>(names.into(), M::Scalar::epsilon().powi(4))
+        self.differentiated::<V, N>(names.into(), uncounted())
     }
 
     fn differentiated<V, const N: usize>(
@@ -96,16 +96,16 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         V: Variables,
         M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
     {
-        let find = |name| varied(self.system, &self.state, name, weight);
-        let found = names.into_iter().map(find).collect::<Result<Vec<_>, _>>();
-        let variables = found.unwrap_or_else(|error| {
-            self.plan.settings.refuse(error);
-            Vec::new()
-        });
+        let variables = self.plan.settings.find_variables(self.system, &self.state, names, weight);
         let Simulation { system, state, plan, reporter, method, drive, end } = self;
-        let drive = V::around(drive, variables.into());
+        let drive = V::around(drive, variables);
         Simulation { system, state, plan, reporter, method, drive, end }
     }
+}
+
+/// Returns the weight of derivatives whose errors do not count beside an absolute tolerance.
+pub(crate) fn uncounted<S: Scalar>() -> S {
+    S::epsilon().powi(4)
 }
 
 #[cfg(feature = "linear")]
@@ -124,6 +124,24 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         let variables = (first..N).zip(names).map(|(index, name)| initial(index, name));
         let drive = Differentiated { drive, variables: variables.collect() };
         Simulation { system, state, plan, reporter, method, drive, end }
+    }
+}
+
+impl<S: Scalar> RunSettings<S> {
+    /// Finds variables by their names, and refuses unknown ones.
+    pub(crate) fn find_variables<M: ParametricSystem<Scalar = S>>(
+        &mut self,
+        system: &M,
+        start: &M::State,
+        names: Vec<&'static str>,
+        weight: S,
+    ) -> Arc<[Varied<S>]> {
+        let found =
+            names.into_iter().map(|name| varied(system, start, name, weight)).collect::<Result<_, _>>();
+        found.unwrap_or_else(|error| {
+            self.refuse(error);
+            Arc::default()
+        })
     }
 }
 
@@ -151,13 +169,7 @@ fn of_place<M: ParametricSystem>(
     start: &M::State,
     weight: M::Scalar,
 ) -> Varied<M::Scalar> {
-    let value = match place {
-        VariedPlace::Number(index) => system.number(index),
-        VariedPlace::Initial(index) => start.as_ref().get(index).copied(),
-    };
-    let size = value.map_or(Number::ONE, Number::abs);
-    let size = if size > Number::ZERO && size.is_finite() { size } else { Number::ONE };
-    Varied { name, place, scale: weight * size, weight }
+    Varied { name, place, scale: weight, weight }.scaled(system, start)
 }
 
 /// Names of variables: an array of 1 to 24 names.
@@ -228,6 +240,12 @@ where
             let closed = closed.with_plant(system.with_number(usize::MAX, Number::ZERO));
             run(&Sensitive { closed, variables: Arc::clone(&self.variables) })
         })
+    }
+
+    /// Measures changes by the values that parameters and initial values have in this motion.
+    fn for_motion(&self, system: &M, start: &M::State) -> Self {
+        let variables = self.variables.iter().map(|variable| variable.scaled(system, start));
+        Differentiated { drive: self.drive.for_motion(system, start), variables: variables.collect() }
     }
 }
 

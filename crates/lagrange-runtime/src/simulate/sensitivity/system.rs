@@ -45,6 +45,19 @@ pub(super) enum VariedPlace {
     Initial(usize),
 }
 
+impl<S: Scalar> Varied<S> {
+    /// Returns the variable with the scale that its value in a motion gives: one if it is zero.
+    pub(super) fn scaled<M: ParametricSystem<Scalar = S>>(self, system: &M, start: &M::State) -> Self {
+        let value = match self.place {
+            VariedPlace::Number(index) => system.number(index),
+            VariedPlace::Initial(index) => start.as_ref().get(index).copied(),
+        };
+        let size = value.map_or(S::ONE, Number::abs);
+        let size = if size > S::ZERO && size.is_finite() { size } else { S::ONE };
+        Varied { scale: self.weight * size, ..self }
+    }
+}
+
 /// A loop L around the plant M, with a state of N entries and their derivatives, R rows in all.
 pub struct Sensitive<M: ParametricSystem, L, const N: usize, const R: usize> {
     pub(super) closed: L,
