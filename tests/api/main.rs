@@ -24,6 +24,7 @@ mod frames;
 mod friction_limits;
 mod functions;
 mod hamiltonian;
+mod hessian;
 mod hints;
 mod hybrid;
 mod ignored;

@@ -105,6 +105,7 @@ fn of_products(programs: &Programs) -> Vec<Function<'_>> {
 fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
     let extent = |extent| match extent {
         Extent::Velocities => layout.velocities,
+        Extent::State => layout.positions + layout.velocities,
         Extent::Constraints => layout.multipliers,
         _ => entries,
     };

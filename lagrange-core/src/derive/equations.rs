@@ -11,7 +11,7 @@ use super::frame_jacobians::frame_jacobians;
 use super::grading::grade_parameters;
 use super::indefinite::{largest, pivot_growth};
 use super::inverse_dynamics::residual;
-use super::jacobian::Derivatives;
+use super::jacobian::{Derivatives, lagrangian_hessian};
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::power::add_power;
 use super::quadratic_form::QuadraticForm;
@@ -132,6 +132,7 @@ impl Equations {
                 }
                 Product::Energy => vec![energy_function(model)],
                 Product::Lagrangian => vec![model.lagrangian],
+                Product::LagrangianHessian => lagrangian_hessian(model),
                 Product::GeneralisedForces => sums(model, &forces, &[&constraints.forces, &touching]),
                 Product::InverseDynamics => residual(model, &split, AccelerationTerms::Kept, Terms::All),
                 _ => continue,

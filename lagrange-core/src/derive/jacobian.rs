@@ -15,13 +15,27 @@ use super::least_constraint::{SplitLagrangian, Terms};
 use super::strategies::Strategy;
 use super::sweep::Rotations;
 use crate::model::Model;
-use lagrange_algebra::calculus::{AccelerationTerms, jacobian, substitute_all};
+use lagrange_algebra::calculus::{AccelerationTerms, gradient, jacobian, substitute_all};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
 
 /// Above this many coordinates only the way is tried that is known to be cheaper there. A
 /// factorised full matrix of n rows takes n³ operations, and differentiating it n⁴.
 const LARGEST_TRIAL: usize = 20;
+
+/// ∂²L/∂y² for the state y = [q, v], in rows.
+pub(super) fn lagrangian_hessian(model: &mut Model) -> Vec<ExprId> {
+    let state = [model.positions(), model.velocities()].concat();
+    let slopes = gradient(&mut model.graph, model.lagrangian, &state);
+    let mut rows = jacobian(&mut model.graph, &slopes, &state);
+    // Either side of the diagonal may be written in another way.
+    for row in 1..rows.len() {
+        for column in 0..row {
+            rows[row][column] = rows[column][row];
+        }
+    }
+    rows.concat()
+}
 
 /// Functions that the derivatives are found from.
 pub(super) struct Derivatives {

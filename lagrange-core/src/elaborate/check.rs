@@ -169,6 +169,7 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
     check_needed_products(elaborator);
     check_derivatives(elaborator);
     check_linear_model(elaborator);
+    check_hessian(elaborator);
 }
 
 /// Returns the mistake of a product that requires bodies that do not exist, or that exist in the
@@ -229,6 +230,20 @@ fn check_linear_model(elaborator: &mut Elaborator<'_>) {
             let error = elaborator.evaluator.report.error(span, messages::DISCRETE_LINEAR_MODEL);
             error.related(Origin::from(place), messages::DISCRETE_IS_HERE);
             error.help(messages::DISCRETE_LINEAR_MODEL_HELP);
+        }
+    }
+}
+
+/// Second derivatives with respect to components of unit quaternions depend on how the Lagrangian
+/// continues to other lengths.
+fn check_hessian(elaborator: &mut Elaborator<'_>) {
+    if elaborator.orientations.is_empty() {
+        return;
+    }
+    for &(product, wanted, span) in &elaborator.wanted {
+        if wanted && product == Product::LagrangianHessian {
+            let report = &mut *elaborator.evaluator.report;
+            report.error(span, messages::HESSIAN_OF_ORIENTATION).help(messages::HESSIAN_OF_ORIENTATION_HELP);
         }
     }
 }

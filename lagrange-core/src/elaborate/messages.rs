@@ -143,6 +143,9 @@ messages! {
     derivative_of_jumps(name) =
         "`{name}` does not exist for a system with rigid contacts or dry friction: its accelerations jump";
     DISCRETE_LINEAR_MODEL = "`system_matrix` cannot be combined with discrete states or clocks";
+    HESSIAN_OF_ORIENTATION = "`lagrangian_hessian` cannot be combined with orientations by unit quaternions";
+    HESSIAN_OF_ORIENTATION_HELP =
+        "describe the orientation by angles, or take the derivatives of motions from `tangent_jacobian`";
     DISCRETE_IS_HERE = "this changes discontinuously";
     DISCRETE_LINEAR_MODEL_HELP =
         "declare a `param` for what stays, or an `input` for what a sampled controller sets";

@@ -33,6 +33,7 @@ pub enum Product {
     Conserved,
     Power,
     Lagrangian,
+    LagrangianHessian,
     GeneralisedForces,
     Tests,
     Motion,
@@ -131,7 +132,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 33] = [
+const ROWS: [ProductRow; 34] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -357,6 +358,18 @@ const ROWS: [ProductRow; 33] = [
             arguments: ProductArguments::State,
             returns: ProductShape::Scalar,
             docs: &["Lagrangian L."],
+        }),
+    },
+    ProductRow {
+        product: Product::LagrangianHessian,
+        name: "lagrangian_hessian",
+        when: Availability::Demand,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Matrix(Extent::State, Extent::State),
+            docs: &[
+                "Second derivatives of the Lagrangian with respect to positions and velocities, in rows.",
+            ],
         }),
     },
     ProductRow {

@@ -155,6 +155,7 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
         (Product::TangentJacobian, state),
         (Product::ParameterJacobian, fields),
         (Product::SystemMatrix, state + model.inputs.len()),
+        (Product::LagrangianHessian, state),
     ];
     let wanted = jacobians.into_iter().filter(|(product, _)| model.products.contains(product));
     let entries = wanted.map(|(_, columns)| state.saturating_mul(columns)).fold(0, usize::saturating_add);

@@ -62,8 +62,8 @@ where
     ///   [`StormerVerlet`](crate::integrate::StormerVerlet),
     ///   [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
     ///   [`BlanesMoan4`](crate::integrate::BlanesMoan4);
-    /// - only ends, samples and columns are requested: no laws, sensitivities, controllers, events or
-    ///   restarts.
+    /// - only ends, samples and columns are requested: no laws, sensitivities, controllers, events
+    ///   or restarts.
     ///
     /// A motion that fails, or jumps at a time known in advance, is a single run in any case.
     ///
