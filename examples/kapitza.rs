@@ -96,11 +96,7 @@ const MATHIEU: [(f64, f64, f64); 4] = [
 /// The frequencies between which the upright is stable; the upper one is infinite where there is
 /// none.
 fn boundaries(a: f64) -> Result<[f64; 2], Box<dyn Error>> {
-    // The sum of both multipliers, whose product is one: between −2 and 2 they are complex.
-    let sum = |omega: f64| -> Result<f64, Box<dyn Error>> {
-        let upright = Kapitza { a, omega, ..Kapitza::default() }.orbit([PI, 0.0], TAU / omega).solve()?;
-        Ok(upright.monodromy[(0, 0)] + upright.monodromy[(1, 1)])
-    };
+    let sum = |omega| sum_of_multipliers(a, omega);
     // Slower drives let the pendulum fall, and faster ones let it swing.
     let (slow, fast) = (2.0 * 9.81_f64.sqrt(), 1e3);
     let lower = first(|omega| Ok(sum(omega)? < 2.0), slow, fast)?;
@@ -109,7 +105,13 @@ fn boundaries(a: f64) -> Result<[f64; 2], Box<dyn Error>> {
     Ok([lower, upper])
 }
 
-/// The frequency from which on something holds, by bisection.
+/// The sum of both multipliers, whose product is one: between −2 and 2 they are complex.
+fn sum_of_multipliers(a: f64, omega: f64) -> Result<f64, Box<dyn Error>> {
+    let upright = Kapitza { a, omega, ..Kapitza::default() }.orbit([PI, 0.0], TAU / omega).solve()?;
+    Ok(upright.monodromy[(0, 0)] + upright.monodromy[(1, 1)])
+}
+
+/// The number from which on something holds, by bisection.
 fn first(
     holds: impl Fn(f64) -> Result<bool, Box<dyn Error>>,
     mut low: f64,
@@ -150,7 +152,11 @@ fn chart() -> Result<(), Box<dyn Error>> {
     check(&grid, ends.column("growth").unwrap_or_default())?;
     let map = ends.map(&grid, "growth")?.logarithmic().named("time until the deviation is thirtyfold in s");
     let map = map.curve("lower boundary", curves.iter().map(|(a, [lower, _])| (*a, *lower)));
-    let map = map.curve("upper boundary", curves.iter().map(|(a, [_, upper])| (*a, *upper)));
+    // It enters through the upper edge, nearly upright.
+    let edge = frequencies.end;
+    let entrance = first(|a| Ok(sum_of_multipliers(a, edge)? < -2.0), amplitudes.start, amplitudes.end)?;
+    let upper = curves.iter().map(|(a, [_, upper])| (*a, *upper)).filter(|(a, _)| *a > entrance);
+    let map = map.curve("upper boundary", [(entrance, edge)].into_iter().chain(upper));
     Ok(map.save(gallery::picture("kapitza.png")?)?)
 }
 

@@ -51,6 +51,9 @@ hints! {
     pub trait EmitsLagrangian {} for fn lagrangian in LagrangianFunction:
         "the declaration of `{Self}` does not emit `lagrangian`",
         "add `emit {{ lagrangian }}` to the declaration";
+    pub trait EmitsLagrangianHessian {} for fn lagrangian_hessian in LagrangianHessian:
+        "the declaration of `{Self}` does not emit `lagrangian_hessian`",
+        "add `emit {{ lagrangian_hessian }}` to the declaration";
     pub trait EmitsGeneralisedForces {} for fn generalised_forces in GeneralisedForces:
         "the declaration of `{Self}` does not emit `generalised_forces`",
         "add `emit {{ generalised_forces }}` to the declaration";

@@ -49,3 +49,32 @@ fn powers_of_a_block_on_a_belt_balance_while_it_sticks_and_slips() {
     let supplied = steps.map(|i| (times[i] - times[i - 1]) * (power(i) + power(i - 1)) / 2.0).sum::<f64>();
     assert!((supplied - (energy[energy.len() - 1] - energy[0])).abs() < 5e-3, "{supplied}");
 }
+
+lagrange::system! {
+    /// A driven and damped oscillator, for any number.
+    struct Oscillator<S>;
+
+    param m = 1.5, k = 40, c = 0.5;
+    coord x;
+    input push = 2;
+    kinetic = 1/2 * m * dot(x)^2;
+    potential = spring_energy(k, x);
+    dissipation = 1/2 * c * dot(x)^2;
+    force x = push;
+    emit { power, lanes }
+}
+
+#[test]
+fn powers_exist_in_every_number_and_beside_lanes() {
+    let (double, single) = (Oscillator::<f64>::default(), Oscillator::<f32>::default());
+    for speed in [-2.0, 0.0, 0.25_f32] {
+        let wide = f64::from(speed);
+        assert_eq!(double.power_x(0.0, &[0.1], &[wide]), 2.0 * wide);
+        assert_eq!(single.power_x(0.0, &[0.1], &[speed]), 2.0 * speed);
+        assert_eq!(double.power_dissipation(0.0, &[0.1], &[wide]), -0.5 * wide * wide);
+        assert_eq!(single.power_dissipation(0.0, &[0.1], &[speed]), -0.5 * speed * speed);
+        // The residual of the balance.
+        assert!(double.power_balance(0.0, &[0.1], &[wide]).abs() < 1e-14);
+        assert!(single.power_balance(0.0, &[0.1], &[speed]).abs() < 1e-5);
+    }
+}

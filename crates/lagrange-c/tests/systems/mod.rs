@@ -55,7 +55,8 @@ pub(crate) const SYSTEMS: [&str; 16] = [
         every period => { held = temperature - 20 - x - dot(x); }
         every 3 * period => { held = held + 0.01; }",
     "struct Saddle; coord x, y;
-        lagrangian = dot(x) * dot(y) * (2 + sin(x)) + 1/2 * x * dot(x)^2 - x * y^2;",
+        lagrangian = dot(x) * dot(y) * (2 + sin(x)) + 1/2 * x * dot(x)^2 - x * y^2;
+        force x = 0.1 * t; dissipation = dot(y)^2; emit { power, lagrangian_hessian }",
 ];
 
 const DOUBLE_PENDULUM: &str = "struct DoublePendulum;
