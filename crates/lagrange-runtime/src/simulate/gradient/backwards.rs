@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use super::Gradient;
 use super::jump::Jump;
-use super::trace::{Piece, Steps};
+use super::trace::{SmoothPiece, Steps};
 use crate::integrate::ExplicitRungeKutta;
 use crate::scalar::Number;
 use crate::simulate::sensitivity::Varied;
@@ -58,7 +58,7 @@ where
     /// If a system does not know its derivatives, or an event has none.
     pub(super) fn along(
         mut self,
-        trace: &'a [Piece<M>],
+        trace: &'a [SmoothPiece<M>],
         mut cost: impl FnMut(M::Scalar, &M::State, &mut M::State) -> M::Scalar,
     ) -> Result<Gradient<M::Scalar, N>, StepFailure<M::Scalar>> {
         let (mut value, mut slope) = (M::Scalar::ZERO, [M::Scalar::ZERO; N]);

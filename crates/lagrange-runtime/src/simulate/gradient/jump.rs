@@ -31,8 +31,8 @@ impl<M, const N: usize> Jump<M>
 where
     M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
 {
-    /// Returns the derivative of the state after the jump with respect to a variable, by which the
-    /// state before it changes by `change` per scale of the variable.
+    /// Returns the derivative of the state after the jump with respect to a variable. That of the
+    /// state before it is `change`; both are per scale of the variable.
     ///
     /// # Errors
     /// If there is none, as at an event function of zero rate.

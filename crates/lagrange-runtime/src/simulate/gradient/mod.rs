@@ -54,8 +54,9 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// added up. To integrate a cost along the motion, declare it as a `state`.
     ///
     /// The gradient is that of the motion as computed: each step is differentiated, with its length
-    /// held. It requires `emit { jacobian }`. For n steps without an event at most 3 √n + 2 states
-    /// are kept, in addition to two numbers per step; the others are computed a second time.
+    /// held. It requires `emit { jacobian }`. At most 3 √n + 2 states
+    /// are kept for n steps without an event, and two numbers per step. The others are computed a
+    /// second time.
     ///
     /// At declared events, switches and ticks of clocks the adjoint jumps according to the
     /// transpose of the saltation matrix. The matrix is computed by finite differences with an

@@ -15,10 +15,10 @@ use crate::tolerance::SAME_INSTANT;
 const STOPPED: &str = "a gradient needs a fixed end: an event stopped the motion before it";
 
 /// The pieces of a motion between its jumps, in their order.
-pub(super) type Trace<M> = Vec<Piece<M>>;
+pub(super) type Trace<M> = Vec<SmoothPiece<M>>;
 
 /// A smooth piece of a motion of the system M.
-pub(super) struct Piece<M: OdeSystem> {
+pub(super) struct SmoothPiece<M: OdeSystem> {
     /// Jumps at its start, in their order.
     pub(super) jumps: Vec<Jump<M>>,
     /// The system in its present modes.
@@ -123,13 +123,13 @@ impl<M: ParametricSystem> Recorder<'_, M> {
     /// Begins a piece.
     fn begin(&mut self, system: &M, (t, y): (M::Scalar, M::State), jumps: Vec<Jump<M>>) {
         self.last = (t, y);
-        self.pieces.push(Piece { jumps, system: copy(system), steps: Steps::new(t, y) });
+        self.pieces.push(SmoothPiece { jumps, system: copy(system), steps: Steps::new(t, y) });
     }
 
     /// Adds a step to `reached`. The time of a sample there may differ by a rounding.
     fn push(&mut self, from: M::Scalar, reached: (M::Scalar, M::State), instant: M::Scalar) {
         self.last = reached;
-        if let Some(Piece { steps, .. }) = self.pieces.last_mut() {
+        if let Some(SmoothPiece { steps, .. }) = self.pieces.last_mut() {
             if steps.count() == 0 {
                 // A piece may begin a few roundings after the one before it ended.
                 steps.times[0] = from;
@@ -143,7 +143,7 @@ impl<M: ParametricSystem> Recorder<'_, M> {
 
     /// Marks the samples at this time.
     fn take_samples(&mut self, time: M::Scalar) {
-        let Some(Piece { steps, .. }) = self.pieces.last_mut() else { return };
+        let Some(SmoothPiece { steps, .. }) = self.pieces.last_mut() else { return };
         while let Some((first, ahead)) = self.samples.split_first()
             && *first == time
         {
@@ -155,7 +155,7 @@ impl<M: ParametricSystem> Recorder<'_, M> {
     /// Removes the samples of the last piece that are at this time, to rounding, and returns their
     /// number.
     fn retake_samples(&mut self, time: M::Scalar) -> usize {
-        let Some(Piece { steps: Steps { times, samples, .. }, .. }) = self.pieces.last_mut() else {
+        let Some(SmoothPiece { steps: Steps { times, samples, .. }, .. }) = self.pieces.last_mut() else {
             return 0;
         };
         let rounding = SAME_INSTANT.part::<M::Scalar>() * time.abs();
@@ -194,7 +194,7 @@ impl<M: ParametricSystem> Sink<M> for Recorder<'_, M> {
         let tick = Jump { system: copy(system), cause: Cause::Tick, time: t, elapsed, state };
         let samples = self.retake_samples(t);
         self.begin(system, (t, *y), std::vec![tick]);
-        if let Some(Piece { steps, .. }) = self.pieces.last_mut() {
+        if let Some(SmoothPiece { steps, .. }) = self.pieces.last_mut() {
             steps.samples.extend(core::iter::repeat_n(0, samples));
         }
     }
