@@ -225,3 +225,28 @@ fn a_parameter_in_a_reaction_and_in_a_force_has_its_derivative_in_both_precision
     let by_speed = f64::from(gradient.expect("steep").by[0]);
     assert!((by_speed - expected).abs() < 1e-4, "{by_speed} {expected}");
 }
+
+lagrange::system! {
+    /// A mass that is put back where a function of it is flat.
+    struct Flat;
+    param v = 1;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = v - dot(x);
+    event flat = (x - 1)^3, rising => { x = 0; }
+    emit { jacobian }
+}
+
+#[test]
+fn an_event_of_zero_rate_has_no_derivative_in_either_direction() {
+    let flat = Flat::default();
+    let run = || flat.simulate([0.0, 1.0]).until(1.5).tolerance(1e-12);
+    let backwards = run().gradient(["v"], |_, y, slope| {
+        slope[0] = 1.0;
+        y[0]
+    });
+    let cause = backwards.expect_err("flat");
+    assert!(matches!(cause, StepFailure::NotDifferentiable { variable: "v", .. }), "{cause}");
+    let forwards = run().sensitivities(["v"]).run().expect_err("flat");
+    assert!(matches!(forwards.cause, StepFailure::NotDifferentiable { .. }), "{forwards}");
+}

@@ -49,20 +49,29 @@ pub(crate) fn slope<S: Scalar, const N: usize>(
     Some(best)
 }
 
+/// A difference below this many roundings of the values is zero: its digits would be arbitrary, as
+/// would be quotients of it. The weights of a rule add up to 18/12, each of two values.
+const ROUNDINGS: f64 = 4.0;
+
 /// The differences with this step.
 fn differences<S: Scalar, const N: usize>(
     step: S,
     function: &mut impl FnMut(S) -> Option<[S; N]>,
 ) -> Option<[S; N]> {
     let mut sum = |rule: Differences, step: S| {
-        let mut sum = [S::ZERO; N];
+        let (mut sum, mut largest) = ([S::ZERO; N], [S::ZERO; N]);
         for &(weight, places) in rule {
             let [ahead, behind] = places.map(|place| function(S::from_f64(place) * step));
-            for (sum, (ahead, behind)) in sum.iter_mut().zip(ahead?.into_iter().zip(behind?)) {
-                *sum = *sum + S::from_f64(weight) * (ahead - behind);
+            for (k, (ahead, behind)) in ahead?.into_iter().zip(behind?).enumerate() {
+                sum[k] = sum[k] + S::from_f64(weight) * (ahead - behind);
+                largest[k] = largest[k].max(ahead.abs()).max(behind.abs());
             }
         }
-        Some(sum.map(|sum| sum / (S::from_f64(12.0) * step)))
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+        Some(core::array::from_fn(|k| {
+            let difference = sum[k] / S::from_f64(12.0);
+            if difference.abs() <= rounding * largest[k] { S::ZERO } else { difference / step }
+        }))
     };
     { sum(AROUND, step) }.or_else(|| sum(ASIDE, step)).or_else(|| sum(ASIDE, -step))
 }
@@ -80,6 +89,13 @@ mod tests {
     fn a_fast_function_is_looked_at_more_closely() {
         let [fast] = slope(1.0, |x: f64| Some([(3.0 + 100.0 * x).sin()])).unwrap();
         assert!((fast / (100.0 * 3.0_f64.cos()) - 1.0).abs() < 1e-10, "{fast}");
+    }
+
+    #[test]
+    fn a_flat_function_has_no_slope() {
+        assert_eq!(slope(1.0, |x: f64| Some([(x + 1e-16).powi(3)])), Some([0.0]));
+        let [steep] = slope(1.0, |x: f64| Some([x.powi(3) + 1e-9 * x])).unwrap();
+        assert!((steep / 1e-9 - 1.0).abs() < 1e-9, "{steep}");
     }
 
     #[test]
