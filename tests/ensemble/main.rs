@@ -12,6 +12,7 @@ mod noise;
 mod pictures;
 mod refusals;
 mod runs;
+mod stochastic;
 
 lagrange::system! {
     /// Two point masses on massless rods.

@@ -180,7 +180,8 @@ where
         if plan.settings.interval().is_none() {
             plan.settings.sampling = sampling;
         }
-        Simulation::new(system, state, plan, (self.method.clone(), self.drive.clone()))
+        let method = self.method.clone().of_motion(index);
+        Simulation::new(system, state, plan, (method, self.drive.clone()))
     }
 
     /// Returns the columns of a motion at a time and state.
