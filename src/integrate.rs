@@ -20,6 +20,8 @@
 //! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
 //! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta conserved to rounding, also with forces; constraints enforced |
 //! | [`Stepped`](crate::contact::Stepped) | with contacts or friction | 1 | no | 1 evaluation, one complementarity problem for all impulses | many contacts, real time |
+//! | [`EulerMaruyama`] | with [white noise](crate::system!) | 1 | no | 1 evaluation, 1 of the diffusion | rough forces, many cheap motions |
+//! | [`StochasticRungeKutta4`] | with white noise | 3/2, or 1; 4 without noise | no | 4 evaluations, 4 of the diffusion | noise of any size, small noise above all |
 //! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and velocity-independent forces | as above | as above, without momenta |
 //!
 //! A system is separable if its [declaration](crate::system!) has a constant mass matrix and
@@ -39,11 +41,11 @@
 
 #[doc(inline)]
 pub use lagrange_runtime::integrate::{
-    BlanesMoan4, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4, GaussLegendre6,
-    Hamiltonian, ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper,
-    MOST_LANES, Memory, Method, Outcome, PlainGaussLegendre, Radau5, RadauStepper, RungeKutta4, SettingError,
-    StepFailure, Stepper, StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational,
-    Verner98, VernerStepper, Work, rk4_step, undefined,
+    BlanesMoan4, EulerMaruyama, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4,
+    GaussLegendre6, Hamiltonian, ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor,
+    LanesStepper, MOST_LANES, Memory, Method, Outcome, PlainGaussLegendre, Radau5, RadauStepper, RungeKutta4,
+    SettingError, StepFailure, Stepper, StochasticRungeKutta4, StormerVerlet, SuspectStep, SymplecticEuler,
+    Taylor, TaylorStepper, Variational, Verner98, VernerStepper, WienerPath, Work, rk4_step, undefined,
 };
 #[doc(inline)]
 pub use lagrange_runtime::run::integrate;

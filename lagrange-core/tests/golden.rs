@@ -54,7 +54,8 @@ fn stages(directory: &Path) -> [(PathBuf, String); 3] {
 }
 
 fn equations(derived: &Derived) -> String {
-    let (graph, equations) = (&derived.model.graph, &derived.equations);
+    let (model, equations) = (&derived.model, &derived.equations);
+    let graph = &model.graph;
     let mut out = String::new();
     let rows = equations.mass_matrix.iter().zip(&equations.forcing);
     for (i, (row, forcing)) in rows.enumerate() {
@@ -62,6 +63,11 @@ fn equations(derived: &Derived) -> String {
             writeln!(out, "M[{i}][{j}] = {}", text::text(graph, *entry)).expect("a string");
         }
         writeln!(out, "f[{i}] = {}", text::text(graph, *forcing)).expect("a string");
+    }
+    for (noise, column) in model.noises.iter().zip(&equations.diffusion.columns) {
+        let column = column.iter().map(|entry| text::text(graph, *entry)).collect::<Vec<_>>();
+        writeln!(out, "{}: {:?} ({})", noise.name, equations.diffusion.kind, column.join(", "))
+            .expect("a string");
     }
     let structure = &equations.structure;
     writeln!(out, "\n{:?}", structure.mass).expect("a string");

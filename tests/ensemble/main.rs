@@ -13,6 +13,7 @@ mod pictures;
 mod refusals;
 mod runs;
 mod sensitivities;
+mod stochastic;
 
 lagrange::system! {
     /// Two point masses on massless rods.

@@ -259,9 +259,9 @@ const DOUBLE: &[Layer] = &[
 const RUNTIME: &[Layer] = &[
     Layer { modules: &["scalar"], purpose: "the number types that emitted code computes with" },
     Layer {
-        modules: &["spread", "tolerance"],
-        purpose: "quasi-random points; rounding tolerances: one table, with reasons and the tests that \
-                  depend on them",
+        modules: &["random", "spread", "tolerance"],
+        purpose: "random numbers by key and counter; quasi-random points; rounding tolerances: one \
+                  table, with reasons and the tests that depend on them",
     },
     Layer {
         modules: &["body", "inertia", "linalg", "root", "table"],

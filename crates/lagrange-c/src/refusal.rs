@@ -14,6 +14,8 @@ pub enum Refusal {
     Touching(Vec<String>),
     /// It calls these functions of the user's crate.
     Functions(Vec<String>),
+    /// Noises with these names act on it.
+    Noise(Vec<String>),
     /// Some of these constraints always follow from others.
     Redundant(Vec<String>),
     /// These constants are out of the range of `double`.
@@ -28,6 +30,9 @@ impl Display for Refusal {
             }
             Refusal::Functions(names) => {
                 write!(f, "functions of a crate are known to compiled Rust only: {}", quoted(names))
+            }
+            Refusal::Noise(names) => {
+                write!(f, "written code integrates no white noise: {}", quoted(names))
             }
             Refusal::Redundant(names) => write!(
                 f,
@@ -52,6 +57,9 @@ pub(crate) fn check(programs: &Programs) -> Result<(), Refusal> {
     let (variables, functions) = (&programs.variables, programs.functions());
     if !variables.touching.is_empty() {
         return Err(Refusal::Touching(variables.touching.clone()));
+    }
+    if !programs.noises.is_empty() {
+        return Err(Refusal::Noise(programs.noises.clone()));
     }
     if !functions.is_empty() {
         return Err(Refusal::Functions(functions.iter().map(Opaque::rust_name).collect()));

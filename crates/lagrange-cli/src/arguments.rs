@@ -58,7 +58,7 @@ Options:
       --vary A=B..C   draw a parameter, an input or an entry of the start from a range, for each
                       motion; once for each (ensemble)
       --motions N     number of motions, 100 by default (ensemble)
-      --seed N        seed of the random values, 0 by default (ensemble)
+      --seed N        seed of random values and of noise, 0 by default (simulate, film, ensemble)
       --threads N     number of threads, one for each processor by default (ensemble)
       --error E       wanted error of the state at the end; a table of errors by default (trade)
       --longest TIME  leave out settings finer than one that took so long, 0.2 by default (trade)
@@ -69,7 +69,8 @@ Options:
       --trim U        search for the value of an input, too; once for each (linearise)
       --time TIME     time at which to linearise, 0 by default (linearise)
       --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
-                      `rk4` or `gauss` in equal steps (simulate, film, ensemble)
+                      `rk4` or `gauss` in equal steps; systems with noise by `maruyama` or
+                      `stochastic` (simulate, film, ensemble)
       --tolerance E   tolerated error of a step, 1e-9 by default (simulate, film, ensemble)
       --sources       leave the compilation to the program that imports the unit (fmu)
       --step TIME     length of equal steps (simulate, film, ensemble)
@@ -221,6 +222,8 @@ pub(crate) struct Settings {
     pub(crate) tolerance: Option<String>,
     /// Length of steps.
     pub(crate) step: Option<String>,
+    /// Seed of noise and of random values.
+    pub(crate) seed: Option<String>,
     /// True for a column of the energy.
     pub(crate) has_energy: bool,
     /// File for the events.
@@ -236,6 +239,7 @@ impl Settings {
             "method" => self.method = Some(parser.value()?.string()?),
             "tolerance" => self.tolerance = Some(parser.value()?.string()?),
             "step" => self.step = Some(parser.value()?.string()?),
+            "seed" => self.seed = Some(parser.value()?.string()?),
             "events" => self.events = Some(PathBuf::from(parser.value()?)),
             _ => return self.values.read(option, parser),
         }
@@ -252,8 +256,6 @@ pub(crate) struct EnsembleOptions {
     pub(crate) vary: Vec<(String, String)>,
     /// Number of motions.
     pub(crate) motions: Option<String>,
-    /// Seed of the random values.
-    pub(crate) seed: Option<String>,
     /// Number of threads.
     pub(crate) threads: Option<String>,
 }
@@ -264,7 +266,6 @@ impl EnsembleOptions {
         match option {
             "vary" => self.vary.push(assignment(option, parser)?),
             "motions" => self.motions = Some(parser.value()?.string()?),
-            "seed" => self.seed = Some(parser.value()?.string()?),
             "threads" => self.threads = Some(parser.value()?.string()?),
             "every" | "events" => return Ok(false),
             _ => return self.settings.read(option, parser),

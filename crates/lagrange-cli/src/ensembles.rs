@@ -6,7 +6,9 @@ use lagrange_dynamic::{DeclaredSystem, EnsembleEnds, EnsembleSettings};
 use lagrange_runtime::ensemble::Random;
 
 use crate::arguments::{EnsembleOptions, Values};
-use crate::motions::{Failure, check_format, end, method, named_value, set, start_from, start_values};
+use crate::motions::{
+    Failure, check_format, end, method, named_value, number, set, start_from, start_values,
+};
 
 /// Number of motions if it is not specified, and the largest one.
 const MOTIONS: u64 = 100;
@@ -106,7 +108,7 @@ fn settings(
     if threads == Some(0) {
         return Err(Failure::Usage("--threads 0: at least one thread is needed".to_owned()));
     }
-    let seed = number("seed", options.seed.as_deref())?.unwrap_or(0);
+    let seed = number("seed", options.settings.seed.as_deref())?.unwrap_or(0);
     let (starts, columns) = drawn(options, varied, (seed, motions), system)?;
     let (until, method) = (end(options.settings.until.as_deref())?, method(&options.settings)?);
     let (entries, fields) = varied.iter().zip(columns).partition::<Vec<_>, _>(|(varied, _)| varied.is_entry);
@@ -142,12 +144,6 @@ fn drawn(
         starts.push(start_from("start", &entries, &system)?);
     }
     Ok((starts, columns))
-}
-
-/// Reads a whole number, if it is written.
-fn number(option: &str, text: Option<&str>) -> Result<Option<u64>, Failure> {
-    let wrong = |text: &str| Failure::Usage(format!("--{option} {text}: expected a whole number"));
-    text.map(|text| text.trim().parse().map_err(|_| wrong(text))).transpose()
 }
 
 /// Returns the ends as CSV: times, states, outputs, and parameters if one varies.

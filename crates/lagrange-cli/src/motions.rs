@@ -103,6 +103,15 @@ pub(crate) fn end(until: Option<&str>) -> Result<f64, Failure> {
     time("until", until.ok_or_else(missing)?)
 }
 
+/// Reads a whole number, if it is written.
+///
+/// # Errors
+/// If it is none.
+pub(crate) fn number(option: &str, text: Option<&str>) -> Result<Option<u64>, Failure> {
+    let wrong = |text: &str| Failure::Usage(format!("--{option} {text}: expected a whole number"));
+    text.map(|text| text.trim().parse().map_err(|_| wrong(text))).transpose()
+}
+
 /// Returns the method with its settings.
 ///
 /// # Errors
@@ -114,7 +123,8 @@ pub(crate) fn method(settings: &Settings) -> Result<MethodChoice, Failure> {
     });
     let step = settings.step.as_deref().map(|text| time("step", text));
     let choice = MethodChoice::new(settings.method.as_deref(), tolerance.transpose()?, step.transpose()?);
-    choice.map_err(|error| {
+    let seed = number("seed", settings.seed.as_deref())?.unwrap_or(0);
+    choice.map(|method| method.with_seed(seed)).map_err(|error| {
         Failure::Usage(match error {
             MethodError::Useless { method, setting } => format!("the method `{method}` has no `--{setting}`"),
             MethodError::WithoutStep(method) => {

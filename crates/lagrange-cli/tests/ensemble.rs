@@ -41,6 +41,35 @@ fn table(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     (names, lines.map(row).collect())
 }
 
+const DIFFUSING: &str = "
+/// A particle in a liquid.
+pub struct Diffusing;
+param m: kg = 1;
+coord x: m;
+noise push: N, density: 2 [N^2*s];
+kinetic = 1/2 * m * dot(x)^2;
+force x = push - 1 [N*s/m] * dot(x);
+";
+
+#[test]
+fn noise_has_a_seed_and_a_method() {
+    let file = declaration("diffusing.lag", DIFFUSING);
+    let common = [&*file, "--until", "4", "--start", "x=0", "--start", "x_dot=0", "--motions", "1000"];
+    let by = |method: &str, seed: &str| {
+        table(&[&common[..], &["--method", method, "--step", "0.0625", "--seed", seed]].concat()).1
+    };
+    let ends = by("stochastic", "3");
+    let square = ends.iter().map(|row| row[2] * row[2]).sum::<f64>() / 1000.0;
+    let exact = 1.0 - (-8.0_f64).exp();
+    assert!((square - exact).abs() < 3.0 * exact * (2.0_f64 / 1000.0).sqrt(), "{square}");
+    assert_eq!(ends, by("stochastic", "3"));
+    assert_ne!(ends, by("stochastic", "4"));
+    let near = by("maruyama", "3").iter().zip(&ends).map(|(a, b)| (a[1] - b[1]).abs()).fold(0.0, f64::max);
+    assert!(near > 0.0 && near < 0.3, "{near}");
+    let refused = ensemble(&common);
+    assert!(text(&refused.stderr).contains("`maruyama` and `stochastic`"), "{}", text(&refused.stderr));
+}
+
 #[test]
 fn ends_are_those_of_the_closed_form() {
     let file = declaration("ends.lag", SPRING);

@@ -4,7 +4,9 @@ use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
 use lagrange_runtime::ensemble::{self, Ends, Ensemble, Ensembles, Failure};
-use lagrange_runtime::integrate::{PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
+use lagrange_runtime::integrate::{
+    EulerMaruyama, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Verner98, WienerPath,
+};
 
 use crate::declared::{DeclaredSystem, Visitor};
 use crate::method::MethodChoice;
@@ -189,6 +191,12 @@ fn ends_by<const CAPACITY: usize>(
         MethodChoice::Radau { tolerance } => ensemble.method(Radau5::tolerance(tolerance)).run(),
         MethodChoice::RungeKutta4 { step } => ensemble.method(RungeKutta4 { step }).run(),
         MethodChoice::GaussLegendre { step } => ensemble.method(PlainGaussLegendre::<f64, 3> { step }).run(),
+        MethodChoice::EulerMaruyama { step, seed } => {
+            ensemble.method(EulerMaruyama { step, path: WienerPath::of_seed(seed) }).run()
+        }
+        MethodChoice::StochasticRungeKutta4 { step, seed } => {
+            ensemble.method(StochasticRungeKutta4 { step, path: WienerPath::of_seed(seed) }).run()
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use lagrange_runtime::event::{Action, DeclaredEvent, Response};
 use lagrange_runtime::system::{
     Description, MechanicalSystem, OdeSystem, ParametricSystem, Reacted, StepFailure, Undefined, Unnamed,
+    WhiteNoise,
 };
 
 use crate::inline::Inline;
@@ -53,6 +54,14 @@ impl<const N: usize> OdeSystem for FixedSystem<N> {
 
     fn undefined(&self, t: f64, y: &[f64; N], rates: &[f64; N]) -> Option<Undefined<f64>> {
         self.0.undefined(t, &self.own(y), &self.own(rates))
+    }
+
+    fn noise(&self) -> WhiteNoise {
+        self.0.noise()
+    }
+
+    fn diffuse(&self, t: f64, y: &[f64; N], increments: &[f64]) -> [f64; N] {
+        filled(&self.0.diffuse(t, &self.own(y), increments))
     }
 
     fn next_restart(&self, t: f64, end: f64) -> Option<f64> {

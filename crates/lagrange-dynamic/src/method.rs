@@ -3,15 +3,18 @@
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-use lagrange_runtime::integrate::{Method, PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
+use lagrange_runtime::integrate::{
+    EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Verner98,
+    WienerPath,
+};
 use lagrange_runtime::simulate::{Drive, Simulation, SimulationError, Trajectory};
 
 use crate::system::DynamicSystem;
 
 /// Tolerated error of a step if none is given.
 const TOLERANCE: f64 = 1e-9;
-/// Names of the methods.
-pub(crate) const NAMES: [&str; 4] = ["verner", "radau", "rk4", "gauss"];
+/// Names of the methods; the last two are those for noise.
+pub(crate) const NAMES: [&str; 6] = ["verner", "radau", "rk4", "gauss", "maruyama", "stochastic"];
 
 /// A method of integration with its settings.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -36,11 +39,25 @@ pub enum MethodChoice {
         /// Length of a step.
         step: f64,
     },
+    /// The method of Euler and Maruyama for systems with noise, `maruyama`.
+    EulerMaruyama {
+        /// Length of a step.
+        step: f64,
+        /// Seed of the noise.
+        seed: u64,
+    },
+    /// The Runge–Kutta method for systems with noise, `stochastic`.
+    StochasticRungeKutta4 {
+        /// Length of a step.
+        step: f64,
+        /// Seed of the noise.
+        seed: u64,
+    },
 }
 
 impl MethodChoice {
     /// Returns the method of a name, of which `verner` is the default. Those of equal steps need a
-    /// step, others may have a tolerance.
+    /// step, others may have a tolerance. The seed of noise is zero.
     ///
     /// # Errors
     /// If there is no such method, or it needs other settings.
@@ -64,13 +81,27 @@ impl MethodChoice {
             ("verner", _) => MethodChoice::Verner { tolerance },
             ("radau", _) => MethodChoice::Radau { tolerance },
             ("rk4", Some(step)) => MethodChoice::RungeKutta4 { step },
-            (_, Some(step)) => MethodChoice::GaussLegendre { step },
+            ("gauss", Some(step)) => MethodChoice::GaussLegendre { step },
+            ("maruyama", Some(step)) => MethodChoice::EulerMaruyama { step, seed: 0 },
+            (_, Some(step)) => MethodChoice::StochasticRungeKutta4 { step, seed: 0 },
             (_, None) => return Err(MethodError::WithoutStep(method)),
         })
     }
 }
 
 impl MethodChoice {
+    /// Returns the method with this seed of the noise; the same for methods without noise.
+    #[must_use]
+    pub fn with_seed(self, seed: u64) -> MethodChoice {
+        match self {
+            MethodChoice::EulerMaruyama { step, .. } => MethodChoice::EulerMaruyama { step, seed },
+            MethodChoice::StochasticRungeKutta4 { step, .. } => {
+                MethodChoice::StochasticRungeKutta4 { step, seed }
+            }
+            other => other,
+        }
+    }
+
     /// Runs a simulation by this method.
     ///
     /// # Errors
@@ -85,6 +116,8 @@ impl MethodChoice {
         Radau5<f64>: Method<D::Closed>,
         RungeKutta4<f64>: Method<D::Closed>,
         PlainGaussLegendre<f64, 3>: Method<D::Closed>,
+        EulerMaruyama<f64>: Method<D::Closed>,
+        StochasticRungeKutta4<f64>: Method<D::Closed>,
     {
         match self {
             MethodChoice::Verner { tolerance } => simulation.method(Verner98::tolerance(tolerance)).run(),
@@ -92,6 +125,12 @@ impl MethodChoice {
             MethodChoice::RungeKutta4 { step } => simulation.method(RungeKutta4 { step }).run(),
             MethodChoice::GaussLegendre { step } => {
                 simulation.method(PlainGaussLegendre::<f64, 3> { step }).run()
+            }
+            MethodChoice::EulerMaruyama { step, seed } => {
+                simulation.method(EulerMaruyama { step, path: WienerPath::of_seed(seed) }).run()
+            }
+            MethodChoice::StochasticRungeKutta4 { step, seed } => {
+                simulation.method(StochasticRungeKutta4 { step, path: WienerPath::of_seed(seed) }).run()
             }
         }
     }
@@ -118,7 +157,8 @@ impl Display for MethodError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             MethodError::Unknown(name) => {
-                write!(f, "unknown method `{name}`: there are `verner`, `radau`, `rk4` and `gauss`")
+                let names = NAMES.map(|known| format!("`{known}`")).join(", ");
+                write!(f, "unknown method `{name}`: there are {names}")
             }
             MethodError::Useless { method, setting } => write!(f, "the method `{method}` has no `{setting}`"),
             MethodError::WithoutStep(method) => write!(f, "the method `{method}` needs a `step`"),

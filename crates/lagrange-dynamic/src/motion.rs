@@ -2,6 +2,7 @@
 
 use std::ops::Bound;
 
+use lagrange_core::derive::DiffusionKind;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Range, Reaction, TickingClock};
 use lagrange_runtime::event::{
@@ -9,7 +10,9 @@ use lagrange_runtime::event::{
     next_switch_time, next_tick, shortest_period, side_values, ticks,
 };
 use lagrange_runtime::integrate::undefined;
-use lagrange_runtime::system::{OdeSystem, OutOfRange, Reacted, StateVector, StepFailure, Undefined};
+use lagrange_runtime::system::{
+    NoiseKind, OdeSystem, OutOfRange, Reacted, StateVector, StepFailure, Undefined, WhiteNoise,
+};
 
 use crate::inline::{Inline, Rows};
 use crate::system::DynamicSystem;
@@ -72,6 +75,24 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
         let inputs = fields.skip(parameters).collect::<Vec<_>>();
         let found = undefined(self, (t, y, rates), &inputs, |q, v| self.mass_matrix(t, q, v))?;
         Some(found.with_unknowns(t, &self.unknowns(t, y)))
+    }
+
+    fn noise(&self) -> WhiteNoise {
+        let kind = match self.programs().diffusion_kind {
+            DiffusionKind::Additive => NoiseKind::Additive,
+            DiffusionKind::Unambiguous => NoiseKind::Unambiguous,
+            DiffusionKind::Multiplicative => NoiseKind::Multiplicative,
+        };
+        WhiteNoise { count: self.programs().noises.len(), kind }
+    }
+
+    fn diffuse(&self, t: f64, y: &Inline<CAPACITY>, increments: &[f64]) -> Inline<CAPACITY> {
+        let (entries, mut change) = (self.evaluate(&self.programs().diffusion, t, y), y.zeros());
+        for (column, increment) in entries.chunks(y.as_ref().len().max(1)).zip(increments) {
+            let factors = change.as_mut().iter_mut().zip(column);
+            factors.for_each(|(entry, factor)| *entry += factor * increment);
+        }
+        change
     }
 
     fn jacobian(&self, t: f64, y: &Inline<CAPACITY>) -> Option<Rows<CAPACITY>> {

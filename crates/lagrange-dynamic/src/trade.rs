@@ -30,7 +30,7 @@ impl Visitor for Contest<'_> {
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Report {
         let from = |entries: &[f64]| system.state(entries);
         let to = |state: &Inline<CAPACITY>| state.as_ref().to_vec();
-        let [verner, radau, rk4, gauss] = NAMES;
+        let [verner, radau, rk4, gauss, ..] = NAMES;
         Trade::without_methods(self.name, self.start.to_vec(), self.end)
             .longest(self.longest)
             .method(verner, system, Knob::Tolerance, Verner98::tolerance, (from, to))

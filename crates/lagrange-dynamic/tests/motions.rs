@@ -6,7 +6,9 @@ mod systems;
 use std::fmt::Debug;
 
 use lagrange::Simulate;
-use lagrange::integrate::{PlainGaussLegendre, Radau5, RungeKutta4};
+use lagrange::integrate::{
+    EulerMaruyama, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, WienerPath,
+};
 use lagrange::simulate::{SimulationError, Trajectory};
 use lagrange::system::{Description, MechanicalSystem};
 use lagrange_core::derive::StrategyChoice;
@@ -69,7 +71,14 @@ macro_rules! visit_by {
     )*};
 }
 
-visit_by!(lagrange::integrate::Verner98<f64>, RungeKutta4<f64>, Radau5<f64>, PlainGaussLegendre<f64, 2>);
+visit_by!(
+    lagrange::integrate::Verner98<f64>,
+    RungeKutta4<f64>,
+    Radau5<f64>,
+    PlainGaussLegendre<f64, 2>,
+    EulerMaruyama<f64>,
+    StochasticRungeKutta4<f64>
+);
 
 /// Compares both ways from a state to a time, by a method, and the kind of their end.
 macro_rules! assert_same_bits {
@@ -114,6 +123,15 @@ fn discrete_states_and_clocks_move_with_the_same_bits() {
     assert_same_bits!(Room, ROOM, start, 3.0, adaptive());
     assert_same_bits!(Room, ROOM, start, 3.0, RungeKutta4 { step: 0.03 });
     assert_same_bits!(Room, ROOM, [0.0; 7], -1.0, adaptive(), "");
+}
+
+#[test]
+fn noise_events_and_clocks_go_together_with_the_same_bits() {
+    let (start, path) = ([0.0, 0.5, 0.0, 0.0, 0.0, 0.0], WienerPath::of_seed(3));
+    assert_same_bits!(Shaken, SHAKEN, start, 3.0, EulerMaruyama { step: 0.01, path });
+    assert_same_bits!(Shaken, SHAKEN, start, 3.0, StochasticRungeKutta4 { step: 0.02, path });
+    assert_same_bits!(Shaken, SHAKEN, start, 3.0, adaptive(), "Failed");
+    assert_same_bits!(Shaken, SHAKEN, start, -1.0, EulerMaruyama { step: 0.01, path }, "Failed");
 }
 
 #[test]

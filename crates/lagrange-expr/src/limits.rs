@@ -87,3 +87,6 @@ pub const MAX_OPERATIONS: usize = 2_000_000;
 
 /// Operations from which on compiling takes more than about five seconds, which is worth a warning.
 pub const MANY_OPERATIONS: usize = 80_000;
+
+/// White noises, whose increments methods of integration keep without a heap.
+pub const MAX_NOISES: usize = 16;

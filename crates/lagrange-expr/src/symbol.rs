@@ -13,6 +13,8 @@ pub enum Role {
     Parameter(u32),
     /// A control: like a parameter for the calculus, but its rate is unknown.
     Input(u32),
+    /// A white noise, whose values are not those of a function of time.
+    Noise(u32),
     /// Time `t`.
     Time,
     /// A position: a generalised coordinate, or a component of a unit quaternion.

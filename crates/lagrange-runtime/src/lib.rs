@@ -49,6 +49,7 @@ mod linalg;
 pub mod linear;
 #[cfg(feature = "linear")]
 pub mod orbits;
+mod random;
 pub mod root;
 pub mod run;
 pub mod scalar;

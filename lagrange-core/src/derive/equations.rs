@@ -2,6 +2,7 @@
 
 use super::conserved::add_conserved;
 use super::constraints::ConstraintEquations;
+use super::diffusion::Diffusion;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
 use super::elimination::solution::{Solution, push_down};
@@ -65,6 +66,8 @@ pub struct Equations {
     pub frame_jacobians: Vec<Vec<ExprId>>,
     /// Columns of the regressor of the inverse dynamics; none unless requested.
     pub regressor: Regressor,
+    /// Diffusions of the noises, which everything else excludes.
+    pub diffusion: Diffusion,
     /// Structure found in the system.
     pub structure: Structure,
     /// Surfaces on which what determines the motion is not smooth.
@@ -141,6 +144,7 @@ impl Equations {
         }
         let wants_regressor = model.products.contains(&Product::Regressor);
         let regressor = if wants_regressor { Regressor::new(model) } else { Regressor::default() };
+        let diffusion = Diffusion::new(model, &mut forms);
         let wants_series = model.products.contains(&Product::Taylor);
         let series = wants_series.then(|| SeriesEquations::new(model, &split, &constraints));
         let (mass_matrix, forcing) = forms.into_sides(model, &split);
@@ -159,6 +163,7 @@ impl Equations {
             products,
             frame_jacobians: frame_jacobians(model),
             regressor,
+            diffusion,
             structure,
             switches: Vec::new(),
             labels,
@@ -166,7 +171,10 @@ impl Equations {
         if model.accuracy == Accuracy::Strict {
             equations.contract(model);
         }
-        equations.switches = Switch::find(model, &equations.of_motion(model), &solution.guards);
+        // Between two steps, noise passes a surface any number of times.
+        if model.noises.is_empty() {
+            equations.switches = Switch::find(model, &equations.of_motion(model), &solution.guards);
+        }
         Ok(equations)
     }
 

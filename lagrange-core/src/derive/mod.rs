@@ -99,6 +99,7 @@ mod constraints;
 mod cost;
 mod coupling;
 mod curvature;
+mod diffusion;
 mod displacements;
 mod elimination;
 mod energy_function;
@@ -138,6 +139,7 @@ use undetermined::undetermined;
 
 pub use constraints::ConstraintEquations;
 pub use coupling::most_coupled;
+pub use diffusion::{Diffusion, DiffusionKind};
 pub use equations::Equations;
 pub use regressor::{Regressor, RegressorColumn};
 pub use responses::{Affine, ReactionEquations};

@@ -163,7 +163,7 @@ fn cyclic_coordinates(model: &mut Model) -> Vec<usize> {
 
 fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
     let assigns = model.events.iter().any(|event| matches!(event.action, Action::Assign(_)));
-    if assigns || !model.clocks.is_empty() {
+    if assigns || !model.clocks.is_empty() || !model.noises.is_empty() {
         return Vec::new();
     }
     let velocities = model.velocities();

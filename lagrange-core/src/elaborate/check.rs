@@ -8,6 +8,7 @@ use super::gibbs::total_gibbs;
 use super::ignored::Terms;
 use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
+use super::noise::{check_noise, separate_noises};
 use super::opaque::report_uncalled;
 use super::reductions::check_reductions;
 use super::scalar_range::largest;
@@ -72,6 +73,7 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_reduced_constraints(elaborator);
     check_stabilisation(elaborator);
     check_reduced_events(elaborator);
+    check_noise(elaborator);
 }
 
 fn check_header(elaborator: &mut Elaborator<'_>) {
@@ -252,7 +254,7 @@ fn check_hessian(elaborator: &mut Elaborator<'_>) {
 /// systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
     let has_regressor = elaborator.products().contains(&Product::Regressor);
-    let groups: [(bool, &[&str]); 8] = [
+    let groups: [(bool, &[&str]); 9] = [
         (!elaborator.declaration.has_start(), &["start"]),
         (elaborator.declaration.ranges().next().is_none(), &["check_parameters"]),
         (elaborator.velocities_are_rates(), &["position_rates"]),
@@ -263,6 +265,7 @@ fn check_output_names(elaborator: &mut Elaborator<'_>) {
         (elaborator.reactions.is_empty(), &["reactions"]),
         (elaborator.events.is_empty(), &["event_functions"]),
         (elaborator.clocks.is_empty(), &["clock_periods"]),
+        (elaborator.noises.is_empty(), &["diffusion"]),
         (!has_regressor, &["regressor_parameters", "REGRESSOR_PARAMETERS"]),
     ];
     let taken = groups.into_iter().filter(|(is_absent, _)| !is_absent).flat_map(|(_, names)| names);
@@ -338,6 +341,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
     let gibbs = total_gibbs(&mut elaborator);
     let products = elaborator.products();
     let start = initial_state(&mut elaborator);
+    let noises = separate_noises(&mut elaborator);
     let states = positions_of_states(&elaborator);
     let mut labels = elaborator.labels;
     // Rates of what has a name occur in the equations whether or not the user wrote them.
@@ -357,6 +361,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         graph: elaborator.evaluator.graph,
         parameters: elaborator.parameters,
         inputs: elaborator.inputs,
+        noises,
         coordinates: coordinates.chain(states).collect(),
         speeds: elaborator.speeds.into_iter().map(|(speed, _)| speed).collect(),
         orientations: elaborator.orientations,

@@ -26,7 +26,7 @@ pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Dependencies that a constant value must not have, the most telling first.
-const CHANGING: [Dependencies; 9] = [
+const CHANGING: [Dependencies; 10] = [
     Dependencies::MULTIPLIER,
     Dependencies::REACTION,
     Dependencies::ACCELERATION,
@@ -35,6 +35,7 @@ const CHANGING: [Dependencies; 9] = [
     Dependencies::STATE,
     Dependencies::DISCRETE,
     Dependencies::INPUT,
+    Dependencies::NOISE,
     Dependencies::TIME,
 ];
 
@@ -60,6 +61,13 @@ pub(super) struct DeclaredState {
     pub(super) is_coupled: bool,
 }
 
+/// A declared noise.
+pub(super) struct DeclaredNoise {
+    pub(super) name: Name,
+    pub(super) symbol: ExprId,
+    pub(super) density: ExprId,
+}
+
 /// An equation for rates of states that is not solved yet.
 #[derive(Clone, Debug)]
 pub(super) struct RateEquation {
@@ -76,6 +84,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) declaration: &'a Declaration,
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
+    pub(super) noises: Vec<DeclaredNoise>,
     /// Ranges of parameters so far, by their bounds in the syntax tree.
     pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
@@ -132,6 +141,7 @@ impl<'a> Elaborator<'a> {
             declaration,
             parameters: Vec::new(),
             inputs: Vec::new(),
+            noises: Vec::new(),
             ranges: Vec::new(),
             coordinates: Vec::new(),
             states: Vec::new(),

@@ -197,6 +197,12 @@ impl<'a> Evaluator<'a> {
                 error.help(messages::solve::RATE_HELP);
                 return None;
             }
+            if self.graph.dependencies(component).intersects(Dependencies::NOISE) {
+                let (place, name) = self.blame(origin, Dependencies::NOISE);
+                let error = self.report.error(place, messages::noise::rate(&name));
+                error.help(messages::noise::MISPLACED_HELP);
+                return None;
+            }
             if self.graph.dependencies(component).intersects(Dependencies::INPUT) {
                 let (place, name) = self.blame(origin, Dependencies::INPUT);
                 self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);

@@ -54,7 +54,11 @@ fn event_function(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option
     let kinds = &[Dependencies::REACTION];
     elaborator.forbid(kinds, (syntax, value), messages::EVENT_FUNCTION, messages::EVENT_FUNCTION_HELP)?;
     let state = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::VELOCITY;
-    let changing = state | Dependencies::INPUT | Dependencies::ACCELERATION | Dependencies::MULTIPLIER;
+    let changing = state
+        | Dependencies::INPUT
+        | Dependencies::NOISE
+        | Dependencies::ACCELERATION
+        | Dependencies::MULTIPLIER;
     if elaborator.evaluator.graph.dependencies(value).intersects(changing) {
         return Some(value);
     }

@@ -8,6 +8,7 @@ use lagrange_language::syntax::ast::ArrayShape;
 pub(super) mod events;
 pub(super) mod inertia;
 pub(super) mod names;
+pub(super) mod noise;
 pub(super) mod partials;
 pub(super) mod ranges;
 pub(super) mod scene;

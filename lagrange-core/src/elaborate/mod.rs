@@ -25,6 +25,7 @@ mod inertia;
 mod loads;
 mod magnitudes;
 mod messages;
+mod noise;
 mod numbers;
 mod obligations;
 mod opaque;

@@ -121,6 +121,7 @@ impl<'a> Reducer<'a> {
             stabilisation: None,
             events: Vec::new(),
             clocks: Vec::new(),
+            noises: Vec::new(),
             reactions: Vec::new(),
             outputs,
             scene,

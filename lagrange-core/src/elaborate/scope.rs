@@ -13,6 +13,7 @@ use lagrange_language::syntax::ast::Name;
 pub(super) enum NameKind {
     Parameter,
     Input,
+    Noise,
     Constant,
     Coordinate,
     State,
@@ -41,6 +42,7 @@ impl NameKind {
         match self {
             NameKind::Parameter => "parameter",
             NameKind::Input => "input",
+            NameKind::Noise => "noise",
             NameKind::Constant => "constant",
             NameKind::Coordinate => "coordinate",
             NameKind::State => "state",
@@ -63,8 +65,8 @@ impl NameKind {
 
     /// True if a name of this kind that nobody mentions is likely a mistake.
     fn should_be_used(self) -> bool {
-        use NameKind::{Abbreviation, Constant, Input, Parameter, Unknown};
-        matches!(self, Parameter | Input | Constant | Abbreviation | Unknown)
+        use NameKind::{Abbreviation, Constant, Input, Noise, Parameter, Unknown};
+        matches!(self, Parameter | Input | Noise | Constant | Abbreviation | Unknown)
     }
 }
 

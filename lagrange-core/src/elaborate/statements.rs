@@ -9,6 +9,7 @@ use super::expression::value_of;
 use super::gibbs::add_gibbs;
 use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
 use super::messages;
+use super::noise::define_noise;
 use super::operand::Operand;
 use super::rate_equations::add_rate_equation;
 use super::reactions::add_friction;
@@ -47,6 +48,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Inputs(list) => {
             list.iter().for_each(|d| define_parameter(elaborator, d, NameKind::Input));
         }
+        StatementKind::Noises(list) => list.iter().for_each(|d| define_noise(elaborator, d)),
         StatementKind::Constants(list) => list.iter().for_each(|d| define_constant(elaborator, d)),
         StatementKind::Coordinates(list) => {
             for definition in list {

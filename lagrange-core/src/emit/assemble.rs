@@ -21,6 +21,7 @@ use super::features::kernel::{self as kernels, write_kernel};
 use super::features::lanes::write_lanes;
 use super::features::laws::write_tests;
 use super::features::missing::missing_derivatives;
+use super::features::noise::write_diffusion;
 use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
@@ -90,6 +91,7 @@ fn assembled(
     write_events(&mut writer);
     write_switches(&mut writer);
     write_clocks(&mut writer);
+    write_diffusion(&mut writer);
     write_products(&mut writer);
     write_outputs(&mut writer);
     write_scene(&mut writer);

@@ -16,6 +16,7 @@ use super::features::kernel::kernel_impl;
 use super::features::lanes::with_lanes;
 use super::features::laws::lagrangian_impl;
 use super::features::linearised::linearised_impl;
+use super::features::noise::noise_members;
 use super::features::orientations::{orientation_members, position_rates};
 use super::features::parametric::parametric_impl;
 use super::features::ports::units_of_outputs;
@@ -84,7 +85,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let undefined = undefined_member(shape, members);
     let (constrained, events) = (correct_members(shape, members), event_members(shape, members));
     let timed = timed_members(shape, members, next_tick(shape, members));
-    let clocks = clock_members(shape, members);
+    let (clocks, noise) = (clock_members(shape, members), noise_members(shape, members));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -100,6 +101,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #events
             #timed
             #clocks
+            #noise
         }
     }
 }

@@ -25,6 +25,8 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Inputs in declaration order.
     pub inputs: Vec<Parameter>,
+    /// White noises in declaration order; forces and rates of the model exclude them.
+    pub noises: Vec<Noise>,
     /// Positions in state order: generalised coordinates and components of unit quaternions, at
     /// least one, then first-order states.
     pub coordinates: Vec<Coordinate>,
@@ -118,6 +120,19 @@ pub struct Parameter {
     pub default: Option<ExprId>,
     /// The lower and the upper bound of its values.
     pub range: [Option<Bound>; 2],
+}
+
+/// A white noise.
+#[derive(Clone, Debug)]
+pub struct Noise {
+    /// Its name.
+    pub name: String,
+    /// Its two-sided spectral density.
+    pub density: ExprId,
+    /// A velocity and the force along it per unit of the noise, for each load.
+    pub loads: Vec<(ExprId, ExprId)>,
+    /// A state and its rate per unit of the noise, for each state.
+    pub rates: Vec<(ExprId, ExprId)>,
 }
 
 /// A bound of the values of a parameter.

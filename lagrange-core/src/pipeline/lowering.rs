@@ -71,6 +71,9 @@ impl<'a> Lowering<'a> {
             position_rates: self.on_sides(&rates),
             accelerations: self
                 .on_sides(&[&equations.accelerations[..], &beside(equations), &growth].concat()),
+            noises: self.model.noises.iter().map(|noise| noise.name.clone()).collect(),
+            diffusion: self.on_sides(&equations.diffusion.columns.concat()),
+            diffusion_kind: equations.diffusion.kind,
             multipliers: self.on_sides(&with_growth(&equations.constraints.multipliers)),
             growths: growth.len(),
             is_redundant: equations.constraints.is_redundant,

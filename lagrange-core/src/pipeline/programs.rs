@@ -6,6 +6,7 @@
 //! of the programs are those of emitted code, so that results have the same bits.
 
 use super::drawn::DrawnScene;
+use crate::derive::DiffusionKind;
 use crate::emit::Variables;
 use crate::model::Product;
 use lagrange_algebra::program::{NewtonProgram, Op, Program};
@@ -34,6 +35,12 @@ pub struct Programs {
     /// Accelerations, perhaps more values that emitted code computes with them, and at the end the
     /// growth of rounding errors in their computation.
     pub accelerations: Program,
+    /// Names of the noises.
+    pub noises: Vec<String>,
+    /// Diffusions of the noises, in rows.
+    pub diffusion: Program,
+    /// Their dependence on the state.
+    pub diffusion_kind: DiffusionKind,
     /// Multipliers, followed by the same growth.
     pub multipliers: Program,
     /// Number of these values of growth.
@@ -161,7 +168,7 @@ impl Layout {
             Role::Side(i) => Place::Parameter(sides + i as usize),
             Role::Multiplier(i) => Place::Parameter(multipliers + i as usize),
             Role::Acceleration(i) => Place::Parameter(multipliers + self.multipliers + i as usize),
-            Role::Reaction(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
+            Role::Noise(_) | Role::Reaction(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
         })
     }
 
@@ -182,7 +189,7 @@ impl Programs {
         let of_motion = [&self.position_rates, &self.accelerations, &self.multipliers, &self.undivided];
         let of_constraints =
             [&self.position_residuals, &self.correction, &self.mass_times, &self.regressor_parameters];
-        let of_events = [&self.switches, &self.event_functions, &self.unknown_values];
+        let of_events = [&self.switches, &self.event_functions, &self.unknown_values, &self.diffusion];
         let replaced = self.reactions.iter().filter_map(|reaction| match reaction {
             Reaction::Replace(program) => Some(program),
             _ => None,

@@ -4,6 +4,7 @@ mod frames;
 mod ignored;
 mod included;
 mod limits;
+mod noise;
 mod numbers;
 mod scenes;
 mod spatial_scenes;

@@ -157,7 +157,7 @@ impl<'v, 'n> View<'v, 'n> {
     fn place_of_factor(&self, id: ExprId) -> (u8, u32, ExprId) {
         let (class, index) = match self.symbol(id).map(|symbol| symbol.role) {
             Some(Role::Parameter(index)) => (2, index),
-            Some(Role::Input(index)) => (3, index),
+            Some(Role::Input(index) | Role::Noise(index)) => (3, index),
             Some(Role::Time) => (4, 0),
             Some(Role::Coordinate(index) | Role::State(index) | Role::Discrete(index)) => (5, index),
             Some(Role::Velocity(index)) => (7, index),

@@ -25,7 +25,7 @@ impl Variability {
     pub fn of_role(role: Role) -> Variability {
         match role {
             Role::Parameter(_) => Variability::Constant,
-            Role::Input(_) => Variability::Input,
+            Role::Input(_) | Role::Noise(_) => Variability::Input,
             Role::Time
             | Role::Coordinate(_)
             | Role::State(_)
@@ -45,7 +45,7 @@ impl Variability {
             (Dependencies::ACCELERATION, Variability::Acceleration),
             (Dependencies::VELOCITY, Variability::Velocity),
             (position, Variability::Position),
-            (Dependencies::INPUT, Variability::Input),
+            (Dependencies::INPUT | Dependencies::NOISE, Variability::Input),
         ];
         let dependencies = graph.dependencies(id);
         let strongest = kinds.iter().find(|(kind, _)| dependencies.intersects(*kind));

@@ -84,7 +84,7 @@ fn of_role(role: Role) -> Kind {
         Role::Parameter(_) | Role::Input(_) | Role::Discrete(_) | Role::Side(_) => Kind::Fixed,
         Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Velocity(_) => Kind::Moving,
         Role::Acceleration(_) | Role::Multiplier(_) | Role::Placeholder(_) => Kind::Accelerated,
-        Role::Reaction(_) | Role::Operand(_) => Kind::Unknown,
+        Role::Noise(_) | Role::Reaction(_) | Role::Operand(_) => Kind::Unknown,
     }
 }
 

@@ -85,6 +85,7 @@ fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
             Role::State(index) => (11.0, index),
             Role::Operand(index) => (12.0, index),
             Role::Discrete(index) => (13.0, index),
+            Role::Noise(index) => (14.0, index),
         };
         // Multiples of the golden ratio modulo one keep apart, whatever the number of symbols.
         let golden = (f64::from(index) + 0.171 * kind) * 0.618_033_988_749_895;

@@ -59,6 +59,7 @@ pub fn somewhere(role: Role) -> f64 {
         Role::State(i) => (10, i),
         Role::Operand(i) => (11, i),
         Role::Discrete(i) => (12, i),
+        Role::Noise(i) => (13, i),
     };
     0.5 + (f64::from(7 * index + kind + 1) * GOLDEN_RATIO).fract()
 }

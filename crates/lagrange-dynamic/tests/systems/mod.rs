@@ -40,6 +40,23 @@ both_ways! {
         potential = sum(i in 0..5, cos(x[i])) + 1/2 * sum(i in 0..4, (x[i + 1] - x[i])^4);
     }
 
+    Shaken = SHAKEN {
+        param size = 1.5, period = 0.17;
+        coord x = 0, theta;
+        state current;
+        discrete held = 0;
+        noise push, density: size^2;
+        noise voltage[2], density: [0.1, 0.2];
+        let (px, py) = (x + sin(theta), -cos(theta));
+        kinetic = 1/2 * dot(x)^2 + 1/2 * (dot(px)^2 + dot(py)^2);
+        potential = 5 * py + x^2;
+        force x = push + held;
+        force theta = current;
+        dot(current) = voltage[0] - 2 * voltage[1] * cos(theta) - current;
+        event far = x - 0.1, rising => record;
+        every period => { held = -dot(x); }
+    }
+
     Room = ROOM {
         param low = 19.8, high = 20.2, period = 0.1;
         coord x = 0;

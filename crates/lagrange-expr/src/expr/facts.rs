@@ -34,6 +34,8 @@ impl Dependencies {
     pub const STATE: Dependencies = Dependencies(512);
     /// Depends on a discrete state.
     pub const DISCRETE: Dependencies = Dependencies(1024);
+    /// Depends on a white noise.
+    pub const NOISE: Dependencies = Dependencies(2048);
     /// Contains a place holder of an unfinished computation.
     pub const PLACEHOLDER: Dependencies = Dependencies(64);
 
@@ -62,6 +64,7 @@ impl Dependencies {
         match role {
             Role::Parameter(_) => Dependencies::PARAMETER,
             Role::Input(_) => Dependencies::INPUT,
+            Role::Noise(_) => Dependencies::NOISE,
             Role::Time => Dependencies::TIME,
             Role::Coordinate(_) => Dependencies::COORDINATE,
             Role::State(_) => Dependencies::STATE,

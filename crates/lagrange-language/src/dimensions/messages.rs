@@ -43,6 +43,7 @@ messages! {
     stands_for(name) = "`{name}` is #";
     force_on(name) = "the force on `{name}` is %";
     rate_of(name) = "the rate of `{name}` is #";
+    density_of(name) = "the density of the noise `{name}`, its square times a time, is #";
     limit(name) = "the force of `{name}` is %";
     labelled(what) = "{what} is #";
     MOMENT = "a moment (N*m)";

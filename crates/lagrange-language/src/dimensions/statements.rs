@@ -81,7 +81,10 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let values = list.iter().filter_map(|definition| Some((&definition.name, definition.value?)));
             values.for_each(|(name, value)| checker.define_constant(&name.text, value));
         }
-        (StatementKind::Coordinates(list) | StatementKind::States(_, list), DimensionPass::Declare) => {
+        (
+            StatementKind::Coordinates(list) | StatementKind::States(_, list) | StatementKind::Noises(list),
+            DimensionPass::Declare,
+        ) => {
             for Definition { name, .. } in list {
                 let form = declared(checker, name);
                 checker.scope.insert(name.text.clone(), Measure::known(form));
@@ -91,6 +94,9 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             for Name { text, .. } in [&mode.name].into_iter().chain(&mode.values) {
                 checker.scope.insert(text.clone(), Measure::known(form([0; 7])));
             }
+        }
+        (StatementKind::Noises(list), DimensionPass::Require) => {
+            list.iter().for_each(|definition| demand_of_noise(checker, definition));
         }
         (StatementKind::Coordinates(list) | StatementKind::States(_, list), DimensionPass::Require) => {
             for Definition { name, value, .. } in list {
@@ -254,7 +260,10 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             | StatementKind::Reduce(_),
             DimensionPass::Declare | DimensionPass::Abbreviate,
         )
-        | (StatementKind::Coordinates(_) | StatementKind::States(..), DimensionPass::Abbreviate)
+        | (
+            StatementKind::Coordinates(_) | StatementKind::States(..) | StatementKind::Noises(_),
+            DimensionPass::Abbreviate,
+        )
         | (StatementKind::Mode(_), DimensionPass::Abbreviate | DimensionPass::Require)
         | (StatementKind::Start(_), DimensionPass::Declare | DimensionPass::Abbreviate)
         | (StatementKind::Friction(_), DimensionPass::Declare)
@@ -290,6 +299,14 @@ fn work(checker: &mut Checker<'_>, force: AstId, along: &Measure, reason: &Groun
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let expected = along.map(|form| work.over(form));
     checker.require(force, &expected, reason);
+}
+
+/// The density of a noise is its square times time.
+fn demand_of_noise(checker: &mut Checker<'_>, Definition { name, value, .. }: &Definition) {
+    let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+    let density = known.map(|form| form.times(form).times(&self::form(TIME)));
+    let reason = Grounds { words: messages::density_of(&name.text), place: Origin::from(name.span) };
+    require_start(checker, *value, &density, &reason);
 }
 
 fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {

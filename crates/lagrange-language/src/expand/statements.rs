@@ -14,8 +14,8 @@ use crate::syntax::ast::{
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
 
-/// The statements that one instance stands for: one, but for quaternions and modes that are
-/// declared together, and none if it is wrong.
+/// The statements that one instance stands for: one, but for quaternions, noises and modes
+/// that are declared together, and none if it is wrong.
 pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Vec<Statement> {
     let Instance { statement, scope, lines } = instance;
     let (statement, scope) = (*statement, *scope);
@@ -26,6 +26,10 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
     let kind = match &statement.kind {
         StatementKind::Parameters(list) => StatementKind::Parameters(definitions(copier, list, scope)),
         StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
+        StatementKind::Noises(list) => {
+            let elements = definitions(copier, list, scope).into_iter();
+            return elements.map(|element| with(StatementKind::Noises(vec![element]))).collect();
+        }
         StatementKind::Constants(list) => StatementKind::Constants(definitions(copier, list, scope)),
         StatementKind::Coordinates(list) => StatementKind::Coordinates(definitions(copier, list, scope)),
         StatementKind::States(kind, list) => StatementKind::States(*kind, definitions(copier, list, scope)),

@@ -243,7 +243,7 @@ impl Parser<'_> {
     }
 
     /// A value behind the equals sign of a definition. Only arrays have lists as values.
-    fn default(&mut self, is_array: bool, cursor: &mut Cursor) -> AstId {
+    pub(super) fn default(&mut self, is_array: bool, cursor: &mut Cursor) -> AstId {
         let group = cursor.group(Delimiter::Bracket).filter(|_| is_array).cloned();
         let Some(group) = group else { return self.item_value(cursor) };
         let start = cursor.position();

@@ -114,6 +114,7 @@ messages! {
     constant_without_value(name) = "the constant {} needs a value", quoted(name);
     CONSTANT_WITHOUT_VALUE_HELP =
         "write `const name = value;`, or `param name;` for a value known only when the program runs";
+    noise_without_density(name) = "the noise {} needs a spectral density", quoted(name);
     ONE_COMPONENT = "a vector has two or more components, not 1";
     statement_keyword_as_name(name) = "{} begins a statement and cannot be a name", quoted(name);
     rust_keyword_as_name(name) = "{} is a Rust keyword and cannot be a name", quoted(name);

@@ -45,6 +45,7 @@ mod literals;
 mod messages;
 mod mobilizers;
 mod names;
+mod noise;
 mod options;
 mod parser;
 mod parts;

@@ -71,6 +71,11 @@ impl Printer<'_> {
         match kind {
             StatementKind::Parameters(list) => self.definitions("param ", list),
             StatementKind::Inputs(list) => self.definitions("input ", list),
+            StatementKind::Noises(list) => self.list(list, |printer, Definition { name, value, .. }| {
+                printer.text("noise ");
+                printer.name(name);
+                value.iter().for_each(|density| printer.labelled(", density: ", *density));
+            }),
             StatementKind::Constants(list) => self.definitions("const ", list),
             StatementKind::Coordinates(list) => self.definitions("coord ", list),
             StatementKind::States(kind, list) => self.definitions(&format!("{} ", kind.keyword()), list),

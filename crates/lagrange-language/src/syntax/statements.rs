@@ -92,6 +92,7 @@ impl Parser<'_> {
         match text.as_str() {
             "param" => Ok(StatementKind::Parameters(self.definitions("param", cursor))),
             "input" => Ok(StatementKind::Inputs(self.definitions("input", cursor))),
+            "noise" => Ok(StatementKind::Noises(vec![self.noise(cursor)?])),
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates("coord", cursor))),
             "state" => Ok(StatementKind::States(StateKind::FirstOrder, self.coordinates("state", cursor))),

@@ -97,6 +97,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
     match kind {
         StatementKind::Parameters(list) => format!("param {}", definitions(list)),
         StatementKind::Inputs(list) => format!("input {}", definitions(list)),
+        StatementKind::Noises(list) => format!("noise {}", definitions(list)),
         StatementKind::Constants(list) => format!("const {}", definitions(list)),
         StatementKind::Coordinates(list) => format!("coord {}", definitions(list)),
         StatementKind::States(kind, list) => format!("{} {}", kind.keyword(), definitions(list)),

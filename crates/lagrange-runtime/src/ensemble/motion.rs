@@ -184,7 +184,8 @@ where
         if plan.settings.interval().is_none() {
             plan.settings.sampling = sampling;
         }
-        Simulation::new(system, state, plan, (self.method.clone(), self.drive.for_motion(system, &state)))
+        let method = self.method.clone().of_motion(index);
+        Simulation::new(system, state, plan, (method, self.drive.for_motion(system, &state)))
     }
 
     /// Returns the columns of a motion at a time and state.

@@ -1,16 +1,13 @@
 //! Random numbers that are a function of a seed and of the index of a motion.
 //!
-//! Philox4x32-10: a counter goes through ten rounds of multiplication and exclusive or, keyed by
-//! the seed. Nothing is carried from motion to motion, so that every motion has its numbers whoever
-//! computes it, and when.
-//!
-//! Source: Salmon, Moraes, Dror, Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC'11, §3.3,
-//! and the vectors of Random123.
+//! Nothing is carried from motion to motion, so that every motion has its numbers whoever computes
+//! it, and when.
 
-use core::f64::consts::TAU;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::ops::Range;
+
+use crate::random::{Stream, normals, unit};
 
 /// The random numbers of one motion for one purpose P: a sequence that its index and the seed of
 /// the ensemble determine, on every platform.
@@ -54,9 +51,8 @@ use core::ops::Range;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Random<P: Purpose = OfStart> {
-    key: [u32; 2],
-    index: u64,
-    /// The number of the next block: the purpose, and how many were taken.
+    stream: Stream,
+    /// Number of blocks that were taken.
     blocks: u64,
     /// The second half of the last block, if it is still to come.
     word: Option<u64>,
@@ -72,7 +68,7 @@ mod sealed {
     /// Purposes are those of this module.
     pub trait Sealed {
         /// Number that distinguishes the sequences of a purpose, below 256.
-        const NUMBER: u64;
+        const NUMBER: u8;
     }
 }
 
@@ -86,7 +82,7 @@ macro_rules! purposes {
             impl Purpose for $name {}
 
             impl sealed::Sealed for $name {
-                const NUMBER: u64 = $number;
+                const NUMBER: u8 = $number;
             }
         )*
     };
@@ -99,14 +95,8 @@ purposes! {
     OfParameters;
     2: /// Of [`Random`]: noise of inputs, controllers and measurements.
     OfNoise;
+    // 3 is that of Wiener paths (`integrate::wiener`).
 }
-
-const ROUNDS: u32 = 10;
-const MULTIPLIERS: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
-/// The golden ratio and √3 − 1, which are added to the key between rounds.
-const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
-/// 2⁻⁵³
-const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
 
 impl Random<OfStart> {
     /// Returns the numbers of the start of the motion `index` of an ensemble with this seed, from
@@ -138,7 +128,7 @@ impl Random<OfNoise> {
     /// solutions converge to those with white noise. They do so in the sense of Stratonovich where
     /// the factor of the noise depends on the state. The book states the order.
     ///
-    /// Source: Wong, Zakai, *On the convergence of ordinary integrals to stochastic integrals*,
+    /// Stream: Wong, Zakai, *On the convergence of ordinary integrals to stochastic integrals*,
     /// Ann. Math. Stat. 36 (1965).
     ///
     /// # Panics
@@ -152,16 +142,8 @@ impl Random<OfNoise> {
 
 impl<P: Purpose> Random<P> {
     fn of(seed: u64, index: usize) -> Self {
-        // No sequence has as many blocks as there are between those of two purposes.
-        let blocks = P::NUMBER << (u64::BITS - 8);
-        Random {
-            key: halves(seed),
-            index: index as u64,
-            blocks,
-            word: None,
-            normal: None,
-            purpose: PhantomData,
-        }
+        let stream = Stream { seed, motion: index as u64, purpose: P::NUMBER };
+        Random { stream, blocks: 0, word: None, normal: None, purpose: PhantomData }
     }
 
     /// Returns the next 64 bits.
@@ -169,11 +151,10 @@ impl<P: Purpose> Random<P> {
         if let Some(word) = self.word.take() {
             return word;
         }
-        let ([low, high], [index, above]) = (halves(self.blocks), halves(self.index));
+        let [word, next] = self.stream.block(self.blocks);
         self.blocks += 1;
-        let [a, b, c, d] = philox([low, high, index, above], self.key);
-        self.word = Some(joined(c, d));
-        joined(a, b)
+        self.word = Some(next);
+        word
     }
 
     /// Returns a number from the range, its end excluded, each part of it as likely as any other of
@@ -188,50 +169,22 @@ impl<P: Purpose> Random<P> {
             "there is no random number in {start:?}..{end:?}: its ends must be finite, and the first below the second"
         );
         // Rounding may lead to the end itself.
-        (start + (end - start) * self.unit()).min(end.next_down())
+        (start + (end - start) * unit(self.bits())).min(end.next_down())
     }
 
     /// Returns a number of the normal distribution with mean 0 and standard deviation 1; its
     /// magnitude is below 8.6.
     ///
-    /// Source: Box, Muller, *A note on the generation of random normal deviates*, Ann. Math. Stat.
+    /// Stream: Box, Muller, *A note on the generation of random normal deviates*, Ann. Math. Stat.
     /// 29 (1958).
     pub fn normal(&mut self) -> f64 {
         if let Some(normal) = self.normal.take() {
             return normal;
         }
-        // From zero excluded to one included, so that the logarithm is finite.
-        let radius = libm::sqrt(-2.0 * libm::log(self.unit() + UNIT));
-        let (sin, cos) = libm::sincos(TAU * self.unit());
-        self.normal = Some(radius * sin);
-        radius * cos
+        let [normal, next] = normals([self.bits(), self.bits()]);
+        self.normal = Some(next);
+        normal
     }
-
-    /// From 0 included to 1 excluded.
-    fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 * UNIT
-    }
-}
-
-/// Ten rounds.
-fn philox(counter: [u32; 4], key: [u32; 2]) -> [u32; 4] {
-    let ([mut a, mut b, mut c, mut d], [mut left, mut right]) = (counter, key);
-    for _ in 0..ROUNDS {
-        let [low, high] = halves(u64::from(MULTIPLIERS[0]) * u64::from(a));
-        let [lower, higher] = halves(u64::from(MULTIPLIERS[1]) * u64::from(c));
-        [a, b, c, d] = [higher ^ b ^ left, lower, high ^ d ^ right, low];
-        (left, right) = (left.wrapping_add(WEYL[0]), right.wrapping_add(WEYL[1]));
-    }
-    [a, b, c, d]
-}
-
-/// Lower and upper half.
-fn halves(word: u64) -> [u32; 2] {
-    [word as u32, (word >> 32) as u32]
-}
-
-fn joined(low: u32, high: u32) -> u64 {
-    u64::from(low) | u64::from(high) << 32
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::integrate::compensated::Compensated;
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, StateVector, StepFailure};
+use crate::system::{OdeSystem, SettingError, StateVector, StepFailure};
 
 /// Checks that time and state are finite, so that a motion can continue from them.
 #[inline]
@@ -20,8 +20,24 @@ pub(super) fn is_finite<S: Number>(value: S) -> S::Mask {
     (value * S::ZERO).less_equal(S::ZERO)
 }
 
-/// A state to start from, brought onto the constraints if it nearly satisfies them.
+const NOISE: &str = "the system has white noise, which only `EulerMaruyama` and `StochasticRungeKutta4` integrate, \
+     `maruyama` and `stochastic` in the command and in Python";
+
+/// A state to start from, brought onto the constraints if it nearly satisfies them, of a system
+/// without noise.
 pub(super) fn admitted<M: OdeSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+) -> Result<M::State, StepFailure<M::Scalar>> {
+    if system.noise().acts() {
+        return Err(SettingError::Invalid(NOISE).into());
+    }
+    admitted_with_noise(system, t, y)
+}
+
+/// A state to start from, as [`admitted`], of any system.
+pub(super) fn admitted_with_noise<M: OdeSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     y: &M::State,

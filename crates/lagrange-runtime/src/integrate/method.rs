@@ -56,6 +56,16 @@ pub trait Method<M: OdeSystem + ?Sized> {
         Err(SettingError::Invalid("this method has a fixed step size: reduce it instead"))
     }
 
+    /// Returns the method for the motion of an ensemble with this index. It differs from the method
+    /// itself only if that draws random numbers.
+    #[must_use]
+    fn of_motion(self, _index: usize) -> Self
+    where
+        Self: Sized,
+    {
+        self
+    }
+
     /// Calls a visitor if the method can take several motions in lanes.
     ///
     /// # Errors

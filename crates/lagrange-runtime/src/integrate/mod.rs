@@ -26,10 +26,12 @@ mod radau;
 mod rk4;
 mod splitting;
 mod stability;
+mod stochastic;
 mod taylor;
 mod undefined;
 mod variational;
 mod verner;
+mod wiener;
 
 pub use self::canonical::Hamiltonian;
 pub use self::error::{IntegrationError, Outcome};
@@ -44,8 +46,10 @@ pub use self::method::{
 pub use self::radau::{Radau5, RadauStepper};
 pub use self::rk4::{ClassicalLanes, RungeKutta4, rk4_step};
 pub use self::splitting::{BlanesMoan4, SplittingLanes, StormerVerlet, SymplecticEuler};
+pub use self::stochastic::{EulerMaruyama, StochasticRungeKutta4};
 pub use self::taylor::{Taylor, TaylorStepper};
 pub use self::undefined::{explained, undefined};
 pub use self::variational::Variational;
 pub use self::verner::{Verner98, VernerLanes, VernerLastStep, VernerStepper};
+pub use self::wiener::WienerPath;
 pub use crate::system::{EventSource, SettingError, StepFailure};

@@ -13,6 +13,7 @@ mod lanes;
 mod linearised;
 mod mechanical;
 mod message;
+mod noise;
 mod out_of_range;
 mod parametric;
 mod ports;
@@ -42,6 +43,7 @@ pub(crate) use self::mechanical::description_of_type;
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
 pub(crate) use self::message::{EventName, explain};
+pub use self::noise::{MOST_NOISES, NoiseKind, WhiteNoise};
 pub use self::out_of_range::OutOfRange;
 pub use self::parametric::{ParametricSystem, pick_columns};
 pub use self::ports::{ControlledSystem, OutputSystem};
@@ -133,6 +135,22 @@ pub trait OdeSystem {
         rates: &Self::State,
     ) -> Option<Undefined<Self::Scalar>> {
         Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)
+    }
+
+    /// Returns the number of white noises that act on the system and how they do. Without noise,
+    /// the default, every method of integration takes it; with noise only [stochastic
+    /// ones](crate::integrate::EulerMaruyama) do.
+    #[inline]
+    fn noise(&self) -> WhiteNoise {
+        WhiteNoise::NONE
+    }
+
+    /// Computes Σ gₖ(t, y) ΔWₖ for increments ΔWₖ of independent Wiener processes, one for each
+    /// noise. The equations are dy = f(t, y) dt + Σ gₖ(t, y) ∘ dWₖ, in the sense of Stratonovich.
+    /// Without the noises they are those of [`rhs`](Self::rhs), f.
+    #[inline]
+    fn diffuse(&self, _t: Self::Scalar, y: &Self::State, _increments: &[Self::Scalar]) -> Self::State {
+        y.zeros()
     }
 
     /// Computes ∂f/∂y in rows, with ∂fᵢ/∂yⱼ as entry i, j, if it is known. Emitted types know it if

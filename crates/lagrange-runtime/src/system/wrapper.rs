@@ -2,7 +2,7 @@
 
 use super::{
     Component, Description, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted, StateMatrix,
-    StateVector, Undefined, join, split,
+    StateVector, Undefined, WhiteNoise, join, split,
 };
 use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 
@@ -12,7 +12,8 @@ type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 /// A system that contains another one and has its own equations: with a control, with losses, or
 /// with more unknowns.
 ///
-/// Constraints, projection, events, contacts, friction and switches are those of the inner system.
+/// Constraints, projection, events, contacts, friction, switches and noise are those of the inner
+/// system.
 /// A type that contains a system and implements [`OdeSystem`] itself has none of them unless it
 /// forwards each. Implementing this trait provides `OdeSystem`. If the state is that of the inner
 /// system, it also provides [`MechanicalSystem`] and [`EnergyFunction`], provided that the inner
@@ -139,6 +140,17 @@ impl<W: Wrapper> OdeSystem for W {
             return Some(own);
         }
         self.present(t, y, |inner| inner.undefined(t, &inside, &part::<W>(rates))).or(Some(own))
+    }
+
+    #[inline]
+    fn noise(&self) -> WhiteNoise {
+        self.inner().noise()
+    }
+
+    #[inline]
+    fn diffuse(&self, t: InnerNumber<W>, y: &W::State, increments: &[InnerNumber<W>]) -> W::State {
+        let change = self.present(t, y, |inner| inner.diffuse(t, &part::<W>(y), increments));
+        replaced::<W>(&y.zeros(), &change)
     }
 
     #[inline]

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::shape::doc;
-use crate::derive::{Conserved, Equations, Strategy, Structure};
+use crate::derive::{Conserved, DiffusionKind, Equations, Strategy, Structure};
 use crate::model::Model;
 use lagrange_algebra::calculus::residuals as residuals_of;
 use lagrange_algebra::formula::{latex, text};
@@ -244,6 +244,9 @@ pub(in crate::emit) fn system_docs(
     if !model.reactions.is_empty() {
         lines.push(reaction_order(model));
     }
+    if !model.noises.is_empty() {
+        lines.push(noise_line(model, equations.diffusion.kind));
+    }
     if equations.constraints.is_redundant {
         lines.push(REDUNDANT.to_owned());
     }
@@ -255,6 +258,17 @@ pub(in crate::emit) fn system_docs(
     let when = if model.reactions.is_empty() { "" } else { " while no contact or friction acts" };
     lines.push(format!("- Cost of `acceleration`{when}: {}.", counts_text(counts)));
     lines
+}
+
+/// The noises and their interpretation.
+fn noise_line(model: &Model, kind: DiffusionKind) -> String {
+    let names = model.noises.iter().map(|noise| format!("`{}`", noise.name)).collect::<Vec<_>>().join(", ");
+    let kind = match kind {
+        DiffusionKind::Additive => "additive",
+        DiffusionKind::Unambiguous => "depending on components that no noise drives",
+        DiffusionKind::Multiplicative => "multiplicative, in the sense of Stratonovich",
+    };
+    format!("- Noise: {names}, {kind}. Only `diffusion` contains it.")
 }
 
 /// Documentation of the statements that those about rigid bodies stand for.

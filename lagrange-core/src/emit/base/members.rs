@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 
 use super::method::{ArgumentNames, Method};
+use crate::derive::DiffusionKind;
 use lagrange_algebra::code::Names;
 use lagrange_expr::opaque::Opaque;
 
@@ -25,6 +26,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) terms: TokenStream,
     /// Number of clocks.
     pub(in crate::emit) clocks: usize,
+    /// The noises, if there are any.
+    pub(in crate::emit) noise: Option<Noisy>,
     /// True if there are dampers beside contacts or friction.
     pub(in crate::emit) is_damped: bool,
     /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
@@ -87,6 +90,7 @@ impl Members {
             are_holonomic: Vec::new(),
             terms: TokenStream::new(),
             clocks: 0,
+            noise: None,
             is_damped: false,
             is_tested: false,
             switch_times: None,
@@ -113,6 +117,13 @@ impl Members {
             has_rounded_constants: false,
         }
     }
+}
+
+/// Noises of a system.
+#[derive(Clone, Copy)]
+pub(in crate::emit) struct Noisy {
+    pub(in crate::emit) count: usize,
+    pub(in crate::emit) kind: DiffusionKind,
 }
 
 /// A type that keeps what is computed of parameters alone.

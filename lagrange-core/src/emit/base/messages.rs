@@ -117,6 +117,8 @@ pub(in crate::emit) const NOTHING_LINEAR_HELP: &str =
     "declare masses, moments of inertia, stiffness or damping with `param`, or bodies; or remove it";
 pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or remove it";
 pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
+pub(in crate::emit) const NOISE: &str =
+    "noise, which only `EulerMaruyama` and `StochasticRungeKutta4` integrate";
 pub(in crate::emit) const FUNCTIONS: &str =
     "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
 pub(in crate::emit) const WITHOUT_DEFAULTS: &str = "parameters without a default, since tests need values";

@@ -126,6 +126,7 @@ impl<'a> Shape<'a> {
                 | StatementKind::States(..)
                 | StatementKind::Mode(_)
                 | StatementKind::Every(_)
+                | StatementKind::Noises(_)
                 | StatementKind::Quaternion(_)
                 | StatementKind::Velocity(..)
                 | StatementKind::Start(_)

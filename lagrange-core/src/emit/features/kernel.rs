@@ -23,11 +23,12 @@ use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
 /// Features that a kernel does not support.
-const EXCLUSIONS: [Exclusion; 5] = [
+const EXCLUSIONS: [Exclusion; 6] = [
     Exclusion::Contacts,
     Exclusion::Constraints,
     Exclusion::Events,
     Exclusion::Indefinite,
+    Exclusion::Noise,
     Exclusion::Functions,
 ];
 

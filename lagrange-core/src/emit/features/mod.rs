@@ -14,6 +14,7 @@ pub(super) mod lanes;
 pub(super) mod laws;
 pub(super) mod linearised;
 pub(in crate::emit) mod missing;
+pub(in crate::emit) mod noise;
 pub(super) mod orientations;
 pub(super) mod parametric;
 pub(super) mod ports;

@@ -44,6 +44,7 @@ pub struct Statement {
 /// ```text
 /// statement = attribute* "param" named [ allowed ] [ "=" sum ] { "," named [ allowed ] [ "=" sum ] } ";"
 ///           | "input" named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | "noise" named "," "density" ":" sum ";"
 ///           | "const" named "=" sum { "," named "=" sum } ";"
 ///           | ( "coord" | "state" | "discrete" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
 ///           | "mode" NAME "=" NAME "|" NAME { "|" NAME } ";"
@@ -111,6 +112,8 @@ pub enum StatementKind {
     Parameters(Vec<Definition>),
     /// `input u;`
     Inputs(Vec<Definition>),
+    /// `noise w, density: e;`: one noise, with its density as its value
+    Noises(Vec<Definition>),
     /// `const k = 1/2;`
     Constants(Vec<Definition>),
     /// `coord x, theta = 0.1;`, with initial values
@@ -202,7 +205,7 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, except those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 32] = [
+pub const KEYWORDS: [Keyword; 33] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`, or `coord x = 1;` with an initial value"),
@@ -215,6 +218,8 @@ pub const KEYWORDS: [Keyword; 32] = [
     Keyword::new("quaternion", "write `quaternion hip;`").before(Soft::Alone),
     Keyword::new("velocity", "write `velocity u = dot(x);`").before(Soft::Definition),
     Keyword::new("input", "write `input u;`"),
+    Keyword::new("noise", "write `noise w, density: d;`, with the spectral density d of the white noise w")
+        .before(Soft::List),
     Keyword::new(
         "let",
         "write `let name = e;`, `let (a, b) = (e, f);` for the components of a vector, or `let f(x, y) = e;` for a function",
@@ -272,7 +277,9 @@ impl StatementKind {
     fn names(&self) -> (Vec<&Name>, Reach) {
         match self {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
-            StatementKind::Constants(list) => (defined(list), Reach::Expressions),
+            StatementKind::Constants(list) | StatementKind::Noises(list) => {
+                (defined(list), Reach::Expressions)
+            }
             StatementKind::Coordinates(list) | StatementKind::States(_, list) => (defined(list), Reach::Both),
             StatementKind::Mode(mode) => (mode.names(), Reach::Both),
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
@@ -314,6 +321,7 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
+            | StatementKind::Noises(list)
             | StatementKind::Constants(list)
             | StatementKind::Coordinates(list)
             | StatementKind::States(_, list) => {
@@ -406,6 +414,7 @@ impl StatementKind {
                 let starts = starts.iter_mut().map(Some).chain(std::iter::repeat_with(|| None));
                 names.iter().zip(starts).collect()
             }
+            // The density of a noise is not a value of it.
             kind => kind.names().0.into_iter().map(|name| (name, None)).collect(),
         }
     }
@@ -416,6 +425,7 @@ impl StatementKind {
             self,
             StatementKind::Parameters(_)
                 | StatementKind::Inputs(_)
+                | StatementKind::Noises(_)
                 | StatementKind::Constants(_)
                 | StatementKind::Coordinates(_)
                 | StatementKind::States(..)

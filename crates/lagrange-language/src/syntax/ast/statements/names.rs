@@ -13,6 +13,7 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
+            | StatementKind::Noises(list)
             | StatementKind::Constants(list)
             | StatementKind::Coordinates(list)
             | StatementKind::States(_, list) => {

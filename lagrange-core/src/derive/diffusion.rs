@@ -1,0 +1,114 @@
+//! The diffusions of a model: what a unit of each white noise adds to the rates of the state.
+//!
+//! A noise w of the density S is √S dW/dt. The equations M v̇ = f + Σ wₖ dₖ and ż = h + Σ wₖ eₖ
+//! have the diffusions gₖ = √Sₖ (eₖ, M⁻¹ dₖ). M is factorised once for all of them.
+
+use super::cost::cost;
+use super::elimination::order::{eliminate_dense, eliminate_recursive};
+use super::forms::Forms;
+use super::sweep::Rotations;
+use crate::model::{Model, Noise};
+use lagrange_algebra::calculus::{adjoint, jacobian};
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::number::Number;
+
+/// Above this many velocities a full matrix is not factorised as a trial.
+const LARGEST_TRIAL: usize = 20;
+
+/// The diffusions of a model.
+#[derive(Clone, Default, Debug)]
+pub struct Diffusion {
+    /// The diffusion of each noise, with one entry for each of the state.
+    pub columns: Vec<Vec<ExprId>>,
+    /// Their dependence on the state.
+    pub kind: DiffusionKind,
+}
+
+/// Dependence of diffusions on the state.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum DiffusionKind {
+    /// None.
+    #[default]
+    Additive,
+    /// A dependence on what no noise drives.
+    Unambiguous,
+    /// Any other.
+    Multiplicative,
+}
+
+impl Diffusion {
+    /// The diffusions of a model without constraints.
+    pub(super) fn new(model: &mut Model, forms: &mut Forms) -> Diffusion {
+        if model.noises.is_empty() {
+            return Diffusion::default();
+        }
+        let accelerations = accelerations(model, forms);
+        let noises = model.noises.clone();
+        let columns = noises.iter().zip(&accelerations).map(|(noise, accelerations)| {
+            let positions = model.positions();
+            let rates = positions.iter().map(|position| rate(model, noise, *position)).collect::<Vec<_>>();
+            let root = (noise.density, Number::HALF);
+            let graph = &mut model.graph;
+            let scaled = |entry| graph.product([(entry, Number::ONE), root.clone()]);
+            rates.into_iter().chain(accelerations.iter().copied()).map(scaled).collect()
+        });
+        let columns = columns.collect::<Vec<_>>();
+        let kind = kind(model, &columns);
+        Diffusion { columns, kind }
+    }
+}
+
+/// The factor of a noise in the rate of a position.
+fn rate(model: &mut Model, noise: &Noise, position: ExprId) -> ExprId {
+    let found = noise.rates.iter().find(|(of, _)| *of == position);
+    found.map_or_else(|| model.graph.number(0), |(_, factor)| *factor)
+}
+
+/// The accelerations by a unit of each noise, in the cheaper of two ways to factorise M.
+fn accelerations(model: &mut Model, forms: &mut Forms) -> Vec<Vec<ExprId>> {
+    let velocities = model.velocities();
+    let noises = model.noises.clone();
+    let linear = noises.iter().map(|noise| {
+        let forces = adjoint(&mut model.graph, &noise.loads, &velocities);
+        forces.into_iter().map(|force| model.graph.negate(force)).collect::<Vec<_>>()
+    });
+    let linear = linear.collect::<Vec<_>>();
+    if velocities.is_empty() {
+        return linear;
+    }
+    let form = forms.form.clone();
+    let recursive = eliminate_recursive(&mut model.graph, form, &velocities, Rotations::Last);
+    let mut ways = recursive.into_iter().collect::<Vec<_>>();
+    if ways.is_empty() || velocities.len() <= LARGEST_TRIAL {
+        let pushed = forms.pushed(model).clone();
+        ways.extend(eliminate_dense(&mut model.graph, pushed, &velocities));
+    }
+    let graph = &mut model.graph;
+    let found = ways.iter().map(|way| {
+        let columns = linear.iter().map(|linear| way.solve_again(graph, linear, &velocities));
+        columns.collect::<Vec<_>>()
+    });
+    let found = found.collect::<Vec<_>>();
+    let costs = found.iter().map(|columns| cost(graph, &columns.concat())).collect::<Vec<_>>();
+    let cheapest = costs.into_iter().zip(found).min_by(|(one, _), (other, _)| one.total_cmp(other));
+    cheapest.map_or_else(Vec::new, |(_, columns)| columns)
+}
+
+/// The dependence of the diffusions g on the state. All (gⱼ·∇) gₖ vanish if no diffusion depends on
+/// an entry that one of them drives.
+fn kind(model: &mut Model, columns: &[Vec<ExprId>]) -> DiffusionKind {
+    let entries = columns.concat();
+    let state = Dependencies::COORDINATE | Dependencies::VELOCITY | Dependencies::STATE;
+    if !entries.iter().any(|&entry| model.graph.dependencies(entry).intersects(state)) {
+        return DiffusionKind::Additive;
+    }
+    let variables = [model.positions(), model.velocities()].concat();
+    let graph = &mut model.graph;
+    let is_driven = |index: &usize| columns.iter().any(|column| !graph.is_zero(column[*index]));
+    let driven = (0..variables.len()).filter(is_driven).map(|index| variables[index]).collect::<Vec<_>>();
+    let slopes = jacobian(graph, &entries, &driven).concat();
+    match slopes.iter().all(|&slope| graph.is_zero(slope)) {
+        true => DiffusionKind::Unambiguous,
+        false => DiffusionKind::Multiplicative,
+    }
+}
