@@ -162,7 +162,7 @@ pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
         && volume >= -slack * size * size
 }
 
-/// Checks that a body can move, since a fixed body does not depend on coordinates.
+/// Checks that a body is able to move.
 fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
     let mut components = Vec::new();
     for syntax in placed {

@@ -72,7 +72,7 @@ fn add_plane(elaborator: &mut Elaborator<'_>, name: &Name, slips: [ExprId; 2], l
     elaborator.declare(name, NameKind::Friction, Some(Operand::Vector(force)));
 }
 
-/// Declares a reaction; its name stands for its force. Returns true without errors.
+/// Declares a reaction, whose name stands for its force; false if its parts are invalid.
 fn add_reaction(
     elaborator: &mut Elaborator<'_>,
     name: &Name,
