@@ -36,8 +36,8 @@ pub(super) fn torque_item(elaborator: &mut Elaborator<'_>, name: &str, values: &
     shares.iter().map(item).collect()
 }
 
-/// Returns the bodies on which a moment has the power of a torque on an angle of this rate: all
-/// single bodies, or else all pairs.
+/// Returns the bodies on which a moment has the power of a torque on an angle of this rate: single
+/// bodies, or else pairs.
 fn turned(elaborator: &mut Elaborator<'_>, rate: ExprId) -> Vec<Shares> {
     let spins = elaborator.scene.motions.iter().map(BodyMotion::spin).collect::<Vec<_>>();
     let single = spins.iter().enumerate().map(|(body, &spin)| (vec![(body, false)], spin)).collect();
