@@ -30,7 +30,7 @@ pub(super) fn lagrangian_hessian(model: &mut Model) -> Vec<ExprId> {
     let state = [model.positions(), model.velocities()].concat();
     let slopes = gradient(&mut model.graph, model.lagrangian, &state);
     let mut rows = jacobian(&mut model.graph, &slopes, &state);
-    // Symmetric entries may be written differently, so both sides share one expression.
+    // Either side of the diagonal may be written in another way.
     for row in 1..rows.len() {
         for column in 0..row {
             rows[row][column] = rows[column][row];
