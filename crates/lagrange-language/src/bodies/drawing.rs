@@ -13,7 +13,7 @@ pub(super) struct Load<'a> {
 }
 
 impl Load<'_> {
-    /// A `force` or `torque` statement.
+    /// Creates the load of a `force` or `torque` statement.
     pub(super) fn applied(name: &str, body: Option<String>) -> Load<'_> {
         Load { name, cause: LoadOrigin::Applied, body }
     }

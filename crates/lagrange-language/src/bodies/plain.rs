@@ -77,7 +77,7 @@ pub struct InertialBody {
 }
 
 impl InertialBody {
-    /// All expressions.
+    /// Returns all expressions.
     pub(super) fn expressions(&self) -> impl Iterator<Item = AstId> {
         let vectors = self.twist.iter().chain(&self.change).copied();
         self.parameters.into_iter().chain(vectors.collect::<Vec<_>>()).chain([self.lagrangian])
@@ -137,7 +137,7 @@ pub struct FrameTwist {
 }
 
 impl SpatialKinematics {
-    /// All expressions.
+    /// Returns all expressions.
     pub(super) fn expressions(&self) -> Vec<AstId> {
         let mut all = Vec::new();
         for motion in &self.motions {

@@ -121,8 +121,8 @@ impl Copier<'_> {
         self.expressions.add(Expression::Entry { of, indices, shape }, origin)
     }
 
-    /// Returns a whole array, a row of a grid, or an entry of an element that is a vector; `None`
-    /// for everything else, and `Some(None)` after a reported error.
+    /// Returns a whole array, a row of a grid, or an entry of a vector element. `None` for
+    /// everything else, and `Some(None)` after a reported error.
     pub(super) fn part_of_whole(
         &mut self,
         segment: &Segment,
