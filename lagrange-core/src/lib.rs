@@ -1,9 +1,9 @@
 //! The computer algebra, the mechanics and the code emission behind `lagrange::system!`: everything
 //! that happens at compile time.
 //!
-//! It is an ordinary library, so that systems can also be read from text, looked into and evaluated
-//! by tests, tools and build scripts. It is *not* a general computer algebra system. Expressions
-//! are never expanded to be compared or simplified. There is no solving, no integration, and no
+//! It is an ordinary library, so tests, tools and build scripts can also read systems from text,
+//! inspect them and evaluate them. It is *not* a general computer algebra system. Expressions are
+//! never expanded for comparison or simplification. There is no solving, no integration, and no
 //! polynomial arithmetic beyond the needs of printed formulas. Users of `lagrange` do not link it.
 //!
 //! A pendulum, from text to its equation and its acceleration:
@@ -32,13 +32,14 @@
 //!
 //! # Phases
 //!
-//! [`pipeline`] is the whole of it on one screen:
+//! [`pipeline`] shows all phases on one screen:
 //!
-//! 1. [`syntax`] reads tokens or text into a [`Declaration`](syntax::ast::Declaration), with all
-//!    mistakes reported together;
-//! 2. [`expand`] writes arrays, loops and sums out, [`inline`] replaces calls of functions by their
+//! 1. [`syntax`] reads tokens or text into a [`Declaration`](syntax::ast::Declaration), and reports
+//!    all errors together;
+//! 2. [`expand`] writes out arrays, loops and sums, [`inline`] replaces function calls by their
 //!    bodies, and [`bodies`] translates bodies into plain statements, [`Plain`](bodies::Plain);
-//! 3. [`mod@elaborate`] resolves names and checks meaning, which gives a [`Model`](model::Model);
+//! 3. [`mod@elaborate`] resolves names and checks semantics, which yields a
+//!    [`Model`](model::Model);
 //! 4. [`mod@derive`] finds the [`Equations`](derive::Equations) of a model;
 //! 5. [`emit`] writes them as Rust. [`program`] lowers expressions to straight-line
 //!    [`Program`](program::Program)s, [`code`] writes those as the body of a function, and

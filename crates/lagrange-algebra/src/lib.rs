@@ -1,13 +1,12 @@
-//! The computer algebra of `lagrange`: algorithms that take an expression graph.
+//! The computer algebra of `lagrange`: algorithms on expression graphs.
 //!
 //! [`calculus`] differentiates, expands and substitutes; [`simplify`] applies named rewrite rules;
 //! [`formula`] prints text, LaTeX and graphs. [`program`] lowers expressions to straight-line
 //! programs, which it optimises, verifies and interprets; [`code`] writes programs as source text
 //! of a target language.
 //!
-//! This is *not* a general computer algebra system. Expressions are never multiplied out to be
-//! compared, and there is no integration and no polynomial arithmetic beyond the needs of printed
-//! formulas.
+//! This is *not* a general computer algebra system. Expressions are never expanded for comparison,
+//! and there is no integration and no polynomial arithmetic beyond the needs of printed formulas.
 //!
 //! ```
 //! use lagrange_algebra::calculus::partial;

@@ -1,6 +1,6 @@
 //! Levels of accuracy of emitted code.
 
-/// `#[accuracy(…)]`: how rounding errors of the emitted code are weighed against its speed.
+/// `#[accuracy(…)]`: the trade-off between rounding errors of the emitted code and its speed.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Accuracy {
     /// Sines and cosines within an ulp, several at a time.
@@ -8,7 +8,7 @@ pub enum Accuracy {
     /// Elementary functions of the platform.
     #[default]
     Standard,
-    /// Differences of nearly equal terms are avoided where that is possible.
+    /// Differences of nearly equal terms are avoided where possible.
     Strict,
 }
 

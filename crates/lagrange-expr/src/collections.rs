@@ -1,8 +1,8 @@
 //! Maps and sets whose order never depends on a hash.
 //!
-//! Generated code must be the same to the byte in every process. So the only containers in this
-//! crate that can be iterated keep insertion order; [`HashMap`] and [`HashSet`] can be looked up
-//! but not iterated.
+//! Generated code must be identical to the byte in every process. Containers in this crate that can
+//! be iterated therefore keep insertion order. [`HashMap`] and [`HashSet`] support lookup but not
+//! iteration.
 
 use std::borrow::Borrow;
 use std::hash::Hash;
@@ -10,7 +10,7 @@ use std::hash::Hash;
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
-/// A map that can be looked up but not iterated.
+/// A map that supports lookup but not iteration.
 #[derive(Clone, Debug)]
 pub struct HashMap<K, V>(rustc_hash::FxHashMap<K, V>);
 
@@ -68,7 +68,7 @@ impl<K: Eq + Hash, V> FromIterator<(K, V)> for HashMap<K, V> {
     }
 }
 
-/// A set that can be looked up but not iterated.
+/// A set that supports lookup but not iteration.
 #[derive(Clone, Debug)]
 pub struct HashSet<T>(rustc_hash::FxHashSet<T>);
 
@@ -159,17 +159,17 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         self.0.get_index_of(key)
     }
 
-    /// Returns the key at an index this map has given out.
+    /// Returns the key at an index returned by this map.
     pub fn key_at(&self, index: usize) -> &K {
         self.0.get_index(index).expect("an index of this map").0
     }
 
-    /// Returns the value at an index this map has given out.
+    /// Returns the value at an index returned by this map.
     pub fn value_at(&self, index: usize) -> &V {
         &self.0[index]
     }
 
-    /// Entries in order of insertion.
+    /// Returns the entries in order of insertion.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&K, &V)> + ExactSizeIterator {
         self.0.iter()
     }

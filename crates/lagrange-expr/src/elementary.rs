@@ -1,10 +1,9 @@
 //! The elementary functions, one row each.
 //!
-//! A row holds everything the other modules know of a function. To add one, add a variant to
-//! [`Function`] and a row here, and a row to the list `lagrange_math::functions`, from which
-//! numbers take their methods. Derivatives are those of Abramowitz and Stegun, *Handbook of
-//! Mathematical Functions*, chapter 4; derivatives of piecewise functions are taken branch by
-//! branch.
+//! A row holds everything that other modules need about a function. To add a function, add a
+//! variant to [`Function`], a row here, and a row to the list `lagrange_math::functions`, which
+//! defines the methods of numbers. Derivatives are those of Abramowitz and Stegun, *Handbook of
+//! Mathematical Functions*, chapter 4; piecewise functions are differentiated branch by branch.
 
 mod domain;
 
@@ -38,8 +37,8 @@ pub enum Function {
     Max,
     Power,
     Hypot,
-    /// The slope of `abs`: the sign, but with a square that is one, so that second derivatives of
-    /// f(|x|) are right at 0.
+    /// The slope of `abs`: the sign, but with the square one, so that second derivatives of f(|x|)
+    /// are correct at 0.
     MagnitudeSlope,
 }
 
@@ -92,7 +91,7 @@ impl Row {
 #[derive(Debug)]
 #[expect(missing_docs, reason = "the names are those of the operations")]
 pub enum Partial {
-    /// The argument of that number, from zero.
+    /// The argument with this index.
     Argument(usize),
     /// The value of the function itself.
     Value,
@@ -325,7 +324,7 @@ pub const ROWS: [Row; 20] = [
         is_nonnegative: false,
         latex: r"\min\left(#1, #2\right)",
         rust: "min",
-        // The comparisons are arranged so that NaN in either argument comes through.
+        // The comparisons are arranged so that NaN in either argument propagates.
         value: |x| if x[0] < x[1] || x[0].is_nan() { x[0] } else { x[1] },
         partials: &[Less(&X, &Y), NotLess(&X, &Y)],
     },
@@ -352,7 +351,7 @@ pub const ROWS: [Row; 20] = [
         is_nonnegative: false,
         latex: r"{#1}^{#2}",
         rust: "powf",
-        // Unlike `powf` of the platform, which makes 1^NaN and NaN^0 one.
+        // Unlike `powf` of the platform, for which 1^NaN and NaN^0 are one.
         value: |x| if x[0].is_nan() || x[1].is_nan() { f64::NAN } else { x[0].powf(x[1]) },
         partials: &[
             Multiply(&Y, &Call(Function::Power, &[X, Linear(-1, 1, &Y)])),
@@ -372,7 +371,7 @@ pub const ROWS: [Row; 20] = [
         value: |x| x[0].hypot(x[1]),
         partials: &[Divide(&X, &Value), Divide(&Y, &Value)],
     },
-    // Written as the sign, which has its value; only products tell them apart.
+    // Written as the sign, which has the same value; only products distinguish them.
     Row {
         function: Function::MagnitudeSlope,
         name: "sign",
@@ -388,7 +387,7 @@ pub const ROWS: [Row; 20] = [
     },
 ];
 
-/// ±1; zero and NaN are their own signs.
+/// Returns ±1; zero and NaN are their own signs.
 fn sign(x: f64) -> f64 {
     if x > 0.0 {
         1.0
@@ -409,7 +408,7 @@ pub fn by_name(name: &str) -> Option<&'static Row> {
     ROWS.iter().find(|row| row.name == name)
 }
 
-/// Returns `a * b + c`, rounded once where emitted code rounds once.
+/// Returns `a * b + c`, rounded once if emitted code rounds once.
 pub fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }

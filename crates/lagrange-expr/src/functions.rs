@@ -9,7 +9,7 @@ use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
 use quarter_turns::without_quarter_turns;
 
-/// Makes a function value: uses parity and known values, and writes roots and powers with numeric
+/// Creates a function value. Uses parity and known values, and writes roots and powers with numeric
 /// exponents as products.
 ///
 /// The number of `arguments` must be the function's arity.
@@ -77,7 +77,7 @@ fn known_extremum(graph: &Graph, function: Function, a: ExprId, b: ExprId) -> Op
     Some(if a_is_less == (function == Function::Min) { a } else { b })
 }
 
-/// The value of a function of one argument where it is a rational number.
+/// Returns the value of a function of one argument if it is a rational number.
 fn known_value(graph: &Graph, row: &Row, argument: ExprId) -> Option<Number> {
     if let Some(number) = graph.as_number(argument) {
         return match row.function {
@@ -100,7 +100,7 @@ fn known_value(graph: &Graph, row: &Row, argument: ExprId) -> Option<Number> {
     }
 }
 
-/// sin(π·x) for multiples of one sixth, where it is rational.
+/// Returns sin(π·x) for multiples of one sixth, if it is rational.
 fn sine_of_pi_times(x: &Number) -> Option<Number> {
     let sixths = (x * &Number::from(6)).to_i32()?.rem_euclid(12);
     let (position, sign) = if sixths < 6 { (sixths, Number::ONE) } else { (sixths - 6, Number::MINUS_ONE) };
@@ -122,7 +122,7 @@ pub fn partials(graph: &mut Graph, function: Function, arguments: &[ExprId], val
 pub fn is_restricted(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Product(factors) => factors.iter().any(|(_, exponent)| !exponent.is_integer()),
-        // A sign that never changes is not one of the surfaces.
+        // A sign that never changes has no surface.
         Node::Call(Function::Sign | Function::MagnitudeSlope, arguments) => {
             graph.is_nonnegative(arguments[0])
         }
@@ -134,7 +134,7 @@ pub fn is_restricted(graph: &Graph, id: ExprId) -> bool {
     }
 }
 
-/// A function value with what it was made of.
+/// A function value with its arguments.
 struct FunctionValue<'a> {
     arguments: &'a [ExprId],
     value: ExprId,
@@ -188,7 +188,7 @@ impl FunctionValue<'_> {
         operation(graph, a, b)
     }
 
-    /// The first number where a < b, the second elsewhere.
+    /// Returns the first number where a < b, and the second elsewhere.
     fn indicator(&self, graph: &mut Graph, a: &Partial, b: &Partial, numbers: [i64; 2]) -> ExprId {
         let (a, b) = (self.build(graph, a), self.build(graph, b));
         let [then, otherwise] = numbers.map(|number| graph.number(number));

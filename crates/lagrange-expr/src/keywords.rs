@@ -1,6 +1,6 @@
 //! Keywords of Rust.
 
-/// Keywords of Rust, those reserved for later included: none can be a field of the emitted struct.
+/// Keywords of Rust, including reserved ones: none can be a field of the emitted struct.
 const RUST: &[&str] = &[
     "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do",
     "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",

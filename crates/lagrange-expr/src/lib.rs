@@ -2,7 +2,7 @@
 //! vocabulary.
 //!
 //! [`expr`] is the graph, with the only constructors of sums, products and conditionals.
-//! [`functions`] gives function values as expressions. Below them are exact numbers ([`number`]),
+//! [`functions`] returns function values as expressions. Below them are exact numbers ([`number`]),
 //! symbols with roles ([`symbol`]), functions with and without a formula ([`elementary`],
 //! [`opaque`]) and containers with a fixed order ([`collections`]).
 //!

@@ -1,8 +1,8 @@
 //! Exact rational numbers.
 //!
-//! Every literal of a declaration is kept exactly: `0.1` is one tenth. Arithmetic stays in machine
-//! words as long as numerator and denominator fit and moves to big integers when they do not.
-//! Rounding happens once, when a constant is written into generated code.
+//! Every literal of a declaration is kept exactly: `0.1` is one tenth. Arithmetic uses machine
+//! words as long as numerator and denominator fit, and big integers otherwise. Rounding happens
+//! once, when a constant is written to generated code.
 
 #[cfg(test)]
 mod tests;
@@ -16,7 +16,7 @@ use num_traits::{CheckedAdd, CheckedMul, One, Pow, Signed, ToPrimitive, Zero};
 
 use crate::limits::{MAX_DECIMAL_EXPONENT, MAX_NUMBER_BITS};
 
-/// Powers whose result would need more bits than this are left unevaluated.
+/// Maximum number of bits in the result of a power; larger powers are not evaluated.
 const LARGEST_POWER_BITS: u64 = 4096;
 
 /// A rational number in lowest terms, with a positive denominator.
@@ -28,7 +28,7 @@ pub struct Number(Repr);
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Word(Ratio<i64>),
-    /// Only for values that do not fit `Word`.
+    /// Only for values that do not fit in `Word`.
     Big(Box<BigRational>),
 }
 
@@ -53,7 +53,7 @@ impl Number {
     }
 
     /// Reads an unsigned integer or decimal literal such as `3`, `0.1` or `2.5e-3`; underscores may
-    /// separate digits. `None` if the text is no such literal or its exponent is out of all reason.
+    /// separate digits. `None` if the text is not such a literal or its exponent is unreasonable.
     pub fn parse_decimal(text: &str) -> Option<Number> {
         let text = text.replace('_', "");
         let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -100,8 +100,8 @@ impl Number {
         self.to_integer() == Some(1)
     }
 
-    /// Returns the value, if it is an integer that fits a word: most are, and their arithmetic
-    /// needs no gcd.
+    /// Returns the value, if it is an integer that fits in a word. Most numbers are, and their
+    /// arithmetic needs no gcd.
     pub fn to_integer(&self) -> Option<i64> {
         match &self.0 {
             Repr::Word(ratio) if *ratio.denom() == 1 => Some(*ratio.numer()),
@@ -151,8 +151,8 @@ impl Number {
         self.to_integer().and_then(|integer| i32::try_from(integer).ok())
     }
 
-    /// Returns the digits of an unsigned decimal and the number of them behind the point. `None` if
-    /// the decimal does not end or the number is negative.
+    /// Returns the digits of an unsigned decimal and the number of decimal places. `None` if the
+    /// decimal does not terminate or the number is negative.
     pub fn decimal(&self) -> Option<(String, usize)> {
         let big = self.to_big();
         let (ten, five) = (BigInt::from(10), BigInt::from(5));
@@ -171,7 +171,7 @@ impl Number {
     pub fn to_f64(&self) -> f64 {
         let exact = |n: &i64| n.unsigned_abs() <= 1 << 53;
         match &self.0 {
-            // One rounding of exact operands: correctly rounded.
+            // Exact operands are rounded once, so the result is correctly rounded.
             Repr::Word(ratio) if exact(ratio.numer()) && exact(ratio.denom()) => {
                 *ratio.numer() as f64 / *ratio.denom() as f64
             }
@@ -192,8 +192,8 @@ impl Number {
         })
     }
 
-    /// Returns the largest number with the sign of `self` of which both are integer multiples: 3/2
-    /// of 9/2 and −6. It is `self` if the other is zero.
+    /// Returns the largest number, with the sign of `self`, of which both are integer multiples:
+    /// 3/2 for 9/2 and −6. It is `self` if the other is zero.
     pub fn common_divisor(&self, other: &Number) -> Number {
         // p = g n and q = g d, where n/d is p/q in lowest terms.
         let ratio = other.reciprocal().map(|inverse| (self * &inverse).to_big());
@@ -216,7 +216,7 @@ impl Number {
         let magnitude = exponent.unsigned_abs();
         let big = base.to_big();
         let bits = big.numer().bits().max(big.denom().bits());
-        // ±1 and 0 never grow.
+        // Powers of ±1 and 0 never grow.
         if bits > 1 && bits.saturating_mul(magnitude.into()) > LARGEST_POWER_BITS {
             return None;
         }

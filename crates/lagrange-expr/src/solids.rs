@@ -18,28 +18,27 @@ use formulas::{
 };
 pub use polygon::double_area;
 
-/// Formula for something that follows from the size of a solid.
+/// Formula for a quantity that follows from the size of a solid.
 pub type Formula<T> = fn(&mut Graph, &[ExprId]) -> T;
 
-/// A solid that inertia functions and shapes may name.
+/// A solid that inertia functions and shapes can refer to.
 #[derive(Clone, Copy, Debug)]
 pub struct Solid {
     /// Its name: that of the function `name(m, …)` and of the shape `name(…)`.
     pub name: &'static str,
     /// Dimensions that give its size.
     pub dimensions: Dimensions,
-    /// Moment of inertia about the centre of mass for a mass of one, a function of as many scalars
-    /// as there are dimensions. Corners give their coordinates, one corner after the other, in
-    /// either orientation.
+    /// Moment of inertia about the centre of mass for a mass of one, a function with one scalar per
+    /// dimension. Corners contribute their coordinates, one corner after the other, in either
+    /// orientation.
     pub inertia: Formula<ExprId>,
     /// Centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
     pub centroid: Option<Formula<[ExprId; 2]>>,
-    /// True if no solid has these dimensions. NaN stands for a dimension that is not yet known.
+    /// True if no solid has these dimensions. NaN represents a dimension that is not yet known.
     pub is_impossible: fn(&[f64]) -> bool,
-    /// Condition that must hold instead, in the user's words.
+    /// Condition that must hold instead, as text for users.
     pub condition: &'static str,
-    /// The variant of `lagrange::scene::Outline` that it is drawn as, which takes the same
-    /// dimensions.
+    /// The variant of `lagrange::scene::Outline` for drawing, which has the same dimensions.
     pub outline: &'static str,
     /// The dimension that is the radius on which it rolls, if it is round.
     pub radius: Option<usize>,
@@ -48,17 +47,17 @@ pub struct Solid {
 /// Dimensions of a solid.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Dimensions {
-    /// Scalars of these names.
+    /// Scalars with these names.
     Scalars(&'static [&'static str]),
     /// Corners, at least [`FEWEST_CORNERS`], each a vector.
     Corners,
 }
 
-/// Number of corners that a polygon has at least.
+/// Minimum number of corners of a polygon.
 pub const FEWEST_CORNERS: usize = 3;
 
 impl Dimensions {
-    /// True if this is the right number of them.
+    /// True if this is the correct number of dimensions.
     pub fn accept(self, count: usize) -> bool {
         match self {
             Dimensions::Scalars(names) => count == names.len(),
@@ -101,7 +100,7 @@ impl Solid {
     }
 }
 
-/// Suffix that makes the name of a solid that of the function of its centre of mass.
+/// Suffix that turns the name of a solid into the name of the function for its centre of mass.
 const CENTER_SUFFIX: &str = "_center";
 
 /// Returns the solid of this name.
@@ -114,7 +113,7 @@ pub fn by_center_function(name: &str) -> Option<&'static Solid> {
     by_name(name.strip_suffix(CENTER_SUFFIX)?).filter(|solid| solid.centroid.is_some())
 }
 
-/// Returns the name of a solid that was probably meant.
+/// Returns the name of the solid that was probably intended.
 pub fn nearest(name: &str) -> Option<&'static str> {
     diagnostics::nearest(name, SOLIDS.iter().map(|solid| solid.name))
 }

@@ -1,4 +1,4 @@
-//! Sums of products as eliminations make them.
+//! Sums of products, as they arise in eliminations.
 
 use std::collections::BTreeMap;
 
@@ -10,20 +10,20 @@ use lagrange_expr::number::Number;
 /// Σ slope · variable, in ascending order of variables.
 pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
-/// Most terms of a product of two sums that is multiplied out as a trial, such as four by four. The
-/// trial costs as much as its result.
+/// Maximum number of terms of a product of two sums that is expanded on trial, such as four by
+/// four. A trial costs as much as its result.
 const MAX_OPENED: usize = 16;
-/// Depth to which factors are counted. Counting decides between two ways of writing one sum and
-/// must not walk a whole graph.
+/// Maximum depth of counting factors. The count only decides between two ways of writing a sum, so
+/// it must not traverse the whole graph.
 const DEEPEST_COUNTED: usize = 4;
 
-/// The graph, with sums simplified: equal products meet, and squares of sine and cosine. Products
-/// of sines and cosines are written in sums and differences of angles if fewer terms are then left
-/// to cancel.
+/// The graph, with simplified sums: equal products are combined, and so are squares of sine and
+/// cosine. Products of sines and cosines are rewritten in sums and differences of angles if this
+/// leaves fewer terms to cancel.
 pub(super) struct Algebra<'g> {
     pub(super) graph: &'g mut Graph,
     angles: Angles,
-    /// Pivots whose vanishing conditions decide, as [`super::sum_of_squares`] puts them in.
+    /// Pivots whose vanishing is tested by the conditions that [`super::sum_of_squares`] inserts.
     pub(super) guards: Vec<ExprId>,
 }
 
@@ -32,7 +32,7 @@ impl<'g> Algebra<'g> {
         Algebra { graph, angles: Angles::default(), guards: Vec::new() }
     }
 
-    /// `Σ coefficient · term`
+    /// Returns `Σ coefficient · term`.
     pub(super) fn total(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
         let mut flat = Vec::with_capacity(terms.len());
         for (term, coefficient) in terms {
@@ -50,7 +50,7 @@ impl<'g> Algebra<'g> {
         simplify::contract(self.graph, &mut self.angles, terms)
     }
 
-    /// The terms of a sum, the constant among them; anything else is a single term.
+    /// Returns the terms of a sum, including the constant; any other expression is a single term.
     pub(super) fn terms_of(&mut self, id: ExprId) -> Vec<(ExprId, Number)> {
         let (scale, core) = self.graph.split_coefficient(id);
         let Node::Sum { constant, terms } = self.graph.node(core).clone() else { return vec![(core, scale)] };
@@ -61,7 +61,7 @@ impl<'g> Algebra<'g> {
         terms
     }
 
-    /// The terms of a sum; others stay as they are.
+    /// Appends the terms of a sum; any other expression is appended as it is.
     fn flatten(&self, id: ExprId, scale: &Number, flat: &mut Vec<(ExprId, Number)>) {
         let (coefficient, core) = self.graph.split_coefficient(id);
         let scale = &coefficient * scale;
@@ -73,7 +73,7 @@ impl<'g> Algebra<'g> {
         }
     }
 
-    /// `Σ scale · a · b`, multiplied out if that leaves fewer terms.
+    /// Returns `Σ scale · a · b`, expanded if that leaves fewer terms.
     pub(super) fn products(&mut self, products: &[(ExprId, ExprId, Number)]) -> ExprId {
         let (mut closed, mut opened) = (Vec::new(), Vec::new());
         for (a, b, scale) in products {
@@ -82,21 +82,21 @@ impl<'g> Algebra<'g> {
         }
         let is_the_same = opened.len() == closed.len();
         let closed = self.simplified(closed);
-        // One term has nothing to cancel with.
+        // A single term has nothing to cancel with.
         if is_the_same || self.terms(closed) < 2 {
             return closed;
         }
         let before = opened.len();
         let opened = self.simplified(opened);
-        // What is opened no longer shares its factors with other sums; only terms that cancel pay
-        // for that.
+        // An expanded product no longer shares its factors with other sums, so expansion pays off
+        // only if terms cancel.
         let has_shrunk = self.terms(opened) < before;
         let is_short = self.terms(opened) <= self.terms(closed)
             || self.factors(opened, DEEPEST_COUNTED) < self.factors(closed, DEEPEST_COUNTED);
         if has_shrunk && is_short { opened } else { closed }
     }
 
-    /// The number of factors in all terms, down to a depth.
+    /// Counts the factors in all terms, down to a depth.
     fn factors(&self, id: ExprId, depth: usize) -> usize {
         match self.graph.node(id) {
             Node::Sum { terms, .. } if depth > 0 => {
@@ -113,7 +113,7 @@ impl<'g> Algebra<'g> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         self.flatten(a, scale, &mut left);
         self.flatten(b, &Number::ONE, &mut right);
-        // Too long to hope that most of it cancels; one closed term keeps it shared.
+        // Most terms of so long a product will not cancel; as a single term it stays shared.
         if left.len() * right.len() > MAX_OPENED {
             terms.push((self.graph.multiply(a, b), scale.clone()));
             return;
@@ -125,7 +125,7 @@ impl<'g> Algebra<'g> {
         }
     }
 
-    /// Number of terms of a sum; anything else but zero has one.
+    /// Returns the number of terms of a sum. Zero has none, any other expression has one.
     pub(super) fn terms(&self, id: ExprId) -> usize {
         let (_, core) = self.graph.split_coefficient(id);
         match self.graph.node(core) {
@@ -135,8 +135,8 @@ impl<'g> Algebra<'g> {
         }
     }
 
-    /// `Σ weight · a · b`; what belongs to equal weights is added up first, because that is where
-    /// it cancels.
+    /// Returns `Σ weight · a · b`. Products with equal weights are added up first, because terms
+    /// cancel among these.
     pub(super) fn weighted(&mut self, products: &[(ExprId, ExprId, ExprId, Number)]) -> ExprId {
         let mut groups: OrderedMap<ExprId, Vec<(ExprId, ExprId, Number)>> = OrderedMap::default();
         for (weight, a, b, scale) in products {
@@ -156,7 +156,7 @@ impl<'g> Algebra<'g> {
         self.total(terms)
     }
 
-    /// A sum with what all its terms have in common drawn out.
+    /// Factors out of a sum what all its terms have in common.
     pub(super) fn factored(&mut self, id: ExprId) -> ExprId {
         let Node::Sum { constant, terms } = self.graph.node(id).clone() else { return id };
         if !constant.is_zero() || terms.len() < 2 {
@@ -168,14 +168,14 @@ impl<'g> Algebra<'g> {
         self.graph.multiply(common, rest)
     }
 
-    /// The form with what its coefficients have in common taken out, which comes first.
+    /// Splits a form into the common factor of its coefficients and the remaining form.
     pub(super) fn primitive(&mut self, form: &LinearForm) -> (ExprId, LinearForm) {
         let coefficients = form.iter().map(|(_, coefficient)| *coefficient).collect::<Vec<_>>();
         let (content, rest) = simplify::content(self.graph, &coefficients);
         (content, form.iter().zip(rest).map(|((id, _), coefficient)| (*id, coefficient)).collect())
     }
 
-    /// The form whose coefficients are these sums of products; those that vanish are left out.
+    /// Returns the form with these sums of products as coefficients, without those that vanish.
     pub(super) fn form_of_products(
         &mut self,
         sums: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>>,
@@ -190,7 +190,7 @@ impl<'g> Algebra<'g> {
         form
     }
 
-    /// The form whose coefficients are these sums; those that vanish are left out.
+    /// Returns the form with these sums as coefficients, without those that vanish.
     pub(super) fn linear_form(&mut self, sums: BTreeMap<ExprId, Vec<(ExprId, Number)>>) -> LinearForm {
         let mut form = Vec::with_capacity(sums.len());
         for (variable, terms) in sums {

@@ -9,7 +9,7 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::number::Number;
 use lagrange_expr::units::momentum_name;
 
-/// Adds an output for each conserved quantity of a model that asks for them.
+/// Adds an output for each conserved quantity if the model requests them.
 pub(super) fn add_conserved(model: &mut Model, structure: &Structure) {
     if !model.products.contains(&Product::Conserved) {
         return;
@@ -28,7 +28,7 @@ pub(super) fn add_conserved(model: &mut Model, structure: &Structure) {
     }
 }
 
-/// Adds a derived output under a name that no other has.
+/// Adds a derived output under a unique name.
 pub(super) fn add(model: &mut Model, name: String, value: ExprId, description: String) {
     let is_taken = |name: &str| model.outputs.iter().any(|output| output.name == name);
     let numbered = (2..).map(|number| format!("{name}_{number}"));
@@ -44,7 +44,7 @@ pub(super) fn add(model: &mut Model, name: String, value: ExprId, description: S
     });
 }
 
-/// Coordinates that a name lists at most.
+/// Maximum number of coordinates in a name.
 const MOST_NAMED: usize = 3;
 
 fn name(model: &Model, symmetry: &Symmetry) -> String {
@@ -59,7 +59,7 @@ fn name(model: &Model, symmetry: &Symmetry) -> String {
     }
 }
 
-/// The momentum in words, as a sum of those of its displacements.
+/// Describes the momentum as the sum of the momenta of its displacements.
 fn description(model: &Model, symmetry: &Symmetry) -> String {
     let terms = symmetry.terms.iter().map(|(displacement, coefficient)| {
         let displacement = words(model, *displacement);

@@ -2,8 +2,8 @@
 //!
 //! A constraint c(q, t) = 0, or one that is linear in the velocities, restricts the accelerations
 //! by A a + b = 0. Here A is ∂ċ/∂v or ∂c/∂v. Gauss's principle then requires the stationary point
-//! of ½ aᵀM a − fᵀa − λᵀ(A a + b). Each multiplier λ is one more unknown, whose only terms are −λ
-//! times the rate of the constraint, and M a = f + Aᵀλ. Source: Udwadia, Kalaba, *Analytical
+//! of ½ aᵀM a − fᵀa − λᵀ(A a + b). Each multiplier λ is an additional unknown, whose only terms are
+//! −λ times the rate of the constraint, and M a = f + Aᵀλ. Source: Udwadia, Kalaba, *Analytical
 //! Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
 
 use super::elimination::record::Elimination;
@@ -18,18 +18,18 @@ use lagrange_expr::number::Number;
 pub struct ConstraintEquations {
     /// The multipliers λ in M q̈ = f + Aᵀλ as functions of t, q, v.
     pub multipliers: Vec<ExprId>,
-    /// A in rows: what each constraint demands of the velocities is A v + …
+    /// A in rows: each constraint restricts the velocities by A v + …
     pub jacobian: Vec<Vec<ExprId>>,
     /// b in A q̈ + b = 0
     pub drifts: Vec<ExprId>,
-    /// Aᵀλ with symbols for the multipliers. Where constraints depend on each other or contacts
-    /// act, run time finds more for these symbols than the expressions above.
+    /// Aᵀλ with symbols for the multipliers. Where constraints are dependent or contacts act, their
+    /// values are computed at run time and differ from the expressions above.
     pub forces: Vec<ExprId>,
     /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r
     /// of its constraint.
     pub correction: Vec<ExprId>,
     /// Growth of rounding errors through constraints that are nearly dependent; infinite where they
-    /// are dependent. `None` where that cannot be.
+    /// are dependent. `None` if that is impossible.
     pub condition: Option<ExprId>,
     /// True if a constraint follows from the others wherever they hold.
     pub is_redundant: bool,
@@ -57,8 +57,8 @@ impl ConstraintEquations {
     }
 }
 
-/// Displacement that brings the constraints back from the residuals that their multipliers' symbols
-/// stand for.
+/// Returns the displacement that removes the residuals of the constraints; the symbols of their
+/// multipliers stand for the residuals.
 fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     let (unknowns, residuals) = (model.unknowns(), model.multipliers());
     let count = model.speeds.len();
@@ -83,7 +83,7 @@ fn drifts(model: &mut Model) -> Vec<ExprId> {
     model.constraints.iter().map(drift).collect()
 }
 
-/// The left side of the equation that makes a constraint hold, from the rate of its velocity.
+/// Returns the left side of the equation that enforces a constraint, from the rate of its velocity.
 pub(super) fn stabilised(
     graph: &mut Graph,
     stabilisation: Option<ExprId>,
@@ -113,13 +113,14 @@ pub(super) fn join_multipliers(model: &mut Model, form: &mut QuadraticForm) {
     }
 }
 
-/// A in rows: ∂ċ/∂v of each constraint, from the form that was pushed down to the velocities.
+/// Returns A in rows: ∂ċ/∂v of each constraint, from the form that was pushed down to the
+/// velocities.
 fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> Vec<Vec<ExprId>> {
     let (velocities, multipliers) = (model.velocities(), model.multipliers());
     pushed.matrix(&mut model.graph, &Number::MINUS_ONE, &multipliers, &velocities)
 }
 
-/// Aᵀλ
+/// Returns Aᵀλ.
 fn constraint_forces(model: &mut Model, jacobian: &[Vec<ExprId>], multipliers: &[ExprId]) -> Vec<ExprId> {
     let (count, graph) = (model.speeds.len(), &mut model.graph);
     let mut columns = vec![Vec::new(); count];

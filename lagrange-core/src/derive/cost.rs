@@ -1,8 +1,9 @@
-//! A rough time for evaluating expressions, to choose between ways of computing the same.
+//! A rough estimate of evaluation time, used to choose between ways of computing the same
+//! expressions.
 //!
-//! Processors overlap operations that do not wait for each other, but not those that do. The time
-//! therefore grows with the number of operations and with their longest chain. Weights are
-//! latencies and costs on current processors, in cycles.
+//! Processors overlap independent operations, but not dependent ones. The time therefore grows with
+//! the number of operations and with their longest dependency chain. Weights are latencies and
+//! costs on current processors, in cycles.
 
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
@@ -11,10 +12,10 @@ use lagrange_expr::number::Number;
 /// Latency of an addition or a multiplication: four cycles on Intel cores since Skylake, three to
 /// four on Zen (Fog, *Instruction tables*).
 const ARITHMETIC: u32 = 4;
-/// Latency of a division, the lower end of what those tables give; a square root takes a little
+/// Latency of a division: the lower end of the range in those tables. A square root takes slightly
 /// longer.
 const DIVISION: u32 = 13;
-/// Operations that an elementary function stands for: the reduction of its argument and a
+/// Number of operations that an elementary function counts for: argument reduction and a
 /// polynomial.
 const FUNCTION: u32 = 20;
 
@@ -24,7 +25,7 @@ struct Weight {
     latency: u32,
 }
 
-/// Operations, functions weighted, plus the cycles of the longest chain.
+/// Returns the number of operations, with functions weighted, plus the cycles of the longest chain.
 pub(super) fn cost(graph: &Graph, roots: &[ExprId]) -> f64 {
     let mut ready_at: HashMap<ExprId, u32> = HashMap::default();
     let (mut operations, mut longest) = (0, 0);
@@ -48,7 +49,7 @@ fn weight(node: &Node) -> Weight {
         Node::Sum { constant, terms } => {
             let scaled = terms.iter().filter(|(_, c)| !c.abs().is_one()).count();
             let additions = terms.len() - usize::from(constant.is_zero());
-            // Only the last term to arrive is waited for.
+            // Only the last operand to become ready adds to the latency.
             let latency = ARITHMETIC * (u32::from(additions > 0) + u32::from(scaled > 0));
             Weight { operations: (additions + scaled) as u32, latency }
         }
@@ -66,8 +67,8 @@ fn product(factors: &[(ExprId, Number)]) -> Weight {
             Some(1) => {}
             Some(2..) => operations += 1,
             _ => {
-                // Divisions follow each other more slowly than additions, even where nothing waits
-                // for them.
+                // The throughput of divisions is lower than that of additions, even if nothing
+                // depends on them.
                 operations += 5;
                 latency = latency.max(ARITHMETIC + DIVISION);
             }

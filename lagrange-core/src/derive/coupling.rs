@@ -1,4 +1,4 @@
-//! A look at how many velocities a system couples, before anything is derived from it.
+//! An estimate of the number of velocities that a system couples, before anything is derived.
 
 use crate::model::Model;
 use lagrange_algebra::calculus::{Degree, Degrees};
@@ -6,11 +6,12 @@ use lagrange_expr::collections::HashSet;
 use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 
-/// Expressions looked at before the search ends.
+/// Maximum number of expressions that the search visits.
 const LONGEST_LOOK: usize = 200_000;
 
 /// Finds the largest number of velocities in one square of the Lagrangian that the mass matrix
-/// couples with each other. The search ends at `enough` of them, and when it takes long.
+/// couples with each other. The search ends when it has found `enough` of them, or when it takes
+/// too long.
 pub fn most_coupled(model: &Model, enough: usize) -> usize {
     let graph = &model.graph;
     let mut degrees = Degrees::default();

@@ -9,28 +9,28 @@ use lagrange_algebra::calculus::{Degree, Degrees, partials, second_partials};
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Second derivatives on the way from a root down to affine nodes.
+/// Second derivatives during the sweep from a root down to affine nodes.
 pub(super) struct Curvature {
     pub(super) degrees: Degrees,
-    /// Weights with which nodes enter the root through another nonlinear node.
+    /// Weights of nodes that enter the root through another nonlinear node.
     adjoints: OrderedMap<ExprId, Vec<ExprId>>,
     pub(super) quadratic: QuadraticForm,
 }
 
 impl Curvature {
-    /// Nothing swept yet; `degrees` are those of everything that will be.
+    /// Creates a sweep without any steps; `degrees` must cover every node to be swept.
     pub(super) fn new(degrees: Degrees) -> Curvature {
         Curvature { degrees, adjoints: OrderedMap::default(), quadratic: QuadraticForm::default() }
     }
 
-    /// The weight with which a node enters through nodes that have been swept.
+    /// Takes the weight with which a node enters through the nodes swept so far.
     pub(super) fn take_adjoint(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         let terms = std::mem::take(self.adjoints.get_mut(&id)?);
         Some(graph.total(terms))
     }
 
-    /// One step: second derivatives of the node itself, and those that have arrived at it, go to
-    /// its operands.
+    /// Performs one step: passes the second derivatives of the node itself, and those accumulated
+    /// at it, to its operands.
     pub(super) fn sweep(&mut self, graph: &mut Graph, id: ExprId, adjoint: Option<ExprId>) {
         let mut parts = partials(graph, id);
         parts.retain(|(part, _)| self.degrees.of(graph, *part) != Degree::Free);

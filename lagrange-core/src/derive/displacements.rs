@@ -5,7 +5,7 @@ use crate::model::{Model, Orientation};
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Number of candidates up to which rotations in the planes of two coordinates are among them.
+/// Maximum number of candidates if these include rotations in the planes of two coordinates.
 const MOST_CANDIDATES: usize = 300;
 
 /// A candidate for a symmetry.
@@ -21,7 +21,7 @@ pub(super) enum Displacement {
     Spin(usize, usize),
 }
 
-/// A candidate as expressions: changes of positions and of velocities, and the displacement along
+/// A candidate as expressions: the changes of positions and velocities, and the displacement along
 /// each velocity.
 pub(super) struct Generator {
     pub(super) displacement: Displacement,
@@ -30,7 +30,7 @@ pub(super) struct Generator {
     pub(super) along: Vec<(usize, ExprId)>,
 }
 
-/// Returns the candidates of a model; without rotations in planes if these are too many.
+/// Returns the candidates of a model, without rotations in planes if there would be too many.
 pub(super) fn displacements(model: &Model) -> Vec<Displacement> {
     let plain = model.speeds.iter().filter_map(|speed| speed.coordinate).collect::<Vec<_>>();
     let mut all = plain.iter().map(|&position| Displacement::Translation(position)).collect::<Vec<_>>();
@@ -91,8 +91,8 @@ fn quaternion(of: Orientation, positions: &[ExprId]) -> [ExprId; 4] {
     std::array::from_fn(|part| positions[of.position + part])
 }
 
-/// The change of a quaternion that is multiplied by half the unit of an axis. It is multiplied from
-/// the left, or from the right for a negative `sign` of the vector product.
+/// Returns the change of a quaternion that is multiplied by half the unit of an axis. The factor is
+/// on the left, or on the right for a negative `sign` of the vector product.
 fn turned(
     graph: &mut Graph,
     of: Orientation,
@@ -112,7 +112,7 @@ fn turned(
     changes
 }
 
-/// The components of an axis of the world in the axes of the body: a row of its rotation matrix.
+/// Returns the components of a world axis in the axes of the body: a row of its rotation matrix.
 fn world_axis(graph: &mut Graph, [w, vector @ ..]: [ExprId; 4], axis: usize) -> [ExprId; 3] {
     std::array::from_fn(|column| {
         let product = graph.multiply(vector[axis], vector[column]);

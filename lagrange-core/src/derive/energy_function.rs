@@ -1,13 +1,13 @@
-//! The energy that is conserved where the Lagrangian does not depend on time.
+//! The energy that is conserved if the Lagrangian does not depend on time.
 
 use crate::model::{Energies, Model};
 use lagrange_algebra::calculus::{gradient, homogeneity};
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed.,
-/// §2.7). A term of L that is homogeneous of degree k in the velocities contributes k − 1 times
-/// itself (Euler).
+/// Returns the energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*,
+/// 3rd ed., §2.7). A term of L that is homogeneous of degree k in the velocities contributes k − 1
+/// times itself (Euler).
 pub(super) fn energy_function(model: &mut Model) -> ExprId {
     let graph = &mut model.graph;
     if let Energies::Separate { kinetic, potential } = model.energies
@@ -28,7 +28,7 @@ pub(super) fn energy_function(model: &mut Model) -> ExprId {
     graph.sum(Number::ZERO, terms)
 }
 
-/// Each term of a sum with its coefficient times its degree less one.
+/// Returns the terms of a sum, with each coefficient multiplied by the degree of its term less one.
 fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Number)>> {
     let Node::Sum { constant, terms } = graph.node(sum).clone() else { return None };
     let mut weighted = vec![(graph.number(constant), Number::MINUS_ONE)];

@@ -1,9 +1,9 @@
-//! The quadratic form from which all equations follow. It exists over the variables of the
-//! declaration, and over the generalised velocities. There its coefficients are the mass matrix M
-//! and its linear part is −f.
+//! The quadratic form from which all equations follow. It is written over the variables of the
+//! declaration or over the generalised velocities. In the latter its coefficients are the mass
+//! matrix M and its linear part is −f.
 //!
-//! A chain of n links has n² such coefficients, although its accelerations take a time in
-//! proportion to n. A large form is therefore pushed down only when its coefficients are requested.
+//! A chain of n links has n² such coefficients, although its accelerations can be computed in O(n)
+//! time. A large form is therefore pushed down only if its coefficients are requested.
 
 use super::constraints::join_multipliers;
 use super::cost::cost;
@@ -20,15 +20,15 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Most unknowns for which coefficients are multiplied out as a trial. The effects of a coordinate
-/// on itself cancel. However, the number of coefficients grows as its square, and so does the
-/// number of parts that they share when they stay closed.
+/// Maximum number of unknowns for which coefficients are expanded on trial. The effects of a
+/// coordinate on itself cancel. However, the number of coefficients grows quadratically, and so
+/// does the number of parts that unexpanded coefficients share.
 const MAX_MULTIPLIED_OUT: usize = 4;
-/// Number of expressions up to which they are: the trial multiplies out everything and factorises
-/// two matrices.
+/// Maximum number of expressions in such a form: the trial expands everything and factorises two
+/// matrices.
 const LARGEST_MULTIPLIED_OUT: usize = 300;
-/// Monomials up to which a coefficient is multiplied out; a longer one hardly costs less than the
-/// closed one.
+/// Maximum number of monomials in an expanded coefficient. A longer one is hardly cheaper than the
+/// unexpanded coefficient.
 const MULTIPLYING_BUDGET: usize = 60;
 
 /// A matrix in rows.
@@ -36,7 +36,7 @@ pub(super) type Rows = Vec<Vec<ExprId>>;
 
 /// The quadratic form, pushed down or not.
 pub(super) struct Forms {
-    /// The form with its multipliers over the variables that it was declared in.
+    /// The form with its multipliers, over the variables of the declaration.
     pub(super) form: QuadraticForm,
     velocity_form: Option<VelocityForm>,
 }
@@ -49,34 +49,34 @@ struct VelocityForm {
 }
 
 impl Forms {
-    /// The form of a model, not pushed down.
+    /// Creates the form of a model without pushing it down.
     pub(super) fn new(model: &mut Model, split: &SplitLagrangian) -> Forms {
         let mut form = least_constraint_form(model, split, AccelerationTerms::Dropped, Terms::All);
         join_multipliers(model, &mut form);
         Forms { form, velocity_form: None }
     }
 
-    /// True if it has been pushed down.
+    /// True if the form has been pushed down.
     pub(super) fn is_pushed(&self) -> bool {
         self.velocity_form.is_some()
     }
 
-    /// Pushes it down.
+    /// Pushes the form down to the generalised velocities.
     pub(super) fn push_down(&mut self, model: &mut Model) {
         self.pushed(model);
     }
 
-    /// The form over the generalised velocities, simplified as the level of accuracy asks.
+    /// Returns the form over the generalised velocities, simplified as the accuracy level requires.
     pub(super) fn pushed(&mut self, model: &mut Model) -> &QuadraticForm {
         &self.velocity_form.get_or_insert_with(|| VelocityForm::new(model, self.form.clone())).pushed
     }
 
-    /// M in rows; none if the form has not been pushed down.
+    /// Returns M in rows, or none if the form has not been pushed down.
     pub(super) fn mass_matrix(&self) -> &[Vec<ExprId>] {
         self.velocity_form.as_ref().map_or(&[], |form| &form.mass_matrix)
     }
 
-    /// M in rows, none if the form has not been pushed down, and f.
+    /// Returns M in rows, or none if the form has not been pushed down, and f.
     pub(super) fn into_sides(self, model: &mut Model, split: &SplitLagrangian) -> (Rows, Vec<ExprId>) {
         if let Some(VelocityForm { mass_matrix, forcing, .. }) = self.velocity_form {
             return (mass_matrix, forcing);
@@ -102,8 +102,8 @@ impl VelocityForm {
     }
 }
 
-/// Removes couplings that vanish without showing it: r sin θ cos θ − r cos θ sin θ. They occur
-/// between polar coordinates that were defined by Cartesian ones.
+/// Removes couplings that vanish identically but not formally, such as r sin θ cos θ − r cos θ sin
+/// θ. They occur between polar coordinates that were introduced through Cartesian ones.
 fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
     let places = velocities.iter().enumerate().map(|(n, &v)| (v, n)).collect::<HashMap<_, _>>();
     let above_diagonal = |(n, &i): (usize, &ExprId)| {
@@ -119,10 +119,10 @@ fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities:
     uncoupled.for_each(|(&(i, j), _)| pushed.separate(i, j));
 }
 
-/// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads
-/// to the accelerations at less cost. What a coordinate does to itself often cancels when
-/// multiplied out, but sharing beats that from a few coordinates on. It turns 28 operations of a
-/// cart-pole into 23, and without it a spherical pendulum loses four digits near the pole
+/// Returns the form as it is or, for a small system, with its coefficients expanded, whichever
+/// leads to cheaper accelerations. The effects of a coordinate on itself often cancel in expanded
+/// form, but with more than a few coordinates sharing saves more. Expansion reduces a cart-pole
+/// from 28 operations to 23. Without it, a spherical pendulum loses four digits near the pole
 /// (`tests/extremes`).
 fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[ExprId]) -> QuadraticForm {
     let Some(expanded) = multiplied_out(graph, &pushed, unknowns) else { return pushed };
@@ -131,7 +131,7 @@ fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[Ex
         Some(cost(graph, &solution.values))
     });
     match costs {
-        // Equal costs leave the form as it was declared.
+        // In a tie, the form stays as declared.
         [Some(as_it_is), Some(multiplied_out)] if multiplied_out < as_it_is => expanded,
         _ => pushed,
     }

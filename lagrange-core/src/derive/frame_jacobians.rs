@@ -1,9 +1,9 @@
-//! Jacobians of frames: what multiplies the generalised velocities in angular velocity and velocity
-//! of the origin.
+//! Jacobians of frames: the coefficients of the generalised velocities in the angular velocity and
+//! in the velocity of the origin.
 //!
-//! Both are affine in the velocities, ω = J_ω v + ω₀ and ṙ = J_r v + r₀, with ω₀ and r₀ where
-//! places depend on time. The rows are gradients in reverse mode, one for each component, so that
-//! what the joints share stays shared.
+//! Both are affine in the velocities: ω = J_ω v + ω₀ and ṙ = J_r v + r₀. The offsets appear if
+//! frames move explicitly in time. The rows are reverse-mode gradients, one for each component, so
+//! expressions that joints share stay shared.
 //!
 //! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*,
 //! §3.1.
@@ -12,7 +12,7 @@ use crate::model::Model;
 use lagrange_algebra::calculus::gradient;
 use lagrange_expr::expr::ExprId;
 
-/// The Jacobians of all frames of a model, row by row.
+/// Returns the Jacobians of all frames of a model, row by row.
 pub(super) fn frame_jacobians(model: &mut Model) -> Vec<Vec<ExprId>> {
     let velocities = model.velocities();
     let (graph, twists) = (&mut model.graph, &model.scene.twists);

@@ -1,4 +1,4 @@
-//! Equations of motion that a Gibbs function states.
+//! Equations of motion from a Gibbs function.
 //!
 //! S = ½ Σ m |a|², summed over all masses, is the Gibbs function or energy of acceleration, and
 //! ∂S/∂q̈ = Q are the equations of motion. Sources: Gibbs, "On the fundamental formulae of
@@ -7,29 +7,30 @@
 //! acceleration α and the tensor of inertia J. Without terms free of accelerations, its S is ½ m |a|² +
 //! ½ α·Jα + α·(ω × Jω).
 //!
-//! Accelerations are affine in q̈. The principal part of one, the part with q̈, is a velocity with
-//! q̇ written for q̈: that of ω̇ is ω. The second derivatives of S with respect to accelerations
-//! are therefore coefficients of the quadratic form at velocities, beside those of T. The slope of
-//! S along an acceleration is a linear part there. The terms that are pushed down from there are
-//! forces and moments. Inverse dynamics is the recursive Newton–Euler algorithm, and the form over
-//! q̇ has the mass matrix by composite bodies. See Featherstone, *Rigid Body Dynamics Algorithms*,
-//! §5.3 and §6.2. Neither velocities of points nor rates of momenta are needed. Gravity enters as
-//! an acceleration of the base. Inertia that a joint cannot distinguish from that of its carrier
-//! may be moved there in advance: S need not belong to each body separately. See Khalil and Dombre, *Modeling,
+//! Accelerations are affine in q̈. The principal part of an acceleration is its part linear in q̈
+//! with q̇ in place of q̈. It is a velocity: for ω̇ it is ω. The second derivatives of S with
+//! respect to accelerations are therefore coefficients of the quadratic form at velocities, in
+//! addition to those of T. The slope of S along an acceleration is a linear coefficient there. The
+//! terms that are pushed down from these nodes are forces and moments. Inverse dynamics then is the
+//! recursive Newton–Euler algorithm, and the form over q̇ yields the mass matrix by the
+//! composite-body algorithm. See Featherstone, *Rigid Body Dynamics Algorithms*, §5.3 and §6.2.
+//! Neither velocities of points nor rates of momenta are needed. Gravity enters as an acceleration
+//! of the base. Inertia that a joint cannot distinguish from that of its carrier may be moved to
+//! the carrier in advance, since S need not separate bodies. See Khalil and Dombre, *Modeling,
 //! Identification and Control of Robots*, §9.4.
 //!
 //! # A pendulum in numbers
 //!
-//! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. In the axes of the rod its
-//! end is accelerated by −5 θ̇² along and by 5 θ̈ across it. With the base accelerated upwards by
-//! 10, a = 5 θ̈ + 10 · 3/5 across.
+//! Take m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. In the axes of the
+//! rod, the acceleration of its end is −5 θ̇² along the rod and 5 θ̈ across it. With the base
+//! accelerated upwards by 10, it is 5 θ̈ + 10 · 3/5 across.
 //!
 //! | node | principal part | square | linear part at θ̈ = 0 |
 //! |---|---|---|---|
 //! | 5 θ̈ + 6 | 5 θ̇ | 1 | 6 |
 //! | | θ̇ | 25 | 30 |
 //!
-//! θ̈ = −30/25 = −6/5 as from the energies; the acceleration along the rod never occurs.
+//! Then θ̈ = −30/25 = −6/5, as from the energies; the acceleration along the rod never occurs.
 
 use std::collections::BTreeMap;
 
@@ -50,23 +51,23 @@ use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// Second derivatives and slopes of a Gibbs function, at velocities.
+/// Second derivatives and slopes of a Gibbs function, assigned to velocities.
 #[derive(Debug)]
 pub(super) struct GibbsForm {
     /// The second derivatives with respect to accelerations, at their principal parts.
     pub(super) quadratic: QuadraticForm,
     /// Principal parts of accelerations, each with its numeric factor.
     principal: Vec<(ExprId, Number)>,
-    /// The slope of S along each of them.
+    /// The slope of S along each of these accelerations.
     slopes: Vec<ExprId>,
     /// Slopes with all q̈ zero.
     slopes_at_rest: Vec<ExprId>,
 }
 
 impl GibbsForm {
-    /// Sorts a polynomial of degree one or two in the accelerations.
+    /// Splits a polynomial of degree one or two in the accelerations.
     pub(super) fn new(graph: &mut Graph, function: ExprId) -> GibbsForm {
-        // A multiple of an acceleration by a velocity has no principal part that is affine in the
+        // The product of an acceleration and a velocity has no principal part that is affine in the
         // velocities.
         let degrees = Degrees::in_terms_of(Dependencies::ACCELERATION);
         let mut degrees = degrees.with_coefficients_free_of(Dependencies::VELOCITY);
@@ -100,7 +101,7 @@ impl GibbsForm {
     }
 }
 
-/// Affine nodes that nonlinear ones, or nothing, are made of.
+/// Returns affine nodes that are operands of nonlinear nodes, or of none.
 pub(super) fn affine_operands(graph: &mut Graph, degrees: &Degrees, function: ExprId) -> Vec<ExprId> {
     let is_affine = |graph: &Graph, id| degrees.of(graph, id) == Degree::Affine;
     let mut found = Vec::new();
@@ -117,8 +118,8 @@ pub(super) fn affine_operands(graph: &mut Graph, degrees: &Degrees, function: Ex
     found
 }
 
-/// `(velocity, factor)` such that the accelerations are factor times the velocity with q̈ for q̇,
-/// plus something free of q̈.
+/// Returns `(velocity, factor)` for each acceleration, which is the factor times the velocity with
+/// q̈ for q̇, plus terms free of q̈.
 fn principal_parts(
     graph: &mut Graph,
     degrees: &Degrees,
@@ -138,7 +139,7 @@ fn principal_parts(
     parts.collect()
 }
 
-/// The principal part of an affine node from those of its affine operands.
+/// Returns the principal part of an affine node from those of its affine operands.
 fn principal_part(graph: &mut Graph, id: ExprId, known: &HashMap<ExprId, ExprId>) -> ExprId {
     match graph.node(id).clone() {
         Node::Symbol(symbol) => {
@@ -199,7 +200,7 @@ fn at_rest(graph: &mut Graph, values: &[ExprId]) -> Vec<ExprId> {
     substitute_all(graph, values, &zeros)
 }
 
-/// whole − part, with the sums of both opened as far as they have terms in common.
+/// Returns whole − part, with the sums of both expanded as far as they have terms in common.
 pub(super) fn remainder(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprId {
     let common = common_terms(graph, whole, part);
     let mut pending = BTreeMap::from([(whole, Number::ONE)]);
@@ -209,8 +210,7 @@ pub(super) fn remainder(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprI
     };
     add(&mut pending, part, Number::MINUS_ONE);
     let (mut constant, mut terms) = (Number::ZERO, Vec::new());
-    // Operands have smaller ids, so that all contributions to a term have arrived when it is its
-    // turn.
+    // Operands have smaller ids, so all contributions to a term are present when it is processed.
     while let Some((id, coefficient)) = pending.pop_last() {
         match graph.node(id) {
             _ if coefficient.is_zero() => {}
@@ -226,7 +226,7 @@ pub(super) fn remainder(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprI
     graph.sum(constant, terms)
 }
 
-/// Returns sums with terms that are terms of both expressions, even as terms of terms.
+/// Returns the sums of both expressions that contain a common term, directly or in nested sums.
 fn common_terms(graph: &Graph, whole: ExprId, part: ExprId) -> HashSet<ExprId> {
     let is_sum = |id: ExprId| matches!(graph.node(id), Node::Sum { .. });
     let closures = [whole, part].map(|root| graph.reachable_until(&[root], |id| !is_sum(id)));

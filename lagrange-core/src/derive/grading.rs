@@ -1,10 +1,10 @@
-//! Grades of parameters: in which power the unit of inertia is in them.
+//! Grades of parameters: the power of the unit of inertia in each of them.
 //!
 //! Lagrange's equations do not change if the Lagrangian, the dissipation and all forces are
-//! multiplied by one number. What this means for parameters follows from the terms that are added
-//! up: all have the same grade. These are linear equations between the grades of parameters, which
-//! are solved one after the other. One that contradicts those before it shows that a number stands
-//! for a unit somewhere, and is skipped. Grades that stay open are zero.
+//! multiplied by one number. The consequences for parameters follow from sums: all terms of a sum
+//! have the same grade. This yields linear equations between the grades of parameters, which are
+//! solved one after the other. An equation that contradicts earlier ones indicates a number that
+//! carries a unit, and is skipped. Grades that remain undetermined are zero.
 
 use std::collections::BTreeMap;
 
@@ -45,7 +45,7 @@ impl GradeForm {
     }
 }
 
-/// Finds the grades of parameters and inputs, and keeps them in the graph.
+/// Determines the grades of parameters and inputs, and stores them in the graph.
 pub(super) fn grade_parameters(model: &mut Model) {
     let of_degree_one = [model.lagrangian, model.dissipation].into_iter();
     let energies = of_degree_one.filter(|id| !model.graph.is_zero(*id)).collect::<Vec<_>>();
@@ -70,7 +70,7 @@ struct GradeSolver {
 }
 
 impl GradeSolver {
-    /// Reads what the nodes say that the roots are made of.
+    /// Collects the equations of all nodes below the roots.
     fn read(&mut self, graph: &Graph, roots: &[ExprId]) {
         for id in graph.reachable(roots) {
             let form = self.of_node(graph, id);
@@ -128,8 +128,7 @@ impl GradeSolver {
         self.equate(&form, other);
     }
 
-    /// Solves an equation for a symbol that is in it by its first power, so that of m l² it is the
-    /// mass.
+    /// Solves an equation for a symbol of first power if there is one: in m l², for the mass.
     fn equate(&mut self, a: &GradeForm, b: &GradeForm) {
         let difference = self.resolved(&a.clone().plus(b, &Number::MINUS_ONE));
         let plain = difference.open.iter().find(|(_, coefficient)| coefficient.abs().is_one());
@@ -141,8 +140,8 @@ impl GradeSolver {
         self.solved.insert(symbol, form);
     }
 
-    /// The form without symbols that have been solved. Those in a solution may have been solved
-    /// later.
+    /// Returns the form without symbols that have been solved. A solution may itself contain
+    /// symbols that were solved later.
     fn resolved(&self, form: &GradeForm) -> GradeForm {
         let mut form = form.clone();
         while let Some((symbol, solution)) =

@@ -1,12 +1,13 @@
-//! Mass matrices whose pivots may vanish although they are regular.
+//! Regular mass matrices with pivots that may vanish.
 //!
-//! No pivot of a positive definite matrix vanishes, in any order of factorisation, and the matrix
-//! of a kinetic energy is positive definite. A Lagrangian may have others. For ½ sin x ẋ² + ẋ ẏ,
-//! the matrix [sin x, 1; 1, 0] is regular everywhere. Its first pivot is zero at x = 0. A coupled
-//! diagonal entry without a sure sign gets a test at run time, and a second way to its
-//! accelerations. This concerns only systems declared by a Lagrangian, also with constraints. In
-//! the axes of bodies, the signs of kinetic energies hide in sums of products. Source: Golub, Van
-//! Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
+//! The mass matrix of a kinetic energy is positive definite, so no pivot vanishes in any order of
+//! factorisation. A general Lagrangian may have an indefinite one. For ½ sin x ẋ² + ẋ ẏ, the matrix
+//! [sin x, 1; 1, 0] is regular everywhere. Its first pivot is zero at x = 0. If a coupled diagonal
+//! entry has no certain sign, pivots are tested at run time, and a second method for the
+//! accelerations is provided. This only concerns systems that are declared by a Lagrangian, with or
+//! without constraints. In the axes of bodies, the signs of kinetic energies hide in sums of
+//! products. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite
+//! systems).
 
 use super::elimination::solution::Solution;
 use crate::model::{Model, default_values, sample_values};
@@ -14,17 +15,17 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions;
 
-/// Number of coordinates up to which there is a second way. It holds a matrix on the stack: 13 kB
-/// of `f64` at this size.
+/// Maximum number of coordinates for the second method. Its matrix is stored on the stack: 13 kB of
+/// `f64` at this size.
 const LARGEST: usize = 40;
-/// Number of points at which a mass matrix is looked at.
+/// Number of points at which a mass matrix is tested.
 const POINTS: usize = 4;
-/// Pivots below this part of the entry that they come from are zero but for rounding.
+/// Pivots below this fraction of the original entry count as zero up to rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Growth of rounding through small pivots, squared; infinite where a pivot vanishes. `None` if
-/// every coupled entry of the diagonal has a sure sign, and the matrix is positive definite at some
-/// points.
+/// Returns the squared growth of rounding errors through small pivots; infinite where a pivot
+/// vanishes. `None` if every coupled diagonal entry has a certain sign and the matrix is positive
+/// definite at the sample points.
 pub(super) fn pivot_growth(
     model: &mut Model,
     mass_matrix: &[Vec<ExprId>],
@@ -51,8 +52,8 @@ pub(super) fn pivot_growth(
     Some(growth)
 }
 
-/// True if a mass matrix is not positive definite at one of some points, with defaults of
-/// parameters or without. Entries of the diagonal may have sure signs and be outweighed by others.
+/// True if a mass matrix is not positive definite at one of the sample points, with or without
+/// default parameters. Diagonal entries with certain signs may still be outweighed by others.
 fn is_indefinite(model: &Model, mass_matrix: &[Vec<ExprId>]) -> bool {
     let entries = mass_matrix.concat();
     (0..POINTS).any(|point| {
@@ -62,7 +63,7 @@ fn is_indefinite(model: &Model, mass_matrix: &[Vec<ExprId>]) -> bool {
 }
 
 /// True if a pivot of a matrix of n rows is not positive: [1, 2; 2, 1] has the pivots 1 and −3.
-/// Coordinates without inertia of their own are never eliminated first and left out.
+/// Coordinates without inertia of their own are skipped, since they are never eliminated first.
 fn has_bad_pivot(mut entries: Vec<f64>, n: usize) -> bool {
     let diagonal = (0..n).map(|k| entries[k * n + k]).collect::<Vec<_>>();
     (0..n).filter(|&k| diagonal[k] != 0.0).any(|k| {
@@ -78,9 +79,9 @@ pub(super) fn largest(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
     functions::apply(graph, Function::Max, &[a, b])
 }
 
-/// True if an expression is assumed to have one sign where a system is regular. Parameters are
-/// positive, and even powers do not vanish. If one term of a sum has a sign, the others do not
-/// outweigh it.
+/// True if an expression is assumed to have a fixed sign wherever the system is regular. Parameters
+/// are assumed to be positive and even powers nonzero. If one term of a sum has a sign, the others
+/// are assumed not to outweigh it.
 fn has_sure_sign(graph: &Graph, root: ExprId) -> bool {
     let mut known: HashMap<ExprId, bool> = HashMap::default();
     for id in graph.reachable(&[root]) {

@@ -1,5 +1,5 @@
-//! Residual of the equations of motion: the forces that must act beside the declared ones to
-//! produce accelerations.
+//! Residual of the equations of motion: the forces that must act in addition to the declared ones
+//! to produce given accelerations.
 
 use super::elimination::solution::push_down;
 use super::least_constraint::{SplitLagrangian, Terms, linear_form};
@@ -7,7 +7,7 @@ use crate::model::Model;
 use lagrange_algebra::calculus::AccelerationTerms;
 use lagrange_expr::expr::ExprId;
 
-/// The linear part at the generalised velocities.
+/// Returns the linear part at the generalised velocities.
 pub(super) fn residual(
     model: &mut Model,
     split: &SplitLagrangian,

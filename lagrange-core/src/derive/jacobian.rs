@@ -1,10 +1,11 @@
-//! Derivatives of the accelerations by coordinates, velocities and parameters.
+//! Derivatives of the accelerations with respect to coordinates, velocities and parameters.
 //!
-//! There are two ways, and the one that counts cheaper is kept. The accelerations can be
-//! differentiated as they are computed, one sweep for each variable. Alternatively, the inverse
-//! dynamics r(q, v, a) = 0 defines them, so M ∂a/∂x = −∂r/∂x at fixed accelerations. Then r needs
-//! no elimination, and that of M, which exists already, serves all the variables. See Carpentier
-//! and Mansard, *Analytical Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3.
+//! There are two ways, and the one with the lower estimated cost is kept. The explicit way
+//! differentiates the accelerations as they are computed, with one sweep for each variable.
+//! Alternatively, the inverse dynamics r(q, v, a) = 0 defines them, so M ∂a/∂x = −∂r/∂x at fixed
+//! accelerations. Computing r involves no elimination, and the existing elimination of M serves all
+//! variables. See Carpentier and Mansard, *Analytical Derivatives of Rigid Body Dynamics
+//! Algorithms*, 2018, eq. 3.
 
 use super::cost::cost;
 use super::elimination::order::{eliminate_dense, eliminate_recursive};
@@ -19,11 +20,12 @@ use lagrange_algebra::calculus::{AccelerationTerms, gradient, jacobian, substitu
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Above this many coordinates only the way is tried that is known to be cheaper there. A
-/// factorised full matrix of n rows takes n³ operations, and differentiating it n⁴.
+/// Maximum number of coordinates for which both ways are tried. Beyond it, only the way that is
+/// known to be cheaper is used. Factorising a full matrix of n rows takes n³ operations, and
+/// differentiating it n⁴.
 const LARGEST_TRIAL: usize = 20;
 
-/// ∂²L/∂y² for the state y = [q, v], in rows.
+/// Returns ∂²L/∂y² for the state y = [q, v], in rows.
 pub(super) fn lagrangian_hessian(model: &mut Model) -> Vec<ExprId> {
     let state = [model.positions(), model.velocities()].concat();
     let slopes = gradient(&mut model.graph, model.lagrangian, &state);
@@ -33,9 +35,9 @@ pub(super) fn lagrangian_hessian(model: &mut Model) -> Vec<ExprId> {
     (0..state.len()).flat_map(|row| (0..state.len()).map(move |column| entry(row, column))).collect()
 }
 
-/// Functions that the derivatives are found from.
+/// Functions from which the derivatives are computed.
 pub(super) struct Derivatives {
-    /// The accelerations as they are computed, if they are to be differentiated.
+    /// The accelerations as they are computed, if these are to be differentiated.
     explicit: Option<Vec<ExprId>>,
     /// r(q, v, a), with symbols for the accelerations.
     residual: Vec<ExprId>,
@@ -44,9 +46,9 @@ pub(super) struct Derivatives {
 }
 
 impl Derivatives {
-    /// Prepares the ways to try. Under `strict` that is the first way, since nothing cancels in it
-    /// that does not cancel in the accelerations. Under constraints it is, too, since r has no
-    /// multipliers.
+    /// Prepares the ways to try. Under `strict` only the explicit way is tried, since it involves
+    /// no cancellation beyond that in the accelerations. The same applies under constraints, since
+    /// r has no multipliers.
     pub(super) fn new(
         model: &mut Model,
         split: &SplitLagrangian,
@@ -58,8 +60,8 @@ impl Derivatives {
         let is_only_explicit = model.accuracy == Accuracy::Strict || !model.constraints.is_empty();
         let is_factorised = strategy == Strategy::MassMatrix && forms.pushed(model).is_mostly_full(count);
         let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
-        // Where the factorised matrix is the best strategy for the accelerations, recursion is no
-        // better for their slopes.
+        // If factorising the mass matrix is the best strategy for the accelerations, recursion is
+        // no better for their slopes.
         if is_small && strategy != Strategy::MassMatrix && !is_only_explicit {
             eliminations.extend(eliminate_recursive(
                 &mut model.graph,
@@ -72,7 +74,7 @@ impl Derivatives {
             let pushed = forms.pushed(model).clone();
             eliminations.extend(eliminate_dense(&mut model.graph, pushed, &velocities));
         }
-        // A large full matrix is the one case in which the explicit way is known to lose.
+        // Only for a large full matrix is the explicit way known to be slower.
         let is_explicit = is_small || !is_factorised || eliminations.is_empty();
         let residual = match eliminations.is_empty() {
             true => Vec::new(),
@@ -81,20 +83,20 @@ impl Derivatives {
         Derivatives { explicit: is_explicit.then(|| accelerations.to_vec()), residual, eliminations }
     }
 
-    /// ∂a/∂x in rows, with an entry for each of `variables`.
+    /// Returns ∂a/∂x in rows, with an entry for each of `variables`.
     pub(super) fn by(&self, model: &mut Model, variables: &[ExprId]) -> Vec<Vec<ExprId>> {
         let explicit = self.explicit.as_ref();
         let explicit = explicit.map(|accelerations| jacobian(&mut model.graph, accelerations, variables));
         let mut found = explicit.into_iter().collect::<Vec<_>>();
         found
             .extend(self.eliminations.iter().map(|elimination| self.implicit(model, elimination, variables)));
-        // One that counts as much as another is kept if it comes first.
+        // In a tie, the first one is kept.
         let costs = found.iter().map(|rows| cost(&model.graph, &rows.concat())).collect::<Vec<_>>();
         let least = (0..found.len()).min_by(|&i, &j| costs[i].total_cmp(&costs[j])).unwrap_or_default();
         found.swap_remove(least)
     }
 
-    /// −M⁻¹ ∂r/∂x
+    /// Returns −M⁻¹ ∂r/∂x.
     fn implicit(
         &self,
         model: &mut Model,

@@ -10,9 +10,9 @@
 //!
 //! # A pendulum in numbers
 //!
-//! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. From x = 5 sin θ and y = −5
-//! cos θ follow ẋ = 4 θ̇ and ẏ = 3 θ̇. At zero acceleration ẍ = −3 and ÿ = 4. The potential loses
-//! height at the rate V̇ = 30 θ̇.
+//! Take m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. From x = 5 sin θ and y =
+//! −5 cos θ follow ẋ = 4 θ̇ and ẏ = 3 θ̇. At zero acceleration ẍ = −3 and ÿ = 4. The potential has
+//! the rate V̇ = 30 θ̇.
 //!
 //! | node | square | linear part | because |
 //! |---|---|---|---|
@@ -21,14 +21,15 @@
 //! | V̇ | | 1 | V̇·a |
 //! | θ̇ | 4² + 3² = 25 | 4 · (−3) + 3 · 4 + 30 · 1 = 30 | pushed down |
 //!
-//! So θ̈ = −30/25 = −6/5, which is −(g/l) sin θ; what centripetal acceleration contributes, −12 +
-//! 12, cancels along the path.
+//! Hence θ̈ = −30/25 = −6/5, which is −(g/l) sin θ. The contributions of centripetal acceleration,
+//! −12 + 12, cancel along the path.
 //!
 //! # Polar coordinates in numbers
 //!
-//! Weights that change: ½ m (ṙ² + r² φ̇²) with m = 1 at r = 2, ṙ = 3, φ̇ = 5. The weight of φ̇ is w =
-//! r² = 4 with ẇ = 2 r ṙ. The linear part at φ̇ is ẇ u = 60, Coriolis' force. At the node ẇ, −½ u² =
-//! −25/2 comes down to ṙ as −25/2 · 2 r = −50, the centrifugal force.
+//! This is an example of changing weights: ½ m (ṙ² + r² φ̇²) with m = 1 at r = 2, ṙ = 3, φ̇ = 5.
+//! The weight of φ̇ is w = r² = 4 with ẇ = 2 r ṙ. The linear part at φ̇ is ẇ u = 60, the Coriolis
+//! force. At the node ẇ it is −½ u² = −25/2. Pushed down to ṙ, this becomes −25/2 · 2 r = −50, the
+//! centrifugal force.
 
 use super::curvature::Curvature;
 use super::gibbs_appell::{GibbsForm, remainder};
@@ -41,7 +42,7 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// The Lagrangian sorted into terms that are treated alike.
+/// The Lagrangian, split into groups of terms that are treated alike.
 #[derive(Debug)]
 pub(super) struct SplitLagrangian {
     /// `(w, u)` for the terms ½ w u² with u = dx/dt.
@@ -50,14 +51,14 @@ pub(super) struct SplitLagrangian {
     pub(super) potential: ExprId,
     /// All other terms.
     pub(super) rest: ExprId,
-    /// True if those are more than linear in the velocities.
+    /// True if `rest` is nonlinear in the velocities.
     pub(super) has_other_inertia: bool,
-    /// Quasi-velocities, if the components are terms that joints turn.
+    /// Quasi-velocities, if the Lagrangian has terms in components that joints turn.
     quasi_velocities: Option<QuasiVelocities>,
-    /// Part stated by a Gibbs function, which the terms above exclude.
+    /// Part given by a Gibbs function, which the terms above exclude.
     gibbs: Option<GibbsForm>,
-    /// The second derivatives with respect to affine nodes, the squares and those of the Gibbs
-    /// function included.
+    /// Second derivatives with respect to affine nodes, including the squares and the Gibbs
+    /// function.
     quadratic: QuadraticForm,
 }
 
@@ -78,7 +79,7 @@ impl SplitLagrangian {
 }
 
 impl SplitLagrangian {
-    /// True if a Gibbs function states part of the equations.
+    /// True if part of the equations is given by a Gibbs function.
     pub(super) fn has_gibbs_function(&self) -> bool {
         self.gibbs.is_some()
     }
@@ -87,13 +88,13 @@ impl SplitLagrangian {
 /// The requested terms of d/dt ∂L/∂v − ∂L/∂q − Q.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Terms {
-    /// Only those of the Lagrangian.
+    /// Only terms of the Lagrangian.
     Inertial,
     /// Also loads and dissipation.
     All,
 }
 
-/// The quadratic form with the linear part that `terms` and `accelerations` select.
+/// Returns the quadratic form with the linear part that `terms` and `accelerations` select.
 pub(super) fn least_constraint_form(
     model: &mut Model,
     split: &SplitLagrangian,
@@ -105,8 +106,8 @@ pub(super) fn least_constraint_form(
     form
 }
 
-/// The linear part alone: its coefficients at the generalised velocities are d/dt ∂L/∂v − ∂L/∂q −
-/// Q.
+/// Returns the linear part alone: its coefficients at the generalised velocities are d/dt ∂L/∂v −
+/// ∂L/∂q − Q.
 pub(super) fn linear_form(
     model: &mut Model,
     split: &SplitLagrangian,
@@ -123,7 +124,7 @@ pub(super) fn linear_form(
     form
 }
 
-/// The linear part without the terms w u̇ of the squares.
+/// Returns the linear part without the terms w u̇ of the squares.
 pub(super) fn loads_beside_squares(
     model: &mut Model,
     split: &SplitLagrangian,
@@ -152,7 +153,7 @@ pub(super) fn loads_beside_squares(
     form
 }
 
-/// Rates along displacements, which leave first-order states as they are.
+/// Returns rates along displacements, which leave first-order states unchanged.
 fn displaced_rates(model: &mut Model) -> Rates {
     let mut rates = Rates::new(AccelerationTerms::Dropped);
     let states = model.states().map(|state| state.position).collect::<Vec<_>>();
@@ -208,8 +209,8 @@ fn add_loads(model: &mut Model, form: &mut QuadraticForm) {
     }
 }
 
-/// Returns the positions whose rates are affine nodes of the Lagrangian. Besides `dot(…)` in the
-/// declaration, multiples and sums of rates are rates.
+/// Returns the positions whose rates are affine nodes of the Lagrangian. In addition to `dot(…)` in
+/// the declaration, multiples and sums of rates count as rates.
 fn known_positions(model: &mut Model, lagrangian: ExprId, degrees: &Degrees) -> HashMap<ExprId, ExprId> {
     let rates =
         model.speeds.iter().filter_map(|s| Some((s.velocity, model.coordinates[s.coordinate?].position)));
@@ -248,7 +249,7 @@ fn position_of_combination(
     }
 }
 
-/// Walks the Lagrangian from the root through its velocity-dependent nodes.
+/// Traversal of the Lagrangian from the root through its velocity-dependent nodes.
 struct Splitter<'a> {
     graph: &'a mut Graph,
     positions: HashMap<ExprId, ExprId>,
@@ -300,7 +301,7 @@ impl<'a> Splitter<'a> {
         }
     }
 
-    /// Records that the Lagrangian holds `weight · id` as a term.
+    /// Records `weight · id` as a term of the Lagrangian.
     fn enter(&mut self, id: ExprId, weight: ExprId) {
         match self.curvature.degrees.of(self.graph, id) {
             Degree::Free => self.free.push(self.graph.multiply(weight, id)),
@@ -337,7 +338,8 @@ impl<'a> Splitter<'a> {
         Some(self.graph.total(terms))
     }
 
-    /// The terms of a sum, or the only moving factor of a product; `None` for every other node.
+    /// Returns the terms of a sum, or the only moving factor of a product; `None` for every other
+    /// node.
     fn linear_parts(&mut self, id: ExprId) -> Option<Vec<(ExprId, ExprId)>> {
         if let Node::Sum { constant, terms } = self.graph.node(id).clone() {
             let one = self.graph.number(1);
@@ -349,7 +351,8 @@ impl<'a> Splitter<'a> {
         exponent.is_one().then(|| vec![(base, slope)])
     }
 
-    /// `(slope, base, exponent)` for a product of the velocity-free `slope` and one moving factor.
+    /// Returns `(slope, base, exponent)` for a product of the velocity-free `slope` and one moving
+    /// factor.
     fn only_moving_factor(&mut self, id: ExprId) -> Option<(ExprId, ExprId, Number)> {
         let Node::Product(factors) = self.graph.node(id).clone() else { return None };
         let is_free =
@@ -361,7 +364,7 @@ impl<'a> Splitter<'a> {
         }
     }
 
-    /// `(slope, u)` if the node is slope·u² with u = dx/dt.
+    /// Returns `(slope, u)` if the node is slope·u² with u = dx/dt.
     fn weighted_square(&mut self, id: ExprId) -> Option<(ExprId, ExprId)> {
         let (slope, u, exponent) = self.only_moving_factor(id)?;
         (self.positions.contains(&u) && exponent == Number::TWO).then_some((slope, u))

@@ -3,7 +3,7 @@
 pub(super) const SINGULAR_MASS_MATRIX: &str =
     "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";
 
-/// Message that names the coordinates, if they are known.
+/// Returns the message, with the names of the coordinates if these are known.
 pub(super) fn singular_mass_matrix(coordinates: &[&str]) -> String {
     match coordinates {
         [] => SINGULAR_MASS_MATRIX.to_owned(),

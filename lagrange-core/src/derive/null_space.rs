@@ -1,10 +1,11 @@
-//! The null space of a matrix, in vectors of as many zeros as there can be.
+//! The null space of a matrix, with sparse basis vectors.
 
 /// Returns a basis of the vectors x with A x = 0, where entries below `rounding` count as zero.
-/// Each has a one where all others have a zero.
+/// Each basis vector has a one in a position where all others have a zero.
 ///
-/// Gauss–Jordan elimination, which takes pivots in the columns from the left. In numbers, A = (1,
-/// 1, 0) has its pivot in the first column, and the basis is (−1, 1, 0), (0, 0, 1).
+/// The method is Gauss–Jordan elimination with pivots in the leftmost possible columns. For
+/// example, A = (1, 1, 0) has its pivot in the first column, and the basis is (−1, 1, 0), (0, 0,
+/// 1).
 pub(super) fn null_space(mut rows: Vec<Vec<f64>>, columns: usize, rounding: f64) -> Vec<Vec<f64>> {
     let mut pivots = Vec::new();
     for column in 0..columns {
@@ -26,7 +27,7 @@ pub(super) fn null_space(mut rows: Vec<Vec<f64>>, columns: usize, rounding: f64)
     free.map(vector).collect()
 }
 
-/// Clears a column in all rows but that of its pivot, which becomes one.
+/// Clears a column in all rows except the pivot row, and scales the pivot to one.
 fn eliminate(rows: &mut [Vec<f64>], pivot: usize, column: usize) {
     let scale = rows[pivot][column];
     rows[pivot].iter_mut().for_each(|entry| *entry /= scale);

@@ -2,17 +2,17 @@
 //!
 //! A joint turns by q, with c = cos q and s = sin q. Components along the axes of the turned body
 //! are u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁. This holds for its angular velocity and for the
-//! velocity of its origin alike. Substituted one by one, the coefficients of x₁ and x₂ would be
-//! sums of products with c², c s and s². By c² + s² = 1, five products suffice for all three
-//! coefficients of a pair,
+//! velocity of its origin alike. If u₁ and u₂ were substituted separately, the coefficients of x₁
+//! and x₂ would contain products with c², c s and s². Because of c² + s² = 1, five products suffice
+//! for all three coefficients of a pair,
 //!
 //! ```text
 //! ½ A u₁² + C u₁ u₂ + ½ B u₂² = ½ (A − s t) x₁² + (c t − C) x₁ x₂ + ½ (B + s t) x₂²,
 //! t = s (A − B) + 2 c C,
 //! ```
 //!
-//! and four for the four coefficients between two pairs. Invariants of rotations stay as they are:
-//! a mass ½ m (v₁² + v₂²), and a moment of mass h (v₁ ω₂ − v₂ ω₁). The inertia of a composite body
+//! and four for the four coefficients between two pairs. Rotational invariants remain unchanged: a
+//! mass ½ m (v₁² + v₂²), and a moment of mass h (v₁ ω₂ − v₂ ω₁). The inertia of a composite body
 //! therefore keeps ten coefficients of twenty-one.
 //!
 //! # In numbers
@@ -27,7 +27,8 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Two variables that are two others turned: u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁, but for signs.
+/// Two variables that result from rotating two others: u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁, up to
+/// signs.
 #[derive(Clone, Debug)]
 pub(super) struct TurnedPair {
     pub(super) cosine: ExprId,
@@ -39,7 +40,7 @@ pub(super) struct TurnedPair {
 }
 
 impl TurnedPair {
-    /// The angle.
+    /// Returns the angle.
     pub(super) fn angle(&self, graph: &Graph) -> ExprId {
         match graph.node(self.cosine) {
             Node::Call(_, arguments) => arguments[0],
@@ -48,7 +49,7 @@ impl TurnedPair {
     }
 }
 
-/// A variable c x₁ + s x₂ but for signs.
+/// A variable c x₁ + s x₂, up to signs.
 #[derive(Clone, Copy, Debug)]
 struct Component {
     id: ExprId,
@@ -60,8 +61,8 @@ struct Component {
     across: (ExprId, bool),
 }
 
-/// All pairs among variables that are given with their parts, wholes being made of multiples that
-/// nothing else is made of.
+/// Finds all turned pairs among variables with given parts. The multiples in a pair must not be
+/// used by any other variable.
 pub(super) fn turned_pairs(
     graph: &Graph,
     variables: &[ExprId],
@@ -123,19 +124,19 @@ fn pair(one: &Component, other: &Component) -> Option<TurnedPair> {
     })
 }
 
-/// Pairs that wait to be turned, all that turn by the same angle together.
+/// Pairs still to be turned, grouped by angle.
 #[derive(Clone, Default, Debug)]
 pub(super) struct PendingRotations {
     pairs: Vec<TurnedPair>,
     /// The pair of each variable that is turned.
     pair_of: HashMap<ExprId, usize>,
-    /// Pairs of which one variable is ready, with its rank, but not the other.
+    /// Pairs with only one variable ready, with the rank of that variable.
     half_ready: HashMap<usize, usize>,
     /// Completed parts of each rotation, by the cosine of the angle.
     ready: HashMap<ExprId, ReadyRotation>,
-    /// Completed rotations in the order in which they are applied, the last one first.
+    /// Rotations with ready pairs, in the order of application, the last one first.
     order: BTreeSet<(bool, usize, ExprId)>,
-    /// True if they wait until nothing else is left.
+    /// True if rotations are postponed until nothing else is left.
     are_last: bool,
 }
 
@@ -145,7 +146,7 @@ struct ReadyRotation {
     pairs: Vec<usize>,
     /// The number of pairs that have not been turned, ready or not.
     remaining: usize,
-    /// The lowest rank of their variables.
+    /// The lowest rank of the variables of these pairs.
     rank: usize,
 }
 
@@ -169,12 +170,12 @@ impl PendingRotations {
         self.pairs.is_empty()
     }
 
-    /// True if a variable is one of a pair.
+    /// True if a variable belongs to a pair.
     pub(super) fn contains(&self, id: ExprId) -> bool {
         self.pair_of.contains(&id)
     }
 
-    /// Takes note of a variable of a pair that may be substituted.
+    /// Records that a variable of a pair may be substituted.
     pub(super) fn make_ready(&mut self, id: ExprId, rank: usize) {
         let Some(&pair) = self.pair_of.get(&id) else { return };
         let Some(other) = self.half_ready.remove(&pair) else {
@@ -190,9 +191,9 @@ impl PendingRotations {
         self.order.insert(rotation.key(cosine));
     }
 
-    /// The pairs to turn next, if it is the turn of any when `highest` is the highest rank of what
-    /// else may be substituted. A rotation of which some pairs are not ready waits for them as long
-    /// as there is anything else.
+    /// Returns the pairs to turn next, unless something else goes first. `highest` is the highest
+    /// rank of the other variables that may be substituted. A rotation with pairs that are not
+    /// ready waits for them as long as other variables remain.
     pub(super) fn take_next(&mut self, highest: Option<usize>) -> Option<Vec<TurnedPair>> {
         let &(is_complete, rank, cosine) = self.order.last()?;
         if highest.is_some_and(|highest| self.are_last || !is_complete || rank < highest) {
@@ -206,7 +207,8 @@ impl PendingRotations {
     }
 }
 
-/// Coefficients along what was turned, from those along u₁ and u₂: c p₁ − s p₂ and s p₁ + c p₂.
+/// Returns the coefficients along x₁ and x₂ from those along u₁ and u₂: c p₁ − s p₂ and s p₁ + c
+/// p₂.
 pub(super) fn turned_back(
     graph: &mut Graph,
     [c, s]: [ExprId; 2],
@@ -217,8 +219,8 @@ pub(super) fn turned_back(
     [graph.subtract(cp, sq), graph.add(sp, cq)]
 }
 
-/// Coefficients of products of x's, in rows, from those of products of u's in two pairs: each as
-/// terms to be added up.
+/// Returns the coefficients of products of the x, in rows, from those of products of the u in two
+/// pairs. Each is a list of terms to be added up.
 pub(super) fn turned_block(
     graph: &mut Graph,
     [c, s]: [ExprId; 2],

@@ -1,13 +1,14 @@
-//! The power of everything that changes the energy, as outputs, and the balance of both.
+//! Powers of everything that changes the energy, as outputs, and the energy balance.
 //!
 //! Along a motion, the energy function h = v·∂L/∂v − L changes at the rate
 //!
 //! > ḣ = v·Q + λ·A v + r·D v − v·∂R/∂v − ∂L/∂t − ∂L/∂s·ṡ
 //!
 //! with the generalised forces Q of loads, the Rayleigh function R and first-order states s. The
-//! forces of constraints are λ, those of contacts and friction r. Without forces and states this is
-//! in Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7. Only the part of a velocity
-//! that is linear in v counts: a force at a point that only time moves leaves h alone.
+//! constraint forces are λ, and r are the forces of contacts and friction. The equation without
+//! forces and states is in Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7. Only
+//! the part of a velocity that is linear in v counts: a force at a point that moves only with time
+//! leaves h unchanged.
 
 use super::conserved::add;
 use super::energy_function::energy_function;
@@ -18,7 +19,7 @@ use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 use lagrange_expr::units::{NamedUnit, momentum_name};
 
-/// Adds an output for each power, and one for the balance, to a model that asks for them.
+/// Adds an output for each power, and one for the balance, if the model requests them.
 pub(super) fn add_power(model: &mut Model) {
     if !model.products.contains(&Product::Power) {
         return;
@@ -40,13 +41,13 @@ pub(super) fn add_power(model: &mut Model) {
     }
 }
 
-/// True if momenta have known units: energies are in joules then.
+/// True if momenta have known units, so that energies are in joules.
 fn has_units(model: &Model) -> bool {
     let mut momenta = model.coordinates.iter().map(|coordinate| momentum_name(&coordinate.name));
     momenta.any(|momentum| model.units.get(&momentum).is_some())
 }
 
-/// A power, with its meaning.
+/// A power and its description.
 struct Power {
     name: String,
     description: String,
@@ -66,7 +67,7 @@ struct Acting {
     pairs: Vec<(ExprId, ExprId)>,
 }
 
-/// The powers of loads, of contacts and friction, and of constraints.
+/// Returns the powers of loads, of contacts and friction, and of constraints.
 fn of_forces(model: &mut Model) -> Vec<Power> {
     let mut acting = loads(model);
     acting.extend(model.reactions.iter().map(|reaction| Acting {
@@ -83,7 +84,7 @@ fn of_forces(model: &mut Model) -> Vec<Power> {
     acting.into_iter().map(power).collect()
 }
 
-/// Loads by statement. Parts of an expanded load follow each other, as components do.
+/// Groups loads by statement. Parts of an expanded load are consecutive, as components are.
 fn loads(model: &Model) -> Vec<Acting> {
     let statements = model.loads.chunk_by(|load, next| load.name == next.name);
     let acting = statements.map(|loads| Acting {
@@ -94,8 +95,8 @@ fn loads(model: &Model) -> Vec<Acting> {
     acting.collect()
 }
 
-/// The forces of constraints. Those that do not move have one power in common, which is zero where
-/// they hold.
+/// Returns the forces of constraints. Constraints that do not move share one power, which is zero
+/// where they hold.
 fn constraints(model: &Model) -> Vec<Acting> {
     let (resting, moving): (Vec<_>, Vec<_>) = model
         .constraints
@@ -115,7 +116,8 @@ fn constraints(model: &Model) -> Vec<Acting> {
     moving.chain(at_rest).collect()
 }
 
-/// The power of forces along the parts of their velocities, `(u, force)`, that are linear in v.
+/// Returns the power of the forces in pairs `(u, force)`, along the parts of u that are linear in
+/// v.
 fn along(graph: &mut Graph, pairs: &[(ExprId, ExprId)], velocities: &[ExprId]) -> ExprId {
     if pairs.iter().all(|(along, _)| homogeneity(graph, *along) == Some(1)) {
         let products = pairs.iter().map(|&(along, force)| graph.multiply(force, along));
@@ -131,7 +133,7 @@ fn inner(graph: &mut Graph, a: &[ExprId], b: &[ExprId]) -> ExprId {
     graph.total(products)
 }
 
-/// The powers of dissipation, time and states, as far as they are not zero.
+/// Returns the nonzero powers of dissipation, time and states.
 fn of_functions(model: &mut Model) -> Vec<Power> {
     let (velocities, lagrangian) = (model.velocities(), model.lagrangian);
     let (states, rates): (Vec<_>, Vec<_>) = model.states().map(|state| (state.position, state.rate)).unzip();

@@ -24,17 +24,16 @@ pub(super) struct FormRow {
     pub(super) linear: ExprId,
 }
 
-/// A symmetric quadratic form. Contributions to a coefficient are collected and summed once, when
-/// the coefficient is needed. The sum is then long enough for the simplifier to find terms that
-/// cancel.
+/// A symmetric quadratic form. Contributions to a coefficient are collected, and summed only when
+/// the coefficient is needed. The complete sum lets the simplifier find terms that cancel.
 #[derive(Clone, Default, Debug)]
 pub(super) struct QuadraticForm {
     /// Wᵢⱼ under its ordered pair of variables.
     pairs: BTreeMap<(ExprId, ExprId), Contributions>,
     neighbours: HashMap<ExprId, BTreeSet<ExprId>>,
     linear: BTreeMap<ExprId, Contributions>,
-    /// Variables that shared terms with others that have been removed, and those that have lost
-    /// their squares.
+    /// Variables that shared terms with removed variables, and variables that have lost their
+    /// squares.
     changed: BTreeSet<ExprId>,
 }
 
@@ -73,29 +72,29 @@ impl QuadraticForm {
         self.pairs.len() * 4 > count * (count + 1)
     }
 
-    /// True if any term holds xᵢ.
+    /// True if any term contains xᵢ.
     pub(super) fn contains(&self, i: ExprId) -> bool {
         self.is_coupled(i) || self.linear.contains_key(&i)
     }
 
-    /// True if a square or product holds xᵢ.
+    /// True if a square or product contains xᵢ.
     pub(super) fn is_coupled(&self, i: ExprId) -> bool {
         self.neighbours.get(&i).is_some_and(|near| !near.is_empty())
     }
 
-    /// The variables that occur.
+    /// Returns the variables that occur.
     pub(super) fn variables(&self) -> Vec<ExprId> {
         let quadratic = self.pairs.keys().flat_map(|&(i, j)| [i, j]);
         quadratic.chain(self.linear.keys().copied()).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// The number of other variables that share a term with this one.
+    /// Counts the other variables that share a term with this one.
     pub(super) fn degree(&self, i: ExprId) -> usize {
         self.neighbours.get(&i).map_or(0, |near| near.len() - usize::from(near.contains(&i)))
     }
 
-    /// The variables whose squares and neighbours may be others since this was last called, because
-    /// of what was removed.
+    /// Takes the variables whose squares and neighbours may have changed since the last call,
+    /// because of removed terms.
     pub(super) fn take_changed(&mut self) -> BTreeSet<ExprId> {
         std::mem::take(&mut self.changed)
     }
@@ -110,17 +109,18 @@ impl QuadraticForm {
         total(graph, self.pairs.get(&(i.min(j), i.max(j))).cloned())
     }
 
-    /// The other variables that share a term with i.
+    /// Returns the other variables that share a term with i.
     pub(super) fn near(&self, i: ExprId) -> impl Iterator<Item = ExprId> {
         self.neighbours.get(&i).into_iter().flatten().copied().filter(move |&j| j != i)
     }
 
-    /// Wᵢⱼ for all of these.
+    /// Returns Wᵢⱼ for all variables j that share a term with i.
     pub(super) fn couplings(&self, graph: &mut Graph, i: ExprId) -> Vec<ExprId> {
         self.near(i).map(|j| self.coefficient(graph, i, j)).collect()
     }
 
-    /// sign·Wᵢⱼ in rows, one for each of `rows` and in it one entry for each of `columns`.
+    /// Returns sign·Wᵢⱼ in rows, with one row for each of `rows` and one entry for each of
+    /// `columns`.
     pub(super) fn matrix(
         &self,
         graph: &mut Graph,
@@ -156,7 +156,7 @@ impl QuadraticForm {
         self.neighbours.get_or_insert_with(j, BTreeSet::new).remove(&i);
     }
 
-    /// Forgets xᵢ² if its coefficient is zero; whether that was so.
+    /// Removes xᵢ² if its coefficient is zero, and returns true in this case.
     pub(super) fn drop_vanished_square(&mut self, graph: &mut Graph, i: ExprId) -> bool {
         let square = self.coefficient(graph, i, i);
         let vanished = graph.is_zero(square);
@@ -167,7 +167,7 @@ impl QuadraticForm {
         vanished
     }
 
-    /// Forgets the products xᵢxⱼ whose coefficients are zero.
+    /// Removes the products xᵢxⱼ whose coefficients are zero.
     pub(super) fn separate_uncoupled(&mut self, graph: &mut Graph, i: ExprId) {
         for j in self.near(i).collect::<Vec<_>>() {
             let product = self.coefficient(graph, i, j);
@@ -177,7 +177,7 @@ impl QuadraticForm {
         }
     }
 
-    /// Removes every term with xᵢ.
+    /// Removes every term with xᵢ and returns its row.
     pub(super) fn take(&mut self, graph: &mut Graph, i: ExprId) -> FormRow {
         let near = self.neighbours.remove(&i).unwrap_or_default();
         let own = total(graph, self.pairs.remove(&(i, i)));
@@ -211,8 +211,8 @@ impl QuadraticForm {
         }
     }
 
-    /// ½·own·(Σ slope · part)²; this takes a time quadratic in the number of parts, as does its
-    /// result.
+    /// Adds ½·own·(Σ slope · part)². The time is quadratic in the number of parts, as is the size
+    /// of the result.
     fn push_square(&mut self, graph: &mut Graph, own: ExprId, parts: &[(ExprId, ExprId)]) {
         for (n, &(a, slope)) in parts.iter().enumerate() {
             // W·slope is shared by every pair with `a`.
@@ -240,9 +240,8 @@ impl QuadraticForm {
 
     /// Substitutes xᵢ = tᵢ·y for all `multiples` (xᵢ, tᵢ) of y at once.
     ///
-    /// The square of y then gets Σ tⱼ·wⱼ with wⱼ = Σ tᵢ Wᵢⱼ. Another velocity may stand in the form
-    /// as xⱼ does, such as that of the body that carries this one. Then wⱼ is also its coefficient
-    /// with y.
+    /// The square of y then gets Σ tⱼ·wⱼ with wⱼ = Σ tᵢ Wᵢⱼ. If xⱼ is not one of the multiples, for
+    /// example the velocity of the carrying body, wⱼ is also its coefficient with y.
     fn collapse(&mut self, graph: &mut Graph, y: ExprId, multiples: &[(ExprId, ExprId)]) {
         let mut among: BTreeMap<ExprId, Contributions> = BTreeMap::new();
         let slope_of = multiples.iter().copied().collect::<HashMap<_, _>>();

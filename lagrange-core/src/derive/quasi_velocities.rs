@@ -4,13 +4,13 @@
 //! velocities, but they are not rates. Let R(u, q) be a term of the Lagrangian in such nodes u,
 //! with the momenta p = ∂R/∂u. Then d/dt ∂R/∂q̇ − ∂R/∂q consists of three parts: ṗ at the nodes u,
 //! −∂R/∂q at constant u, and d/dt ∂u/∂q̇ − ∂u/∂q weighted with p. The last part is a sum of local
-//! terms: of u = Σ s x + f with coefficients s and a rest f free of velocities,
+//! terms. For u = Σ s x + f with coefficients s and a remainder f free of velocities, they are
 //!
 //! - p ṡ at each part x, which passes p s on to its own parts unless x is a rate,
 //! - −p ∂u/∂s at the rate of every factor s and −p at that of f.
 //!
-//! These are the brackets of Hamel's equations, one at each edge of the graph, and no rate of a
-//! generalised momentum is taken. Sources: Hamel, "Die Lagrange-Eulerschen Gleichungen der
+//! These are the brackets of Hamel's equations, one at each edge of the graph. No rates of
+//! generalised momenta are needed. Sources: Hamel, "Die Lagrange-Eulerschen Gleichungen der
 //! Mechanik", Z. Math. Phys. 50 (1904) 1–57; Lurie, *Analytical Mechanics*, §10.1. For a pair that
 //! is turned by q, u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁, the brackets are ω × p. They are −q̇ p₂
 //! at u₁, q̇ p₁ at u₂, and u₁ p₂ − u₂ p₁ at q̇.
@@ -39,15 +39,15 @@ pub(super) struct QuasiVelocities {
     /// Affine nodes that the terms are made of.
     nodes: Vec<ExprId>,
     degrees: Degrees,
-    /// Pairs that are turned, each behind those that it is made of.
+    /// Turned pairs, each after the pairs that it depends on.
     pairs: Vec<TurnedPair>,
-    /// Velocities that are rates, with what they are rates of.
+    /// Velocities that are rates, with the quantities that they are rates of.
     known_rates: HashMap<ExprId, ExprId>,
 }
 
 impl QuasiVelocities {
-    /// Looks for pairs that are turned; without any, generalised momenta and their rates are as
-    /// short.
+    /// Finds turned pairs. `None` without any, since generalised momenta and their rates are then
+    /// as short.
     pub(super) fn find(
         graph: &mut Graph,
         terms: ExprId,
@@ -91,7 +91,7 @@ impl QuasiVelocities {
     }
 }
 
-/// u̇₁ = c ẋ₁ + s ẋ₂ + q̇ u₂ and u̇₂ = c ẋ₂ − s ẋ₁ − q̇ u₁.
+/// Records u̇₁ = c ẋ₁ + s ẋ₂ + q̇ u₂ and u̇₂ = c ẋ₂ − s ẋ₁ − q̇ u₁.
 fn learn_rates(graph: &mut Graph, rates: &mut Rates, pair: &TurnedPair) {
     let [first, second] = pair.turned.each_ref().map(|(id, sign)| graph.scale(sign.clone(), *id));
     let [x, y] = pair.parts.each_ref().map(|(id, sign)| {
@@ -117,14 +117,14 @@ fn add_load(graph: &mut Graph, form: &mut QuadraticForm, node: ExprId, load: Exp
     form.add_linear(graph, node, load);
 }
 
-/// Momenta on the way from quasi-velocities down to rates.
+/// Momenta during the sweep from quasi-velocities down to rates.
 struct Brackets<'a> {
     of: &'a QuasiVelocities,
-    /// The pair of each variable that is turned.
+    /// The pair of each turned variable.
     pair_of: HashMap<ExprId, usize>,
     slopes: Rates,
     momenta: BTreeMap<ExprId, Vec<ExprId>>,
-    /// Momenta of what is turned, while that of the other one of the pair is not known.
+    /// Momenta of turned variables whose partners' momenta are not known yet.
     kept: HashMap<ExprId, ExprId>,
 }
 
@@ -140,8 +140,8 @@ impl<'a> Brackets<'a> {
         self.momenta.entry(node).or_default().push(momentum);
     }
 
-    /// Adds what all nodes contribute. Parts have smaller ids, so that their momenta are complete
-    /// when it is their turn.
+    /// Adds the contributions of all nodes. Parts have smaller ids, so their momenta are complete
+    /// when they are processed.
     fn add(mut self, graph: &mut Graph, form: &mut QuadraticForm) {
         while let Some((node, momenta)) = self.momenta.pop_last() {
             if self.of.known_rates.contains(&node) {
@@ -155,7 +155,7 @@ impl<'a> Brackets<'a> {
             let pair = &self.of.pairs[pair];
             let [first, second] = pair.turned.each_ref().map(|(id, _)| *id);
             self.kept.insert(node, momentum);
-            // Only behind the smaller of the two ids are both momenta complete.
+            // Both momenta are complete only when the smaller of the two ids is processed.
             match node == first.min(second) {
                 true => self.add_pair(graph, form, pair),
                 false => drop(self.momenta.entry(first.min(second)).or_default()),
@@ -201,7 +201,7 @@ impl<'a> Brackets<'a> {
     }
 }
 
-/// Pairs that are turned among what the nodes are made of.
+/// Finds turned pairs among the nodes and their operands.
 fn pairs_among(
     graph: &mut Graph,
     degrees: &Degrees,
@@ -209,7 +209,7 @@ fn pairs_among(
     known_rates: &HashMap<ExprId, ExprId>,
 ) -> Vec<TurnedPair> {
     let mut parts: HashMap<ExprId, Vec<(ExprId, ExprId)>> = HashMap::default();
-    // The terms are users, too.
+    // The terms also count as users.
     let mut users: HashMap<ExprId, usize> = nodes.iter().map(|&node| (node, 1)).collect();
     let is_end = |id: ExprId| known_rates.contains(&id) || degrees.of(graph, id) == Degree::Free;
     let found = graph.reachable_until(nodes, is_end);
@@ -229,7 +229,7 @@ fn pairs_among(
         |id| parts.get(&id).cloned().unwrap_or_default(),
         |id| users.get(&id) == Some(&1),
     );
-    // Those that are made of others come behind them.
+    // Pairs come after the pairs that they depend on.
     pairs.sort_by_key(|pair| pair.turned[0].0);
     pairs
 }

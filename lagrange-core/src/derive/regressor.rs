@@ -1,4 +1,4 @@
-//! The regressor of the inverse dynamics: what multiplies the parameters in which it is linear.
+//! The regressor of the inverse dynamics: the coefficients of the parameters in which it is linear.
 //!
 //! The inverse dynamics is τ = Y π + τ₀. The first parameters π are those of the bodies. Each has
 //! its mass m, first moments h = m c, and the tensor of inertia J about the body-fixed origin. Let
@@ -11,18 +11,18 @@
 //! six rows of a Jacobian for all of its columns.
 //!
 //! The others are declared parameters in which the rest of the inverse dynamics is linear. Examples
-//! are stiffness, damping and masses in energies of the user. The rest is that of the Lagrangian
-//! without the bodies, so that nothing of these has to cancel. Of two parameters whose product
-//! occurs only one can be a column: one with inertia, otherwise the first. For m g l sin φ beside ½
-//! m l² φ̇² this is m, not g.
+//! are stiffness, damping, and masses in user-defined energies. The rest is derived from the
+//! Lagrangian without the bodies, so that no terms of the bodies have to cancel. If the product of
+//! two parameters occurs, only one of them can be a column: one with inertia, otherwise the first.
+//! In m g l sin φ together with ½ m l² φ̇² this is m, not g.
 //!
 //! Sources: Atkeson, An, Hollerbach, "Estimation of inertial parameters of manipulator loads and
 //! links", Int. J. Robotics Research 5 (1986), eqs. 7 to 17; Khalil, Dombre, *Modeling,
 //! Identification and Control of Robots*, §12.6.
 //!
-//! In numbers: a rod in the plane turns by φ about its origin, along x of its axes. Under g its
-//! origin has a = g (sin φ, cos φ). The columns are g cos φ for h_x, −g sin φ for h_y and φ̈ for
-//! J_zz; that of m is zero.
+//! For example, let a rod along its body-fixed x axis turn in the plane by φ about its origin.
+//! Under g its origin has a = g (sin φ, cos φ). The columns are g cos φ for h_x, −g sin φ for h_y
+//! and φ̈ for J_zz; that of m is zero.
 
 use super::gibbs_appell::remainder;
 use super::inverse_dynamics::residual;
@@ -32,10 +32,10 @@ use lagrange_algebra::calculus::{AccelerationTerms, gradient, jacobian};
 use lagrange_algebra::simplify::vanishing;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};
 
-/// The columns of the regressor, with what they multiply.
+/// The columns of the regressor, with their parameters.
 #[derive(Clone, Default, Debug)]
 pub struct Regressor {
-    /// The columns in their order.
+    /// The columns in order.
     pub columns: Vec<RegressorColumn>,
 }
 
@@ -48,12 +48,12 @@ pub struct RegressorColumn {
     pub part: Option<&'static str>,
     /// The parameter, a function of declared parameters.
     pub parameter: ExprId,
-    /// Entries in the order of the velocities.
+    /// The entries, in the order of the velocities.
     pub entries: Vec<ExprId>,
 }
 
 impl Regressor {
-    /// Finds all parameters in which the inverse dynamics of a model is linear.
+    /// Computes the regressor of all parameters in which the inverse dynamics of a model is linear.
     pub(super) fn new(model: &mut Model) -> Regressor {
         let mut columns = Vec::new();
         let velocities = model.velocities();
@@ -74,7 +74,7 @@ impl Regressor {
     }
 }
 
-/// The columns of a body that are not zero.
+/// Returns the nonzero columns of a body.
 fn columns_of_body(graph: &mut Graph, body: &InertialBody, velocities: &[ExprId]) -> Vec<RegressorColumn> {
     let jacobian = body.twist.map(|component| gradient(graph, component, velocities));
     let wrenches = wrenches(graph, body);
@@ -97,7 +97,7 @@ fn is_zero(graph: &Graph, column: &RegressorColumn) -> bool {
     column.entries.iter().all(|&entry| graph.is_zero(entry))
 }
 
-/// Force and moment of a unit of each parameter.
+/// Returns the force and moment of a unit of each parameter.
 fn wrenches(graph: &mut Graph, body: &InertialBody) -> [[ExprId; 6]; 10] {
     let [ax, ay, az, alpha_x, alpha_y, alpha_z] = body.change;
     let [.., wx, wy, wz] = body.twist;
@@ -142,8 +142,8 @@ fn cross(graph: &mut Graph, a: [ExprId; 3], b: [ExprId; 3]) -> [ExprId; 3] {
     })
 }
 
-/// Declared parameters that the inverse dynamics without the bodies contains, those with inertia
-/// first, each with the slope by it.
+/// Returns the columns of declared parameters that occur in the inverse dynamics without the
+/// bodies. Parameters with inertia come first.
 fn candidates(model: &mut Model) -> Vec<RegressorColumn> {
     let rest = rest(model);
     let graph = &mut model.graph;
@@ -164,7 +164,7 @@ fn candidates(model: &mut Model) -> Vec<RegressorColumn> {
     candidates
 }
 
-/// The inverse dynamics of all that is not a body.
+/// Returns the inverse dynamics without the bodies.
 fn rest(model: &mut Model) -> Vec<ExprId> {
     let bodies = model.scene.inertial.iter().map(|body| body.lagrangian).collect::<Vec<_>>();
     let (lagrangian, gibbs) = (model.lagrangian, model.gibbs.take());
@@ -176,8 +176,8 @@ fn rest(model: &mut Model) -> Vec<ExprId> {
     rest
 }
 
-/// True if a column depends neither on its own parameter nor on those of the others, and the
-/// others do not depend on its parameter.
+/// True if a column does not depend on the parameter of any column, and the other columns do not
+/// depend on its parameter.
 fn is_linear_beside(graph: &mut Graph, columns: &[RegressorColumn], candidate: &RegressorColumn) -> bool {
     let others = columns.iter().flat_map(|column| &column.entries).copied().collect::<Vec<_>>();
     let mut slopes = jacobian(graph, &others, &[candidate.parameter]).concat();

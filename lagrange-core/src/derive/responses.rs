@@ -2,11 +2,11 @@
 //!
 //! The equations of motion are linear in these forces. With all of them zero they give a₀ and λ₀. A
 //! unit of reaction k, acting along the gradient d_k of its velocity, adds w_k and μ_k. Without
-//! constraints w_k = M⁻¹ d_k is left to run time. One factorisation of the mass matrix then serves
-//! all reactions, and code does not grow with each. Constraints would make that matrix indefinite
-//! and, where they depend on each other, singular. There w_k and μ_k follow from the elimination
-//! that led to the accelerations, with −d_k as its linear part. Source: Featherstone, *Rigid Body
-//! Dynamics Algorithms*, §11.5.
+//! constraints, w_k = M⁻¹ d_k is computed at run time. One factorisation of the mass matrix then
+//! serves all reactions, and the code does not grow with their number. Constraints would make that
+//! matrix indefinite and, where they depend on each other, singular. With constraints, w_k and μ_k
+//! follow from the elimination for the accelerations, with −d_k as its linear part. Source:
+//! Featherstone, *Rigid Body Dynamics Algorithms*, §11.5.
 
 use super::elimination::record::Elimination;
 use crate::model::{Model, ReactionKind};
@@ -18,13 +18,14 @@ use lagrange_expr::number::Number;
 /// A quantity that is affine in the reactions.
 #[derive(Clone, Debug)]
 pub struct Affine {
-    /// Its value without any.
+    /// The value without reactions.
     pub free: ExprId,
-    /// Slopes: what a unit of each reaction adds.
+    /// The change due to a unit of each reaction.
     pub slopes: Vec<ExprId>,
 }
 
-/// Equations of the reactions of a model, in the order of their declaration; empty without any.
+/// Equations of the reactions of a model, in the order of their declaration; empty without
+/// reactions.
 #[derive(Clone, Default, Debug)]
 pub struct ReactionEquations {
     /// Accelerations that a unit of reaction k adds, in row k; rows are empty without constraints.
@@ -35,15 +36,15 @@ pub struct ReactionEquations {
     pub rows: Vec<Vec<ExprId>>,
     /// Rates of these velocities at zero acceleration.
     pub drifts: Vec<ExprId>,
-    /// Kinetic limits of friction; for smooth friction times the share that acts.
+    /// Kinetic limits of friction; for smooth friction, multiplied by the fraction that acts.
     pub kinetic: Vec<Affine>,
     /// Static limits of friction.
     pub fixed: Vec<Affine>,
 }
 
 impl ReactionEquations {
-    /// Collects the equations from the elimination of a model with constraints that led to the
-    /// accelerations, and the multipliers without reactions.
+    /// Collects the equations. For a model with constraints, this takes the elimination for the
+    /// accelerations and the multipliers without reactions.
     pub(super) fn new(
         model: &mut Model,
         elimination: Option<&Elimination>,
@@ -70,7 +71,7 @@ impl ReactionEquations {
     }
 }
 
-/// Accelerations and multipliers that a unit of force along a row adds.
+/// Returns the accelerations and multipliers due to a unit of force along a row.
 fn response(model: &mut Model, elimination: &Elimination, row: &[ExprId]) -> (Vec<ExprId>, Vec<ExprId>) {
     let unknowns = model.unknowns();
     let graph = &mut model.graph;
@@ -81,7 +82,7 @@ fn response(model: &mut Model, elimination: &Elimination, row: &[ExprId]) -> (Ve
     (accelerations, multipliers)
 }
 
-/// λ₀ + Σ μ_k r_k
+/// Returns λ₀ + Σ μ_k r_k.
 fn with_reactions(model: &mut Model, multipliers: &[ExprId], responses: &[Vec<ExprId>]) -> Vec<ExprId> {
     let symbols = model.reactions.iter().map(|reaction| reaction.symbol).collect::<Vec<_>>();
     let graph = &mut model.graph;
@@ -93,16 +94,16 @@ fn with_reactions(model: &mut Model, multipliers: &[ExprId], responses: &[Vec<Ex
     multipliers.iter().enumerate().map(total).collect()
 }
 
-/// Quantities that limits of friction are made of.
+/// Quantities from which limits of friction are computed.
 struct Limits<'a> {
     /// Multipliers without reactions.
     multipliers: &'a [ExprId],
-    /// Multipliers that a unit of each reaction adds.
+    /// Multipliers due to a unit of each reaction.
     responses: &'a [Vec<ExprId>],
 }
 
 impl Limits<'_> {
-    /// The kinetic and the static limit of a reaction; zero for a contact.
+    /// Returns the kinetic and the static limit of a reaction; zero for a contact.
     fn of(&self, model: &mut Model, k: usize) -> (Affine, Affine) {
         let reaction = model.reactions[k].clone();
         let zero = model.graph.number(0);
@@ -119,7 +120,8 @@ impl Limits<'_> {
         }
     }
 
-    /// A limit that is affine in multipliers and reactions, by reactions alone.
+    /// Rewrites a limit that is affine in multipliers and reactions as a function of reactions
+    /// alone.
     fn affine(&self, model: &mut Model, limit: ExprId) -> Affine {
         let multipliers = model.multipliers();
         let reactions = model.reactions.iter().map(|reaction| reaction.symbol).collect::<Vec<_>>();
@@ -140,14 +142,14 @@ impl Limits<'_> {
     }
 }
 
-/// tanh(velocity / width)
+/// Returns tanh(velocity / width).
 fn share(graph: &mut Graph, velocity: ExprId, width: ExprId) -> ExprId {
     let inverse = graph.reciprocal(width);
     let ratio = graph.multiply(velocity, inverse);
     functions::apply(graph, lagrange_expr::expr::Function::Tanh, &[ratio])
 }
 
-/// Σ d_k r_k, with symbols for the reactions.
+/// Returns Σ d_k r_k, with symbols for the reactions.
 pub(super) fn reaction_forces(model: &mut Model, equations: &ReactionEquations) -> Vec<ExprId> {
     let symbols = model.reactions.iter().map(|reaction| reaction.symbol).collect::<Vec<_>>();
     let (count, graph) = (model.speeds.len(), &mut model.graph);

@@ -1,12 +1,12 @@
-//! Equations of motion in the form in which Taylor series cost least.
+//! Equations of motion in the cheapest form for Taylor series.
 //!
-//! Accelerations as functions of the state contain every product that solving the equations takes.
-//! Their residual contains fewer, above all if the rates u̇ of the velocities in T = ½ Σ w u² stay
-//! as they are. A series determines them from u. The residual Σ w u̇ (∂u/∂v) + … of a chain
-//! therefore has four products of series per joint, and its accelerations have many times as many.
+//! Accelerations as functions of the state contain every product of the solution process. The
+//! residual contains fewer, especially if the rates u̇ of the velocities in T = ½ Σ w u² are not
+//! expanded. A series yields them from u. For a chain, the residual Σ w u̇ (∂u/∂v) + … has four
+//! products of series per joint. Its accelerations have many times more.
 //!
-//! The multipliers λ of constraints are unknown, too. The residual then holds −Aᵀλ, and below it
-//! stands the rate of each constraint's velocity, which is not written out either.
+//! The multipliers λ of constraints are additional unknowns. The residual then contains −Aᵀλ and is
+//! followed by the rate of each constraint's velocity, which is not expanded either.
 
 use super::constraints::{ConstraintEquations, stabilised};
 use super::elimination::solution::push_down;
@@ -17,17 +17,17 @@ use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// The residual of the equations of motion, linear in accelerations, multipliers and rates that are
-/// not written out.
+/// The residual of the equations of motion, linear in accelerations, multipliers and unexpanded
+/// rates.
 #[derive(Clone, Debug)]
 pub struct SeriesEquations {
     /// One residual for each acceleration, then one for each multiplier.
     pub residuals: Vec<ExprId>,
-    /// Symbols that stand for rates, each with the velocity that it is the rate of.
+    /// Symbols for rates, each with the velocity that it is the rate of.
     pub unexpanded: Vec<(ExprId, ExprId)>,
 }
 
-/// Symbols of rates, by the velocities that they are the rates of.
+/// Symbols for rates, by velocity.
 #[derive(Default)]
 struct UnexpandedRates(OrderedMap<ExprId, ExprId>);
 
@@ -39,7 +39,8 @@ impl UnexpandedRates {
 }
 
 impl SeriesEquations {
-    /// The residual d/dt ∂L/∂v − ∂L/∂q − Q − Aᵀλ, and the rates of the constraints' velocities.
+    /// Computes the residual d/dt ∂L/∂v − ∂L/∂q − Q − Aᵀλ and the rates of the constraints'
+    /// velocities.
     pub(super) fn new(
         model: &mut Model,
         split: &SplitLagrangian,

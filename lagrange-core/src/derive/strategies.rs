@@ -1,5 +1,5 @@
-//! Strategies of forward dynamics: ways from a quadratic form to the accelerations, and which one
-//! to take.
+//! Strategies of forward dynamics: ways from a quadratic form to the accelerations, and the choice
+//! among them.
 
 use std::fmt;
 
@@ -16,11 +16,11 @@ use lagrange_algebra::calculus::AccelerationTerms;
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::ExprId;
 
-/// Above this many coordinates a full mass matrix is not factorised as a trial. The cubic cost of
-/// writing the factorisation down would be the only result of the trial.
+/// Maximum number of coordinates for which a full mass matrix is factorised on trial. For more,
+/// writing down a factorisation of cubic size would be wasted effort.
 const LARGEST_TRIAL: usize = 40;
 
-/// True if the mass matrix is too large to be factorised on trial, and full as far as it is.
+/// True if a full block of the mass matrix is too large to be factorised on trial.
 pub(super) fn has_large_mass_matrix(model: &Model) -> bool {
     most_coupled(model, LARGEST_TRIAL + 1) > LARGEST_TRIAL
 }
@@ -32,7 +32,7 @@ pub enum Strategy {
     MassMatrix,
     /// Coordinates are eliminated body by body; the mass matrix is never formed.
     ArticulatedBody,
-    /// Coordinates are eliminated body by body with the kinetic energy kept a sum of squares:
+    /// Coordinates are eliminated body by body, and the kinetic energy remains a sum of squares:
     /// nothing is ever subtracted from a coefficient.
     SumOfSquares,
 }
@@ -45,14 +45,14 @@ impl Strategy {
 /// Choice of a strategy.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum StrategyChoice {
-    /// The one with the lower counted cost.
+    /// The strategy with the lowest estimated cost.
     #[default]
     Cheapest,
-    /// A given one; the mass matrix if that finds no solution.
+    /// A given strategy, or the mass matrix if this strategy finds no solution.
     Always(Strategy),
 }
 
-/// The mass matrix is singular whatever the values of the parameters.
+/// The error of a mass matrix that is singular for all values of the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SingularMassMatrix;
 
@@ -65,8 +65,8 @@ impl fmt::Display for SingularMassMatrix {
 impl std::error::Error for SingularMassMatrix {}
 
 impl SingularMassMatrix {
-    /// Writes the message in the user's words, with the names of the coordinates that take part in
-    /// a motion without inertia.
+    /// Writes the message for users, with the names of the coordinates that take part in a motion
+    /// without inertia.
     pub fn message(self, coordinates: &[&str]) -> String {
         messages::singular_mass_matrix(coordinates)
     }
@@ -77,7 +77,7 @@ impl SingularMassMatrix {
     }
 }
 
-/// A solution, the strategy that found it, and the counted cost of each strategy that was tried.
+/// A solution, the strategy that found it, and the estimated cost of each strategy that was tried.
 pub(super) type Solved = (Solution, Strategy, [Option<f64>; 3]);
 
 /// The common input of the strategies.
@@ -94,7 +94,8 @@ impl Candidates<'_> {
         }
         let mut best = None;
         let mut costs = [None; 3];
-        // The mass matrix last, since it is not worth writing down its factors if it is large.
+        // The mass matrix is tried last, since its factors are not worth writing down if it is
+        // large.
         for (n, strategy) in Strategy::ALL.into_iter().enumerate().rev() {
             let solution = match choice {
                 StrategyChoice::Always(only) if only != strategy => None,
@@ -108,7 +109,7 @@ impl Candidates<'_> {
             let Some(solution) = solution else { continue };
             let cost = cost(&self.model.graph, &solution.values);
             costs[n] = Some(cost);
-            // Of equal costs the later one, which is the simpler one, is kept.
+            // In a tie the later strategy, which is simpler, is kept.
             if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
                 best = Some((solution, strategy, cost));
             }
@@ -123,15 +124,16 @@ impl Candidates<'_> {
     }
 
     /// Returns the most accurate solution. Systems without coupling need no elimination. Otherwise
-    /// squares come first. If they fail, the mass matrix is used if its cancellations can be found.
-    /// If it is too large for that, elimination body by body adds up less before it subtracts.
+    /// squares are tried first. If they fail, the mass matrix is used if its cancellations can be
+    /// found. If it is too large for that, elimination body by body is used, since it accumulates
+    /// less before it subtracts.
     fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
         let velocities = self.model.velocities();
         let pushed = self.forms.pushed(self.model);
         let is_coupled = velocities.iter().any(|&velocity| pushed.degree(velocity) > 0);
         let is_contracted = velocities.len() <= MAX_CONTRACTED;
         let strategies = match (is_coupled, is_contracted) {
-            // Accelerations in the axes of bodies lose digits when they are multiplied out.
+            // Accelerations in the axes of bodies lose digits when they are expanded.
             (true, _) if self.split.has_gibbs_function() => {
                 [Strategy::ArticulatedBody, Strategy::MassMatrix, Strategy::SumOfSquares]
             }
@@ -147,14 +149,15 @@ impl Candidates<'_> {
         Err(SingularMassMatrix)
     }
 
-    /// True if the mass matrix is large and full. One that nobody has asked for so far is.
+    /// True if the mass matrix is large and full. A large matrix that has not been formed yet
+    /// counts as full.
     fn is_large(&mut self) -> bool {
         let count = self.model.speeds.len();
         count > LARGEST_TRIAL
             && (!self.forms.is_pushed() || self.forms.pushed(self.model).is_mostly_full(count))
     }
 
-    /// The solution by one strategy, if it finds any.
+    /// Solves by one strategy; `None` if it finds no solution.
     fn take(&mut self, strategy: Strategy) -> Result<Option<Solution>, SingularMassMatrix> {
         let unknowns = self.model.unknowns();
         match strategy {
@@ -167,7 +170,8 @@ impl Candidates<'_> {
         }
     }
 
-    /// True if there is nothing but squares of rates; multipliers stand in products.
+    /// True if there are only squares of rates, which excludes multipliers, since these occur in
+    /// products.
     fn has_squares_only(&self) -> bool {
         !self.split.has_other_inertia && self.model.constraints.is_empty()
     }
@@ -180,7 +184,7 @@ impl Candidates<'_> {
         contracted.or_else(|| solve_dense(graph, pushed.clone(), unknowns))
     }
 
-    /// The solution by way of squares, if no obstacle is in the way.
+    /// Solves by squares; `None` if they have no pivot or fill in too much.
     fn squares(&mut self) -> Result<Option<Solution>, SingularMassMatrix> {
         let velocities = self.model.velocities();
         let loads = loads_beside_squares(self.model, self.split, AccelerationTerms::Dropped, Terms::All);

@@ -1,4 +1,4 @@
-//! The order in which a quadratic form is pushed from the velocities it was written in down to the
+//! The order in which a quadratic form is pushed down from its original velocities to the
 //! generalised velocities.
 //!
 //! A variable may be pushed when no unprocessed variable depends on it. This is the reverse sweep
@@ -18,8 +18,8 @@
 //! | free | θ̇₁ | |
 //!
 //! A strategy may eliminate θ̇₂ as soon as it is free, while the form still contains the end ẋ₁, ẏ₁
-//! of the upper rod. That is the articulated-body algorithm. One that waits for the last step has
-//! the mass matrix.
+//! of the upper rod. This is the articulated-body algorithm. A strategy that waits for the last
+//! step obtains the mass matrix.
 
 use std::collections::BTreeSet;
 
@@ -38,49 +38,50 @@ use lagrange_expr::expr::Graph;
 struct Variable {
     /// `(part, slope)`; empty for a generalised velocity.
     parts: Vec<(ExprId, ExprId)>,
-    /// The longest way down to a generalised velocity.
+    /// Length of the longest path down to a generalised velocity.
     height: u32,
     /// Position in the order of processing; higher goes first.
     rank: usize,
     /// Variables made of this one that are still unprocessed.
     users: usize,
-    /// Multiples of this variable that wait to be replaced together.
+    /// Multiples of this variable that are to be replaced together.
     multiples: Vec<ExprId>,
 }
 
 /// Treatment of a multiple of a multiple of a variable, `l·(cos q·q̇)`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Multiples {
-    /// Two substitutions: weights are multiplied with `l` once for all that is pushed through. This
-    /// is cheaper where the coefficients of all velocities meet.
+    /// Two substitutions: weights are multiplied by `l` once for everything that is pushed through.
+    /// This is cheaper where the coefficients of all velocities meet.
     Kept,
-    /// One substitution with the slope `l·cos q`, which positions and accelerations need, too. This
-    /// is cheaper where few coefficients are left.
+    /// One substitution with the slope `l·cos q`, which positions and accelerations also need. This
+    /// is cheaper where few coefficients remain.
     Merged,
 }
 
-/// Treatment of pairs of variables that are others turned by an angle, `plane_rotation` says how.
+/// Treatment of pairs of variables that result from rotating others by an angle, see
+/// `plane_rotation`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Rotations {
-    /// All pairs that turn by the same angle are substituted together when it is their turn. The
-    /// inertia of composite bodies keeps its shape, which is cheapest where all velocities are
+    /// All pairs that turn by the same angle are substituted together, in the normal order. The
+    /// inertia of composite bodies keeps its shape, which is cheapest if all velocities are
     /// eliminated at the end.
     InTurn,
-    /// They are substituted together when nothing else is left. The inertia that only a joint moves
-    /// is thus eliminated in the axes of its body, before these are turned.
+    /// The pairs are substituted together when nothing else is left. Inertia that only one joint
+    /// moves is thus eliminated in the axes of its body before these are turned.
     Last,
-    /// They are sums like any other.
+    /// The pairs are treated like any other sums.
     Split,
 }
 
-/// Substitution to make in the form.
+/// Substitution in the form.
 #[derive(Debug)]
 pub(super) enum Step {
-    /// Substitute the sum of its parts for a variable.
+    /// Substitutes the sum of its parts for a variable.
     Replace(ExprId, Vec<(ExprId, ExprId)>),
-    /// Substitute `slope · target` for each of the variables.
+    /// Substitutes `slope · target` for each of the variables.
     Collapse(ExprId, Vec<(ExprId, ExprId)>),
-    /// Substitute for pairs of variables what they are turned from, all by the same angle.
+    /// Substitutes the original pairs for pairs of variables that are turned by the same angle.
     Turn(Vec<TurnedPair>),
 }
 
@@ -88,7 +89,7 @@ pub(super) enum Step {
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
     variables: OrderedMap<ExprId, Variable>,
-    /// Ready variables by rank; of multiples of the same variable, one stands for all.
+    /// Ready variables by rank; one multiple represents all multiples of the same variable.
     inner: BTreeSet<(usize, ExprId)>,
     /// Ready generalised velocities.
     leaves: BTreeSet<ExprId>,
@@ -97,8 +98,8 @@ pub(super) struct Sweep {
 }
 
 impl Sweep {
-    /// The sweep from heads, which must be affine, to `velocities`. What the heads `first` are made
-    /// of goes before all that it does not wait for.
+    /// Creates the sweep from heads, which must be affine, to `velocities`. The heads `first` and
+    /// their parts have precedence over everything that they do not depend on.
     pub(super) fn new(
         graph: &mut Graph,
         [heads, first]: [&[ExprId]; 2],
@@ -148,8 +149,9 @@ impl Sweep {
         }
     }
 
-    /// Writes a multiple of a multiple as a multiple of its base, if nothing else needs the one
-    /// between. Thus `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` often exists already.
+    /// Writes a multiple of a multiple as a multiple of its base, unless something else needs the
+    /// intermediate one. Thus `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` often exists
+    /// already.
     fn skip_multiples_of_multiples(&mut self, graph: &mut Graph, heads: &[ExprId]) {
         let is_head = heads.iter().copied().collect::<HashSet<_>>();
         for id in self.ids() {
@@ -164,7 +166,7 @@ impl Sweep {
         }
     }
 
-    /// Finds pairs that are turned; heads have coefficients of their own.
+    /// Finds turned pairs; heads are excluded, since they have coefficients of their own.
     fn join_rotations(&mut self, graph: &Graph, heads: &[ExprId], are_last: bool) {
         let is_head = heads.iter().copied().collect::<HashSet<_>>();
         let users = |id: ExprId| self.variables.get(&id).map_or(0, |variable| variable.users);
@@ -184,8 +186,7 @@ impl Sweep {
     }
 
     /// Ranks variables in depth-first order, parts before wholes and the farthest part first.
-    /// Processing by falling rank then finishes one body before it turns to the body that carries
-    /// it.
+    /// Processing in descending rank then finishes one body before the body that carries it.
     fn rank(&mut self, heads: [&[ExprId]; 2]) {
         let by_height = |heads: &[ExprId]| {
             let mut heads = heads.to_vec();
@@ -224,7 +225,8 @@ impl Sweep {
         self.variables.get(&id).map_or(0, |variable| variable.height)
     }
 
-    /// Called once for each variable, when nothing unprocessed is made of it.
+    /// Marks a variable as ready. Called once for each variable, when nothing unprocessed depends
+    /// on it.
     fn make_ready(&mut self, id: ExprId) {
         if self.velocities.contains(&id) {
             self.leaves.insert(id);
@@ -235,7 +237,7 @@ impl Sweep {
             return;
         }
         match *self.parts(id) {
-            // Skipped by what was made of it.
+            // The variables that depend on it have skipped it.
             [] => {}
             [(target, _)] => {
                 let Some(variable) = self.variables.get_mut(&target) else { return };
@@ -248,7 +250,7 @@ impl Sweep {
         }
     }
 
-    /// Multiples of a variable are ready when nothing else is unprocessed that is made of it.
+    /// Makes the multiples of a variable ready if nothing else that is unprocessed depends on it.
     fn collapse_if_complete(&mut self, target: ExprId) {
         let Some(variable) = self.variables.get(&target) else { return };
         if variable.users == variable.multiples.len() {
@@ -261,7 +263,7 @@ impl Sweep {
         self.variables.get(&id).map_or(0, |variable| variable.rank)
     }
 
-    /// The next substitution.
+    /// Returns the next substitution.
     pub(super) fn next_step(&mut self) -> Option<Step> {
         let highest = self.inner.last().map(|(rank, _)| *rank);
         if let Some(pairs) = self.rotations.take_next(highest) {
@@ -282,7 +284,7 @@ impl Sweep {
 
     fn turn(&mut self, pairs: Vec<TurnedPair>) -> Step {
         for (part, _) in pairs.iter().flat_map(|pair| &pair.parts) {
-            // One multiple of it by the cosine and one by the sine.
+            // Its users are one multiple by the cosine and one by the sine.
             self.variables.get_mut(part).into_iter().for_each(|variable| variable.users -= 2);
             self.collapse_if_complete(*part);
             self.ready_if_unused(*part);
@@ -290,7 +292,7 @@ impl Sweep {
         Step::Turn(pairs)
     }
 
-    /// True if pairs are turned.
+    /// True if there are turned pairs.
     pub(super) fn has_rotations(&self) -> bool {
         !self.rotations.is_empty()
     }
@@ -316,18 +318,18 @@ impl Sweep {
         }
     }
 
-    /// The next generalised velocity that nothing unprocessed depends on.
+    /// Returns the next generalised velocity that nothing unprocessed depends on.
     pub(super) fn next_leaf(&mut self) -> Option<ExprId> {
         self.leaves.pop_first()
     }
 
-    /// The affine parts of a variable with their slopes.
+    /// Returns the affine parts of a variable with their slopes.
     pub(super) fn parts(&self, id: ExprId) -> &[(ExprId, ExprId)] {
         self.variables.get(&id).map_or(&[], |variable| &variable.parts)
     }
 }
 
-/// Affine expressions that the heads are made of, parts before wholes, with heights.
+/// Returns the affine expressions below the heads, parts before wholes, with heights.
 fn affine_variables(
     graph: &mut Graph,
     heads: &[ExprId],

@@ -1,12 +1,12 @@
 //! Switches: surfaces in time and state on which the equations of motion are not smooth.
 //!
-//! They are where a condition of `if` changes, and the kinks of `abs`, `sign`, `min` and `max`.
-//! Methods of integration keep their order only if no step leads across one. A run fixes the side
-//! of every switch, on which the equations are smooth, and changes it where the surface is reached.
-//! [`one_sided`] writes expressions with symbols for the sides. For |x|, whose switch is x with the
-//! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is
-//! `if s < 0 { 0 } else { f }`. Steps look beyond a surface before it is located there, so that a
-//! base with a fractional power keeps its magnitude: [`domains`].
+//! They are the surfaces where a condition of `if` changes, and the kinks of `abs`, `sign`, `min`
+//! and `max`. Integration methods retain their order only if no step crosses such a surface. A run
+//! fixes the side of every switch, so that the equations are smooth, and changes it where the
+//! surface is reached. [`one_sided`] writes expressions with symbols for the sides. |x| has the
+//! switch x with the side s and becomes s x. `if t < 1 { 0 } else { f }` has the switch t − 1 and
+//! becomes `if s < 0 { 0 } else { f }`. Steps evaluate states beyond a surface before it is
+//! located, so a base with a fractional power keeps its magnitude, see [`domains`].
 //!
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6,
 //! "discontinuous equations".
@@ -27,18 +27,19 @@ use lagrange_expr::symbol::{Role, SymbolId};
 #[derive(Clone, Debug)]
 pub struct Switch {
     /// Function of t, q, v and inputs that is zero on the surface. It increases with time if it
-    /// depends on time alone.
+    /// only depends on time.
     pub value: ExprId,
     /// The symbol of its side: the sign of `value`.
     pub side: ExprId,
-    /// Statement that declares it.
+    /// Statement that declares the switch.
     pub statement: Option<String>,
-    /// Time at which it is passed, if it is t minus something that is constant in motion.
+    /// Time at which the surface is crossed, if the value is t minus a term that is constant in
+    /// motion.
     pub time: Option<ExprId>,
 }
 
-/// Surface of an expression that is not smooth, which switches with the sign of `value`, or with
-/// its opposite.
+/// Surface of a nonsmooth expression, which switches with the sign of `value` or with the opposite
+/// sign.
 #[derive(Clone, Copy)]
 struct Surface {
     value: ExprId,
@@ -64,8 +65,8 @@ impl Side {
 }
 
 impl Switch {
-    /// The switches of what determines a motion. Conditions on `guards` do not count: there both
-    /// branches have the same value.
+    /// Finds the switches of the expressions that determine a motion. Conditions on `guards` are
+    /// ignored, since both branches have the same value there.
     pub(super) fn find(model: &mut Model, roots: &[ExprId], guards: &[ExprId]) -> Vec<Switch> {
         let statements = statements(model);
         let mut found: OrderedMap<ExprId, Switch> = OrderedMap::default();
@@ -84,7 +85,7 @@ impl Switch {
     }
 }
 
-/// The surface on which a node is not smooth, if it has one that a motion may pass.
+/// Returns the surface on which a node is not smooth, if a motion may cross it.
 fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> {
     let difference = match graph.node(id).clone() {
         Node::Choose { left, right, .. } if graph.is_zero(right) && guards.contains(&left) => return None,
@@ -96,12 +97,12 @@ fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> 
     let dependencies = graph.dependencies(difference);
     let unknown = Dependencies::ACCELERATION | Dependencies::MULTIPLIER | Dependencies::REACTION;
     let may_pass = dependencies.intersects(moving()) && !dependencies.intersects(unknown);
-    // What is never negative touches its surface at most, as a length where it is zero.
+    // A nonnegative expression, such as a length, touches its surface but never crosses it.
     may_pass.then(|| normalised(graph, difference)).filter(|surface| !graph.is_nonnegative(surface.value))
 }
 
-/// The surface of a difference, the same for all its multiples: the time, or else the first term
-/// that moves, has the coefficient one.
+/// Normalises the surface of a difference so that all its multiples have the same one. The time, or
+/// else the first term that changes in motion, has the coefficient one.
 fn normalised(graph: &mut Graph, difference: ExprId) -> Surface {
     let (scale, core) = graph.split_coefficient(difference);
     let leading = match graph.node(core) {
@@ -125,20 +126,22 @@ fn is_time(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Symbol(symbol) if role(*symbol) == Role::Time)
 }
 
-/// Time at which a surface is passed, if time has its own term and all others stay.
+/// Returns the time at which a surface is crossed, if time is a separate term and all others are
+/// constant in motion.
 fn passed_at(graph: &mut Graph, value: ExprId) -> Option<ExprId> {
     let time = graph.symbol("t", Role::Time);
     let rest = graph.subtract(time, value);
     (!graph.dependencies(rest).intersects(moving())).then_some(rest)
 }
 
-/// Dependencies that may change in motion. Inputs do where a control computes them from the state.
+/// Returns the dependencies that may change in motion. Inputs are among them, since a control may
+/// compute them from the state.
 fn moving() -> Dependencies {
     let state = Dependencies::COORDINATE | Dependencies::STATE | Dependencies::VELOCITY;
     Dependencies::TIME | state | Dependencies::INPUT
 }
 
-/// First statement that holds each surface of the declaration.
+/// Returns the first statement that contains each surface of the declaration.
 fn statements(model: &mut Model) -> HashMap<ExprId, String> {
     let mut roots: Vec<(ExprId, String)> = Vec::new();
     for load in &model.loads {

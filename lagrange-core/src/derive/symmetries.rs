@@ -4,9 +4,9 @@
 //! vanishes, and with it the work of all forces, constraints and contacts. The momentum along it is
 //! then conserved (Noether; Arnold, *Mathematical Methods of Classical Mechanics*, §20).
 //!
-//! These conditions are linear in the displacement. Those of the candidates are the columns of a
-//! matrix, with rows at many random points. Combinations of candidates in its null space are
-//! symmetries.
+//! These conditions are linear in the displacement. The conditions of the candidates are the
+//! columns of a matrix, with rows at many random points. Combinations of candidates in its null
+//! space are symmetries.
 //!
 //! In numbers, take two masses on a line with a spring between them, L = (v₁² + 2 v₂²)/2 − (q₁ −
 //! q₂)²/2. The candidates are the translations of q₁ and q₂. At q = (1, 3) the row is (2, −2), and
@@ -23,9 +23,9 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Number of points beyond that of the candidates, at which combinations are tested.
+/// Number of additional points, beyond the number of candidates, at which combinations are tested.
 const FURTHER_POINTS: usize = 8;
-/// Fraction of the largest number at a point that rounding may leave of a zero.
+/// Rounding error of a zero, as a fraction of the largest number at a point.
 const ROUNDING: f64 = 1e-9;
 /// Largest denominator of a coefficient.
 const LARGEST_DENOMINATOR: i64 = 12;
@@ -47,7 +47,8 @@ struct Slopes {
     rows: Vec<Vec<ExprId>>,
 }
 
-/// Finds the symmetries of a model. Those whose coefficients are no simple fractions are not found.
+/// Finds the symmetries of a model, except for combinations whose coefficients are not simple
+/// fractions.
 pub(super) fn symmetries(model: &mut Model) -> Vec<Symmetry> {
     let slopes = Slopes::of(model);
     let generators = displacements(model).into_iter().map(|displacement| generator(model, displacement));
@@ -84,9 +85,9 @@ impl Slopes {
     }
 }
 
-/// Quantities that vanish for symmetries, one column for each candidate. They are δL and the work
-/// of forces, the work of each constraint and contact, and the change of the momentum at
-/// assignments.
+/// Returns the quantities that vanish for symmetries, one column for each candidate. They are δL
+/// and the work of forces, the work of each constraint and contact, and the change of the momentum
+/// at assignments.
 fn conditions(
     model: &mut Model,
     slopes: &Slopes,
@@ -114,7 +115,7 @@ fn conditions(
     columns
 }
 
-/// The entries of the state that each event and each clock replaces.
+/// Returns the entries of the state that each event and each clock replaces.
 fn state_changes(model: &Model) -> Vec<HashMap<ExprId, ExprId>> {
     let state = [model.positions(), model.velocities()].concat();
     let of_events = model.events.iter().filter_map(|event| match &event.action {
@@ -126,15 +127,15 @@ fn state_changes(model: &Model) -> Vec<HashMap<ExprId, ExprId>> {
     assigned.map(|assignments| assignments.iter().map(change).collect()).collect()
 }
 
-/// Σ cᵢ xᵢ over the entries that are given.
+/// Returns Σ cᵢ xᵢ over the given entries.
 fn pairing(graph: &mut Graph, coefficients: &[(usize, ExprId)], of: &[ExprId]) -> ExprId {
     let products = coefficients.iter().map(|&(index, c)| graph.multiply(c, of[index]));
     let products = products.collect::<Vec<_>>();
     graph.total(products)
 }
 
-/// Combinations of columns that vanish at random points and, where a formula may be flat at these
-/// and not elsewhere, by proof.
+/// Finds combinations of columns that vanish at random points. A formula that may be flat at these
+/// points but not elsewhere requires a proof.
 fn invariant_combinations(model: &mut Model, columns: &[Vec<ExprId>]) -> Vec<Vec<Number>> {
     let samples = samples(model, columns);
     let (used, further) = samples.split_at(samples.len().min(columns.len() + 1));
@@ -159,7 +160,8 @@ fn invariant_combinations(model: &mut Model, columns: &[Vec<ExprId>]) -> Vec<Vec
     found.into_iter().filter(|combination| is_proved(&mut model.graph, columns, combination)).collect()
 }
 
-/// The coefficients of a vector of scaled columns, with a last one of one, if they are simple.
+/// Returns the coefficients of a vector of scaled columns, normalised so that the last one is one,
+/// if they are simple.
 fn combination(vector: &[f64], scales: &[f64]) -> Option<Vec<Number>> {
     let known = vector.iter().map(|entry| if entry.abs() > ROUNDING { *entry } else { 0.0 });
     let unscaled = known.zip(scales).map(|(entry, scale)| entry / scale).collect::<Vec<_>>();
@@ -167,7 +169,7 @@ fn combination(vector: &[f64], scales: &[f64]) -> Option<Vec<Number>> {
     unscaled.iter().map(|entry| fraction(entry / last)).collect()
 }
 
-/// True if the sum of the entries is no more than rounding beside their terms.
+/// True if the sum of the entries is zero up to rounding errors of their terms.
 fn vanishes(row: &[Entry], combination: &[Number]) -> bool {
     let (mut sum, mut magnitude) = (0.0, 0.0);
     for (entry, coefficient) in row.iter().zip(combination) {
@@ -178,7 +180,7 @@ fn vanishes(row: &[Entry], combination: &[Number]) -> bool {
     sum.abs() <= ROUNDING * magnitude
 }
 
-/// The rows of conditions at points where all are finite.
+/// Evaluates the rows of conditions at points where all are finite.
 fn samples(model: &Model, columns: &[Vec<ExprId>]) -> Vec<Vec<Vec<Entry>>> {
     let height = columns.first().map_or(0, Vec::len);
     let parts = model.graph.reachable(&columns.concat());
@@ -193,7 +195,7 @@ fn samples(model: &Model, columns: &[Vec<ExprId>]) -> Vec<Vec<Vec<Entry>>> {
     (0..2 * wanted).filter_map(at_point).take(wanted).collect()
 }
 
-/// The fraction that a coefficient is, if it is a simple one.
+/// Returns a coefficient as a fraction, if it is a simple one.
 fn fraction(value: f64) -> Option<Number> {
     (1..=LARGEST_DENOMINATOR).find_map(|denominator| {
         let numerator = (value * denominator as f64).round();

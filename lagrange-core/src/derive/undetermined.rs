@@ -1,8 +1,8 @@
-//! Motions that a singular mass matrix leaves undetermined, by the coordinates that take part in
+//! Motions that a singular mass matrix leaves undetermined, and the coordinates that take part in
 //! them.
 //!
-//! M, and A below it if there are constraints, are evaluated at a state without symmetries. A
-//! vector that both take to zero is a motion that neither inertia nor constraints determine.
+//! M, with A below it if there are constraints, is evaluated at a state without symmetries. A
+//! vector in the null space of both is a motion that neither inertia nor constraints determine.
 
 use crate::model::Model;
 use lagrange_algebra::calculus::gradient;
@@ -10,17 +10,17 @@ use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// Fraction of the largest entry below which pivots and entries are zero but for rounding. Symbols
-/// have values between one and two, so that entries are far larger, while a few eliminations round
-/// in the last of sixteen digits.
+/// Fraction of the largest entry below which pivots and entries count as zero. Symbols have values
+/// between one and two, so nonzero entries are far larger, and rounding errors of a few
+/// eliminations are far smaller.
 const ROUNDING: f64 = 1e-9;
-/// Number of states that are tried until one has no undefined entries, such as the root of
-/// something negative.
+/// Maximum number of states that are tried until one has no undefined entries, such as the root of
+/// a negative number.
 const MAX_STATES: u32 = 8;
 const GOLDEN_RATIO: f64 = 0.618_033_988_749_895;
 
-/// The numbers of the coordinates that take part in the first motion that nothing determines; none
-/// if there is no such motion.
+/// Returns the indices of the coordinates that take part in the first undetermined motion; none if
+/// there is no such motion.
 pub(super) fn undetermined(model: &mut Model) -> Vec<usize> {
     let velocities = model.velocities();
     let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
@@ -42,14 +42,14 @@ fn numbers(graph: &Graph, rows: &[Vec<ExprId>], state: u32) -> Vec<Vec<f64>> {
             Role::Velocity(index) => (3, index),
             _ => (4, 0),
         };
-        // Multiples of the golden ratio spread over the interval.
+        // Multiples of the golden ratio are spread evenly over the interval.
         1.0 + (f64::from(5 * index + kind + 7 * state + 1) * GOLDEN_RATIO).fract()
     };
     rows.iter().map(|row| evaluate(graph, row, value)).collect()
 }
 
-/// The columns that take part in the first vector of the kernel, by elimination with complete
-/// pivoting.
+/// Returns the columns that take part in the first vector of the kernel, by elimination with
+/// complete pivoting.
 fn first_of_kernel(mut matrix: Vec<Vec<f64>>, columns: usize) -> Vec<usize> {
     let largest = matrix.iter().flatten().fold(0.0_f64, |most, entry| most.max(entry.abs()));
     let mut order = (0..columns).collect::<Vec<_>>();
@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(square([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 3.0]]), [1]);
         assert_eq!(square([[1.0, 0.0, 1.0], [0.0, 2.0, 0.0], [1.0, 0.0, 1.0]]), [0, 2]);
         assert_eq!(square([[0.0; 3]; 3]).len(), 1);
-        // Of M = diag(1, 0, 0) the second motion is constrained.
+        // With M = diag(1, 0, 0) and the second motion constrained, the third remains.
         let rows = vec![vec![1.0, 0.0, 0.0], vec![0.0; 3], vec![0.0; 3], vec![0.0, 1.0, 0.0]];
         assert_eq!(first_of_kernel(rows, 3), [2]);
     }

@@ -2,7 +2,7 @@
 //! are not velocities.
 //!
 //! With q̇ = N(q) v, displacements are δq = N δπ, where the δπ belong to the velocities. The
-//! equations of motion along them are d/dt ∂L/∂v − Nᵀ ∂L/∂q + … = Q. The dots vanish where
+//! equations of motion along them are d/dt ∂L/∂v − Nᵀ ∂L/∂q + … = Q. The omitted terms vanish where
 //! velocities are rates. For an angular velocity ω in turning axes with the momentum p = ∂L/∂ω,
 //! they are ω × p: in these axes δω = dδπ/dt + ω × δπ. These are Euler's equations, a case of the
 //! Boltzmann–Hamel equations (Lurie, *Analytical Mechanics*, §10.1).
@@ -15,7 +15,7 @@ use crate::model::Model;
 use lagrange_algebra::calculus::{adjoint, gradient};
 use lagrange_expr::expr::ExprId;
 
-/// −∂L/∂q at the rates of the positions. First-order states are not displaced.
+/// Adds −∂L/∂q at the rates of the positions. First-order states are not displaced.
 pub(super) fn add_slopes(model: &mut Model, form: &mut QuadraticForm, slopes: &[ExprId]) {
     let graph = &mut model.graph;
     let displaced = model.coordinates.iter().zip(slopes).filter(|(coordinate, _)| !coordinate.is_state);
@@ -26,7 +26,7 @@ pub(super) fn add_slopes(model: &mut Model, form: &mut QuadraticForm, slopes: &[
     }
 }
 
-/// ω × p at the angular velocities.
+/// Adds ω × p at the angular velocities.
 pub(super) fn add_turning(model: &mut Model, form: &mut QuadraticForm, momenta: &[ExprId]) {
     let (velocities, graph) = (model.velocities(), &mut model.graph);
     for orientation in &model.orientations {
@@ -43,7 +43,7 @@ pub(super) fn add_turning(model: &mut Model, form: &mut QuadraticForm, momenta: 
     }
 }
 
-/// Q of applied forces and of dissipation.
+/// Returns Q of applied forces and of dissipation.
 pub(super) fn applied_forces(model: &mut Model) -> Vec<ExprId> {
     let velocities = model.velocities();
     let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();

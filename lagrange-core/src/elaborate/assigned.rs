@@ -3,17 +3,17 @@
 use crate::model::{Assignment, Bound};
 use lagrange_expr::diagnostics::Origin;
 
-/// Entries by their indices in [q…, v…], with where they are assigned.
+/// Entries by their indices in [q…, v…], with the places of their assignments.
 #[derive(Default)]
 pub(super) struct Assigned(Vec<(usize, Origin)>);
 
 impl Assigned {
-    /// The first place where an entry is assigned.
+    /// Returns the first place where an entry is assigned.
     pub(super) fn first(&self, index: usize) -> Option<Origin> {
         self.0.iter().find(|(other, _)| *other == index).map(|(_, origin)| *origin)
     }
 
-    /// Notes an assignment; returns the first one to the same entry.
+    /// Records an assignment, and returns the first one to the same entry.
     pub(super) fn note(&mut self, index: usize, origin: Origin) -> Option<Origin> {
         let first = self.first(index);
         self.0.push((index, origin));
@@ -24,7 +24,7 @@ impl Assigned {
 /// The lower and the upper bound of a parameter.
 pub(super) type Bounds = [Option<Bound>; 2];
 
-/// Initial values that are declared so far.
+/// Initial values declared so far.
 #[derive(Default)]
 pub(super) struct Start {
     pub(super) values: Vec<Assignment>,

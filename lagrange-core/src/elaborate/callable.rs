@@ -4,9 +4,9 @@ use proc_macro2::Span;
 
 use lagrange_expr::opaque::Opaque;
 
-/// A function that calls may mention.
+/// A function that can be called.
 pub(super) struct Callable {
-    /// `None` of a table that is wrong, which has been reported.
+    /// `None` for an invalid table, which has been reported.
     pub(super) function: Option<Opaque>,
     pub(super) span: Span,
     pub(super) is_called: bool,

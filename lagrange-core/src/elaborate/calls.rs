@@ -65,7 +65,7 @@ pub(super) fn evaluate_call(
     }
 }
 
-/// Reports a mass or moment of inertia that is negative whatever the parameters are.
+/// Reports a mass or moment of inertia that is negative for all values of the parameters.
 fn check_mass(evaluator: &mut Evaluator<'_>, syntax: AstId, mass: ExprId) -> Option<()> {
     let is_judged = evaluator.graph.dependencies(mass) == Dependencies::NONE
         && !evaluator.obliged_masses.contains(&syntax);
@@ -75,7 +75,8 @@ fn check_mass(evaluator: &mut Evaluator<'_>, syntax: AstId, mass: ExprId) -> Opt
     evaluator.refuse(syntax, messages::NEGATIVE_INERTIA, messages::NEGATIVE_INERTIA_HELP)
 }
 
-/// `dot` or `ddot`. That of what is written without anything that moves is a mistake, not zero.
+/// Evaluates `dot` or `ddot`. An argument without anything that moves is an error instead of having
+/// a zero rate.
 fn evaluate_rate(
     evaluator: &mut Evaluator<'_>,
     function: &str,
@@ -95,7 +96,7 @@ fn evaluate_rate(
         let mut components = value.components().iter();
         components.any(|&c| evaluator.graph.dependencies(c).intersects(Dependencies::INPUT))
     };
-    // Inputs come in by the equation of a state only.
+    // Inputs can only enter through the equation of a state.
     if has_input(&rate) && !has_input(&value) {
         let (place, name) = evaluator.blame(argument, Dependencies::STATE);
         let error = evaluator.report.error(place, messages::states::second_rate(&name));
@@ -105,8 +106,8 @@ fn evaluate_rate(
     evaluator.rate(&rate, argument)
 }
 
-/// True if an expression is made of numbers, constants, parameters and discrete states, whatever
-/// it is worth.
+/// True if an expression contains only numbers, constants, parameters and discrete states, whatever
+/// its value is.
 fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
     let mut pending = vec![root];
     while let Some(id) = pending.pop() {
@@ -127,10 +128,10 @@ fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
     true
 }
 
-/// Longer arguments are letters in messages.
+/// Maximum length of an argument in messages; longer ones are replaced by letters.
 const LONGEST_ARGUMENT: usize = 60;
 
-/// Spelling of a call that means something in other languages.
+/// Returns the spelling here of a call that is valid in other languages.
 fn meant_function(evaluator: &Evaluator<'_>, name: &str, arguments: &[AstId]) -> Option<String> {
     let texts = arguments.iter().map(|&id| print::expression(&evaluator.declaration.expressions, id));
     let texts = texts.collect::<Vec<_>>();
@@ -139,7 +140,7 @@ fn meant_function(evaluator: &Evaluator<'_>, name: &str, arguments: &[AstId]) ->
     foreign::function(name, if is_long { letters.get(..texts.len())? } else { &texts })
 }
 
-/// Returns false for an acceleration without a place for it.
+/// Returns false for an acceleration where accelerations are not allowed.
 fn is_accepted(evaluator: &Evaluator<'_>, meant: &str) -> bool {
     !meant.starts_with("ddot(") || may_use_accelerations(evaluator)
 }
@@ -174,7 +175,7 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
     evaluator.report.error(name.span, messages::names::unknown_function(&name.text)).help(help);
 }
 
-/// The function most like a name; one that takes so many arguments, if there is any.
+/// Returns the function with the most similar name, preferably one with this number of arguments.
 fn nearest_function<'e>(evaluator: &'e Evaluator<'_>, name: &str, count: usize) -> Option<&'e str> {
     let takes = |known: &str| match mass_function(known) {
         Some(function) => {
@@ -192,7 +193,7 @@ fn nearest_function<'e>(evaluator: &'e Evaluator<'_>, name: &str, count: usize) 
     nearest(name, fitting).or_else(|| nearest(name, known.iter().copied()))
 }
 
-/// Reports an array that is called, if it is one.
+/// Reports a call of an array; false if the name is not an array.
 fn report_array(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[AstId]) -> bool {
     if !evaluator.declaration.arrays.iter().any(|array| array.name.text == name.text) {
         return false;
@@ -204,7 +205,7 @@ fn report_array(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[AstId])
     true
 }
 
-/// Reports a function that is declared further down, if it is.
+/// Reports a call of a function that is declared further down; false if there is none.
 fn report_too_early(evaluator: &mut Evaluator<'_>, name: &Name) -> bool {
     let mut declared = evaluator.declaration.statements.iter().filter_map(|one| one.kind.declared_function());
     let Some(declared) = declared.find(|declared| declared.text == name.text) else { return false };
@@ -265,7 +266,7 @@ fn evaluate_elementary(
         _ => {
             let (function, graph) = (elementary::by_name(name)?.function, &mut evaluator.graph);
             match scalars[..] {
-                // The smallest or the largest of several, pair by pair.
+                // The smallest or largest of several arguments, pair by pair.
                 [first, second, ref others @ ..] if !others.is_empty() => {
                     let both = functions::apply(graph, function, &[first, second]);
                     others.iter().fold(both, |all, other| functions::apply(graph, function, &[all, *other]))

@@ -30,7 +30,7 @@ pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<O
         let is_product = is_matrix_product(evaluator, link.operand);
         for (terms, &component) in terms.iter_mut().zip(value.components()) {
             match evaluator.graph.node(component) {
-                // The products of entries are terms of the sum, as where they are written out.
+                // Products of entries become terms of the sum, as if they were written out.
                 Node::Sum { constant, terms: inner } if is_product && constant.is_zero() => {
                     terms.extend(inner.iter().map(|(term, factor)| (*term, factor * &sign)));
                 }
@@ -42,7 +42,7 @@ pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<O
     sound.then(|| Operand::of(first.shape(), sums))
 }
 
-/// True of a product of matrices and vectors without scalar factors.
+/// True for a product of matrices and vectors without scalar factors.
 fn is_matrix_product(evaluator: &Evaluator<'_>, id: AstId) -> bool {
     let is_whole = |link: &ChainLink| {
         let value = evaluator.value(link.operand);
@@ -97,7 +97,7 @@ pub(super) fn evaluate_product(evaluator: &mut Evaluator<'_>, id: AstId) -> Opti
     }
 }
 
-/// Reports two vectors or matrices that have no product.
+/// Reports two vectors or matrices that cannot be multiplied.
 fn report_no_product(evaluator: &mut Evaluator<'_>, right: AstId, left: &Operand, value: &Operand) {
     let (message, help) = match (left, value) {
         (Operand::Vector(_), Operand::Vector(_)) => {
@@ -128,7 +128,7 @@ pub(super) fn evaluate_power(
     power(evaluator, value?, index?, origin).map(Operand::Scalar)
 }
 
-/// base ^ exponent, with a complaint where no real number results.
+/// Returns base ^ exponent; reports an error if the result is not a real number.
 pub(super) fn power(
     evaluator: &mut Evaluator<'_>,
     base: ExprId,

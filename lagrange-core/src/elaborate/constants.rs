@@ -12,8 +12,8 @@ pub(super) struct Constants {
 }
 
 impl Constants {
-    /// Evaluates an expression without symbols; gives the first part of it that is not real
-    /// although all that it is made of is finite.
+    /// Evaluates an expression without symbols. Returns the first part that is not real although
+    /// all its operands are finite.
     pub(super) fn first_unreal(&mut self, graph: &Graph, root: ExprId) -> Option<ExprId> {
         if self.values.contains(&root) {
             return None;
@@ -23,8 +23,7 @@ impl Constants {
         unreal.min()
     }
 
-    /// Evaluates one node, whose operands have been; says whether its value is the first that is
-    /// not real.
+    /// Evaluates one node after its operands; true if its value is the first that is not real.
     pub(super) fn add(&mut self, graph: &Graph, id: ExprId) -> bool {
         if self.values.contains(&id) {
             return false;
@@ -38,7 +37,7 @@ impl Constants {
     }
 }
 
-/// True if this is a function with arguments for which it is not defined.
+/// True if this is a function that is undefined for some arguments.
 fn has_poles(node: &Node) -> bool {
     matches!(node, Node::Call(function, _) if !elementary::row(*function).is_total())
 }

@@ -18,7 +18,7 @@ use lagrange_language::syntax::ast::{AstId, Name};
 pub(super) fn add_constraint(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let term = elaborator.term(syntax, name.span, "a constraint");
     if elaborator.evaluator.scope.find(&name.text).is_some() {
-        // What is meant by the name decides what is wrong with the rest.
+        // If the name is already taken, the rest is not checked.
         elaborator.declare(name, NameKind::Constraint, None);
         return;
     }
@@ -41,14 +41,14 @@ pub(super) fn add_constraint(elaborator: &mut Elaborator<'_>, name: &Name, synta
     elaborator.constraints.push((constraint, name.span));
 }
 
-/// True if this is the constraint of a joint that the coordinates fulfil by themselves.
+/// True if this is the constraint of a joint that the coordinates fulfil identically.
 fn is_implied(elaborator: &mut Elaborator<'_>, name: &Name, value: ExprId) -> bool {
     let is_of_joint = elaborator.joints.iter().any(|joint| joint.text == name.text);
     is_of_joint && vanishing(&mut elaborator.evaluator.graph, &[value]) == [true]
 }
 
-/// Expression of the velocities that a constraint makes zero; `None` if that makes no sense, which
-/// has been reported.
+/// Returns the expression of the velocities that a constraint makes zero; `None` if the constraint
+/// is invalid, which has been reported.
 fn constrained_velocity(
     elaborator: &mut Elaborator<'_>,
     name: &Name,
@@ -86,8 +86,8 @@ fn constrained_velocity(
     Some(value)
 }
 
-/// Reports a constraint that demands of the velocities what another one does, or that they have
-/// other values.
+/// Reports a constraint that repeats the condition of another one on the velocities, or contradicts
+/// it.
 fn report_repeated(elaborator: &mut Elaborator<'_>, name: &Name, (value, velocity): (ExprId, ExprId)) {
     let graph = &mut elaborator.evaluator.graph;
     let (scale, rate, core) = normalised(graph, velocity);
@@ -117,7 +117,7 @@ fn report_repeated(elaborator: &mut Elaborator<'_>, name: &Name, (value, velocit
     error.related(Origin::from(*span), messages::OTHER_CONSTRAINT_IS_HERE);
 }
 
-/// Numbers a and b and an expression x without either, such that a velocity is a (x + b).
+/// Returns numbers a and b and an expression x without either, such that a velocity is a (x + b).
 fn normalised(graph: &mut Graph, velocity: ExprId) -> (Number, Number, ExprId) {
     let Node::Sum { constant, terms } = graph.node(velocity).clone() else {
         return (Number::ONE, Number::ZERO, velocity);
@@ -138,7 +138,7 @@ enum Gap {
     Unless(String),
 }
 
-/// The difference of what two constraints keep at zero, each without its factor.
+/// Returns the difference between the residuals of two constraints, each without its factor.
 fn gap(graph: &mut Graph, first: (ExprId, &Number), second: (ExprId, &Number)) -> Gap {
     let [first, second] = [first, second].map(|(value, scale)| {
         let over = scale.reciprocal().unwrap_or(Number::ONE);
@@ -161,7 +161,8 @@ fn gap(graph: &mut Graph, first: (ExprId, &Number), second: (ExprId, &Number)) -
     }
 }
 
-/// A reduced system would have to keep to constraints of its own.
+/// Reports constraints in declarations with `reduce`: a reduced system would need constraints of
+/// its own.
 pub(super) fn check_reduced_constraints(elaborator: &mut Elaborator<'_>) {
     if let (Some((_, span)), Some(reduction)) =
         (elaborator.constraints.first(), elaborator.reductions.first())
@@ -172,7 +173,7 @@ pub(super) fn check_reduced_constraints(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// True if a constraint holds this velocity.
+/// True if a constraint contains this velocity.
 pub(super) fn is_constrained(elaborator: &Elaborator<'_>, velocity: ExprId) -> bool {
     let rates = elaborator.constraints.iter().map(|(constraint, _)| constraint.velocity).collect::<Vec<_>>();
     elaborator.evaluator.graph.reachable(&rates).contains(&velocity)

@@ -32,7 +32,7 @@ pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
     define_position(elaborator, name, position, velocity);
 }
 
-/// A unit quaternion of positions, with three velocities.
+/// Defines a unit quaternion of positions, with three velocities.
 pub(super) fn define_quaternion(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) {
     if is_declared_before(elaborator, quaternion) {
         return;
@@ -59,7 +59,7 @@ pub(super) fn define_quaternion(elaborator: &mut Elaborator<'_>, quaternion: &Qu
     elaborator.orientations.push(orientation);
 }
 
-/// True of a second orientation of the same name, which is reported once.
+/// True for a second orientation of the same name, which is reported once.
 fn is_declared_before(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) -> bool {
     let first = elaborator.evaluator.scope.find(&quaternion.positions[0].text);
     let is_quaternion = elaborator.evaluator.scope.is_velocity(&quaternion.velocities[0].text);
@@ -71,7 +71,7 @@ fn is_declared_before(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) 
     true
 }
 
-/// One more position, whose symbol is there already, with its rate.
+/// Adds a position, whose symbol already exists, with its rate.
 fn define_position(elaborator: &mut Elaborator<'_>, name: &Name, position: ExprId, rate: ExprId) {
     elaborator.evaluator.graph.set_rate(position, rate);
     elaborator
@@ -80,7 +80,7 @@ fn define_position(elaborator: &mut Elaborator<'_>, name: &Name, position: ExprI
     elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
 }
 
-/// One more velocity: its name with so many dots.
+/// Adds a velocity, given by its base name and the number of dots.
 fn define_speed(
     elaborator: &mut Elaborator<'_>,
     place: &Name,
@@ -96,7 +96,7 @@ fn define_speed(
     velocity
 }
 
-/// `velocity u = dot(x);` gives the rate of a coordinate a name.
+/// Handles `velocity u = dot(x);`, which names the rate of a coordinate.
 pub(super) fn name_velocity(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let value = value_of(&mut elaborator.evaluator, syntax);
     let named = elaborator.declaration.expressions.rate_of_name(syntax);

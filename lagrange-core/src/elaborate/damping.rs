@@ -1,13 +1,13 @@
-//! Rayleigh functions of lengths, where the length is zero.
+//! Rayleigh functions of lengths at zero length.
 //!
-//! The rate of a length ‖r‖ is σ/‖r‖ with σ = r·ṙ, which is 0/0 where both ends meet. Its square is
-//! not: along any motion through r = 0 both vectors become parallel, and the limit of σ²/r·r is
+//! The rate of a length ‖r‖ is σ/‖r‖ with σ = r·ṙ, which is 0/0 where both ends meet. Its square
+//! has a limit: along any motion through r = 0 both vectors become parallel, and σ²/r·r tends to
 //! ṙ·ṙ. A damper then acts with the force −c ṙ, as it does just before and after. The square is
-//! written so that nothing is divided by zero in either case,
+//! written without division by zero in either case,
 //!
 //! > σ²/(r·r if that is positive, else 1) + (0 if r·r is positive, else 1) ṙ·ṙ,
 //!
-//! which needs no root. On a line, r = (x, 0), the square of the rate is simply ẋ².
+//! which involves no root. On a line, r = (x, 0), the square of the rate is simply ẋ².
 
 use super::elaborator::Elaborator;
 use lagrange_algebra::calculus::{AccelerationTerms, Rates, substitute};
@@ -19,15 +19,15 @@ use lagrange_expr::number::Number;
 struct LengthRate {
     /// r·r
     square: ExprId,
-    /// r·ṙ, times the factor that the rate has beside it.
+    /// r·ṙ, multiplied by the factor of the rate.
     along: ExprId,
-    /// ṙ·ṙ, times the square of that factor.
+    /// ṙ·ṙ, multiplied by the square of that factor.
     speed: ExprId,
 }
 
-/// A Rayleigh function that has its limit where lengths are zero whose rates it holds squares of.
-/// Lengths on which the potential depends otherwise than by their squares keep their roots: there
-/// is no limit of the elastic force.
+/// Rewrites squared rates of lengths in a Rayleigh function so that they have their limits at zero
+/// length. Lengths on which the potential depends other than by their squares keep their roots,
+/// since the elastic force has no limit.
 pub(super) fn with_limits(elaborator: &mut Elaborator<'_>, dissipation: ExprId) -> ExprId {
     let potential =
         elaborator.potential.iter().chain(&elaborator.lagrangian).map(|term| term.value).collect::<Vec<_>>();
@@ -55,7 +55,7 @@ pub(super) fn with_limits(elaborator: &mut Elaborator<'_>, dissipation: ExprId) 
     substitute(graph, dissipation, &replacements)
 }
 
-/// Sums of squares of which roots are taken.
+/// Returns the sums of squares under square roots.
 fn roots_in(graph: &Graph, exprs: &[ExprId]) -> Vec<ExprId> {
     let mut found = Vec::new();
     for id in graph.reachable(exprs) {
@@ -67,7 +67,7 @@ fn roots_in(graph: &Graph, exprs: &[ExprId]) -> Vec<ExprId> {
     found
 }
 
-/// σ²/(s if s > 0, else 1) + (0 if s > 0, else 1) ṙ·ṙ with s = r·r
+/// Returns σ²/(s if s > 0, else 1) + (0 if s > 0, else 1) ṙ·ṙ with s = r·r.
 fn limited_square(graph: &mut Graph, length: &LengthRate) -> ExprId {
     let [zero, one] = [0, 1].map(|number| graph.number(number));
     let divisor = graph.choose(Relation::Less, zero, length.square, length.square, one);
@@ -77,8 +77,8 @@ fn limited_square(graph: &mut Graph, length: &LengthRate) -> ExprId {
     graph.add(quotient, limit)
 }
 
-/// Parts of a velocity that is the rate of a root of a sum of squares, all of which may vanish
-/// during the motion.
+/// Returns the parts of a velocity that is the rate of the root of a sum of squares. All squares
+/// may vanish during the motion.
 fn length_rate(graph: &mut Graph, rate: ExprId, position: ExprId) -> Option<LengthRate> {
     let (scale, root) = graph.split_coefficient(position);
     let Node::Product(factors) = graph.node(root).clone() else { return None };
@@ -105,7 +105,7 @@ fn length_rate(graph: &mut Graph, rate: ExprId, position: ExprId) -> Option<Leng
     Some(LengthRate { square, along: graph.multiply(rate, root), speed: graph.multiply(factor, speed) })
 }
 
-/// `(c, r)` of Σ c r², if an expression is such a sum without a part that stays.
+/// Returns `(c, r)` of Σ c r², if an expression is such a sum without a constant part.
 fn components(graph: &mut Graph, sum: ExprId) -> Option<Vec<(Number, ExprId)>> {
     let Node::Sum { constant, terms } = graph.node(sum).clone() else { return None };
     if !constant.is_zero() {

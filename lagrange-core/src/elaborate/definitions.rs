@@ -66,7 +66,7 @@ pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, 
     declare_abbreviation(elaborator, name, value);
 }
 
-/// Declares a name for a value, whose components are labelled with it.
+/// Declares a name for a value, and labels its components with it.
 fn declare_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, value: Option<Operand>) {
     match &value {
         Some(Operand::Scalar(id)) => elaborator.labels.push((*id, name.text.clone())),
@@ -85,7 +85,7 @@ fn declare_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, value: Opt
     elaborator.declare(name, NameKind::Abbreviation, value);
 }
 
-/// True if a name is that of no place, or of one made of coordinates and time.
+/// True if a name is not that of a place, or the place depends only on coordinates and time.
 fn is_sound_place(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId, value: &Operand) -> bool {
     let Some((_, what)) = elaborator.places.iter().find(|(place, _)| *place == name.text) else {
         return true;
@@ -103,12 +103,12 @@ fn is_sound_place(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId, v
     false
 }
 
-/// Defines the components of a vector. Those that are written out need not have one shape.
+/// Defines the components of a vector. Components that are written out may have different shapes.
 pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Name], syntax: AstId) {
     if let Expression::Tuple(parts) = elaborator.evaluator.declaration.expressions.get(syntax)
         && parts.len() == names.len()
     {
-        // The names are not known in them.
+        // The names are not yet defined in the parts.
         for part in parts {
             value_of(&mut elaborator.evaluator, *part);
         }

@@ -8,7 +8,7 @@ use lagrange_expr::expr::ExprId;
 use lagrange_expr::symbol::Symbol;
 use lagrange_language::syntax::ast::{AstId, Expression, Name, Quaternion};
 
-/// The spelling of the entry with this index in [q…, v…].
+/// Returns the spelling of the entry with this index in [q…, v…].
 pub(super) fn spelling_of(elaborator: &Elaborator<'_>, index: usize) -> String {
     let count = elaborator.declaration.coordinates().len();
     let symbol = match index.checked_sub(count) {
@@ -19,7 +19,7 @@ pub(super) fn spelling_of(elaborator: &Elaborator<'_>, index: usize) -> String {
     symbol.map(Symbol::text).unwrap_or_default()
 }
 
-/// The position with this index, states behind all others.
+/// Returns the position with this index; states come after all others.
 fn position_at(elaborator: &Elaborator<'_>, index: usize) -> Option<ExprId> {
     match index.checked_sub(elaborator.first_state) {
         Some(state) => elaborator.states.get(state).map(|state| state.position),
@@ -27,7 +27,8 @@ fn position_at(elaborator: &Elaborator<'_>, index: usize) -> Option<ExprId> {
     }
 }
 
-/// The index in [q…, v…] of what is assigned to; anything else is reported with this help.
+/// Returns the index in [q…, v…] of the target of an assignment; an invalid target is reported with
+/// this help.
 pub(super) fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId, help: &str) -> Option<usize> {
     let (coordinate, is_velocity) = match elaborator.evaluator.syntax(syntax) {
         Expression::Call(function, arguments) if function.text == "dot" && arguments.len() == 1 => {
@@ -36,7 +37,7 @@ pub(super) fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId, hel
         _ => (syntax, false),
     };
     let Expression::Name(text) = elaborator.evaluator.syntax(coordinate) else {
-        // What is wrong within it is said first.
+        // Errors within the target are reported first.
         value_of(&mut elaborator.evaluator, syntax)?;
         return elaborator.evaluator.refuse(syntax, events::NOT_ASSIGNABLE, help);
     };
@@ -55,7 +56,8 @@ pub(super) fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId, hel
     found
 }
 
-/// Reports an unknown name. Names of orientations are unknown, too: only components have values.
+/// Reports an unknown name. The name of an orientation also counts as unknown, since only its
+/// components have values.
 fn refuse_unknown<T>(elaborator: &mut Elaborator<'_>, syntax: AstId, text: &str) -> Option<T> {
     let span = elaborator.evaluator.origin(syntax).start;
     let components = Quaternion::named(Name::new(text, span)).positions.map(|component| component.text);
@@ -67,9 +69,9 @@ fn refuse_unknown<T>(elaborator: &mut Elaborator<'_>, syntax: AstId, text: &str)
     elaborator.evaluator.refuse(syntax, start::whole_orientation(text), &help)
 }
 
-/// The index in [q…, v…] of a position or velocity, or of the rate of a coordinate.
+/// Returns the index in [q…, v…] of a position or velocity, or of the rate of a coordinate.
 fn entry_of_state(elaborator: &Elaborator<'_>, name: &str, is_rate: bool) -> Option<usize> {
-    // Coordinates may be declared further down, too.
+    // Coordinates may also be declared further down.
     let count = elaborator.declaration.coordinates().len();
     let velocity = || elaborator.speed_of(name).map(|index| count + index);
     let position = elaborator.coordinates.iter().position(|(known, _)| known.name == name);

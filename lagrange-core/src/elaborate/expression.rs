@@ -1,7 +1,7 @@
-//! Expressions of the language to expressions of the graph.
+//! Conversion of expressions of the language to expressions of the graph.
 //!
-//! The walk is iterative. Chains of `+`/`-` and of `*`/`/` are evaluated as one, so that a sum of
-//! many terms is collected once and not pair by pair.
+//! The traversal is iterative. A chain of `+`/`-` or of `*`/`/` is evaluated as a whole, so that a
+//! sum of many terms is collected once instead of pair by pair.
 
 use super::calls::evaluate_call;
 use super::chains::{evaluate_power, evaluate_product, evaluate_sum};
@@ -22,13 +22,14 @@ use lagrange_language::syntax::ast::{
     ArrayShape, AstId, BinaryOperator, Comparison, Condition, Expression, Name,
 };
 
-/// The value of an expression; `None` if something in it is wrong, which has been reported.
+/// Returns the value of an expression; `None` if it contains an error, which has been reported.
 pub(super) fn value_of(evaluator: &mut Evaluator<'_>, root: AstId) -> Option<Operand> {
     let mut pending = vec![root];
     while let Some(&id) = pending.last() {
         let before = pending.len();
         if !evaluator.values.contains(&id) {
-            // Reversed, so that operands are evaluated, and complained of, from left to right.
+            // In reverse order, so that operands are evaluated, and their errors reported, from
+            // left to right.
             let operands = evaluator.operands(id).into_iter().rev();
             pending.extend(operands.filter(|operand| !evaluator.values.contains(operand)));
         }
@@ -65,12 +66,12 @@ fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
         Expression::If { condition, then, otherwise } => {
             evaluate_if(evaluator, *condition, *then, *otherwise)
         }
-        // Elements have taken the place of what is written of arrays.
+        // Arrays have been replaced by their elements.
         Expression::Array(_) | Expression::Invalid => None,
     }
 }
 
-/// A vector of scalars, or a matrix of vectors as rows.
+/// Returns a vector of scalars, or a matrix with vectors as rows.
 fn evaluate_tuple(evaluator: &mut Evaluator<'_>, parts: &[AstId]) -> Option<Operand> {
     let values = parts.iter().map(|&part| evaluator.value(part)).collect::<Option<Vec<_>>>()?;
     let first = values.first()?;
@@ -88,7 +89,7 @@ fn evaluate_tuple(evaluator: &mut Evaluator<'_>, parts: &[AstId]) -> Option<Oper
     Some(Operand::of(ArrayShape::stacked(&shapes)?, components))
 }
 
-/// An entry of a vector or a matrix, or a row.
+/// Returns an entry of a vector or a matrix, or a row.
 fn evaluate_entry(
     evaluator: &mut Evaluator<'_>,
     of: AstId,
@@ -97,7 +98,7 @@ fn evaluate_entry(
 ) -> Option<Operand> {
     let value = evaluator.value(of)?;
     if let Some(wanted) = shape.filter(|wanted| *wanted != value.shape()) {
-        // Of all elements of an array one is enough.
+        // One report for all elements of an array is enough.
         if evaluator.misshapen.insert(of) {
             let message = messages::shape_needed(wanted.describe(), value.kind());
             evaluator.refuse::<()>(of, message, messages::SHAPE_HELP);
@@ -116,7 +117,7 @@ fn evaluate_entry(
     None
 }
 
-/// A number in the coherent unit.
+/// Converts a number to the coherent unit.
 fn evaluate_quantity(evaluator: &mut Evaluator<'_>, number: AstId, unit: &Unit) -> Option<Operand> {
     let number = evaluator.scalar(number, "a number with a unit")?;
     let (scale, pi) = (evaluator.graph.number(unit.scale.number.clone()), evaluator.graph.pi());
@@ -165,8 +166,8 @@ fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> O
     None
 }
 
-/// True if another component of the pin that has this constraint has a multiplier. Any number would
-/// do for that of a constraint without gradient; the smallest is zero.
+/// True if another component of the pin that has this constraint has a multiplier. The multiplier
+/// of a constraint without gradient is arbitrary; the smallest is zero.
 fn belongs_to_held_pin(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool {
     let Some((pin, _)) = constraint.rsplit_once('_') else { return false };
     let held = |axis: &str| {
@@ -176,7 +177,7 @@ fn belongs_to_held_pin(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool 
     ["_x", "_y", "_z"].iter().any(|axis| constraint.ends_with(axis)) && ["x", "y", "z"].into_iter().any(held)
 }
 
-/// True if nothing was said yet of a joint without forces, one of whose constraints has this name.
+/// True if a joint without forces has not been reported yet; one of its constraints has this name.
 fn is_first_of_joint(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool {
     let joint = constraint.rsplit_once('_').map_or(constraint, |(joint, _)| joint);
     evaluator.forceless_joints.insert(joint.to_owned())
@@ -227,7 +228,7 @@ fn evaluate_if(
     Some(Operand::of(a.shape(), chosen))
 }
 
-/// Refuses equality of what moves, which is equal to something for an instant at most.
+/// Rejects equality conditions on moving quantities, which hold for an instant at most.
 fn check_equality(
     evaluator: &mut Evaluator<'_>,
     condition: Condition,
@@ -246,7 +247,7 @@ fn check_equality(
     evaluator.refuse(moving, messages::EQUALITY, messages::EQUALITY_HELP)
 }
 
-/// The first of two values where the comparison holds, otherwise the second.
+/// Returns the first of two values where the comparison holds, otherwise the second.
 fn choose(
     graph: &mut Graph,
     comparison: Comparison,

@@ -53,7 +53,7 @@ pub(super) enum MassFunction {
     Steiner,
 }
 
-/// The function of that name.
+/// Returns the function with this name.
 pub(super) fn mass_function(name: &str) -> Option<MassFunction> {
     match name {
         "slender_rod_end" => Some(MassFunction::RodEnd),
@@ -65,7 +65,7 @@ pub(super) fn mass_function(name: &str) -> Option<MassFunction> {
     }
 }
 
-/// Names that calls may have meant.
+/// Returns the names that misspelt calls may have meant.
 fn mass_function_names() -> impl Iterator<Item = &'static str> {
     SOLIDS.iter().map(|solid| solid.name).chain(["slender_rod_end", "steiner"])
 }

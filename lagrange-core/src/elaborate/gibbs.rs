@@ -1,4 +1,4 @@
-//! Gibbs functions: equations of motion of part of the Lagrangian, stated in accelerations.
+//! Gibbs functions: equations of motion for part of the Lagrangian, in terms of accelerations.
 
 use proc_macro2::Span;
 
@@ -18,7 +18,7 @@ pub(super) fn add_gibbs(elaborator: &mut Elaborator<'_>, function: AstId, stated
     }
 }
 
-/// A scalar that is quadratic in the accelerations, or at least linear.
+/// Returns a scalar that is linear or quadratic in the accelerations.
 fn gibbs_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
     let what = "a Gibbs function";
     value_of(&mut elaborator.evaluator, syntax)?;
@@ -27,7 +27,7 @@ fn gibbs_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId>
     elaborator.forbid(forces, (syntax, value), what, messages::GIBBS_HELP)?;
     match polynomial_degree(&elaborator.evaluator.graph, value, Dependencies::ACCELERATION) {
         Some(1 | 2) => Some(value),
-        // Bodies on joints that no inertia resists.
+        // Bodies on joints without inertia.
         Some(0) if !elaborator.evaluator.declaration.expressions.is_written(syntax) => None,
         Some(0) => {
             elaborator.evaluator.refuse(syntax, messages::GIBBS_WITHOUT_ACCELERATIONS, messages::GIBBS_HELP)
@@ -36,7 +36,7 @@ fn gibbs_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId>
     }
 }
 
-/// The sum of all Gibbs functions, which states the sum of what each states.
+/// Returns the sum of all Gibbs functions, which gives the sum of their equations.
 pub(super) fn total_gibbs(elaborator: &mut Elaborator<'_>) -> Option<GibbsFunction> {
     let graph = &mut elaborator.evaluator.graph;
     let functions = elaborator.gibbs.iter().map(|gibbs| gibbs.function).collect::<Vec<_>>();

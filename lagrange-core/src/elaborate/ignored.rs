@@ -1,4 +1,4 @@
-//! Coordinates that cannot be ignored, and why.
+//! Coordinates that cannot be ignored, and the reasons.
 
 use super::elaborator::{Elaborator, SourceTerm};
 use super::messages;
@@ -10,12 +10,12 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 
-/// Number of points at which a formula must vanish where no proof is found.
+/// Number of points at which a formula must vanish if no proof is found.
 const POINTS: usize = 12;
-/// Fraction of its terms that rounding may leave of a zero.
+/// Rounding error of a zero, as a fraction of its terms.
 const ROUNDING: f64 = 1e-9;
 
-/// Terms of a declaration, with where they stand.
+/// Terms of a declaration, with their places.
 pub(super) struct Terms {
     energies: Vec<(ExprId, Origin)>,
     dissipation: Vec<(ExprId, Origin)>,
@@ -38,7 +38,7 @@ impl Terms {
 pub(super) enum Obstacle {
     /// The Lagrangian depends on it.
     Energy,
-    /// A load acts on it; the name of its statement, if a single one is to blame.
+    /// A load acts on it. The name is that of its statement, if a single one is responsible.
     Load(Option<String>),
     Dissipation,
     /// Its momentum is not linear in velocities.
@@ -49,14 +49,14 @@ pub(super) enum Obstacle {
     Undefined,
 }
 
-/// A coordinate that cannot be ignored, and why.
+/// A coordinate that cannot be ignored, and the reason.
 pub(super) struct Refusal {
     pub(super) pinned: Pinned,
     pub(super) obstacle: Obstacle,
 }
 
-/// Marks values that are zero everywhere: by proof, or by many points unless a formula may be flat
-/// there and not elsewhere.
+/// Marks values that are zero everywhere: by proof, or by sampling many points unless the formula
+/// may be flat there but not elsewhere.
 pub(super) fn vanish(model: &mut Model, values: &[ExprId]) -> Vec<bool> {
     let proved = vanishing(&mut model.graph, values);
     let vanishes = |(&value, proved): (&ExprId, bool)| proved || vanishes_at_points(model, value);
@@ -84,8 +84,8 @@ pub(super) fn independent(model: &mut Model, values: &[ExprId], symbols: &[ExprI
     (0..symbols.len()).map(|index| of_symbol(index).all(|&vanishes| vanishes)).collect()
 }
 
-/// Parts of values that have an influence which gradients do not show: what conditions and signs
-/// decide by, and arguments of functions without a formula.
+/// Returns parts of values whose influence gradients do not show: the deciding values of conditions
+/// and signs, and arguments of functions without a formula.
 pub(super) fn deciding(graph: &mut Graph, values: &[ExprId]) -> Vec<ExprId> {
     use Function::{Abs, MagnitudeSlope, Sign};
     let mut found = Vec::new();
@@ -126,7 +126,7 @@ impl Refusal {
         error.help(help);
     }
 
-    /// Finds the first statement that is in the way.
+    /// Finds the first statement that is an obstacle.
     fn place(&self, model: &Model, reduction: &Reduction, terms: &Terms) -> Option<(Origin, &'static str)> {
         let mut model = model.clone();
         let zero = model.graph.number(0);

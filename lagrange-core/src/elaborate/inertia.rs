@@ -1,5 +1,4 @@
-//! Function calls of the language: moments of inertia of solids by name, and where their centres of
-//! mass are.
+//! Function calls of the language: moments of inertia and centres of mass of solids by name.
 
 use super::evaluator::Evaluator;
 use super::function_names::MassFunction;
@@ -45,7 +44,7 @@ pub(super) fn evaluate_mass_function(
     }
 }
 
-/// m l²/3 or j + m r²
+/// Returns m l²/3 or j + m r².
 fn about_other_axis(evaluator: &mut Evaluator<'_>, function: MassFunction, scalars: &[ExprId]) -> ExprId {
     let graph = &mut evaluator.graph;
     let mut moment = |mass: ExprId, distance: ExprId| {
@@ -71,7 +70,7 @@ fn scalar_arguments(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[Ast
     scalars.into_iter().collect()
 }
 
-/// Returns the scalars that give the size of a solid. Mistakes in them are reported once, although
+/// Returns the scalars that give the size of a solid. Errors in these are reported once, although
 /// the moment of inertia and the centre of mass of a body's shape have the same arguments.
 fn solid_dimensions(
     evaluator: &mut Evaluator<'_>,
@@ -90,7 +89,7 @@ fn solid_dimensions(
     dimensions
 }
 
-/// Reports sizes that no such solid has.
+/// Reports impossible sizes of a solid.
 fn suitable_dimensions(
     evaluator: &mut Evaluator<'_>,
     solid: &Solid,
@@ -108,7 +107,7 @@ fn suitable_dimensions(
     Some(dimensions)
 }
 
-/// True if the numbers among the dimensions are those of no such solid.
+/// True if the numeric dimensions are impossible for such a solid.
 fn is_impossible(evaluator: &mut Evaluator<'_>, solid: &Solid, dimensions: &[ExprId]) -> bool {
     if solid.dimensions == Dimensions::Corners {
         let area = solids::double_area(&mut evaluator.graph, dimensions);
@@ -120,7 +119,7 @@ fn is_impossible(evaluator: &mut Evaluator<'_>, solid: &Solid, dimensions: &[Exp
     (solid.is_impossible)(&values) || all_constant && values.iter().any(|value| !value.is_finite())
 }
 
-/// The coordinates of corners, one after the other.
+/// Returns the coordinates of corners, one after the other.
 fn corner_coordinates(
     evaluator: &mut Evaluator<'_>,
     name: &Name,

@@ -1,7 +1,7 @@
 //! Forces and torques as loads along velocities, by virtual work.
 //!
-//! A force F at a point p does work at the rate F·ṗ. Its generalised force is ∂(F·ṗ)/∂v, so it acts
-//! on the node ṗ itself and no Jacobian is formed.
+//! A force F at a point p does work at the rate F·ṗ. Its generalised force is ∂(F·ṗ)/∂v. The load
+//! therefore acts on the node ṗ itself, and no Jacobian is formed.
 
 use proc_macro2::Span;
 
@@ -17,7 +17,7 @@ use lagrange_language::syntax::ast::{AstId, Expression, Name};
 pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     elaborator.evaluator.scope.resolve(&name.text);
     let Some(index) = elaborator.speed_of(&name.text) else {
-        // A vector on a body is one mistake.
+        // No scalar is required here, so that a vector on a body is reported only once.
         value_of(&mut elaborator.evaluator, syntax);
         return elaborator.report_no_coordinate(name, messages::FORCE_HELP);
     };
@@ -26,7 +26,7 @@ pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax:
     push_loads(elaborator, &name.text, force.map(|force| (velocity, force.value)));
 }
 
-/// Adds the loads of one statement under a name that no other has.
+/// Adds the loads of one statement under a unique name.
 fn push_loads(
     elaborator: &mut Elaborator<'_>,
     name: &str,
@@ -40,7 +40,7 @@ fn push_loads(
     elaborator.loads.extend(loads.into_iter().map(load));
 }
 
-/// Returns the user's name for what a load acts on, or else that of its kind.
+/// Returns the user's name for the object of a load, or else the name of its kind.
 fn name_of(elaborator: &Elaborator<'_>, acted_on: AstId, kind: &str) -> String {
     match elaborator.evaluator.syntax(acted_on) {
         Expression::Name(name) if elaborator.declaration.expressions.is_written(acted_on) => name.clone(),
@@ -67,7 +67,7 @@ pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point:
     }
 }
 
-/// A force along velocities: it does work at the rate F·u.
+/// Adds a force along velocities, which does work at the rate F·u.
 pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, velocity: AstId) {
     let values = [force, velocity].map(|syntax| value_of(&mut elaborator.evaluator, syntax));
     let [Some(forces), Some(velocities)] = values else { return };
@@ -83,7 +83,7 @@ pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, vel
             loads.push((along, force_value));
         }
     }
-    // Forces of contacts have names, velocities of theirs are written by nobody.
+    // Contact forces have names; their velocities do not occur in the source.
     let kind = match elaborator.evaluator.syntax(force) {
         Expression::Name(name) if !elaborator.declaration.expressions.is_written(force) => name.clone(),
         _ => "force".to_owned(),
@@ -92,7 +92,8 @@ pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, vel
     push_loads(elaborator, &name, loads);
 }
 
-/// Reports a place or a velocity that depends on states, which nothing displaces.
+/// Reports a place or a velocity that depends on states, since virtual displacements do not change
+/// states.
 pub(super) fn forbid_states(
     elaborator: &mut Elaborator<'_>,
     syntax: AstId,
@@ -102,7 +103,7 @@ pub(super) fn forbid_states(
     elaborator.forbid(&[Dependencies::STATE], (syntax, value), what, messages::states::PLACE_HELP)
 }
 
-/// Reports what is no sum of velocities.
+/// Reports velocities of forces that are not affine in the velocities.
 fn is_affine_in_velocities(elaborator: &mut Elaborator<'_>, syntax: AstId, value: ExprId) -> bool {
     let what = "the velocity of a force";
     let known = elaborator.forbid_accelerations(syntax, value, what);
@@ -115,7 +116,7 @@ fn is_affine_in_velocities(elaborator: &mut Elaborator<'_>, syntax: AstId, value
         let error = elaborator.evaluator.report.error(origin, messages::NO_VELOCITY);
         error.help(messages::NO_VELOCITY_HELP);
     }
-    // What does not move does no work.
+    // A force without motion does no work.
     known.is_some() && degree == Degree::Affine
 }
 
@@ -130,7 +131,7 @@ pub(super) fn add_torque(elaborator: &mut Elaborator<'_>, moment: AstId, angle: 
     }
 }
 
-/// The rate of a point or angle, which must be a function of coordinates and time.
+/// Returns the rate of a point or angle, which must be a function of coordinates and time.
 fn velocity_of(
     elaborator: &mut Elaborator<'_>,
     syntax: AstId,

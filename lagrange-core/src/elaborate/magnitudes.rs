@@ -1,4 +1,4 @@
-//! Diagnostics for numbers that are too large for the scalar, or so small that they would be zero.
+//! Diagnostics for numbers that overflow or underflow the scalar.
 
 use super::constants::Constants;
 use super::elaborator::Elaborator;
@@ -18,7 +18,8 @@ use lagrange_language::syntax::ast::Expression;
 use lagrange_language::syntax::ast::ScalarType;
 use lagrange_language::syntax::ast::StatementKind;
 
-/// Reports numbers that the scalar does not hold, each at the smallest expression that holds it.
+/// Reports numbers outside the range of the scalar, each at the smallest expression that contains
+/// it.
 pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
     let declaration = elaborator.declaration;
     let roots = declaration.statements.iter().flat_map(|statement| computed(&statement.kind));
@@ -47,7 +48,7 @@ pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Expressions that hold a number out of the range of the scalar.
+/// Expressions with a number outside the range of the scalar.
 struct Misfits<'a> {
     scalar: &'a ScalarType,
     known: HashMap<ExprId, Option<Misfit>>,
@@ -73,7 +74,7 @@ impl Misfits<'_> {
         }
     }
 
-    /// Returns the mistake in a node whose operands are known.
+    /// Returns the error in a node whose operands are known.
     fn find(&self, graph: &Graph, constants: &Constants, id: ExprId) -> Option<Misfit> {
         let of_number = |number: &Number| misfit(self.scalar, number);
         let of_value = |value: f64| misfit_of_value(self.scalar, value);
@@ -108,13 +109,12 @@ fn report(evaluator: &mut Evaluator<'_>, id: AstId, misfit: Misfit, scalar: &Sca
     evaluator.refuse::<()>(id, message, help);
 }
 
-/// The expressions of a statement whose values are computed at run time, those of what it defines
-/// aside.
+/// Returns the expressions of a statement that are computed at run time; none for definitions.
 fn computed(kind: &StatementKind) -> Vec<AstId> {
     if kind.definitions().is_empty() { kind.expressions() } else { Vec::new() }
 }
 
-/// Names that stand for an expression, with these expressions.
+/// Returns the names that stand for expressions, with these expressions.
 fn definitions(declaration: &Declaration) -> HashMap<&str, AstId> {
     let definitions = declaration.statements.iter().flat_map(|statement| statement.kind.definitions());
     definitions.map(|(name, value)| (name.text.as_str(), value)).collect()

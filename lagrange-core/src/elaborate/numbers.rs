@@ -1,9 +1,8 @@
-//! Numbers in what the user wrote: whether they can be kept exactly, whether they are real, whether
-//! the scalar holds them.
+//! Checks of numbers in a declaration: whether they can be kept exact, are real, and are in the
+//! range of the scalar.
 //!
-//! A value without symbols that is not real is a mistake wherever it stands. A number that is too
-//! large for the scalar is one only if it remains in an expression to be computed: `1e400 / 1e399`
-//! is ten.
+//! A value without symbols that is not real is always an error. A number that is too large for the
+//! scalar is an error only if it remains in an expression to be computed: `1e400 / 1e399` is ten.
 
 use super::evaluator::Evaluator;
 use super::messages;
@@ -14,13 +13,13 @@ use lagrange_expr::number::Number;
 use lagrange_expr::opaque::Axis;
 use lagrange_language::syntax::ast::{AstId, Expression};
 
-/// True if elaboration can continue with a value; reports it if not.
+/// True if elaboration can continue with a value, which is reported otherwise.
 pub(super) fn is_sound(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     is_short(evaluator, value, id) && is_real(evaluator, value, id)
 }
 
-/// Exact numbers grow with every operation, twofold in each of `a1 = a0*a0 + 1/7`,
-/// `a2 = a1*a1 + 1/7`, ….
+/// True if exact numbers are short. They grow with every operation, and double in length in each of
+/// `a1 = a0*a0 + 1/7`, `a2 = a1*a1 + 1/7`, ….
 fn is_short(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     let has_short_powers = |id: ExprId| match evaluator.graph.node(id) {
         Node::Product(factors) => factors.iter().all(|(_, exponent)| exponent.is_short()),
@@ -63,7 +62,7 @@ fn is_real(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     is_real
 }
 
-/// From where to where a table is defined, in words; nothing of what is no table.
+/// Describes the range in which a table is defined; `None` for other functions.
 fn reach_of_table(evaluator: &Evaluator<'_>, name: &str) -> Option<String> {
     let function = evaluator.callables.get(&name.to_owned())?.function.as_ref()?;
     let ends = |axis: &Axis| [axis.knots[0], axis.knots[axis.knots.len() - 1]];

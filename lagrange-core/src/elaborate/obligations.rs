@@ -13,11 +13,11 @@ use lagrange_expr::symbol::Role;
 use lagrange_language::bodies::Obligation;
 use lagrange_language::syntax::ast::{AstId, Name};
 
-/// Moments of inertia that differ by less than this fraction are equal but for rounding.
+/// Moments of inertia that differ by less than this fraction count as equal.
 const ROUNDING: f64 = 1e-9;
 
-/// Reports obligations that do not hold: errors where numbers are given, warnings where only
-/// defaults say so.
+/// Reports violated obligations: as errors if numbers are given, as warnings if they are only
+/// violated with defaults.
 pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obligation]) {
     for obligation in obligations {
         match obligation {
@@ -49,20 +49,21 @@ fn inertia_not_negative(elaborator: &mut Elaborator, body: &Name, inertia: AstId
     wrong.report(elaborator, message).help(words::HOLES_LIE_WITHIN);
 }
 
-/// A rigid body keeps its mass and how it is distributed.
+/// Checks that the mass of a rigid body and its distribution are constant.
 fn fixed(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
     let message = words::not_fixed(what);
     free_of(elaborator, syntax, |dependencies| !dependencies.is_constant_in_motion(), &message);
 }
 
-/// The weight m g of a body has the potential −m g·c only where g is the same everywhere.
+/// Checks that gravity is uniform, since only then has the weight m g of a body the potential −m
+/// g·c.
 fn uniform(elaborator: &mut Elaborator, gravity: AstId) {
     let varies =
         |dependencies: Dependencies| dependencies.intersects(Dependencies::COORDINATE | Dependencies::STATE);
     free_of(elaborator, gravity, varies, words::GRAVITY_NOT_UNIFORM);
 }
 
-/// Reports a value that holds what it must not.
+/// Reports a value with a forbidden dependency.
 fn free_of(elaborator: &mut Elaborator, syntax: AstId, is_wrong: fn(Dependencies) -> bool, message: &str) {
     let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
     let graph = &elaborator.evaluator.graph;
@@ -72,11 +73,11 @@ fn free_of(elaborator: &mut Elaborator, syntax: AstId, is_wrong: fn(Dependencies
     }
 }
 
-/// A value that is not as it must be.
+/// A value that violates an obligation.
 struct Wrong {
     text: String,
     origin: Origin,
-    /// True if it is so whatever the parameters are, and not only with their defaults.
+    /// True if the value is wrong for all parameters, and not only with their defaults.
     is_constant: bool,
 }
 
@@ -90,8 +91,8 @@ impl Wrong {
     }
 }
 
-/// The value of a scalar that is known, at least with the defaults of parameters, unless it is
-/// right.
+/// Returns the value of a scalar if it is wrong. The value must be known, at least with the
+/// defaults of parameters.
 fn unless(elaborator: &mut Elaborator, syntax: AstId, is_right: fn(f64) -> bool) -> Option<Wrong> {
     let value = scalar(elaborator, syntax)?;
     let graph = &elaborator.evaluator.graph;
@@ -122,9 +123,9 @@ fn vector_of(elaborator: &mut Elaborator, what: &str, syntax: AstId, dimension: 
     }
 }
 
-/// Moments and products of inertia are physical if no principal moment exceeds the sum of the
-/// others, which also makes them positive. The second moments ½ (tr J) 1 − J of the mass then have
-/// no negative eigenvalue.
+/// Checks that moments and products of inertia are physical. No principal moment may exceed the sum
+/// of the others, which also makes them positive. The second moments ½ (tr J) 1 − J of the mass
+/// then have no negative eigenvalue.
 fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId; 6]) {
     let components = tensor.map(|syntax| scalar(elaborator, syntax));
     let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));
@@ -147,8 +148,8 @@ fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId;
 /// True if a body can have these moments and products of inertia, xx, yy, zz, xy, xz and yz, about
 /// its centre of mass.
 ///
-/// The second moments of its mass are then positive semidefinite, except for rounding: by the signs
-/// of the principal minors.
+/// The second moments of its mass are then positive semidefinite up to rounding, which is tested by
+/// the signs of the principal minors.
 pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = 0.5 * (xx + yy + zz);
     let [a, b, c] = [half - xx, half - yy, half - zz];
@@ -161,7 +162,7 @@ pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
         && volume >= -slack * size * size
 }
 
-/// A body that stands still whatever happens has no place among coordinates.
+/// Checks that a body is able to move.
 fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
     let mut components = Vec::new();
     for syntax in placed {
@@ -176,7 +177,7 @@ fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
     }
 }
 
-/// A gap without coordinates has no forces.
+/// Checks that a gap depends on coordinates, since it has no forces otherwise.
 fn opens(elaborator: &mut Elaborator, contact: &Name, syntax: AstId) {
     let Some(gap) = scalar(elaborator, syntax) else { return };
     if !elaborator.evaluator.graph.dependencies(gap).intersects(Dependencies::COORDINATE) {
@@ -185,7 +186,7 @@ fn opens(elaborator: &mut Elaborator, contact: &Name, syntax: AstId) {
     }
 }
 
-/// The value of an expression that is a scalar; anything else has been reported where it is used.
+/// Returns the value of a scalar expression; other shapes have been reported where they are used.
 fn scalar(elaborator: &mut Elaborator, syntax: AstId) -> Option<ExprId> {
     match value_of(&mut elaborator.evaluator, syntax)? {
         Operand::Scalar(value) => Some(value),
@@ -193,8 +194,8 @@ fn scalar(elaborator: &mut Elaborator, syntax: AstId) -> Option<ExprId> {
     }
 }
 
-/// Both values where they differ by more than rounding, and the condition under which they have
-/// them. Nothing is known of formulas in different symbols without defaults.
+/// Returns both values if they differ by more than rounding, and the condition under which they
+/// hold. Formulas in different symbols without defaults are not compared.
 fn difference(
     graph: &Graph,
     defaults: &Defaults,
@@ -225,7 +226,7 @@ fn difference(
     certain.then(|| ([stated, of_shape], words::for_values(&values)))
 }
 
-/// Values that stand for any others: 2, 3, 5, 7, 9, ….
+/// Returns generic values: 2, 3, 5, 7, 9, ….
 fn generic_values() -> impl Iterator<Item = f64> {
     std::iter::once(2.0).chain((1..).map(|i| f64::from(2 * i + 1)))
 }
@@ -236,7 +237,7 @@ fn differ(a: f64, b: f64) -> bool {
     error > ROUNDING * a.abs().max(b.abs()) || error.is_nan()
 }
 
-/// True if an expression holds no function whose values are known at run time only.
+/// True if an expression contains no function whose values are only known at run time.
 fn has_formula(graph: &Graph, value: ExprId) -> bool {
     !graph
         .reachable(&[value])
@@ -244,7 +245,7 @@ fn has_formula(graph: &Graph, value: ExprId) -> bool {
         .any(|id| matches!(graph.node(id), Node::Opaque(function, _) if function.table().is_none()))
 }
 
-/// The symbols of an expression, in the order in which the graph met them.
+/// Returns the symbols of an expression, in the order of their creation in the graph.
 fn symbols(graph: &Graph, value: ExprId) -> Vec<(String, Role)> {
     let symbols = graph.reachable(&[value]).into_iter().filter_map(|id| graph.symbol_of(id));
     symbols.map(|symbol| (symbol.name.clone(), symbol.role)).collect()
@@ -264,7 +265,7 @@ impl Defaults {
         Defaults(values.collect())
     }
 
-    /// The value with these defaults, if it depends on nothing else.
+    /// Returns the value with these defaults, if it depends on nothing else.
     pub(super) fn evaluate(&self, graph: &Graph, value: ExprId) -> Option<f64> {
         let is_known =
             has_formula(graph, value) && symbols(graph, value).iter().all(|(_, role)| self.0.contains(role));

@@ -37,7 +37,7 @@ pub(super) fn define(evaluator: &mut Evaluator<'_>, name: &Name, function: Optio
 }
 
 /// Returns the value of a call of such a function. The result is `None` if no function has that
-/// name, and `Some(None)` if the call has a mistake, which is reported.
+/// name, and `Some(None)` if the call contains an error, which is reported.
 pub(super) fn evaluate_callable(
     evaluator: &mut Evaluator<'_>,
     name: &Name,

@@ -16,7 +16,7 @@ pub(super) enum Operand {
 }
 
 impl Operand {
-    /// An operand of a shape, with its components.
+    /// Creates an operand of this shape from its components.
     pub(super) fn of(shape: ArrayShape, components: Vec<ExprId>) -> Operand {
         match shape {
             ArrayShape::Scalar => Operand::Scalar(components[0]),
@@ -25,7 +25,7 @@ impl Operand {
         }
     }
 
-    /// Its shape.
+    /// Returns the shape.
     pub(super) fn shape(&self) -> ArrayShape {
         match self {
             Operand::Scalar(_) => ArrayShape::Scalar,
@@ -34,13 +34,13 @@ impl Operand {
         }
     }
 
-    /// The entry or row at these indices, if there is one.
+    /// Returns the entry or row at these indices, if it exists.
     pub(super) fn entry(&self, indices: &[usize]) -> Option<Operand> {
         let (places, shape) = self.shape().entry(indices)?;
         Some(Operand::of(shape, self.components()[places].to_vec()))
     }
 
-    /// The number of components of a vector, or of rows of a matrix.
+    /// Returns the number of components of a vector, or of rows of a matrix.
     pub(super) fn len(&self) -> usize {
         match self {
             Operand::Scalar(_) => 1,
@@ -49,7 +49,7 @@ impl Operand {
         }
     }
 
-    /// One component for a scalar, all of them for a vector or a matrix.
+    /// Returns the components: one for a scalar, all of them for a vector or a matrix.
     pub(super) fn components(&self) -> &[ExprId] {
         match self {
             Operand::Scalar(id) => std::slice::from_ref(id),
@@ -57,12 +57,12 @@ impl Operand {
         }
     }
 
-    /// Operand of the same kind with every component mapped.
+    /// Returns an operand of the same kind with every component mapped.
     pub(super) fn map(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Operand {
         Operand::of(self.shape(), self.components().iter().map(|&id| f(id)).collect())
     }
 
-    /// Description in the user's words.
+    /// Returns a description for messages.
     pub(super) fn kind(&self) -> String {
         self.shape().describe()
     }
@@ -73,18 +73,18 @@ impl Operand {
     }
 }
 
-/// Σ aᵢ·bᵢ
+/// Returns Σ aᵢ·bᵢ.
 pub(super) fn inner(graph: &mut Graph, a: &[ExprId], b: &[ExprId]) -> ExprId {
     let products = a.iter().zip(b).map(|(&a, &b)| graph.multiply(a, b)).collect::<Vec<_>>();
     graph.total(products)
 }
 
-/// Σ aᵢ²
+/// Returns Σ aᵢ².
 pub(super) fn norm_squared(graph: &mut Graph, a: &[ExprId]) -> ExprId {
     inner(graph, a, a)
 }
 
-/// (Σ aᵢ²)^½, without a root where all components but one are zero.
+/// Returns (Σ aᵢ²)^½, without a root if all components but one are zero.
 pub(super) fn norm(graph: &mut Graph, a: &[ExprId]) -> ExprId {
     let others = a.iter().copied().filter(|&component| !graph.is_zero(component)).collect::<Vec<_>>();
     match others.as_slice() {
@@ -97,7 +97,7 @@ pub(super) fn norm(graph: &mut Graph, a: &[ExprId]) -> ExprId {
     }
 }
 
-/// a × b: the out-of-plane component for plane vectors, a vector in space.
+/// Returns a × b: the out-of-plane component for plane vectors, or a vector in space.
 pub(super) fn cross(graph: &mut Graph, a: &[ExprId], b: &[ExprId]) -> Operand {
     let mut minor = |i: usize, j: usize| {
         let (forward, backward) = (graph.multiply(a[i], b[j]), graph.multiply(a[j], b[i]));
@@ -109,15 +109,15 @@ pub(super) fn cross(graph: &mut Graph, a: &[ExprId], b: &[ExprId]) -> Operand {
     }
 }
 
-/// ½·weight·Σ aᵢ²
+/// Returns ½·weight·Σ aᵢ².
 pub(super) fn half_square(graph: &mut Graph, weight: ExprId, a: &[ExprId]) -> ExprId {
     let square = norm_squared(graph, a);
     let product = graph.multiply(weight, square);
     graph.scale(Number::HALF, product)
 }
 
-/// The product of a matrix with a vector or a matrix, or with a scalar; `None` if their shapes do
-/// not fit. Each entry is the sum Σ aᵢₖ bₖⱼ.
+/// Returns the product of a matrix and a vector, a matrix or a scalar; `None` if their shapes do
+/// not match. Each entry is the sum Σ aᵢₖ bₖⱼ.
 pub(super) fn product(graph: &mut Graph, a: &Operand, b: &Operand) -> Option<Operand> {
     let shape = a.shape().times(b.shape())?;
     match (a, b) {
@@ -137,7 +137,7 @@ pub(super) fn product(graph: &mut Graph, a: &Operand, b: &Operand) -> Option<Ope
     }
 }
 
-/// The matrix with rows and columns exchanged.
+/// Returns the matrix with rows and columns exchanged.
 pub(super) fn transposed([rows, columns]: [usize; 2], entries: &[ExprId]) -> Operand {
     let places = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
     Operand::Matrix([columns, rows], places.map(|place| entries[place]).collect())

@@ -1,7 +1,7 @@
-//! Partial derivatives that expressions ask for.
+//! Partial derivatives in expressions.
 //!
-//! `partial(e, x)` is ∂e/∂x with all other names held. Where `let` declares x, it is a symbol of
-//! its own while e is read once more. Names that were declared by means of x are then held, too.
+//! `partial(e, x)` is ∂e/∂x with all other names held. If x is declared by `let`, e is read again
+//! with x as an independent symbol. Names that were declared in terms of x are then held, too.
 //!
 //! For u = 3, `partial(u^2 * y, u)` is 6 y.
 
@@ -15,10 +15,10 @@ use lagrange_expr::expr::{ExprId, Node};
 use lagrange_expr::limits::MAX_NESTING;
 use lagrange_language::syntax::ast::{AstId, Expression};
 
-/// Evaluates an expression; `None` after a mistake.
+/// Function that evaluates an expression; `None` after an error.
 type ValueOf = fn(&mut Evaluator<'_>, AstId) -> Option<Operand>;
 
-/// `partial(e, x)`
+/// Evaluates `partial(e, x)`.
 pub(super) fn evaluate_partial(
     evaluator: &mut Evaluator<'_>,
     (arguments, call): (&[AstId], AstId),
@@ -56,7 +56,7 @@ fn derivative(evaluator: &mut Evaluator<'_>, [of, by]: [AstId; 2], value_of: Val
     }
 }
 
-/// The derivative by a name that stands for an expression.
+/// Returns the derivative with respect to a name that stands for an expression.
 fn by_abbreviation(
     evaluator: &mut Evaluator<'_>,
     of: AstId,
@@ -72,7 +72,7 @@ fn by_abbreviation(
     }))
 }
 
-/// The value of an expression in which a name stands for a symbol.
+/// Returns the value of an expression in which a name stands for a symbol.
 fn reread(
     evaluator: &mut Evaluator<'_>,
     of: AstId,

@@ -8,7 +8,8 @@ use lagrange_expr::expr::{ExprId, evaluate};
 use lagrange_language::syntax::ast::{AllowedRange, AstId, Definition, Limit};
 use lagrange_language::syntax::print;
 
-/// The range of a parameter, once for all elements of an array. Its default must be inside.
+/// Returns the range of a parameter, once for all elements of an array. The default must be within
+/// it.
 pub(super) fn range_of(
     elaborator: &mut Elaborator<'_>,
     definition: &Definition,
@@ -69,7 +70,7 @@ fn check_default(
     }
 }
 
-/// The order of two constants, exact if both are rational.
+/// Compares two constants, exactly if both are rational.
 fn order(elaborator: &Elaborator<'_>, left: ExprId, right: ExprId) -> std::cmp::Ordering {
     let graph = &elaborator.evaluator.graph;
     match (graph.as_number(left), graph.as_number(right)) {

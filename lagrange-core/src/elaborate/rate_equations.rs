@@ -1,7 +1,7 @@
 //! Equations for the rates of states, `l * dot(i) = u - r * i;`.
 //!
-//! While an equation is read, rates that are not known yet are symbols. Equations that share such
-//! symbols are coupled. Once there are as many of them as symbols, they are solved for the rates.
+//! While an equation is read, unknown rates are symbols. Equations that share such symbols are
+//! coupled. As soon as their number equals that of the symbols, they are solved for the rates.
 
 use std::collections::BTreeSet;
 use std::mem::replace;
@@ -26,7 +26,8 @@ pub(super) fn add_rate_equation(elaborator: &mut Elaborator<'_>, syntax: AstId) 
         }
         elaborator.rate_equations.push(RateEquation { syntax, residual, unknowns });
     }
-    // All components first: one that gives a rate by itself may share it with the next.
+    // All components are collected first: one that determines a rate on its own may share it with
+    // the next.
     let mut groups = Vec::new();
     while let Some(place) = elaborator.rate_equations.iter().position(|of| of.syntax == syntax) {
         let equation = elaborator.rate_equations.remove(place);
@@ -35,7 +36,7 @@ pub(super) fn add_rate_equation(elaborator: &mut Elaborator<'_>, syntax: AstId) 
     groups.into_iter().for_each(|coupled| solve(elaborator, coupled));
 }
 
-/// Reports an equation without an unknown rate, unless the mistake is in another one.
+/// Reports an equation without an unknown rate, unless the error is in another one.
 fn report_no_rate_left(elaborator: &mut Elaborator<'_>, syntax: AstId) {
     let mentions = |state: &DeclaredState| elaborator.declaration.mentions_rate_of(syntax, &state.name.text);
     if elaborator.states.iter().any(|state| state.is_given_up && mentions(state)) {
@@ -46,7 +47,7 @@ fn report_no_rate_left(elaborator: &mut Elaborator<'_>, syntax: AstId) {
     error.help(words::NO_RATE_LEFT_HELP);
 }
 
-/// Lets the state at a place have this rate.
+/// Sets the rate of the state at a place.
 pub(super) fn set_rate(elaborator: &mut Elaborator<'_>, syntax: AstId, place: usize, rate: ExprId) {
     let Some(symbol) = elaborator.states[place].unknown_rate else {
         return set_rates(elaborator, syntax, [(place, rate)]);
@@ -56,7 +57,7 @@ pub(super) fn set_rate(elaborator: &mut Elaborator<'_>, syntax: AstId, place: us
     solve(elaborator, coupled);
 }
 
-/// Returns the difference of the sides for each component; `None` if it is wrong, which is
+/// Returns the difference of the sides for each component; `None` after an error, which is
 /// reported.
 fn residuals(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<Vec<ExprId>> {
     let known = replace(&mut elaborator.evaluator.rates, Rates::new(AccelerationTerms::Kept));
@@ -91,8 +92,7 @@ fn unknowns_in(elaborator: &Elaborator<'_>, residual: ExprId) -> Vec<usize> {
     unknown.map(|(place, _)| place).collect()
 }
 
-/// Takes the equations that share unknowns with this one, or with one of them, from those that are
-/// left.
+/// Takes the remaining equations that share unknowns with this one, directly or through others.
 fn take_coupled(elaborator: &mut Elaborator<'_>, equation: RateEquation) -> Vec<RateEquation> {
     let mut coupled = vec![equation];
     let mut next = 0;
@@ -106,7 +106,7 @@ fn take_coupled(elaborator: &mut Elaborator<'_>, equation: RateEquation) -> Vec<
     coupled
 }
 
-/// Solves coupled equations for the rates, or keeps them until there are enough.
+/// Solves coupled equations for the rates, or keeps them until there are enough equations.
 fn solve(elaborator: &mut Elaborator<'_>, coupled: Vec<RateEquation>) {
     let states = unknowns_of(&coupled);
     if coupled.len() < states.len() {
@@ -137,7 +137,7 @@ fn solve(elaborator: &mut Elaborator<'_>, coupled: Vec<RateEquation>) {
     }
 }
 
-/// Reports one of coupled equations, and gives all of them up.
+/// Reports one of several coupled equations, and gives up all of them.
 fn refuse(
     elaborator: &mut Elaborator<'_>,
     coupled: &[RateEquation],
@@ -149,13 +149,13 @@ fn refuse(
     give_up(elaborator, &coupled.iter().map(|equation| equation.syntax).collect::<Vec<_>>());
 }
 
-/// Returns the places of the states whose rates are unknown in some equations, in order.
+/// Returns the places of the states with unknown rates in these equations, in order.
 fn unknowns_of(equations: &[RateEquation]) -> Vec<usize> {
     let unknowns = equations.iter().flat_map(|equation| equation.unknowns.iter().copied());
     unknowns.collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// Lets states have these rates, which an equation gives.
+/// Sets the rates of states from an equation.
 fn set_rates(
     elaborator: &mut Elaborator<'_>,
     syntax: AstId,
@@ -170,7 +170,7 @@ fn set_rates(
     }
 }
 
-/// Lets the states in wrong equations have rates, so that the mistake is reported once.
+/// Sets the rates of states in invalid equations, so that the error is reported only once.
 fn give_up(elaborator: &mut Elaborator<'_>, equations: &[AstId]) {
     let declaration = elaborator.declaration;
     let zero = elaborator.evaluator.graph.number(0);
@@ -184,7 +184,7 @@ fn give_up(elaborator: &mut Elaborator<'_>, equations: &[AstId]) {
     }
 }
 
-/// Reports equations that are left at the end, too few for their unknowns.
+/// Reports remaining equations, which are too few for their unknowns.
 pub(super) fn report_undetermined_rates(elaborator: &mut Elaborator<'_>) {
     while let Some(equation) = elaborator.rate_equations.pop() {
         let coupled = take_coupled(elaborator, equation);
@@ -197,8 +197,8 @@ pub(super) fn report_undetermined_rates(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Reports states that are frozen in a reduced type although their rates stand in the equations of
-/// others, in which they would go on changing.
+/// Reports states that are frozen in a reduced type although their rates occur in the equations of
+/// others, where they would continue to change.
 pub(super) fn report_frozen_coupled_states(elaborator: &mut Elaborator<'_>) {
     for pinned in elaborator.reductions.iter().flat_map(|reduction| &reduction.frozen) {
         let place = pinned.coordinate.checked_sub(elaborator.first_state);

@@ -1,7 +1,7 @@
 //! Contacts, which are events with an impact, and `friction` statements.
 //!
-//! Each acts along the gradient of a velocity that is affine in q̇: of the rate of its gap, or of
-//! its slip velocity.
+//! Each acts along the gradient of a velocity that is affine in q̇: the rate of its gap, or its
+//! slip velocity.
 
 use super::elaborator::{Elaborator, UNKNOWNS};
 use super::expression::value_of;
@@ -16,7 +16,7 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{self, AstId, Direction, Name};
 
-/// `event name = gap, falling => impact(e);`
+/// Adds the contact of `event name = gap, falling => impact(e);`.
 pub(super) fn add_contact(elaborator: &mut Elaborator<'_>, event: &ast::Event, restitution: AstId) {
     let gap = gap_and_rate(elaborator, event);
     let restitution = sound_restitution(elaborator, restitution, &event.name);
@@ -31,7 +31,7 @@ pub(super) fn add_contact(elaborator: &mut Elaborator<'_>, event: &ast::Event, r
     }
 }
 
-/// `friction name = slip, limit;`, with two slip velocities for friction in a plane.
+/// Adds `friction name = slip, limit;`, with two slip velocities for friction in a plane.
 pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) {
     let name = &friction.name;
     let slips = slip_velocities(elaborator, friction);
@@ -61,7 +61,7 @@ pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Fric
     }
 }
 
-/// Declares friction in a plane, whose name stands for the vector of its force.
+/// Declares friction in a plane; its name stands for the force vector.
 fn add_plane(elaborator: &mut Elaborator<'_>, name: &Name, slips: [ExprId; 2], limits: [ExprId; 2]) {
     let [kinetic, fixed] = limits;
     let kinds = [ReactionKind::Friction { kinetic, fixed }, ReactionKind::Across { kinetic, fixed }];
@@ -72,7 +72,7 @@ fn add_plane(elaborator: &mut Elaborator<'_>, name: &Name, slips: [ExprId; 2], l
     elaborator.declare(name, NameKind::Friction, Some(Operand::Vector(force)));
 }
 
-/// Declares its name, which stands for its force; whether there is nothing wrong with it.
+/// Declares a reaction, whose name stands for its force; false if its parts are invalid.
 fn add_reaction(
     elaborator: &mut Elaborator<'_>,
     name: &Name,
@@ -101,7 +101,7 @@ fn push_reaction(
     symbol
 }
 
-/// A function that is positive where bodies are apart, and its rate.
+/// Returns a function that is positive where bodies are apart, and its rate.
 fn gap_and_rate(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option<(ExprId, ExprId)> {
     if event.direction == Direction::Crossing {
         let error = elaborator.evaluator.report.error(event.direction_span, messages::CROSSING_IMPACT);
@@ -140,7 +140,7 @@ fn sound_restitution(elaborator: &mut Elaborator<'_>, syntax: AstId, event: &Nam
     }
 }
 
-/// The slip velocity, or both of friction in a plane.
+/// Returns the slip velocity, or both slip velocities of friction in a plane.
 fn slip_velocities(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) -> Option<Vec<ExprId>> {
     let (name, syntax) = (&friction.name.text, friction.slip);
     let slip = value_of(&mut elaborator.evaluator, syntax)?;
@@ -156,13 +156,13 @@ fn slip_velocities(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) ->
             return evaluator.refuse(syntax, message, messages::SLIP_OF_COMPONENTS_HELP);
         }
     }
-    // Bodies may be unable to slip along one of two axes, as links that move in a plane.
+    // Bodies may be unable to slip along one of the two axes, such as links that move in a plane.
     let zero = evaluator.graph.number(0);
     let is_still = components.iter().all(|&velocity| velocity == zero);
     for &velocity in components.iter().filter(|&&velocity| is_still || velocity != zero) {
         check_slip(elaborator, name, (syntax, velocity))?;
     }
-    // To stick is to keep the slip velocity, whose rate must then be known.
+    // Sticking preserves the slip velocity, so its rate must be known.
     if friction.width.is_none() {
         elaborator.evaluator.rate(&slip, syntax)?;
     }

@@ -1,4 +1,4 @@
-//! `reduce` statements: names resolved, and what can be wrong with them before anything is reduced.
+//! `reduce` statements: resolution of names, and checks before anything is reduced.
 
 use proc_macro2::Span;
 
@@ -9,12 +9,12 @@ use crate::model::{Pinned, Reduction};
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::{self, Name, ReductionItem, ReductionKind, ScalarType, momentum_of};
 
-/// Methods of reduced types; no output may take their names.
+/// Methods of reduced types; outputs must not have their names.
 const METHODS_OF_REDUCED: [&str; 3] = ["expand", "deviation", "from_state"];
 /// Method of types with states, such as reduced ones with ignored coordinates.
 const METHOD_OF_STATES: &str = "position_rates";
 
-/// True of names of methods that reduced types have beside those of every system.
+/// True for names of methods of reduced types that other systems do not have.
 pub fn is_method_of_reduced(name: &str, has_states: bool) -> bool {
     METHODS_OF_REDUCED.contains(&name) || has_states && name == METHOD_OF_STATES
 }
@@ -70,7 +70,7 @@ fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> O
     Some(Pinned { coordinate: coordinate?, value: value?, span: name.span })
 }
 
-/// A state is held at a value, or not at all.
+/// Resolves a state, which may only be held at a value.
 fn pinned_state(
     elaborator: &mut Elaborator<'_>,
     item: &ReductionItem,
@@ -87,7 +87,8 @@ fn pinned_state(
     None
 }
 
-/// The momentum of an ignored coordinate is a parameter of the reduced type.
+/// Checks the names of momenta: the momentum of an ignored coordinate is a parameter of the reduced
+/// type.
 fn check_momentum_names(elaborator: &mut Elaborator<'_>) {
     for pinned in elaborator.reductions.iter().flat_map(|reduction| &reduction.ignored) {
         let coordinate = &elaborator.coordinates[pinned.coordinate].0.name;
@@ -101,7 +102,7 @@ fn check_momentum_names(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// The types `Name` and `NameState` must be new.
+/// Checks that the types `Name` and `NameState` are new.
 fn check_type_name(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     let declaration = elaborator.declaration;
     let full = (declaration.name.text.as_str(), declaration.name.span);
@@ -127,7 +128,7 @@ fn check_type_name(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     }
 }
 
-/// Checks that need all names.
+/// Performs the checks that need all names.
 pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     if elaborator.reductions.is_empty() {
         return;

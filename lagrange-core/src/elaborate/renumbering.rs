@@ -3,11 +3,11 @@
 use crate::model::{Model, Pinned, Reduction};
 use lagrange_expr::symbol::Role;
 
-/// Places of coordinates and velocities without the frozen ones, and with ignored coordinates last.
+/// Order of coordinates and velocities without the frozen ones, with ignored coordinates last.
 pub(super) struct Renumbering {
-    /// Indices of the coordinates that stay, in their new order.
+    /// Indices of the remaining coordinates, in their new order.
     coordinates: Vec<usize>,
-    /// Indices of the velocities that stay.
+    /// Indices of the remaining velocities.
     velocities: Vec<usize>,
     ignored: Vec<usize>,
 }
@@ -31,7 +31,7 @@ impl Renumbering {
         self.velocities.iter().position(|&other| other == index).unwrap_or(index)
     }
 
-    /// Sorts what begins with one entry for each position that stays, in the old order.
+    /// Reorders a list that begins with one entry for each remaining position, in the old order.
     pub(super) fn sort<T>(&self, list: &mut Vec<T>) {
         if self.ignored.is_empty() || list.is_empty() {
             return;

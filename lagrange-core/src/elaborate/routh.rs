@@ -5,17 +5,16 @@
 //! coordinates, since ∂R/∂v = ∂L/∂v and ∂R/∂q = ∂L/∂q. Sources: Goldstein, Poole and Safko,
 //! *Classical Mechanics*, 3rd ed., §8.3; Routh, *Stability of a Given State of Motion*, 1877.
 //!
-//! L is quadratic in velocities: L = L₀ + aᵀφ̇ + ½ φ̇ᵀM φ̇, where L₀ and a are those at φ̇ = 0.
+//! L is quadratic in velocities: L = L₀ + aᵀφ̇ + ½ φ̇ᵀM φ̇, where L₀ and a are the values at φ̇ = 0.
 //! Then M φ̇ = p − a and R = L₀ − ½ (p − a)ᵀM⁻¹(p − a), a sum of squares by elimination.
 //!
-//! In loads φ̇ is replaced, both in forces and in the velocities along which they act. That adds
+//! In loads φ̇ is replaced, both in forces and in the velocities along which they act. This adds
 //! ∂φ̇/∂v times the force on φ to generalised forces, which is zero.
 //!
 //! In numbers, a spherical pendulum of m = l = 1 has L = ½ (θ̇² + sin² θ φ̇²) − V. At sin θ = 1/2,
 //! p = 1/2 means φ̇ = p/sin² θ = 2, and R = ½ θ̇² − V − p²/(2 sin² θ) has −1/2 as its last term.
 //!
-//! The coordinates stay in the state, with φ̇ as their rates. What depends on them, such as
-//! outputs, still does.
+//! The coordinates remain in the state, with φ̇ as their rates. Outputs may still depend on them.
 
 use super::ignored::{Obstacle, Refusal, deciding, independent, vanish};
 use super::pinned::holding;
@@ -30,7 +29,7 @@ use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{Name, momentum_of};
 
-/// A cyclic coordinate, its velocity and acceleration.
+/// A cyclic coordinate with its velocity and acceleration.
 struct Cyclic {
     pinned: Pinned,
     position: ExprId,
@@ -40,8 +39,8 @@ struct Cyclic {
     acceleration: ExprId,
 }
 
-/// The model with ignored coordinates as states and their momenta as parameters. Coordinates and
-/// velocities keep their numbers.
+/// Returns the model with ignored coordinates as states and their momenta as parameters.
+/// Coordinates and velocities keep their indices.
 pub(super) fn routhian(model: &Model, reduction: &Reduction) -> Result<Model, Refusal> {
     let mut routh = Routh::new(model, reduction);
     routh.check_cyclic()?;
@@ -57,9 +56,9 @@ struct Routh {
     cyclic: Vec<Cyclic>,
     /// Expressions with frozen coordinates at their values.
     frozen: Expansion,
-    /// Expressions with ignored coordinates at rest at zero, too.
+    /// Expressions with ignored coordinates also at rest at zero.
     resting: Expansion,
-    /// The parameters that are added.
+    /// The added parameters.
     momenta: Vec<ExprId>,
     /// The velocities of ignored coordinates as functions of the others and of momenta.
     rates: Vec<ExprId>,
@@ -102,8 +101,8 @@ impl Routh {
         self.cyclic.iter().map(|cyclic| cyclic.velocity).collect()
     }
 
-    /// Returns an expression with frozen coordinates at their values, as it is if that is
-    /// undefined: this is reported where the model is reduced.
+    /// Returns an expression with frozen coordinates at their values. It is unchanged if that is
+    /// undefined, which is reported when the model is reduced.
     fn frozen(&mut self, id: ExprId) -> ExprId {
         self.frozen.of(&mut self.model.graph, id, 0).map_or(id, |series| series.closed)
     }
@@ -115,7 +114,7 @@ impl Routh {
         self.check(&fit, Obstacle::Energy)
     }
 
-    /// Refuses the first coordinate that does not fit.
+    /// Rejects the first unsuitable coordinate.
     fn check(&self, fit: &[bool], obstacle: Obstacle) -> Result<(), Refusal> {
         match fit.iter().position(|fits| !fits) {
             Some(index) => Err(self.refusal(index, obstacle)),
@@ -123,7 +122,7 @@ impl Routh {
         }
     }
 
-    /// Checks that neither loads nor dissipation act on what is ignored.
+    /// Checks that neither loads nor dissipation act on ignored coordinates.
     fn check_loads(&mut self) -> Result<(), Refusal> {
         let velocities = self.velocities();
         let forces = self.forces(&self.model.loads.clone(), &velocities);
@@ -139,14 +138,14 @@ impl Routh {
         self.check(&fit, Obstacle::Dissipation)
     }
 
-    /// Generalised forces of loads along velocities.
+    /// Returns the generalised forces of loads along velocities.
     fn forces(&mut self, loads: &[Load], velocities: &[ExprId]) -> Vec<ExprId> {
         let seeds = loads.iter().map(|load| (self.frozen(load.velocity), self.frozen(load.force)));
         let seeds = seeds.collect::<Vec<_>>();
         adjoint(&mut self.model.graph, &seeds, velocities)
     }
 
-    /// Names the first statement whose loads act along a velocity.
+    /// Returns the name of the first statement whose loads act along a velocity.
     fn load_on(&mut self, velocity: ExprId) -> Option<String> {
         let loads = self.model.loads.clone();
         for statement in loads.chunk_by(|a, b| a.name == b.name) {
@@ -158,7 +157,7 @@ impl Routh {
         None
     }
 
-    /// The Routhian; finds the velocities of what is ignored on the way.
+    /// Computes the Routhian, and the velocities of ignored coordinates on the way.
     fn lagrangian(&mut self) -> Result<ExprId, Refusal> {
         let velocities = self.velocities();
         let lagrangian = self.frozen(self.model.lagrangian);
@@ -184,8 +183,8 @@ impl Routh {
         Ok(self.model.graph.subtract(resting, half))
     }
 
-    /// Refuses a Lagrangian in pieces, unless these are the same for all velocities of what is
-    /// ignored.
+    /// Rejects a piecewise Lagrangian, unless its pieces are the same for all velocities of ignored
+    /// coordinates.
     fn check_pieces(&mut self, lagrangian: ExprId, velocities: &[ExprId]) -> Result<(), Refusal> {
         let deciding = deciding(&mut self.model.graph, &[lagrangian]);
         let fit = independent(&mut self.model, &deciding, velocities);
@@ -200,18 +199,19 @@ impl Routh {
         independent(&mut self.model, &[id], &velocities).contains(&false)
     }
 
-    /// True of values that are the same wherever ignored coordinates are.
+    /// True for values that do not depend on ignored coordinates.
     fn are_alike(&mut self, values: &[ExprId]) -> bool {
         let positions = self.positions();
         !independent(&mut self.model, values, &positions).contains(&false)
     }
 
-    /// An expression with what is ignored at rest at zero; `None` if it is undefined there.
+    /// Returns an expression with ignored coordinates at rest at zero; `None` if it is undefined
+    /// there.
     fn at_rest(&mut self, id: ExprId) -> Option<ExprId> {
         self.resting.of(&mut self.model.graph, id, 0).map(|series| series.closed)
     }
 
-    /// An expression at rest that must be defined if a coordinate is to be ignored.
+    /// Returns an expression at rest, which must be defined if a coordinate is to be ignored.
     fn defined_at_rest(&mut self, index: usize, id: ExprId) -> Result<ExprId, Refusal> {
         self.at_rest(id).ok_or_else(|| self.refusal(index, Obstacle::Undefined))
     }
@@ -225,7 +225,7 @@ impl Routh {
         symbol
     }
 
-    /// Finds what replaces velocities and accelerations of ignored coordinates.
+    /// Finds the replacements of velocities and accelerations of ignored coordinates.
     fn reconstruct(&mut self) {
         let mut slopes = Rates::new(AccelerationTerms::Kept);
         for (cyclic, &rate) in self.cyclic.iter().zip(&self.rates) {
@@ -238,8 +238,8 @@ impl Routh {
         substitute(&mut self.model.graph, id, &self.replacements)
     }
 
-    /// A value with rates replaced, and with ignored coordinates at zero if it does not depend on
-    /// these.
+    /// Returns a value with rates replaced, and with ignored coordinates at zero if it does not
+    /// depend on them.
     fn reconstructed(&mut self, value: ExprId) -> ExprId {
         let value = self.replaced(value);
         let is_alike = self.are_alike(&[value]);
@@ -264,8 +264,8 @@ impl Routh {
         Model { energies, lagrangian, gibbs: None, dissipation, loads, rates, labels, ..self.model }
     }
 
-    /// Loads with rates replaced. Those of a statement that acts alike wherever ignored coordinates
-    /// are do not mention these.
+    /// Returns the loads with rates replaced. If the effect of a statement does not depend on
+    /// ignored coordinates, its loads do not contain them.
     fn loads(&mut self) -> Vec<Load> {
         let mut loads = self.model.loads.clone();
         let velocities = self.model.velocities();
@@ -298,7 +298,7 @@ impl Routh {
         (self.model.outputs, self.model.scene) = (outputs, scene);
     }
 
-    /// Names of expressions with rates replaced; a symbol says itself what it is.
+    /// Returns the names of expressions with rates replaced; symbols need no labels.
     fn labels(&mut self) -> Vec<(ExprId, String)> {
         let mut labels = self.model.labels.clone();
         labels.retain_mut(|(id, _)| {
@@ -309,7 +309,7 @@ impl Routh {
         labels
     }
 
-    /// Velocities that are rates in the Routhian.
+    /// Returns the velocities that are rates in the Routhian.
     fn known_rates(&mut self) -> Vec<(ExprId, ExprId)> {
         let mut rates = Vec::new();
         for (velocity, position) in self.model.rates.clone() {
@@ -330,7 +330,7 @@ impl Routh {
         }
     }
 
-    /// The momentum of the default system at its start; zero if that is unknown.
+    /// Returns the initial momentum of the default system; zero if it is unknown.
     fn momentum_at_start(&mut self, index: usize) -> ExprId {
         let zero = self.model.graph.number(0);
         let mut start = Expansion::default();
@@ -348,7 +348,8 @@ impl Routh {
         value.filter(|&value| graph.dependencies(value) == Dependencies::NONE).unwrap_or(zero)
     }
 
-    /// Makes states of the ignored coordinates, whose velocities are no longer in the state.
+    /// Turns ignored coordinates into states, since their velocities are no longer part of the
+    /// state.
     fn move_coordinates(&mut self) {
         for index in 0..self.model.coordinates.len() {
             let Coordinate { rate, is_state, .. } = self.model.coordinates[index];

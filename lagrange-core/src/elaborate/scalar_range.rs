@@ -1,9 +1,9 @@
-//! Range of the numbers that a scalar holds.
+//! Range of the numbers that a scalar can represent.
 
 use lagrange_expr::number::Number;
 use lagrange_language::syntax::ast::ScalarType;
 
-/// The name of the scalar that limits numbers, and the largest that it holds.
+/// Returns the name of the scalar that limits numbers, and its largest number.
 pub(super) fn largest(scalar: &ScalarType) -> (&'static str, f64) {
     match scalar {
         ScalarType::F32 => ("f32", f64::from(f32::MAX)),
@@ -11,12 +11,12 @@ pub(super) fn largest(scalar: &ScalarType) -> (&'static str, f64) {
     }
 }
 
-/// Why a scalar does not hold a number.
+/// Reason why a scalar cannot represent a number.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Misfit {
-    /// It would be infinite.
+    /// The number would be infinite.
     TooLarge,
-    /// It would be subnormal, with fewer digits than other numbers, or zero.
+    /// The number would be zero or subnormal, with fewer digits than other numbers.
     TooSmall,
 }
 
@@ -26,7 +26,7 @@ pub(super) fn misfit(scalar: &ScalarType, number: &Number) -> Option<Misfit> {
         .or_else(|| (!number.is_zero() && number.to_f64() == 0.0).then_some(Misfit::TooSmall))
 }
 
-/// Returns the misfit of a number that is in `f64` already.
+/// Returns the misfit of a number that is already in `f64`.
 pub(super) fn misfit_of_value(scalar: &ScalarType, value: f64) -> Option<Misfit> {
     let (rounded, least) = match scalar {
         ScalarType::F32 => (f64::from(value as f32), f64::from(f32::MIN_POSITIVE)),

@@ -1,8 +1,8 @@
-//! Statements on rigid bodies to what a model holds of them.
+//! Conversion of statements on rigid bodies to the scene of a model.
 //!
-//! [`lagrange_language::bodies`] selects the important expressions. Here they are evaluated and
-//! differentiated by time, and only if a product that needs them is requested. The equations of
-//! motion know nothing of it.
+//! [`lagrange_language::bodies`] selects the relevant expressions. Here they are evaluated and
+//! differentiated with respect to time, but only if a product that needs them is requested. The
+//! equations of motion do not depend on the scene.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -27,7 +27,7 @@ use lagrange_language::bodies::Plain;
 use lagrange_language::syntax::ast::AstId;
 use lagrange_language::syntax::ast::Declaration;
 
-/// Takes what is known of bodies into the model, as far as it is asked for.
+/// Adds the requested quantities of bodies to the model.
 pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
     elaborator.staged = staged(plain);
     add_scene_in_space(elaborator, &plain.in_space);
@@ -39,7 +39,7 @@ pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
     }
     let inertial = plain.inertial.iter().map(|body| inertial_body(elaborator, body)).collect::<Vec<_>>();
     elaborator.scene.inertial.extend(inertial.into_iter().flatten());
-    // Where the motion of a body is unknown, that was reported.
+    // An unknown motion of a body has been reported.
     if is_drawn && elaborator.scene.motions.len() == plain.motions.len() + plain.in_space.motions.len() {
         add_drawing(elaborator, &plain.drawing);
     }
@@ -104,15 +104,15 @@ fn scalars_of(elaborator: &mut Elaborator<'_>, syntax: &[AstId]) -> Option<Vec<E
     syntax.iter().map(scalar).collect()
 }
 
-/// The components of values one after another.
+/// Returns the components of values, one after another.
 fn flattened(elaborator: &mut Elaborator<'_>, values: &[AstId]) -> Option<Vec<ExprId>> {
     let values = values.iter().map(|&value| value_of(&mut elaborator.evaluator, value)).collect::<Vec<_>>();
     let values = values.into_iter().collect::<Option<Vec<_>>>()?;
     Some(values.iter().flat_map(|value| value.components().to_vec()).collect())
 }
 
-/// Forces of joints that the coordinates fulfil by themselves have no multipliers: these are
-/// omitted.
+/// Adds the items to draw. Joints that the coordinates fulfil identically have no multipliers, so
+/// their forces are omitted.
 fn add_drawing(elaborator: &mut Elaborator<'_>, drawing: &[Drawn]) {
     let constraints = elaborator.constraints.iter().map(|(constraint, _)| constraint.name.clone());
     let constraints = constraints.collect::<Vec<_>>();
@@ -139,7 +139,7 @@ fn add_drawing(elaborator: &mut Elaborator<'_>, drawing: &[Drawn]) {
 
 fn drawn_item(elaborator: &mut Elaborator<'_>, item: &Drawn) -> Option<DrawnItem> {
     let values = flattened(elaborator, &item.values)?;
-    // Forces in space have no place in a picture of the plane.
+    // Forces in space are not drawn in the plane.
     if values.len() != value_count(&item.kind, elaborator.staged.is_in_space) {
         return None;
     }
@@ -164,7 +164,7 @@ fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<O
     Some(OutlinedPart { variant, has_corners, dimension_count, values, is_hole })
 }
 
-/// No two methods have the same name.
+/// Checks that no two methods have the same name.
 pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
     let products = elaborator.products();
     // Bodies may be called `parameter` or `tangent`.
@@ -193,7 +193,7 @@ pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Number of values of an item.
+/// Returns the number of values of an item.
 fn value_count(kind: &DrawnKind, is_in_space: bool) -> usize {
     let (vector, moment) = if is_in_space { (3, 3) } else { (2, 1) };
     match kind {
@@ -208,7 +208,7 @@ fn value_count(kind: &DrawnKind, is_in_space: bool) -> usize {
     }
 }
 
-/// Order of drawing: what is handed out first is drawn below the rest.
+/// Returns the layer of an item: lower layers are drawn first, below the others.
 fn layer(kind: &DrawnKind) -> u8 {
     match kind {
         DrawnKind::Line { .. } => 0,

@@ -1,4 +1,4 @@
-//! Bodies and frames in space to what a model holds of them.
+//! Conversion of bodies and frames in space to the scene of a model.
 
 use super::elaborator::{Elaborator, UNKNOWNS};
 use super::expression::value_of;
@@ -16,7 +16,7 @@ use lagrange_language::bodies::SpatialMotion;
 use lagrange_language::syntax::ast::AstId;
 use lagrange_language::syntax::ast::Name;
 
-/// Takes what was asked for into the model.
+/// Adds the requested quantities to the model.
 pub(super) fn add_scene_in_space(elaborator: &mut Elaborator<'_>, kinematics: &SpatialKinematics) {
     let SpatialKinematics { motions, frames, twists } = kinematics;
     for motion in motions {
@@ -60,24 +60,24 @@ fn frame_pose(elaborator: &mut Elaborator<'_>, frame: &FramePose) -> Option<Link
     is_place.then(|| LinkPose { name: frame.name.clone(), values })
 }
 
-/// Returns the twist of a frame: velocities in its place become accelerations.
+/// Returns the twist of a frame. Velocities in its position would turn into accelerations.
 fn link_twist(elaborator: &mut Elaborator<'_>, twist: &FrameTwist) -> Option<LinkTwist> {
     let syntax = [&twist.spin[..], &twist.velocity].concat();
     let values = scalars(elaborator, &syntax)?;
     let is_affine = !depends(elaborator, &values, UNKNOWNS);
-    // With its place, that was reported.
+    // It has been reported together with the place of the frame.
     if !is_affine && !elaborator.products().contains(&Product::Frames) {
         report_place(elaborator, &twist.name);
     }
     is_affine.then(|| LinkTwist { name: twist.name.clone(), values })
 }
 
-/// A matrix in rows whose columns are these axes.
+/// Returns the rows of the matrix with these axes as columns.
 fn rows(axes: [[AstId; 3]; 3]) -> [[AstId; 3]; 3] {
     [0, 1, 2].map(|row| axes.map(|axis| axis[row]))
 }
 
-/// The values of scalars; where there are none, that was reported.
+/// Returns the values of scalars; missing ones have been reported.
 fn scalars<const N: usize>(elaborator: &mut Elaborator<'_>, syntax: &[AstId]) -> Option<[ExprId; N]> {
     let mut values = Vec::with_capacity(syntax.len());
     for &id in syntax {
@@ -91,7 +91,7 @@ fn depends(elaborator: &Elaborator<'_>, values: &[ExprId], kinds: &[Dependencies
     values.iter().any(|&value| kinds.iter().any(|&kind| graph.dependencies(value).intersects(kind)))
 }
 
-/// Reports a frame whose place is no function of time and coordinates.
+/// Reports a frame whose place is not a function of time and coordinates.
 fn report_place(elaborator: &mut Elaborator<'_>, name: &Name) {
     let error = elaborator.evaluator.report.error(name.span, scene::place_with_velocities(&name.text));
     error.help(scene::PLACE_WITH_VELOCITIES_HELP);

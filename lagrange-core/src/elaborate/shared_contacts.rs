@@ -1,7 +1,7 @@
-//! Two frictions at one contact.
+//! Two friction statements at one contact.
 //!
-//! Each direction has a limit by itself, so that the forces of both fill a rectangle instead of the
-//! disk of friction in a plane.
+//! Each direction has its own limit, so the forces of both fill a rectangle instead of the disk of
+//! friction in a plane.
 
 use super::elaborator::Elaborator;
 use super::messages::events as messages;
@@ -16,8 +16,7 @@ pub(super) fn contact_of(elaborator: &Elaborator<'_>, force: ExprId) -> Option<u
     elaborator.reactions.iter().position(|(reaction, _)| reaction.symbol == force && is_force(&reaction.kind))
 }
 
-/// Warns if the friction declared last acts at a contact along another direction than an earlier
-/// one.
+/// Warns if the last friction acts at the same contact as an earlier one, along another direction.
 pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     let last = elaborator.reactions.len().saturating_sub(1);
     let last = if is_across(elaborator, last) { last - 1 } else { last };
@@ -39,7 +38,7 @@ pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// The declared name of a contact or friction, of which components in a plane have further letters.
+/// Returns the declared name of a contact or friction, without the suffix of components in a plane.
 fn name_of(elaborator: &Elaborator<'_>, index: usize) -> String {
     let written = &elaborator.reactions[index].0.name;
     let is_component = is_across(elaborator, index) || is_across(elaborator, index + 1);
@@ -68,8 +67,7 @@ fn contacts(elaborator: &Elaborator<'_>, index: usize) -> Vec<usize> {
     parts.into_iter().filter_map(|part| contact_of(elaborator, part)).collect()
 }
 
-/// True if the slip velocities of both are multiples of each other, but for the motion of what they
-/// slip on.
+/// True if both slip velocities are multiples of each other, apart from the motion of the surface.
 fn are_parallel(elaborator: &mut Elaborator<'_>, pair: [usize; 2]) -> bool {
     let slips = pair.map(|index| elaborator.reactions[index].0.velocity);
     let graph = &mut elaborator.evaluator.graph;

@@ -1,8 +1,8 @@
 //! Kinetic energies and dissipations that are negative, with numbers or with the defaults of
 //! parameters.
 //!
-//! Only what shows is judged: a velocity all of whose terms are its square times numbers.
-//! Definiteness in general is a matter of parameters, and of run time.
+//! Only obvious cases are detected: velocities that occur solely as squares times numbers.
+//! Definiteness in general depends on parameters, which are only known at run time.
 
 use super::elaborator::{Elaborator, SourceTerm};
 use super::messages;
@@ -12,8 +12,8 @@ use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 use lagrange_language::syntax::ast::AstId;
 
-/// Reports coordinates whose kinetic energy falls with their velocity, and whose dissipation does:
-/// errors where numbers say so, warnings where defaults do.
+/// Reports coordinates whose kinetic energy or dissipation decreases with their velocity. They are
+/// errors if this follows from numbers, and warnings if it follows from defaults.
 pub(super) fn check_signs(elaborator: &mut Elaborator<'_>) {
     let defaults = Defaults::of(elaborator);
     for Falling { syntax, name, by_default } in falling(elaborator, &elaborator.kinetic, &defaults) {
@@ -32,12 +32,12 @@ pub(super) fn check_signs(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// A term that falls with a velocity with which the sum of all terms falls.
+/// A term that decreases with a velocity, where the sum of all terms also decreases.
 struct Falling {
     syntax: AstId,
     /// The name of the velocity.
     name: String,
-    /// True if the sum has another sign for other values of parameters.
+    /// True if the sign of the sum depends on defaults of parameters.
     by_default: bool,
 }
 
@@ -49,7 +49,7 @@ struct Weight {
     by_default: bool,
 }
 
-/// The first falling term for each velocity with which the sum falls.
+/// Returns the first decreasing term for each velocity with which the sum decreases.
 fn falling(elaborator: &Elaborator<'_>, terms: &[SourceTerm], defaults: &Defaults) -> Vec<Falling> {
     let graph = &elaborator.evaluator.graph;
     let values = terms.iter().map(|term| term.value).collect::<Vec<_>>();
@@ -66,16 +66,16 @@ fn falling(elaborator: &Elaborator<'_>, terms: &[SourceTerm], defaults: &Default
     found
 }
 
-/// The weight of a velocity, if it is negative.
+/// Returns the weight of a velocity, if it is negative.
 fn negative(weights: &HashMap<ExprId, Option<Weight>>, velocity: ExprId) -> Option<Weight> {
     weights.get(&velocity).copied().flatten().filter(|weight| weight.value < 0.0)
 }
 
-/// Factor of the square of each velocity in a sum; `None` where the velocity stands in other terms,
-/// too.
+/// Returns the factor of the square of each velocity in a sum; `None` if the velocity also occurs
+/// in other terms.
 fn weights(graph: &Graph, defaults: &Defaults, values: &[ExprId]) -> HashMap<ExprId, Option<Weight>> {
     let mut weights: HashMap<ExprId, Option<Weight>> = HashMap::default();
-    // A sum is opened once: declarations may share sums to any depth.
+    // Each sum is expanded only once, since declarations may share sums to any depth.
     let (mut others, mut opened) = (Vec::new(), HashSet::default());
     let one = Weight { value: 1.0, by_default: false };
     let mut pending = values.iter().map(|&value| (one, value)).collect::<Vec<_>>();
@@ -123,7 +123,7 @@ fn is_symbol(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Symbol(_))
 }
 
-/// `(w, e, n)` of w eⁿ with a number w, and e the only factor with velocities.
+/// Returns `(w, e, n)` for w eⁿ, where w is a number and e the only factor with velocities.
 fn times_number(graph: &Graph, defaults: &Defaults, id: ExprId) -> Option<(Weight, ExprId, Number)> {
     let Node::Product(factors) = graph.node(id) else { return None };
     let (moving, fixed) = factors.iter().partition::<Vec<_>, _>(|(base, _)| is_moving(graph, *base));

@@ -1,10 +1,10 @@
-//! Energies whose momenta would jump.
+//! Detection of energies with discontinuous momenta.
 //!
-//! d/dt ∂L/∂v needs second derivatives of L by velocities. |v| alone has none where v vanishes, and
-//! neither have `sign`, `min` and `max` where they switch; |v| v and |v|³ have. A product is
-//! continuous where one factor jumps and another vanishes there. This is determined from the
-//! structure: jumps that only cancel between terms count as jumps. An `if` is the user's own
-//! statement of branches and is not judged.
+//! d/dt ∂L/∂v requires second derivatives of L with respect to velocities. |v| alone has none where
+//! v vanishes, and neither do `sign`, `min` and `max` where they switch; |v| v and |v|³ do. A
+//! product is continuous if one factor vanishes where another jumps. This is determined from the
+//! structure: jumps that only cancel between terms count as jumps. An `if` states its branches
+//! explicitly and is not checked.
 
 use super::elaborator::Elaborator;
 use super::messages;
@@ -19,7 +19,7 @@ use lagrange_expr::expr::Graph;
 use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 
-/// Monomials up to which an energy with kinks is multiplied out.
+/// Maximum number of monomials of an expanded energy with kinks.
 const BUDGET: usize = 200;
 
 /// Behaviour of an expression where a kink's argument vanishes.
@@ -29,7 +29,7 @@ struct Local {
     jumps: bool,
 }
 
-/// Reports what makes the Lagrangian or one of its momenta jump.
+/// Reports the cause of a jump of the Lagrangian or one of its momenta.
 pub(super) fn check_smoothness(elaborator: &mut Elaborator<'_>, lagrangian: ExprId, momenta: &[ExprId]) {
     let roots = [&[lagrangian], momenta].concat();
     let mut places = HashSet::default();
@@ -52,7 +52,7 @@ fn report_kink(elaborator: &mut Elaborator<'_>, kink: ExprId) {
     }
 }
 
-/// The Lagrangian, multiplied out if fewer kinks are left of it then: (|v| + 1) (|v| − 1) is v² − 1.
+/// Returns the Lagrangian, expanded if this leaves fewer kinks: (|v| + 1) (|v| − 1) is v² − 1.
 pub(super) fn without_kinks(graph: &mut Graph, lagrangian: ExprId) -> ExprId {
     let before = kinks(graph, lagrangian).len();
     if before == 0 {
@@ -62,8 +62,8 @@ pub(super) fn without_kinks(graph: &mut Graph, lagrangian: ExprId) -> ExprId {
     if kinks(graph, expanded).len() < before { expanded } else { lagrangian }
 }
 
-/// Magnitudes, signs and extrema that depend on velocities, with the factors that do of what
-/// vanishes where they switch.
+/// Returns magnitudes, signs and extrema that depend on velocities. Each has the velocity-dependent
+/// factors of the expression that vanishes where it switches.
 fn kinks(graph: &mut Graph, root: ExprId) -> Vec<(ExprId, Vec<ExprId>)> {
     let mut found = Vec::new();
     for id in graph.reachable(&[root]) {
@@ -77,7 +77,8 @@ fn kinks(graph: &mut Graph, root: ExprId) -> Vec<(ExprId, Vec<ExprId>)> {
     found
 }
 
-/// Argument that vanishes where a function, or an indicator that came of its derivative, switches.
+/// Returns the argument that vanishes where a function, or an indicator from its derivative,
+/// switches.
 fn switch(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     match *graph.node(id) {
         Node::Call(Function::Abs | Function::Sign | Function::MagnitudeSlope, ref arguments) => {
@@ -95,7 +96,7 @@ fn is_moving(graph: &Graph, id: ExprId) -> bool {
     graph.dependencies(id).intersects(Dependencies::VELOCITY)
 }
 
-/// The factors through which a product changes its sign with the velocities.
+/// Returns the factors through which a product changes its sign with the velocities.
 fn moving_factors(graph: &Graph, id: ExprId) -> Vec<ExprId> {
     let (_, core) = graph.split_coefficient(id);
     let (mut found, mut pending) = (Vec::new(), vec![core]);
@@ -142,14 +143,14 @@ fn local(graph: &mut Graph, id: ExprId, factor: ExprId, known: &HashMap<ExprId, 
             let is_step = matches!(function, Function::Sign | Function::MagnitudeSlope);
             let is_zero_at_zero = elementary::row(function).at_zero == Some(0)
                 || matches!(function, Function::Min | Function::Max | Function::Hypot);
-            // What has a power that is not known before run time is taken to be smooth.
+            // A power with an exponent that is only known at run time is assumed to be smooth.
             let is_power = function == Function::Power && of(&arguments[0]).vanishes;
             Local {
                 vanishes: all_vanish && is_zero_at_zero && !is_step || is_power,
                 jumps: arguments.iter().any(|argument| of(argument).jumps) || switches && is_step,
             }
         }
-        // It is taken to be smooth, and not to vanish where its arguments do.
+        // It is assumed to be smooth, and not to vanish where its arguments do.
         Node::Opaque(_, arguments) => {
             Local { vanishes: false, jumps: arguments.iter().any(|argument| of(argument).jumps) }
         }

@@ -1,8 +1,8 @@
 //! Algebraic unknowns: values that equations define.
 //!
-//! While their equations are read the unknowns are symbols. The largest parts of the equations
-//! without an unknown become the arguments of their functions. They are then computed once and not
-//! in every step of the iteration.
+//! While their equations are read, the unknowns are symbols. The largest parts of the equations
+//! without an unknown become arguments of the solving functions. They are then computed once
+//! instead of in every iteration.
 
 use super::elaborator::Elaborator;
 use super::evaluator::Evaluator;
@@ -20,13 +20,14 @@ use lagrange_expr::number::Number;
 use lagrange_expr::opaque::{Opaque, OpaqueFunction, Source};
 use lagrange_language::syntax::ast::{AstId, Name, StatementKind, UnknownDefinition};
 
-/// Steps of the iteration where nothing else is said.
+/// Default number of iterations.
 const ITERATIONS: u32 = 30;
 
-/// Products that a proof of dependence may expand to.
+/// Maximum number of products in an expanded proof of dependence.
 const LARGEST_PROOF: usize = 500;
 
-/// `solve y: 0 = e, start: s, iterations: n;`, or several equations in as many unknowns.
+/// Defines `solve y: 0 = e, start: s, iterations: n;`, or several equations in the same number of
+/// unknowns.
 pub(super) fn define_unknowns(elaborator: &mut Elaborator<'_>, definition: &UnknownDefinition) {
     let names = &definition.names;
     let mut symbols = Vec::new();
@@ -49,7 +50,7 @@ pub(super) fn define_unknowns(elaborator: &mut Elaborator<'_>, definition: &Unkn
     }
 }
 
-/// The parts of a statement that defines unknowns.
+/// The checked parts of a statement that defines unknowns.
 struct StatedEquations {
     residuals: Vec<ExprId>,
     starts: Vec<ExprId>,
@@ -57,7 +58,7 @@ struct StatedEquations {
 }
 
 impl StatedEquations {
-    /// Checks the whole statement; `None` if it has a mistake, which is reported.
+    /// Checks the whole statement; `None` after an error, which is reported.
     fn read(
         evaluator: &mut Evaluator<'_>,
         definition: &UnknownDefinition,
@@ -152,7 +153,7 @@ fn holds_unknown(graph: &Graph, id: ExprId) -> bool {
     graph.dependencies(id).intersects(Dependencies::PLACEHOLDER)
 }
 
-/// The unknowns as functions of their arguments.
+/// Returns the unknowns as functions of their arguments.
 fn solution(
     elaborator: &mut Elaborator<'_>,
     names: &[Name],
@@ -187,7 +188,7 @@ fn solution(
     functions.into_iter().map(|function| graph.opaque(function, &parts)).collect()
 }
 
-/// Parts of an equation that do not hold the unknown, with the symbols that stand for them.
+/// Parts of an equation that do not contain the unknown, with the symbols that stand for them.
 struct KnownParts {
     labels: HashMap<ExprId, String>,
     symbols: OrderedMap<ExprId, ExprId>,
@@ -209,7 +210,7 @@ impl KnownParts {
         image.get(&residual).copied().unwrap_or(residual)
     }
 
-    /// An expression that holds the unknown, whose operands are in `image` if they do.
+    /// Rebuilds an expression that contains the unknown; operands that contain it are in `image`.
     fn rebuilt(&mut self, graph: &mut Graph, id: ExprId, image: &HashMap<ExprId, ExprId>) -> ExprId {
         let node = graph.node(id).clone();
         let image_of = |operand: ExprId| image.get(&operand).copied();
@@ -237,7 +238,7 @@ impl KnownParts {
         }
     }
 
-    /// A symbol for known operands, all of which are one part of the equation.
+    /// Returns one symbol for all known operands together.
     fn together(
         &mut self,
         graph: &mut Graph,
@@ -251,7 +252,7 @@ impl KnownParts {
         Some((self.symbol(graph, part), weight))
     }
 
-    /// A symbol for a part, which numbers stand for themselves.
+    /// Returns a symbol for a part; numbers remain as they are.
     fn symbol(&mut self, graph: &mut Graph, part: ExprId) -> ExprId {
         if graph.dependencies(part) == Dependencies::NONE {
             return part;
@@ -270,7 +271,7 @@ impl KnownParts {
     }
 }
 
-/// Operands that hold the unknown, as their images, and the others.
+/// Splits operands into those that contain the unknown, as their images, and the others.
 fn split(operands: &[(ExprId, Number)], image: impl Fn(ExprId) -> Option<ExprId>) -> (Operands, Operands) {
     let (mut bound, mut known) = (Vec::new(), Vec::new());
     for (operand, weight) in operands {
@@ -282,7 +283,7 @@ fn split(operands: &[(ExprId, Number)], image: impl Fn(ExprId) -> Option<ExprId>
     (bound, known)
 }
 
-/// Reports functions of the user's, and equations, that have the name of what solves others.
+/// Reports functions of users, and equations, that have the name of a solving function.
 pub(super) fn check_names_of_solvers(elaborator: &mut Elaborator<'_>) {
     let statements = &elaborator.declaration.statements;
     let solved = statements.iter().filter_map(|statement| match &statement.kind {

@@ -1,8 +1,8 @@
 //! The `stabilise` statement: the rate at which residuals of constraints decay.
 //!
 //! Source: Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems",
-//! Computer Methods in Applied Mechanics and Engineering 1 (1972), with both gains from one rate,
-//! so that residuals decay without overshoot.
+//! Computer Methods in Applied Mechanics and Engineering 1 (1972), with both gains derived from one
+//! rate, so that residuals decay without overshoot.
 
 use proc_macro2::Span;
 
@@ -26,7 +26,7 @@ pub(super) fn set_stabilisation(elaborator: &mut Elaborator<'_>, syntax: AstId, 
 pub(super) fn check_stabilisation(elaborator: &mut Elaborator<'_>) {
     let is_constraint = |kind: &StatementKind| matches!(kind, StatementKind::Constraint(..));
     let is_constrained = elaborator.declaration.statements.iter().any(|s| is_constraint(&s.kind));
-    // A constraint may be among what could not be read.
+    // A statement that could not be read may be a constraint.
     if is_constrained || !elaborator.declaration.unreadable_words.is_empty() {
         return;
     }

@@ -1,23 +1,24 @@
-//! Rigid bodies of a declaration, as far as products depend on them.
+//! Rigid bodies of a declaration, with the properties that products depend on.
 
 use crate::model::Product;
 use lagrange_language::syntax::ast::Name;
 
-/// Rigid bodies of a declaration.
+/// Rigid bodies and frames of a declaration.
 #[derive(Default, Debug)]
 pub(super) struct Staged {
-    /// Their names.
+    /// Names of bodies.
     pub(super) bodies: Vec<Name>,
     /// Names of frames.
     pub(super) frames: Vec<Name>,
-    /// True if they move in space.
+    /// True if the bodies move in space.
     pub(super) is_in_space: bool,
     /// True if anything could be drawn.
     pub(super) is_visible: bool,
 }
 
 impl Staged {
-    /// True if there is too little for a product, or it is of scenes of the other kind.
+    /// True if the scene lacks bodies or frames for a product, or the product belongs to the other
+    /// kind of scene.
     pub(super) fn lacks(&self, product: Product) -> bool {
         let is_empty = self.bodies.is_empty() && self.frames.is_empty();
         match product {
@@ -29,12 +30,12 @@ impl Staged {
         }
     }
 
-    /// True if a name is that of a frame.
+    /// True if a name belongs to a frame.
     pub(super) fn is_frame(&self, name: &str) -> bool {
         self.frames.iter().any(|frame| frame.text == name)
     }
 
-    /// Bodies and frames with a method that a product has for each of them.
+    /// Returns the bodies and frames with their own method of a product.
     pub(super) fn with_method(&self, product: Product) -> Vec<&Name> {
         let frames = if product == Product::Motion { &[] } else { &self.frames[..] };
         self.bodies.iter().chain(frames).collect()

@@ -1,5 +1,5 @@
-//! Initial values of the state: of coordinates and states where these are declared, of every entry
-//! in `start` statements.
+//! Initial values of the state: in declarations of coordinates and states, and of any entry in
+//! `start` statements.
 
 use super::elaborator::Elaborator;
 use super::entries::{assigned_index, spelling_of};
@@ -10,14 +10,14 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::{self, AstId, Definition};
 
-/// `start x = e;` or `start dot(x) = e;`
+/// Adds `start x = e;` or `start dot(x) = e;`.
 pub(super) fn add_start(elaborator: &mut Elaborator<'_>, assignment: &ast::Assignment) {
     let index = assigned_index(elaborator, assignment.target, messages::START_HELP);
     let origin = elaborator.evaluator.origin(assignment.target);
     set_start(elaborator, index, origin, assignment.value);
 }
 
-/// `coord x = e;` or `state a = e;`, behind the declaration of the name.
+/// Adds the value of `coord x = e;` or `state a = e;` after the name has been declared.
 pub(super) fn add_declared_start(elaborator: &mut Elaborator<'_>, definition: &Definition) {
     let Some(value) = definition.value else { return };
     let name = definition.name.text.as_str();
@@ -37,8 +37,8 @@ fn set_start(elaborator: &mut Elaborator<'_>, index: Option<usize>, origin: Orig
     elaborator.start.values.extend(value.map(|value| Assignment { index, value }));
 }
 
-/// A unit quaternion has an initial value as a whole: with some of its components alone it would be
-/// another orientation.
+/// Checks that the initial value of a unit quaternion is complete: only some of its components
+/// would give a different orientation.
 pub(super) fn check_starts(elaborator: &mut Elaborator<'_>) {
     for orientation in elaborator.orientations.clone() {
         let components = orientation.position..orientation.position + 4;
@@ -52,8 +52,8 @@ pub(super) fn check_starts(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// The whole state at the start: zero where nothing is declared, with orientations that turn
-/// nothing. Empty if nothing is declared at all.
+/// Returns the whole initial state. Undeclared entries are zero, and undeclared orientations the
+/// identity. The result is empty if nothing is declared.
 pub(super) fn initial_state(elaborator: &mut Elaborator<'_>) -> Vec<ExprId> {
     if !elaborator.declaration.has_start() {
         return Vec::new();

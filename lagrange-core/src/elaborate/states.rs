@@ -1,4 +1,4 @@
-//! First-order states, and the equations that state their rates.
+//! First-order states, and the equations for their rates.
 
 use super::elaborator::{DeclaredState, Elaborator, UNKNOWNS};
 use super::expression::value_of;
@@ -13,7 +13,7 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{AstId, Mode, Name, StateKind};
 
-/// States stand behind all other positions, be these declared further down.
+/// Defines a state. States come after all other positions, even if these are declared further down.
 pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name, kind: StateKind) {
     let index = (elaborator.first_state + elaborator.states.len()) as u32;
     let (role, name_kind) = match kind {
@@ -38,8 +38,8 @@ pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name, kind: S
     elaborator.declare(name, name_kind, Some(Operand::Scalar(position)));
 }
 
-/// `mode clutch = open | closed;`: a discrete state, and the numbers that its values stand for.
-/// Modes may share a value if it has the same number in both.
+/// Defines `mode clutch = open | closed;`: a discrete state, and the numbers of its values. Modes
+/// may share a value if it has the same number in both.
 pub(super) fn define_mode(elaborator: &mut Elaborator<'_>, mode: &Mode) {
     define_state(elaborator, &mode.name, StateKind::Discrete);
     for (number, name) in (0..).zip(&mode.values) {
@@ -59,7 +59,7 @@ pub(super) fn define_mode(elaborator: &mut Elaborator<'_>, mode: &Mode) {
     }
 }
 
-/// Index among the positions of the state of this name.
+/// Returns the index among the positions of the state with this name.
 pub(super) fn state_named(elaborator: &Elaborator<'_>, name: &str) -> Option<usize> {
     let entry = elaborator.evaluator.scope.find(name)?;
     let Some(Operand::Scalar(position)) = entry.value else { return None };
@@ -69,7 +69,7 @@ pub(super) fn state_named(elaborator: &Elaborator<'_>, name: &str) -> Option<usi
     }
 }
 
-/// `dot(a) = e;`
+/// Adds `dot(a) = e;`.
 pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let rate = rate_value(elaborator, syntax);
     let Some(position) = state_named(elaborator, &name.text) else {
@@ -87,14 +87,13 @@ pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, synta
         error.related(Origin::from(first), words::STATED_HERE).help(words::STATED_TWICE_HELP);
         return;
     }
-    // Where the equation is wrong, another one keeps what mentions the rate from being reported,
-    // too.
+    // If the equation is invalid, a substitute avoids further reports wherever the rate is used.
     let graph = &mut elaborator.evaluator.graph;
     let rate = rate.unwrap_or_else(|| graph.number(0));
     set_rate(elaborator, syntax, place, rate);
 }
 
-/// A function of time, positions, velocities, states and inputs.
+/// Returns a rate, which may depend on time, positions, velocities, states and inputs.
 fn rate_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
     value_of(&mut elaborator.evaluator, syntax)?;
     let value = elaborator.evaluator.scalar(syntax, words::RATE)?;
@@ -102,7 +101,7 @@ fn rate_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> 
     Some(value)
 }
 
-/// Reports a name that should be that of a state.
+/// Reports a name that is not a state.
 fn report_no_state(elaborator: &mut Elaborator<'_>, name: &Name) {
     let (text, origin, evaluator) = (&name.text, name.span.into(), &mut elaborator.evaluator);
     let Some(kind) = evaluator.scope.resolve(text).map(|entry| entry.kind) else {
@@ -118,7 +117,7 @@ fn report_no_state(elaborator: &mut Elaborator<'_>, name: &Name) {
     evaluator.report.error(name.span, message).help(help);
 }
 
-/// Checks that need all states and all that mentions them.
+/// Performs the checks that need all states and everything that refers to them.
 pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
     report_undetermined_rates(elaborator);
     report_frozen_coupled_states(elaborator);
@@ -137,7 +136,7 @@ pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Warns of discrete states that nothing changes.
+/// Warns about discrete states that nothing changes.
 pub(super) fn warn_of_constant_states(elaborator: &mut Elaborator<'_>) {
     let assignments = elaborator.events.iter().flat_map(|(event, _)| match &event.action {
         Action::Assign(assignments) => &assignments[..],
@@ -165,7 +164,7 @@ pub(super) fn report_states_in_momenta(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// The states as positions, with their rates.
+/// Returns the states as positions, with their rates.
 pub(super) fn positions_of_states(elaborator: &Elaborator<'_>) -> Vec<Coordinate> {
     let graph = &elaborator.evaluator.graph;
     let positions = elaborator.states.iter().map(|DeclaredState { name, position, .. }| {

@@ -1,11 +1,11 @@
 //! Symmetric linear equations M x = r between expressions.
 //!
-//! Elimination takes the simplest pivot first. For a top, that is the inertia I₃ of the spin, and
-//! I₁ sin² θ is left. The other order would leave a difference. On the way rᵀM⁻¹r becomes a sum of
+//! Elimination uses the simplest pivot first. For a top, this is the inertia I₃ of the spin, and I₁
+//! sin² θ is left. The other order would leave a difference. In the process rᵀM⁻¹r becomes a sum of
 //! squares.
 //!
-//! If the whole diagonal is zero, row j and column j are added to those of i. That makes the pivot
-//! 2 Mᵢⱼ of it, and xⱼ becomes xⱼ + xᵢ.
+//! If the whole diagonal is zero, row j and column j are added to those of i. This gives the pivot
+//! 2 Mᵢⱼ, and xⱼ becomes xⱼ + xᵢ.
 
 use super::ignored::vanish;
 use crate::model::Model;
@@ -23,15 +23,15 @@ pub(super) struct Solution {
 /// M and r
 type Equations<'e> = (&'e mut [Vec<ExprId>], &'e mut [ExprId]);
 
-/// A step back from reduced equations to the given ones.
+/// A step of back substitution from reduced equations to the given ones.
 enum Step {
-    /// An unknown that is eliminated, and those that are left then.
+    /// An eliminated unknown, and the unknowns that remain.
     Eliminated(usize, Vec<usize>),
     /// An unknown that was added to a second one.
     Added(usize, usize),
 }
 
-/// Solves M x = r; the error is the index of an unknown that stays undetermined.
+/// Solves M x = r; the error is the index of an undetermined unknown.
 pub(super) fn solve(
     model: &mut Model,
     mut matrix: Vec<Vec<ExprId>>,
@@ -59,7 +59,7 @@ pub(super) fn solve(
     Ok(Solution { values, square: model.graph.sum(Number::ZERO, squares) })
 }
 
-/// Finds the simplest diagonal entry that is not zero.
+/// Finds the simplest nonzero diagonal entry.
 fn pivot(model: &mut Model, matrix: &[Vec<ExprId>], left: &[usize]) -> Option<usize> {
     let entries = left.iter().map(|&i| matrix[i][i]).collect::<Vec<_>>();
     let vanish = vanish(model, &entries);
@@ -67,13 +67,13 @@ fn pivot(model: &mut Model, matrix: &[Vec<ExprId>], left: &[usize]) -> Option<us
     regular.min_by_key(|&i| model.graph.reachable(&[matrix[i][i]]).len())
 }
 
-/// Finds two unknowns whose common entry is not zero.
+/// Finds two unknowns whose common entry is nonzero.
 fn coupled(model: &mut Model, matrix: &[Vec<ExprId>], left: &[usize]) -> Option<(usize, usize)> {
     let mut pairs = left.iter().flat_map(|&i| left.iter().map(move |&j| (i, j))).filter(|(i, j)| i < j);
     pairs.find(|&(i, j)| vanish(model, &[matrix[i][j]]) != [true])
 }
 
-/// Eliminates an unknown from the equations that are left.
+/// Eliminates an unknown from the remaining equations.
 fn eliminate(graph: &mut Graph, (matrix, rests): Equations<'_>, i: usize, left: &[usize]) {
     for &j in left {
         let factor = graph.divide(matrix[i][j], matrix[i][i]);

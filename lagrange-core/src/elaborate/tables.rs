@@ -1,4 +1,4 @@
-//! Tables: their points, checked and interpolated.
+//! Tables: checks and interpolation of their points.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -11,7 +11,7 @@ use lagrange_expr::limits::MAX_POINTS;
 use lagrange_expr::opaque::{Interpolation, Opaque, OpaqueFunction, Source, Table, default_name};
 use lagrange_language::syntax::ast::{AstId, Name, Statement, StatementKind, TableDefinition, TableSource};
 
-/// A point with where it stands, in the declaration or on a line of a file.
+/// A point with its place in the declaration or its line in a file.
 struct Point {
     /// Arguments, then the value.
     components: Vec<f64>,
@@ -44,7 +44,7 @@ pub(super) fn define_table(elaborator: &mut Elaborator<'_>, table: &TableDefinit
     define(&mut elaborator.evaluator, &table.name, function);
 }
 
-/// The points in numbers, if there are neither too few nor too many.
+/// Returns the points as numbers, if there are neither too few nor too many.
 fn points(elaborator: &mut Elaborator<'_>, table: &TableDefinition) -> Option<Vec<Point>> {
     let points = match &table.source {
         TableSource::Points(points) => {
@@ -84,7 +84,7 @@ fn points(elaborator: &mut Elaborator<'_>, table: &TableDefinition) -> Option<Ve
     Some(points)
 }
 
-/// Reports that a file was not read, if nobody has said why.
+/// Reports that a file was not read, unless the reason has been reported.
 fn report_unread(elaborator: &mut Elaborator<'_>, path: &Name) {
     let report = &mut elaborator.evaluator.report;
     if !report.has_errors() {
@@ -92,7 +92,7 @@ fn report_unread(elaborator: &mut Elaborator<'_>, path: &Name) {
     }
 }
 
-/// A number that does not depend on anything.
+/// Returns a constant number.
 fn number(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
     value_of(&mut elaborator.evaluator, syntax)?;
     let value = elaborator.evaluator.scalar(syntax, "a number of a table")?;
@@ -109,7 +109,7 @@ fn number(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
     Some(number)
 }
 
-/// A table of one argument, with its values.
+/// Returns a table of one argument, with its values.
 fn curve(
     elaborator: &mut Elaborator<'_>,
     table: &TableDefinition,
@@ -128,7 +128,8 @@ fn curve(
     Some((Table::curve(&points, table.interpolation, table.outside), values))
 }
 
-/// A table of two arguments, from the points of a grid in any order, with its values in rows.
+/// Returns a table of two arguments with its values in rows, from the points of a grid in any
+/// order.
 fn surface(
     elaborator: &mut Elaborator<'_>,
     table: &TableDefinition,
@@ -175,8 +176,8 @@ fn report_point<'a>(elaborator: &'a mut Elaborator<'_>, point: &Point, message: 
     elaborator.evaluator.report.error(point.place, message)
 }
 
-/// Reports tables in energies and constraints whose second derivatives are not continuous, although
-/// accelerations are made of them.
+/// Reports tables in energies and constraints with discontinuous second derivatives on which
+/// accelerations depend.
 pub(super) fn check_tables(elaborator: &mut Elaborator<'_>) {
     let moving = elaborator.kinetic.iter().chain(&elaborator.lagrangian).map(|term| (term, DerivedBy::Time));
     let potential = elaborator.potential.iter().map(|term| (term, DerivedBy::Position));
@@ -198,7 +199,7 @@ pub(super) fn check_tables(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Reports names of functions that emitted code gives to the derivatives of a table.
+/// Reports functions with names that emitted code uses for the derivatives of a table.
 pub(super) fn check_names_of_derivatives(elaborator: &mut Elaborator<'_>) {
     let declaration = elaborator.declaration;
     let named = names_of_functions(&declaration.statements);
@@ -214,7 +215,7 @@ pub(super) fn check_names_of_derivatives(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// The names of functions that emitted code calls, as far as the user gives them.
+/// Returns the names of functions that emitted code calls, if users have chosen them.
 pub(super) fn names_of_functions(statements: &[Statement]) -> Vec<&Name> {
     let named = statements.iter().flat_map(|statement| match &statement.kind {
         StatementKind::External(function) => {
@@ -227,7 +228,7 @@ pub(super) fn names_of_functions(statements: &[Statement]) -> Vec<&Name> {
     named.collect()
 }
 
-/// The names of all derivatives that do not vanish.
+/// Returns the names of all derivatives that do not vanish.
 fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
     let parameters = table.parameters.iter().map(|name| name.text.clone()).collect::<Vec<_>>();
     let orders = 0..table.interpolation.coefficients() as u8;
@@ -239,12 +240,12 @@ fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
     derivatives.map(|orders| default_name(&table.name.text, &parameters, orders)).collect()
 }
 
-/// The variables by which accelerations differentiate a term.
+/// The variables with respect to which accelerations differentiate a term.
 #[derive(Clone, Copy)]
 enum DerivedBy {
-    /// Positions alone: what changes with time only is a factor.
+    /// Only positions: expressions that only change with time are factors.
     Position,
-    /// Time, too.
+    /// Also time.
     Time,
 }
 
@@ -257,8 +258,8 @@ impl DerivedBy {
     }
 }
 
-/// Calls of tables without continuous second derivatives of which derivatives are taken, with the
-/// tables themselves.
+/// Returns the differentiated calls of tables without continuous second derivatives, with the
+/// tables.
 fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId, derived: DerivedBy) -> Vec<(ExprId, Opaque)> {
     let graph = &elaborator.evaluator.graph;
     let mut rough = Vec::new();
@@ -267,7 +268,7 @@ fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId, derived: DerivedBy) -
         if !derived.concerns(graph.dependencies(id)) {
             continue;
         }
-        // Tables of an unknown stand in its equations, and bend it.
+        // Tables in the equations of an unknown also affect its smoothness.
         let equations = graph.equations_of(function).map(|unknowns| graph.reachable(&unknowns.residuals));
         for part in equations.unwrap_or_default().into_iter().chain([id]) {
             let Node::Opaque(function, _) = graph.node(part) else { continue };

@@ -1,10 +1,10 @@
-//! Bodies on which torques act that are declared on angles.
+//! Attribution of torques on angles to bodies.
 //!
 //! A torque m on an angle θ has the power m θ̇. If θ turns as a body does, θ̇ = ω, a moment m on
-//! this body has the same power. If it turns as one body does against another, θ̇ = ω₂ − ω₁, the
-//! moments m on one and −m on the other have it. If θ is the second angle of a double pendulum,
-//! measured from the first rod, the torque is that of a motor in the joint. Measured from the
-//! vertical, it acts on the second rod alone. A torque that fits in two ways is not attributed.
+//! this body has the same power. If it is the relative angle of two bodies, θ̇ = ω₂ − ω₁, the
+//! moments m on one and −m on the other have this power. If θ is the second angle of a double
+//! pendulum, measured from the first rod, the torque is that of a motor in the joint. Measured from
+//! the vertical, it acts on the second rod alone. An ambiguous torque is not attributed.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -15,10 +15,10 @@ use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies::{DrawnKind, LoadOrigin};
 use lagrange_language::syntax::ast::AstId;
 
-/// Bodies, each with whether the opposite moment acts on it.
+/// Bodies, each with true if the opposite moment acts on it.
 type Shares = Vec<(usize, bool)>;
 
-/// A torque on an angle as moments on bodies, or, of this name, as something that is omitted.
+/// Returns a torque on an angle as moments on bodies, or else as an omitted item of this name.
 pub(super) fn torque_item(elaborator: &mut Elaborator<'_>, name: &str, values: &[AstId]) -> Vec<DrawnItem> {
     let &[moment, angle] = values else { return Vec::new() };
     let found = [moment, angle].map(|syntax| value_of(&mut elaborator.evaluator, syntax));
@@ -36,8 +36,8 @@ pub(super) fn torque_item(elaborator: &mut Elaborator<'_>, name: &str, values: &
     shares.iter().map(item).collect()
 }
 
-/// The bodies on which a moment has the power of one on an angle of this rate: all single ones, or
-/// else all pairs.
+/// Returns the bodies on which a moment has the power of a torque on an angle of this rate: single
+/// bodies, or else pairs.
 fn turned(elaborator: &mut Elaborator<'_>, rate: ExprId) -> Vec<Shares> {
     let spins = elaborator.scene.motions.iter().map(BodyMotion::spin).collect::<Vec<_>>();
     let single = spins.iter().enumerate().map(|(body, &spin)| (vec![(body, false)], spin)).collect();
@@ -55,7 +55,7 @@ fn turned(elaborator: &mut Elaborator<'_>, rate: ExprId) -> Vec<Shares> {
     fitting(elaborator, rate, pairs)
 }
 
-/// Bodies whose rate is this one, or its opposite, with the opposite moments then.
+/// Returns the bodies with this rate, and those with the opposite rate, with opposite moments.
 fn fitting(elaborator: &mut Elaborator<'_>, rate: ExprId, candidates: Vec<(Shares, ExprId)>) -> Vec<Shares> {
     let graph = &mut elaborator.evaluator.graph;
     let mut differences = Vec::new();

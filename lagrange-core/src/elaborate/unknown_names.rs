@@ -1,5 +1,4 @@
-//! Diagnostics for names that stand for nothing where they are used: each is reported once, with
-//! the number of other places.
+//! Diagnostics for undefined names: each is reported once, with the number of other places.
 
 use super::evaluator::Evaluator;
 use super::messages;
@@ -9,20 +8,19 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_language::syntax::ast::StatementKind;
 use lagrange_language::syntax::foreign;
 
-/// True if a name is written as constants of Rust are: several capital letters.
+/// True if a name is written like a Rust constant, in several capital letters.
 fn is_constant_of_rust(name: &str) -> bool {
     let is_capital = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
     name.len() > 2 && name.chars().all(is_capital)
 }
 
-/// True if it was reported already that a name has no meaning where it is used, so that this place
-/// only counts.
+/// True if an undefined name has already been reported; this place is then only counted.
 pub(super) fn is_known_unresolved(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> bool {
     let places = evaluator.unresolved.names.get_mut(&name.to_owned());
     places.map(|places| places.all.insert(place(origin))).is_some()
 }
 
-/// Reports a name without a meaning.
+/// Reports an undefined name.
 pub(super) fn report_unknown(
     evaluator: &mut Evaluator<'_>,
     name: &str,
@@ -39,8 +37,7 @@ fn remember(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) {
 }
 
 /// True if an unknown name is declared further down, which is reported here, or may have been
-/// declared where the declaration could not be read. Names of one statement are too far down
-/// together.
+/// declared in an unreadable part. Late names of one statement are reported together.
 pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> bool {
     let all = evaluator.declaration;
     let places = evaluator.unresolved.declared.get_or_insert_with(|| all.places());
@@ -85,7 +82,7 @@ pub(super) fn may_use_accelerations(evaluator: &Evaluator<'_>) -> bool {
     })
 }
 
-/// Advice for a name without a meaning: how it is spelt here, or where it is to be declared.
+/// Returns advice for an undefined name: its spelling here, or how to declare it.
 pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String {
     let moves = |name: &str| {
         let entry = evaluator.scope.find(name);
@@ -95,7 +92,7 @@ pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String 
         Some(rate) if rate.order == 1 || may_use_accelerations(evaluator) => {
             return messages::names::write_call(rate.written());
         }
-        // One letter beside a name may be a slip of the pen.
+        // A single letter next to a name may be a typo.
         Some(rate) if name.len() - rate.of.len() > 1 => {
             return messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS.to_owned();
         }
@@ -125,7 +122,7 @@ pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String 
     }
 }
 
-/// Adds the number of other places to what was reported of names.
+/// Adds the number of other places to the reports of undefined names.
 pub(super) fn count_unresolved(evaluator: &mut Evaluator<'_>) {
     let is_elsewhere = |places: &Places| places.is_named && places.all.len() > 1;
     for (_, places) in evaluator.unresolved.names.iter().filter(|(_, places)| is_elsewhere(places)) {

@@ -1,4 +1,4 @@
-//! Names that stand for nothing where they are used, with the places where they stand.
+//! Undefined names, with the places where they are used.
 
 use std::collections::BTreeSet;
 
@@ -12,31 +12,31 @@ pub(super) struct Unresolved {
     pub(super) names: OrderedMap<String, Places>,
     /// Names that are used too early.
     pub(super) late: Vec<Late>,
-    /// The number of the statement that is looked at.
+    /// The index of the current statement.
     pub(super) statement: usize,
-    /// Statements and places of all declared names, once one of them is missing.
+    /// Statements and places of all declared names, collected when the first undefined name is
+    /// found.
     pub(super) declared: Option<HashMap<String, (usize, Span)>>,
 }
 
-/// A name that is used before it is declared. One statement that stands too early or too late is
-/// one mistake.
+/// A name that is used before its declaration. A misplaced statement is reported only once.
 #[derive(Clone, Copy)]
 pub(super) struct Late {
-    /// The number of the statement that uses it.
+    /// The index of the statement that uses the name.
     pub(super) user: usize,
-    /// The number of the statement that declares it.
+    /// The index of the statement that declares the name.
     pub(super) declaration: usize,
-    /// The number of the mistake that was reported.
+    /// The index of the reported error.
     pub(super) mistake: usize,
 }
 
 /// Places of a name.
 pub(super) struct Places {
-    /// The number of the mistake that was reported at the first of them.
+    /// The index of the error that was reported at the first place.
     pub(super) mistake: usize,
-    /// True if the mistake names it, and not another name beside which it was reported.
+    /// True if the error mentions this name, and not another one that it was reported with.
     pub(super) is_named: bool,
-    /// Lines and columns, the first place included.
+    /// Lines and columns, including the first place.
     pub(super) all: BTreeSet<(usize, usize)>,
 }
 

@@ -1,4 +1,4 @@
-//! Mistakes and warnings as tokens that make the compiler report them.
+//! Errors and warnings as tokens that make the compiler report them.
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
@@ -6,13 +6,12 @@ use quote::{quote, quote_spanned};
 use super::base::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Severity};
 
-/// Writes diagnostics, although a stable macro can report only warnings of the compiler. Errors are
-/// therefore `compile_error!`, unused names are unused variables, and slow compilation or doubtful
-/// declarations are uses of a deprecated item. Each mistake is one error; related places stand in
-/// its text.
+/// Writes diagnostics as code, since a stable macro can only trigger the compiler's own
+/// diagnostics. Errors are `compile_error!`, unused names are unused variables, and slow
+/// compilation or doubtful declarations are uses of a deprecated item. Each diagnostic causes one
+/// report; its text contains related places.
 ///
-/// `attributes` are those of the struct: their conditions hold here, too, and so do their lint
-/// levels.
+/// `attributes` are those of the struct; their conditions and lint levels also apply here.
 pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> TokenStream {
     let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
     let errors = errors.map(|diagnostic| error(diagnostic, attributes)).collect::<TokenStream>();
@@ -27,7 +26,7 @@ pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> Toke
         Severity::Error | Severity::Unused(_) => None,
     });
     let mut notices = notices.collect::<TokenStream>();
-    // With errors there may be warnings that were not looked for.
+    // After errors, some warnings may not have been checked.
     let warnings = match () {
         () if !unused.is_empty() => warnings(&unused, attributes),
         () if errors.is_empty() => nothing(expectations(attributes, &UNUSED[..1])),
@@ -39,13 +38,13 @@ pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> Toke
     quote!(#errors #warnings #notices)
 }
 
-/// Item of which the compiler says that expectations are not fulfilled.
+/// Writes an item for which the compiler reports unfulfilled expectations.
 fn nothing(expectations: TokenStream) -> TokenStream {
     if expectations.is_empty() { expectations } else { quote!(#expectations const _: () = ();) }
 }
 
-/// The compiler's own warning of something deprecated, the only one whose text can be chosen. It
-/// stands at the user's token and obeys the user's lint levels.
+/// Triggers the compiler's deprecation warning, the only one with a free text. It is located at the
+/// user's token and obeys the user's lint levels.
 fn notice(name: &str, diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     let (levels, text) = (of_warnings(attributes, NOTICE), diagnostic.text());
     let used = Ident::new(name, diagnostic.origin.start);
@@ -59,11 +58,11 @@ fn notice(name: &str, diagnostic: &Diagnostic, attributes: &TokenStream) -> Toke
     }
 }
 
-/// The compiler's own warning of unused variables, with the remedy that editors know how to apply.
-/// It stands at the user's name and obeys the user's lint levels.
+/// Triggers the compiler's warning about unused variables, with a fix that editors can apply. It is
+/// located at the user's name and obeys the user's lint levels.
 fn warnings(unused: &[Ident], attributes: &TokenStream) -> TokenStream {
     let levels = of_warnings(attributes, UNUSED);
-    // A local function hides what else of that name is in scope: a variable cannot hide a constant.
+    // A local function shadows any other item of this name; a variable could not shadow a constant.
     let hiding =
         unused.iter().map(|name| Ident::new(&name.to_string(), Span::mixed_site().located_at(name.span())));
     quote! {
@@ -82,7 +81,7 @@ fn error(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     quote!(#conditions #error)
 }
 
-/// The error covers everything from the first to the last token of its origin. The compiler takes
+/// Writes an error that covers its origin from the first to the last token. The compiler derives
 /// the span of the invocation from its first and last tokens.
 fn compile_error(origin: Origin, message: &str) -> TokenStream {
     let start = quote_spanned!(origin.start=> ::core::compile_error!);

@@ -21,8 +21,8 @@ use super::features::switches::switches_declaration;
 use super::features::tables::tables;
 use super::traits::trait_impls;
 
-/// All items. The implementations stand in an anonymous constant, so that the names they import and
-/// the helpers they need are nobody else's.
+/// Writes all items. The implementations are in an anonymous constant, so that their imports and
+/// helpers remain private.
 pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let system = system_struct(shape, members);
     let (state, columns) = (state_struct(shape), columns_struct(shape));
@@ -79,7 +79,8 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// A place of the user's for what is emitted nevertheless, and no matter of the user's lints.
+/// Returns a span at the user's place that still counts as emitted code, so that the user's lints
+/// do not apply.
 fn emitted_at(place: Span) -> Span {
     place.resolved_at(Span::mixed_site())
 }
@@ -111,8 +112,8 @@ fn system_struct(shape: &Shape<'_>, members: &Members) -> TokenStream {
     });
     let fields =
         [fields, mode_fields(shape)].into_iter().chain(switches_declaration(shape)).collect::<TokenStream>();
-    // It begins and ends in what the user wrote, so that the compiler proposes attributes there and
-    // not in the macro.
+    // It begins and ends in the user's code, so that the compiler suggests attributes there instead
+    // of in the macro.
     let body = match fields.is_empty() && marker.is_none() {
         true => quote_spanned!(emitted_at(declaration.name.span)=> ;),
         false => {

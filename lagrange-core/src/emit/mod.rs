@@ -1,8 +1,8 @@
 //! The items of a system as Rust. No algebra happens here.
 //!
-//! [`system`] has every feature write its methods and makes items of them; [`skeleton()`] makes the
-//! same items without equations. Features stand on a common base: the shape of the emitted type,
-//! its members and the writer of methods.
+//! [`system`] lets every feature write its methods and assembles them into items; [`skeleton()`]
+//! writes the same items without equations. Features share a common base: the shape of the emitted
+//! type, its members and the writer of methods.
 
 mod assemble;
 mod base;

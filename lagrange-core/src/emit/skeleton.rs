@@ -19,7 +19,7 @@ use crate::model::Product;
 use lagrange_expr::collections::HashSet;
 use lagrange_language::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
-/// Members that do not come from products; an output of such a name is a mistake.
+/// Members that do not come from products; an output with such a name is an error.
 const TAKEN: [&str; 12] = [
     "rhs",
     "EQUATIONS_LATEX",
@@ -38,8 +38,7 @@ const TAKEN: [&str; 12] = [
 const NOT_DERIVED: &str = "Not derived: the declaration has errors.";
 
 /// Returns the items of a system that could not be derived. They have the same types and methods,
-/// so that the code that uses them causes no further errors. They never run, since the mistakes are
-/// errors.
+/// so code that uses them causes no further errors. They never run, since compilation fails.
 pub fn skeleton(declaration: &mut Declaration, krate: &TokenStream) -> TokenStream {
     drop_excess(&mut declaration.statements);
     let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons_of_reduced(declaration, krate));
@@ -147,7 +146,7 @@ fn skeleton_of_frames(shape: &Shape<'_>) -> Vec<Method> {
     frames.chain(jacobians).map(|(name, returns)| placeholder(name, Arguments::Positions, returns)).collect()
 }
 
-/// With all methods that it may have.
+/// Returns the skeleton of the prepared type, with all methods that it may have.
 fn skeleton_of_prepared(shape: &Shape<'_>) -> Prepared {
     let accelerations = Returns::Vector(shape.velocities.len());
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, accelerations)];
@@ -206,7 +205,7 @@ fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> Token
     types.collect()
 }
 
-/// True if it is an output with the name of a method, which is reported.
+/// True if a statement is an output with the name of a method, which is reported.
 fn is_reserved(statement: &StatementKind, has_states: bool) -> bool {
     matches!(statement, StatementKind::Output(name, _) if is_method_of_reduced(&name.text, has_states))
 }

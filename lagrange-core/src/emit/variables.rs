@@ -11,14 +11,14 @@ use crate::derive::Equations;
 use crate::model::{Model, Product};
 use lagrange_language::syntax::ast::{Declaration, Direction};
 
-/// Names and units of a system's variables, as its emitted type has them in constants.
+/// Names and units of a system's variables, as in the constants of its emitted type.
 #[derive(Clone, Debug)]
 pub struct Variables {
     /// Parameters, then inputs.
     pub fields: Vec<String>,
-    /// Positions, first-order states among them.
+    /// Positions, including first-order states.
     pub positions: Vec<String>,
-    /// Velocities; empty if all of them are rates of the positions without names of their own.
+    /// Velocities; empty if all of them are rates of the positions without separate names.
     pub velocities: Vec<String>,
     /// Coordinates whose rates the named velocities are; empty names for other velocities.
     pub rates_of: Vec<String>,
@@ -43,7 +43,7 @@ pub struct Variables {
     pub outputs: Vec<Vec<String>>,
     /// Parameters that the columns of the regressor multiply, if it is requested.
     pub regressor: Vec<String>,
-    /// Units by name, those of arrays for all of their elements.
+    /// Units by name; the unit of an array applies to all elements.
     pub units: Vec<(String, String)>,
 }
 
@@ -56,14 +56,14 @@ impl Variables {
         [self.positions.clone(), velocities].concat()
     }
 
-    /// Returns the unit of a variable, that of its array for an element; `None` if it is unknown.
+    /// Returns the unit of a variable, or of the array for an element; `None` if it is unknown.
     pub fn unit(&self, name: &str) -> Option<&str> {
         let of = |name: &str| self.units.iter().find(|(known, _)| known == name).map(|(_, unit)| &**unit);
         of(name).or_else(|| of(name.split('[').next().unwrap_or(name)))
     }
 }
 
-/// The rate of a coordinate as columns call it, `x_dot[0]` for `x[0]`.
+/// Returns the name of the rate of a coordinate in columns, `x_dot[0]` for `x[0]`.
 fn rate_of(name: &str) -> String {
     let (stem, index) = name.split_at(name.find('[').unwrap_or(name.len()));
     format!("{stem}_dot{index}")
@@ -74,7 +74,7 @@ fn rate_of(name: &str) -> String {
 pub struct EventOfSystem {
     /// Its name.
     pub name: String,
-    /// Direction of the zeros that count.
+    /// Direction of the relevant zeros.
     pub direction: Direction,
 }
 

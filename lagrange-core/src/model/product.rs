@@ -1,9 +1,9 @@
 //! The products that can be emitted, one row each.
 //!
-//! A row holds everything that the language, its messages and emitted code know of a product. How
-//! it is derived is in [`Equations`](crate::derive::Equations).
+//! A row holds everything about a product that the language, its messages and emitted code need.
+//! [`Equations`](crate::derive::Equations) contains its derivation.
 
-/// Something that can be emitted beside accelerations and outputs.
+/// Something that can be emitted in addition to accelerations and outputs.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 #[expect(missing_docs, reason = "the names are those of the rows")]
 pub enum Product {
@@ -43,7 +43,7 @@ pub enum Product {
     Statements,
 }
 
-/// When a product is emitted.
+/// Condition under which a product is emitted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Availability {
     /// For every system.
@@ -54,16 +54,16 @@ pub enum Availability {
     Constraints,
     /// On demand.
     Demand,
-    /// On demand, or together with another product that is.
+    /// On demand, or together with another product.
     With(Product),
-    /// On demand, of systems with rigid bodies.
+    /// On demand, for systems with rigid bodies.
     Bodies,
 }
 
-/// The arguments of a product, beside time and the parameters.
+/// The arguments of a product, in addition to time and the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ProductArguments {
-    /// The positions; the velocities, too, if the result depends on them.
+    /// The positions, and also the velocities if the result depends on them.
     Configuration,
     /// The positions.
     Positions,
@@ -84,9 +84,9 @@ pub enum Extent {
     State,
     /// Displacements of the positions, changes of the first-order states and of the velocities.
     Tangent,
-    /// One for each of the tangent, each component of an output and each constraint.
+    /// One for each entry of the tangent, each component of an output and each constraint.
     LinearRows,
-    /// One for each of the tangent and each input.
+    /// One for each entry of the tangent and each input.
     LinearColumns,
     /// One for each constraint.
     Constraints,
@@ -107,7 +107,7 @@ pub enum ProductShape {
     Matrix(Extent, Extent),
 }
 
-/// The method of a product: arguments, result, documentation in lines.
+/// The method of a product: arguments, result, and documentation by lines.
 #[derive(Debug)]
 pub struct ProductMethod {
     /// Arguments.
@@ -123,15 +123,15 @@ pub struct ProductMethod {
 pub struct ProductRow {
     /// The product.
     pub product: Product,
-    /// Its name in `emit { … }`, which is that of its method, if it has one.
+    /// Its name in `emit { … }`, and the name of its method if there is one.
     pub name: &'static str,
-    /// When it is emitted.
+    /// Condition under which it is emitted.
     pub when: Availability,
     /// Its method; `None` for constants and for products of bodies.
     pub method: Option<ProductMethod>,
 }
 
-/// Every product, in the order of [`Product`], in which they are emitted.
+/// Every product in the order of emission, which is that of [`Product`].
 const ROWS: [ProductRow; 34] = [
     ProductRow {
         product: Product::MassMatrix,
@@ -443,7 +443,7 @@ impl Product {
         self.row().when == Availability::Bodies
     }
 
-    /// True if its name is that of a method, or of a constant in lower case.
+    /// True if its name is the name of a method, or of a constant in lower case.
     pub fn is_method(self) -> bool {
         let is_other = matches!(
             self,
@@ -452,8 +452,7 @@ impl Product {
         self.row().method.is_some() || is_other
     }
 
-    /// Returns the end of the name of its method for each body, which begins with the name of the
-    /// body.
+    /// Returns the suffix of its method for each body; the name of the body comes first.
     pub fn method_suffix(self) -> Option<&'static str> {
         match self {
             Product::Motion => Some("_motion"),

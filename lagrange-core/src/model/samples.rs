@@ -1,4 +1,4 @@
-//! Points at which formulas are tried, and formulas that points say too little about.
+//! Points at which formulas are sampled, and formulas for which samples are insufficient.
 
 use super::Model;
 use lagrange_algebra::simplify::somewhere;
@@ -18,8 +18,8 @@ pub(crate) fn sample_values(model: &Model, roots: &[ExprId], point: usize) -> Ve
     evaluate(&model.graph, roots, |role| sample(model, role, point))
 }
 
-/// Returns the values of expressions at a point at which parameters have their defaults, as far as
-/// they have any.
+/// Returns the values of expressions at a point where parameters have their defaults, if these
+/// exist.
 pub(crate) fn default_values(model: &Model, roots: &[ExprId], point: usize) -> Vec<f64> {
     let defaults = model.parameters.iter().filter_map(|parameter| {
         let value = evaluate(&model.graph, &[parameter.default?], |_| f64::NAN)[0];
@@ -56,7 +56,7 @@ pub(crate) fn entries(model: &Model, parts: &[ExprId], point: usize) -> HashMap<
     entries
 }
 
-/// A number between 1/2 and 3/2 for a symbol at a point; quaternions have the length one.
+/// Returns a number between 1/2 and 3/2 for a symbol at a point; quaternions have length one.
 fn sample(model: &Model, role: Role, point: usize) -> f64 {
     let Role::Coordinate(index) = role else { return spread(role, point) };
     let of = model.orientations.iter().find(|of| (of.position..of.position + 4).contains(&(index as usize)));
@@ -66,7 +66,8 @@ fn sample(model: &Model, role: Role, point: usize) -> f64 {
     (spread(role, point) - 1.0) / length
 }
 
-/// Sebastiano Vigna's splitmix64, a hash whose values are independent for each symbol and point.
+/// Returns a number for a symbol at a point by Sebastiano Vigna's splitmix64, a hash with
+/// independent values.
 fn spread(role: Role, point: usize) -> f64 {
     let symbol = somewhere(role).to_bits();
     let mut hash = symbol.wrapping_add((point as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
@@ -75,8 +76,8 @@ fn spread(role: Role, point: usize) -> f64 {
     0.5 + ((hash ^ (hash >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// True of a formula that may be flat at some points and not elsewhere: in pieces, or so steep that
-/// numbers do not show it.
+/// True if a formula may be flat at some points but not elsewhere: it is piecewise, or too steep to
+/// show in numbers.
 pub(crate) fn may_be_flat(graph: &Graph, root: ExprId) -> bool {
     let may_be_flat = |id: ExprId| match graph.node(id) {
         Node::Choose { .. } | Node::Opaque(..) => true,

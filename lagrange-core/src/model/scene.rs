@@ -1,21 +1,21 @@
-//! Rigid bodies of a model: how they move, and what there is to draw of them.
+//! Rigid bodies of a model: their motion, and the items to draw.
 
 use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies::DrawnKind;
 use lagrange_language::syntax::ast::Name;
 
-/// Rigid bodies, as far as requested.
+/// The requested properties of rigid bodies.
 #[derive(Clone, Default, Debug)]
 pub struct Scene {
     /// Motions of bodies, in the order of their declaration.
     pub motions: Vec<BodyMotion>,
     /// Poses of bodies and frames in space.
     pub frames: Vec<LinkPose>,
-    /// Twists of their frames.
+    /// Twists of the frames of bodies.
     pub twists: Vec<LinkTwist>,
     /// Bodies by their inertial parameters, for the regressor.
     pub inertial: Vec<InertialBody>,
-    /// Items to draw, in the order in which they are handed out.
+    /// Items to draw, in the order of output.
     pub drawing: Vec<DrawnItem>,
 }
 
@@ -25,8 +25,8 @@ pub struct BodyMotion {
     /// The name of the body.
     pub body: Name,
     /// Mass, moment of inertia, centroid in own coordinates, centre, angle, velocity, angular
-    /// velocity, acceleration, angular acceleration. In the plane vectors take two places; in space
-    /// they take three, and the tensor of inertia and the rotation nine, in rows.
+    /// velocity, acceleration, angular acceleration. In the plane, vectors take two places. In
+    /// space, they take three, and the tensor of inertia and the rotation take nine, in rows.
     pub values: Vec<ExprId>,
 }
 
@@ -34,12 +34,12 @@ impl BodyMotion {
     /// Number of values that describe the motion of a body in the plane, and in space.
     pub const VALUES: [usize; 2] = [13, 37];
 
-    /// The centre of mass in the plane.
+    /// Returns the centre of mass in the plane.
     pub(crate) fn center(&self) -> [ExprId; 2] {
         [self.values[4], self.values[5]]
     }
 
-    /// The angular velocity in the plane.
+    /// Returns the angular velocity in the plane.
     pub(crate) fn spin(&self) -> ExprId {
         self.values[9]
     }
@@ -55,7 +55,7 @@ pub struct LinkPose {
 }
 
 impl LinkPose {
-    /// Number of values that give the place of a frame.
+    /// Number of values that describe the pose of a frame.
     pub const VALUES: usize = 12;
 }
 
@@ -85,7 +85,7 @@ pub struct InertialBody {
 }
 
 impl InertialBody {
-    /// Names of the parameters behind that of the body.
+    /// Suffixes of the parameters, after the name of the body.
     pub const PARAMETERS: [&'static str; 10] = ["mass", "mx", "my", "mz", "xx", "yy", "zz", "xy", "xz", "yz"];
 
     fn places(&mut self) -> impl Iterator<Item = &mut ExprId> {
@@ -99,14 +99,15 @@ impl InertialBody {
 pub struct DrawnItem {
     /// Kind of the item.
     pub kind: DrawnKind,
-    /// Its numbers in the order of its kind; vectors take two places, in space three.
+    /// Its numbers in the order of its kind; vectors take two places in the plane and three in
+    /// space.
     pub values: Vec<ExprId>,
     /// The shape, if it is a body.
     pub parts: Vec<OutlinedPart>,
 }
 
 impl DrawnItem {
-    /// A load that is not known.
+    /// Creates an item for a load that is not known.
     pub(crate) fn omitted(name: &str) -> DrawnItem {
         let kind = DrawnKind::Omitted { name: name.to_owned() };
         DrawnItem { kind, values: Vec::new(), parts: Vec::new() }
@@ -122,15 +123,15 @@ pub struct OutlinedPart {
     pub has_corners: bool,
     /// Number of values that are dimensions.
     pub dimension_count: usize,
-    /// The dimensions, then the origin of its coordinates, then the angle of its axes, in space
-    /// their rotation in rows.
+    /// The dimensions, then the origin of its coordinates, then the angle of its axes. In space,
+    /// their rotation in rows replaces the angle.
     pub values: Vec<ExprId>,
     /// True if it is cut out.
     pub is_hole: bool,
 }
 
 impl Scene {
-    /// Places that hold expressions.
+    /// Returns all places that hold expressions.
     pub(crate) fn places(&mut self) -> Vec<&mut ExprId> {
         let mut places = self.motions.iter_mut().flat_map(|motion| &mut motion.values).collect::<Vec<_>>();
         places.extend(self.frames.iter_mut().flat_map(|frame| &mut frame.values));

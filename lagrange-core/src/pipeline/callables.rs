@@ -1,4 +1,4 @@
-//! Functions of the user's crate where systems are interpreted.
+//! Functions of the user's crate in interpreted systems.
 
 use std::fmt;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use lagrange_expr::opaque::Opaque;
 
 type Callback = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
 
-/// Functions by the names under which emitted code calls them, and solutions of equations.
+/// Functions by their names in emitted code, and solutions of equations.
 #[derive(Clone, Default)]
 pub(super) struct Callables {
     functions: HashMap<String, Callback>,
@@ -27,18 +27,18 @@ impl Callables {
         self.functions.insert(name.to_owned(), Arc::new(value));
     }
 
-    /// Solutions of these equations and nothing else.
+    /// Creates callables with only these solutions of equations.
     pub(super) fn solving(solutions: Vec<NewtonProgram>) -> Callables {
         Callables { solutions: solutions.into(), ..Callables::default() }
     }
 
-    /// The programs of all equations.
+    /// Returns the programs of all equations.
     pub(super) fn programs(&self) -> impl Iterator<Item = &Program> {
         self.solutions.iter().map(|solution| &solution.equation)
     }
 
-    /// The value of a function, or those of all unknowns that are solved for together; NaN if
-    /// nobody computes it.
+    /// Returns the value of a function, or the values of all coupled unknowns; NaN if it is not
+    /// provided.
     pub(super) fn call(&self, function: &Opaque, arguments: &[f64]) -> Vec<f64> {
         match self.solutions.iter().find(|solution| solution.functions.contains(function)) {
             Some(solution) => {

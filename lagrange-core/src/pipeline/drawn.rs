@@ -5,7 +5,7 @@ use lagrange_algebra::program::Program;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies::DrawnKind;
 
-/// All that is drawn of a system but loads: bodies, frames, lines, connectors and joints.
+/// All items to draw except loads: bodies, frames, lines, connectors and joints.
 #[derive(Clone, Debug)]
 pub struct DrawnScene {
     /// True if vectors have three components.
@@ -16,10 +16,11 @@ pub struct DrawnScene {
     pub program: Program,
 }
 
-/// An item, whose numbers are those of its kind.
+/// An item; its kind determines its numbers.
 ///
-/// Those of a body are its centroid in its own coordinates, its centre, and its angle or, in space,
-/// its rotation in rows. The numbers of its parts follow: dimensions, place, and angle or rotation.
+/// The numbers of a body are its centroid in its own coordinates, its centre, and its angle or, in
+/// space, its rotation in rows. The numbers of its parts follow: dimensions, position, and angle or
+/// rotation.
 #[derive(Clone, Debug)]
 pub struct PlacedItem {
     /// Kind of the item.
@@ -43,7 +44,7 @@ pub struct PlacedPart {
     pub is_hole: bool,
 }
 
-/// Returns the items of a scene that are no loads, and their expressions.
+/// Returns the items of a scene that are not loads, and their expressions.
 pub(super) fn placed_items(scene: &Scene, is_in_space: bool) -> (Vec<PlacedItem>, Vec<ExprId>) {
     let is_load = |item: &&DrawnItem| {
         use DrawnKind::{Force, Moment, Omitted, Torque};
@@ -65,9 +66,9 @@ pub(super) fn placed_items(scene: &Scene, is_in_space: bool) -> (Vec<PlacedItem>
     (items, roots)
 }
 
-/// Centroid, centre, and angle or rotation of a body.
+/// Returns the centroid, centre, and angle or rotation of a body.
 fn pose(motion: &BodyMotion, is_in_space: bool) -> &[ExprId] {
-    // Mass and moment of inertia are before, rates behind.
+    // Mass and moment of inertia come before, rates after.
     &motion.values[if is_in_space { 10..25 } else { 2..7 }]
 }
 

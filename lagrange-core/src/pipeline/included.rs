@@ -1,9 +1,10 @@
-//! Places in files of parts, for messages of the compiler.
+//! Locations in included files, for compiler messages.
 //!
-//! The compiler gives all tokens of a text that a macro reads the place of the macro. After a
-//! mistake in a declaration with such files, everything is therefore read again by the fallback of
-//! `proc_macro2`, which counts lines and columns. Mistakes are found in the same order. Each gets
-//! the words of its twin, with file, line and column, and stands where the file is included.
+//! The compiler assigns the location of the macro to all tokens of a text that the macro reads.
+//! After an error in a declaration with such files, everything is therefore read again with the
+//! fallback of `proc_macro2`, which counts lines and columns. It finds the errors in the same
+//! order. Each error takes the message of its twin, with file, line and column, and is reported
+//! where the file is included.
 
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Report};
 use lagrange_language::syntax::ast::{IncludedFile, PlacedInstance};
@@ -12,7 +13,7 @@ use proc_macro2::fallback;
 
 use super::{Expanded, expanded};
 
-/// The fallback, until it goes out of scope.
+/// Guard that enables the fallback until it goes out of scope.
 struct Fallback;
 
 impl Fallback {
@@ -28,7 +29,7 @@ impl Drop for Fallback {
     }
 }
 
-/// The words of a mistake: the message and those of related places.
+/// The texts of an error: its message and the notes on related places.
 struct Words {
     message: String,
     notes: Vec<String>,
@@ -41,8 +42,8 @@ impl Words {
     }
 }
 
-/// Names the file, the line and the column of mistakes in included files. The declaration and the
-/// path of the crate are texts.
+/// Adds the file, line and column to errors in included files. The declaration and the path of the
+/// crate are given as text.
 pub(super) fn name_included(
     (tokens, krate): (&str, &str),
     read: Reader<'_>,
@@ -60,7 +61,7 @@ pub(super) fn name_included(
         for ((origin, note), other) in diagnostic.related.iter_mut().zip(&twin.notes) {
             rename(origin, note, other.clone(), &expanded.included);
         }
-        // Only where places are known is it known which part a mistake is in.
+        // The part that contains an error is only known if locations are known.
         for note in twin.notes.into_iter().skip(diagnostic.related.len()) {
             let is_named = |instance: &&PlacedInstance| note.contains(&format!("`{}`", instance.name));
             let origin = expanded.placed.iter().find(is_named).map(|instance| instance.origin);
@@ -72,7 +73,7 @@ pub(super) fn name_included(
     });
 }
 
-/// The words of all mistakes, with places in files.
+/// Returns the texts of all errors, with locations in files.
 fn words(tokens: &str, krate: &str, read: Reader<'_>) -> Vec<Words> {
     let _fallback = Fallback::begin();
     let (Ok(tokens), Ok(krate)) = (tokens.parse(), krate.parse()) else { return Vec::new() };

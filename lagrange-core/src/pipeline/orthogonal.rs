@@ -1,9 +1,9 @@
-//! Orthogonal factors of matrices of any size that may lack full rank: Householder reflections with
-//! exchange of columns. `linalg::orthogonal` of `lagrange-runtime` has them for sizes known at
-//! compile time. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
+//! Orthogonal factors of matrices of any size and rank: Householder reflections with column
+//! exchange. `linalg::orthogonal` of `lagrange-runtime` has them for sizes known at compile time.
+//! Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
-/// A column is taken before others with at most this relative excess of remaining length, so that
-/// rounding does not choose between equals.
+/// A column precedes later ones unless their remaining length is greater by more than this
+/// fraction, so that rounding does not choose between equals.
 const PRECEDENCE: f64 = 0.125;
 
 /// The factors Q and R of a matrix, in the order in which its columns were taken.
@@ -49,13 +49,13 @@ impl OrthogonalFactors {
         &self.order[self.rank()..]
     }
 
-    /// Qᵀx
+    /// Returns Qᵀx.
     pub(super) fn inward(&self, mut x: Vec<f64>) -> Vec<f64> {
         (0..self.rank()).for_each(|k| apply(&self.columns[k], k, &mut x));
         x
     }
 
-    /// Q x
+    /// Returns Q x.
     pub(super) fn outward(&self, mut x: Vec<f64>) -> Vec<f64> {
         (0..self.rank()).rev().for_each(|k| apply(&self.columns[k], k, &mut x));
         x
@@ -106,8 +106,8 @@ impl OrthogonalFactors {
     }
 }
 
-/// Returns the column, from the k-th on, of which most is left from row k on, and the length of
-/// this remainder.
+/// Returns the column, from the k-th on, with the largest remainder from row k on, and the length
+/// of this remainder.
 fn largest(columns: &[Vec<f64>], k: usize) -> (usize, f64) {
     let mut most = (k, 0.0);
     for (index, column) in columns.iter().enumerate().skip(k) {
@@ -131,7 +131,7 @@ fn reflect(columns: &mut [Vec<f64>], k: usize, length: f64) -> f64 {
     diagonal
 }
 
-/// x − u (uᵀx) from row k on.
+/// Replaces x by x − u (uᵀx) from row k on.
 fn apply(u: &[f64], k: usize, x: &mut [f64]) {
     let product = u[k..].iter().zip(&x[k..]).map(|(u, x)| u * x).sum::<f64>();
     x[k..].iter_mut().zip(&u[k..]).for_each(|(x, u)| *x -= product * u);

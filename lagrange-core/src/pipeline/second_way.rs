@@ -1,34 +1,35 @@
-//! Motion where elimination in a fixed order fails. Constraints depend on each other or compensate
-//! for a zero mass, or a pivot of an indefinite mass matrix vanishes.
+//! Motion where elimination in a fixed order fails. Constraints are dependent or compensate for a
+//! zero mass, or a pivot of an indefinite mass matrix vanishes.
 //!
-//! The rule is that of emitted code (`constraint::redundant_motion` and
+//! The method is that of emitted code (`constraint::redundant_motion` and
 //! `constraint::indefinite_motion` of `lagrange-runtime`), for sizes known at run time. It solves M
-//! a = f + Aᵀλ and A a + b = 0 by orthogonal factors of the scaled gradients. Of all multipliers
-//! that give the same motion, those with the smallest sum of squares are taken.
+//! a = f + Aᵀλ and A a + b = 0 by orthogonal factors of the scaled gradients. Among all multipliers
+//! with the same motion, it chooses those with the smallest sum of squares.
 
 use super::orthogonal::{OrthogonalFactors, length, reciprocal};
 
-/// Number of roundings per row below which a remaining column of a scaled symmetric matrix is zero.
+/// Number of roundings per row below which a remaining column of a scaled symmetric matrix counts
+/// as zero.
 const ROUNDINGS: f64 = 32.0;
 /// Number of rounds of equilibration.
 const SCALINGS: usize = 6;
-/// Multiple of the rank tolerance by which dependent constraints may miss each other.
+/// Maximum mismatch of dependent constraints, as a multiple of the rank tolerance.
 const CONTRADICTION: f64 = 100.0;
 
-/// Returns the fraction of a gradient below which the remainder beside other gradients is zero:
-/// ε^(5/16).
+/// Returns the fraction of a gradient below which the remainder orthogonal to other gradients
+/// counts as zero: ε^(5/16).
 fn rank_tolerance() -> f64 {
     f64::EPSILON.powf(0.3125)
 }
 
-/// True if digits can be trusted whose rounding errors grow so: below ε^(−5/8), as emitted code has
-/// it (`lagrange::constraint::are_regular`).
+/// True if results with this growth of rounding errors are reliable: below ε^(−5/8), as in emitted
+/// code (`lagrange::constraint::are_regular`).
 pub(super) fn is_regular(growth: f64) -> bool {
     growth * f64::EPSILON.powf(0.625) < 1.0
 }
 
-/// Returns the accelerations and multipliers of `n` coordinates and `m` constraints; `values` holds
-/// M and A in rows, then f and b. All are NaN if the accelerations are undetermined, or if
+/// Returns the accelerations and multipliers of `n` coordinates and `m` constraints; `values`
+/// contains M and A in rows, then f and b. All are NaN if the accelerations are undetermined, or if
 /// constraints contradict each other.
 pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
     let (mass, rest) = values.split_at(n * n);
@@ -44,8 +45,8 @@ pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
 }
 
 /// Returns the smallest change δ of `n` coordinates, measured by mass, with A δ = −`residuals`.
-/// Constraints that depend on others are ignored. `values` begins with M and A in rows. NaN if
-/// there is none.
+/// Constraints that depend on others are ignored. `values` begins with M and A in rows. NaN if the
+/// change does not exist.
 pub(super) fn correction(n: usize, residuals: &[f64], values: &[f64]) -> Vec<f64> {
     let rows = |matrix: &[f64]| matrix.chunks(n.max(1)).map(<[f64]>::to_vec).collect::<Vec<_>>();
     let (mass, rest) = values.split_at(n * n);
@@ -61,8 +62,8 @@ pub(super) fn correction(n: usize, residuals: &[f64], values: &[f64]) -> Vec<f64
     change.flatten().unwrap_or_else(|| vec![f64::NAN; n])
 }
 
-/// Returns the solution of M a = f for a symmetric mass matrix that need not be definite; `None` if
-/// it is singular.
+/// Returns the solution of M a = f for a symmetric, possibly indefinite mass matrix; `None` if it
+/// is singular.
 fn unconstrained(mut mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
     let unit = power_to_one(mass.iter().flatten().map(|entry| entry.abs()));
     multiply(&mut mass, unit);
@@ -72,8 +73,8 @@ fn unconstrained(mut mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
     (factors.rank() == forcing.len()).then(|| product(&scales, &factors.combination(right)))
 }
 
-/// The matrices in coordinates whose masses are near one, with the gradients of the constraints
-/// scaled to length one. No unit matters, as in emitted code.
+/// The matrices in coordinates with masses near one, and with constraint gradients scaled to length
+/// one. As in emitted code, results do not depend on units.
 struct ScaledEquations {
     /// Power of two by which masses and forces are multiplied.
     unit: f64,
@@ -128,12 +129,12 @@ impl ScaledEquations {
         Some(acceleration)
     }
 
-    /// f − M a
+    /// Returns f − M a.
     fn forces_on(&self, acceleration: &[f64], forcing: &[f64]) -> Vec<f64> {
         self.mass.iter().zip(forcing).map(|(row, force)| force - dot(row, acceleration)).collect()
     }
 
-    /// Returns the acceleration by these forces in the directions that no constraint restricts;
+    /// Returns the acceleration due to these forces in the directions that no constraint restricts;
     /// `None` if it is undetermined.
     fn free_part(&self, forces: Vec<f64>) -> Option<Vec<f64>> {
         let (n, rank) = (self.scales.len(), self.factors.rank());
@@ -157,8 +158,8 @@ impl ScaledEquations {
     }
 }
 
-/// Returns the scales of coordinates: reciprocal roots of their masses. A coordinate without one is
-/// measured by what the other coordinates do in constraints that hold it, too.
+/// Returns the scales of coordinates: reciprocal roots of their masses. A massless coordinate is
+/// scaled by the size of the other coordinates in its constraints.
 fn coordinate_scales(mass: &[Vec<f64>], jacobian: &[Vec<f64>]) -> Vec<f64> {
     let of_mass = |j: usize| if mass[j][j] > 0.0 { 1.0 / mass[j][j].sqrt() } else { 0.0 };
     let scales = (0..mass.len()).map(of_mass).collect::<Vec<_>>();
@@ -175,8 +176,8 @@ fn coordinate_scales(mass: &[Vec<f64>], jacobian: &[Vec<f64>]) -> Vec<f64> {
     (0..mass.len()).map(scale).collect()
 }
 
-/// Returns the power of two that brings the first positive value to between one and two; one if
-/// there is none.
+/// Returns the power of two that scales the first positive value to between one and two; one
+/// without such a value.
 fn power_to_one(mut values: impl Iterator<Item = f64>) -> f64 {
     let Some(mut left) = values.find(|value| *value > 0.0) else { return 1.0 };
     let mut power = 1.0;
@@ -196,8 +197,8 @@ fn multiply(matrix: &mut [Vec<f64>], factor: f64) {
     matrix.iter_mut().flatten().for_each(|entry| *entry *= factor);
 }
 
-/// Returns the factors that bring the largest entry of each row of a symmetric matrix near one if
-/// columns are multiplied by them, too.
+/// Returns the factors that scale the largest entry of each row of a symmetric matrix to near one,
+/// if applied to both rows and columns.
 fn equilibration(matrix: &[Vec<f64>]) -> Vec<f64> {
     let mut scales = vec![1.0; matrix.len()];
     for _ in 0..SCALINGS {

@@ -17,7 +17,7 @@ use lagrange_language::tables::{Reader, no_files, read_files};
 pub struct System {
     /// Declaration in plain statements.
     pub declaration: Declaration,
-    /// Meaning of the declaration.
+    /// Checked model of the declaration.
     pub model: Model,
     /// Warnings.
     pub report: Report,
@@ -28,7 +28,7 @@ pub struct System {
 pub struct Derived {
     /// Declaration in plain statements.
     pub declaration: Declaration,
-    /// Meaning of the declaration.
+    /// Checked model of the declaration.
     pub model: Model,
     /// Equations of motion.
     pub equations: Equations,
@@ -41,7 +41,7 @@ pub struct Derived {
 /// Reads and checks a system from text: a whole declaration, or only its statements.
 ///
 /// # Errors
-/// Everything that is wrong with the declaration.
+/// All errors in the declaration.
 pub fn parse(text: &str) -> Result<System, Report> {
     parse_with(text, &no_files)
 }
@@ -49,7 +49,7 @@ pub fn parse(text: &str) -> Result<System, Report> {
 /// Parses a declaration whose tables may be files.
 ///
 /// # Errors
-/// Everything that is wrong with the declaration or with its files.
+/// All errors in the declaration or its files.
 pub fn parse_with(text: &str, read: Reader<'_>) -> Result<System, Report> {
     let mut report = Report::default();
     let Some(mut declaration) = parse_text(text, &mut report) else { return Err(report) };

@@ -19,7 +19,7 @@ pub fn adjoint(graph: &mut Graph, seeds: &[(ExprId, ExprId)], variables: &[ExprI
 }
 
 /// Computes adjoints; `visit` receives every expression between the variables and the roots, roots
-/// first, with the derivative by it.
+/// first, with the derivative with respect to it.
 pub(super) fn sweep(
     graph: &mut Graph,
     seeds: &[(ExprId, ExprId)],

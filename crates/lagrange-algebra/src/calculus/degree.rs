@@ -1,5 +1,5 @@
 //! Dependence of expressions on the velocities, or on symbols of another kind: none, affine, or
-//! another.
+//! nonlinear.
 
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
@@ -8,19 +8,19 @@ use lagrange_expr::number::Number;
 /// Dependence on the velocities or on symbols of another kind.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Degree {
-    /// Does not mention one.
+    /// Contains none of them.
     Free,
-    /// A sum of them with coefficients free of them, plus something free of them.
+    /// A linear combination of them with coefficients free of them, plus a term free of them.
     Affine,
     /// Anything else.
     Nonlinear,
 }
 
-/// The degrees of expressions, each found once.
+/// The degrees of expressions, each computed once.
 #[derive(Debug)]
 pub struct Degrees {
     kinds: Dependencies,
-    /// Kinds of symbols that the coefficients of affine expressions do not mention.
+    /// Kinds of symbols that coefficients of affine expressions must not contain.
     excluded: Dependencies,
     known: HashMap<ExprId, Degree>,
 }
@@ -33,18 +33,17 @@ impl Default for Degrees {
 }
 
 impl Degrees {
-    /// Degrees in the symbols of these kinds.
+    /// Creates degrees in the symbols of these kinds.
     pub fn in_terms_of(kinds: Dependencies) -> Degrees {
         Degrees { kinds, excluded: Dependencies::NONE, known: HashMap::default() }
     }
 
-    /// Returns the degrees, where expressions with coefficients that mention one of the kinds
-    /// `excluded` do not count as affine.
+    /// Excludes kinds of symbols from the coefficients of affine expressions.
     pub fn with_coefficients_free_of(self, excluded: Dependencies) -> Degrees {
         Degrees { excluded, ..self }
     }
 
-    /// Finds the degree of all parts of `roots`.
+    /// Determines the degree of all parts of `roots`.
     pub fn classify(&mut self, graph: &Graph, roots: &[ExprId]) {
         for id in graph.reachable_until(roots, |id| self.known.contains(&id)) {
             if !self.known.contains(&id) {
@@ -54,7 +53,8 @@ impl Degrees {
         }
     }
 
-    /// Returns the degree of an expression that has been classified; free ones need not have been.
+    /// Returns the degree of a classified expression; expressions free of the symbols need not be
+    /// classified.
     pub fn of(&self, graph: &Graph, id: ExprId) -> Degree {
         if !graph.dependencies(id).intersects(self.kinds) {
             return Degree::Free;
@@ -98,7 +98,7 @@ impl Degrees {
 
 /// Returns the degree k in which an expression is homogeneous in the velocities. It becomes sᵏ
 /// times itself when all velocities are multiplied by s. `None` if it is not homogeneous, or not
-/// plainly so.
+/// recognisably so.
 pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();
     for id in graph.reachable_until(&[root], |id| !depends_on_velocities(graph, id)) {
@@ -126,7 +126,7 @@ pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
 }
 
 /// Returns the degree of an expression as a polynomial in symbols of these kinds; `None` if it is
-/// not a polynomial, or not plainly one.
+/// not a polynomial, or not recognisably one.
 pub fn polynomial_degree(graph: &Graph, root: ExprId, kinds: Dependencies) -> Option<i64> {
     let is_free = |id: ExprId| !graph.dependencies(id).intersects(kinds);
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();

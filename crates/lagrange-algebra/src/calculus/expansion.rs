@@ -1,14 +1,14 @@
 //! Taylor polynomials of degree two, jointly in several symbols.
 //!
-//! Every expression is carried as its value at the point of expansion and its parts of first and
-//! second degree in the deviations. The chain rule propagates them from operands to results
+//! Every expression is represented by its value at the point of expansion and its parts of first
+//! and second degree in the deviations. The chain rule propagates them from operands to results
 //! (truncated power series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13).
-//! All other symbols are kept, so that the result is exact in them. With nothing but held symbols
-//! this is substitution.
+//! All other symbols are kept, so the result is exact in them. If all symbols are held, this is
+//! substitution.
 //!
 //! An expression has no expansion where it is undefined at the point or jumps there. At a kink, the
-//! expansion is known to a lower order only. It is known to a higher order again behind a factor
-//! that vanishes there: |v| to order 0,
+//! expansion is only known to a lower order. A factor that vanishes there raises the known order
+//! again: |v| to order 0,
 //! |v| v to order 1, |v|³ to order 2.
 
 use crate::calculus::{partials, rebuild, second_partials};
@@ -22,15 +22,15 @@ use lagrange_expr::number::Number;
 pub struct Series {
     /// The parts of degree 0, 1 and 2.
     pub parts: [ExprId; 3],
-    /// Their sum, written as the expression was where nothing had to be left out.
+    /// Their sum; the original expression if nothing had to be omitted.
     pub closed: ExprId,
     /// The degree up to which the parts are known; those of higher degree are zero here.
     order: usize,
-    /// True if the expression, not only what is left of it, depends on a deviation.
+    /// True if the original expression depends on a deviation, even if the truncated one does not.
     varies: bool,
 }
 
-/// The highest degree that is kept.
+/// Maximum degree of the expansion.
 const HIGHEST: usize = 2;
 
 impl Series {
@@ -39,7 +39,7 @@ impl Series {
         Series { parts: [value, zero, zero], closed: value, order: HIGHEST, varies: false }
     }
 
-    /// Series with unknown parts left out.
+    /// Creates a series without unknown parts.
     fn new(graph: &mut Graph, mut parts: [ExprId; 3], order: usize) -> Series {
         let (order, zero) = (order.min(HIGHEST), graph.number(0));
         parts.iter_mut().skip(order + 1).for_each(|part| *part = zero);
@@ -64,8 +64,8 @@ impl Series {
         }
     }
 
-    /// Common part of two expressions that are equal at the point: neither is known where they
-    /// differ.
+    /// Returns the common part of two expressions that are equal at the point. Degrees in which
+    /// they differ are unknown.
     fn common(self, graph: &mut Graph, other: Series) -> Option<Series> {
         let differ = |degree: &usize| {
             let difference = graph.subtract(self.parts[*degree], other.parts[*degree]);
@@ -77,12 +77,12 @@ impl Series {
     }
 }
 
-/// The expansions of expressions about one point, each found once.
+/// The expansions of expressions about one point, each computed once.
 #[derive(Clone, Default, Debug)]
 pub struct Expansion {
     /// Deviations of the symbols that vary.
     deviations: HashMap<ExprId, ExprId>,
-    /// Values at the point; `None` where there is none.
+    /// Values at the point; `None` if undefined.
     values: HashMap<ExprId, Option<ExprId>>,
     series: HashMap<ExprId, Option<Series>>,
 }
@@ -119,7 +119,7 @@ impl Expansion {
         self.values.get(&id).copied().flatten()
     }
 
-    /// The value at the point.
+    /// Returns the value at the point.
     fn value(&mut self, graph: &mut Graph, root: ExprId) -> Option<ExprId> {
         for id in graph.reachable_until(&[root], |id| self.values.contains(&id)) {
             if !self.values.contains(&id) {
@@ -130,12 +130,12 @@ impl Expansion {
         self.known_value(root)
     }
 
-    /// The value of a node whose operands have been evaluated.
+    /// Returns the value of a node after its operands have been evaluated.
     fn evaluate(&self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         let node = graph.node(id).clone();
         if let Node::Choose { left, right, then, otherwise, .. } = &node {
             let (left, right) = (self.known_value(*left)?, self.known_value(*right)?);
-            // What is not chosen need not be defined.
+            // The other branch need not be defined.
             if graph.as_number(left).is_some() && graph.as_number(right).is_some() {
                 let [then, otherwise] = [then, otherwise].map(|branch| self.known_value(*branch));
                 return if self.holds(graph, &node) { then } else { otherwise };
@@ -161,7 +161,7 @@ impl Expansion {
         graph.is_one(decided)
     }
 
-    /// The series of a node whose operands have theirs.
+    /// Returns the series of a node after those of its operands.
     fn expand(&mut self, graph: &mut Graph, id: ExprId) -> Option<Series> {
         let value = self.known_value(id)?;
         if let Some(&deviation) = self.deviations.get(&id) {
@@ -223,7 +223,7 @@ impl Expansion {
             degree = degree_of_power(graph, base, exponent).saturating_add(degree);
             closed.push((base.closed, exponent.clone()));
         }
-        // A polynomial of low degree loses nothing, so that squares of sums stay squares.
+        // A polynomial of low degree is not truncated, so squares of sums remain squares.
         if degree <= HIGHEST && product.order == HIGHEST {
             product.closed = graph.product(closed);
         }
@@ -248,7 +248,7 @@ impl Expansion {
         Some(Series { parts, closed, order: then.order.min(otherwise.order), varies: true })
     }
 
-    /// f(a + δ) = f(a) + Σ fᵢ δᵢ + ½ Σ fᵢⱼ δᵢ δⱼ
+    /// Computes f(a + δ) = f(a) + Σ fᵢ δᵢ + ½ Σ fᵢⱼ δᵢ δⱼ.
     fn smooth(&mut self, graph: &mut Graph, id: ExprId, arguments: &[Series]) -> Option<Series> {
         let (mut first, mut second) = (Vec::new(), Vec::new());
         for (operand, slope) in partials(graph, id) {
@@ -276,7 +276,7 @@ impl Expansion {
     }
 }
 
-/// aᵉ
+/// Returns aᵉ.
 fn power(graph: &mut Graph, base: Series, exponent: &Number) -> Option<Series> {
     let [a, first, second] = base.parts;
     if exponent.is_one() {
@@ -299,7 +299,8 @@ fn power(graph: &mut Graph, base: Series, exponent: &Number) -> Option<Series> {
     Some(Series::new(graph, parts, base.order))
 }
 
-/// The power of what is zero at the point and grows with at least δᵐ: it grows with at least δᵐᵉ.
+/// Returns the power of a base that is zero at the point. If the base grows with at least δᵐ, the
+/// power grows with at least δᵐᵉ.
 fn power_at_zero(graph: &mut Graph, base: Series, exponent: &Number) -> Option<Series> {
     if *exponent == Number::TWO {
         return Some(multiply(graph, base, base));
@@ -321,7 +322,7 @@ fn multiply(graph: &mut Graph, a: Series, b: Series) -> Series {
     Series { varies: a.varies || b.varies, ..Series::new(graph, parts, order) }
 }
 
-/// The degree of a power before anything is left out; more than two if it is no polynomial.
+/// Returns the degree of a power before truncation; more than two if it is not a polynomial.
 fn degree_of_power(graph: &Graph, base: Series, exponent: &Number) -> usize {
     match (base.degree(graph), exponent.to_i32().map(usize::try_from)) {
         (0, _) => 0,
@@ -330,8 +331,7 @@ fn degree_of_power(graph: &Graph, base: Series, exponent: &Number) -> usize {
     }
 }
 
-/// The series of a function that bends sharply or jumps where the arguments take their values, if
-/// it does.
+/// Returns the series of a function at a kink or jump, if the values of the arguments are at one.
 fn at_kink(graph: &mut Graph, function: Function, arguments: &[Series]) -> Option<Option<Series>> {
     match (function, arguments) {
         (Function::Sign | Function::MagnitudeSlope, [argument]) if vanishes(graph, argument.parts[0]) => {
@@ -345,13 +345,13 @@ fn at_kink(graph: &mut Graph, function: Function, arguments: &[Series]) -> Optio
     }
 }
 
-/// True if two sides of a comparison, of which one varies, are equal at the point.
+/// True if both sides of a comparison are equal at the point and at least one of them varies.
 fn meet(graph: &mut Graph, left: Series, right: Series) -> bool {
     let difference = graph.subtract(left.parts[0], right.parts[0]);
     (left.varies || right.varies) && vanishes(graph, difference)
 }
 
-/// True if a value is zero whatever the symbols are.
+/// True if a value is zero for all values of the symbols.
 fn vanishes(graph: &Graph, value: ExprId) -> bool {
     let is_number = graph.dependencies(value) == Dependencies::NONE;
     graph.is_zero(value) || is_number && evaluate(graph, &[value], |_| f64::NAN)[0] == 0.0

@@ -1,16 +1,16 @@
 //! Derivatives of algebraic unknowns.
 //!
-//! The solution y(x₁, …) of 0 = r(x₁, …, y) has the derivatives ∂y/∂xᵢ = −J⁻¹ ∂r/∂xᵢ, where
-//! J = ∂r/∂y. Each of them is a formula in the arguments and y, so second derivatives follow by the
-//! chain rule. J⁻¹ is that of Cramer's rule: no pivot other than its determinant is divided by, and
-//! the formula holds wherever J is regular.
+//! The solution y(x₁, …) of 0 = r(x₁, …, y) has the derivatives ∂y/∂xᵢ = −J⁻¹ ∂r/∂xᵢ, where J =
+//! ∂r/∂y. Each of them is a formula in the arguments and y, so second derivatives follow by the
+//! chain rule. J⁻¹ is computed by Cramer's rule: the only divisor is the determinant, so the
+//! formula holds wherever J is regular.
 
 use super::minors::Minors;
 use crate::calculus::{partial, substitute};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{AlgebraicUnknowns, ExprId, Graph, Node};
 
-/// ∂y/∂xᵢ for each argument of a call of an algebraic unknown, whose value is `call`.
+/// Returns ∂y/∂xᵢ for each argument of a call of an algebraic unknown; `call` is its value y.
 pub(super) fn slopes(
     graph: &mut Graph,
     unknowns: &AlgebraicUnknowns,
@@ -21,7 +21,7 @@ pub(super) fn slopes(
     at(graph, unknowns, arguments, slopes)
 }
 
-/// ∂²y/∂xᵢ∂xⱼ for i ≤ j, each with i and j.
+/// Returns ∂²y/∂xᵢ∂xⱼ for i ≤ j, each with i and j.
 pub(super) fn second_slopes(
     graph: &mut Graph,
     unknowns: &AlgebraicUnknowns,
@@ -48,7 +48,7 @@ pub(super) fn second_slopes(
     places.into_iter().zip(second).collect()
 }
 
-/// The place of a call among the unknowns of its equations.
+/// Returns the place of a call among the unknowns of its equations.
 fn place(graph: &Graph, call: ExprId) -> usize {
     match graph.node(call) {
         Node::Opaque(function, _) => function.place(),
@@ -56,7 +56,7 @@ fn place(graph: &Graph, call: ExprId) -> usize {
     }
 }
 
-/// The slopes of the unknowns at these places, in the symbols of the equations.
+/// Returns the slopes of the unknowns at these places, in the symbols of the equations.
 fn own_slopes(graph: &mut Graph, unknowns: &AlgebraicUnknowns, places: &[usize]) -> Vec<Vec<ExprId>> {
     let by = |graph: &mut Graph, residual: ExprId, symbols: &[ExprId]| -> Vec<ExprId> {
         symbols.iter().map(|&symbol| partial(graph, residual, symbol)).collect()
@@ -73,7 +73,7 @@ fn own_slopes(graph: &mut Graph, unknowns: &AlgebraicUnknowns, places: &[usize])
     places.iter().map(|place| loads.iter().map(|load| slope(place, load)).collect()).collect()
 }
 
-/// Expressions in the symbols of the equations, for the arguments of a call and the values there.
+/// Rewrites expressions in the symbols of the equations for the arguments of a call and its values.
 fn at(
     graph: &mut Graph,
     unknowns: &AlgebraicUnknowns,

@@ -1,19 +1,19 @@
-//! Forward-mode Jacobian: all derivatives of several expressions by each of several symbols.
+//! Forward-mode Jacobian: all derivatives of several expressions with respect to several symbols.
 
 use crate::calculus::partials;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Derivatives of nodes by their operands, each found once.
+/// Derivatives of nodes with respect to their operands, each computed once.
 type Slopes = HashMap<ExprId, Vec<(ExprId, ExprId)>>;
 
 /// Returns ∂root/∂x in rows, one for each of `roots` with an entry for each of `variables`, which
 /// are symbols.
 ///
 /// One sweep for each variable visits the nodes that depend on it. The sweeps share the derivatives
-/// of nodes by their operands. A choice is differentiated branch by branch, so that undefined
-/// values of the other branch do no harm.
+/// of nodes with respect to their operands. A choice is differentiated branch by branch, so
+/// undefined values of the other branch do no harm.
 pub fn jacobian(graph: &mut Graph, roots: &[ExprId], variables: &[ExprId]) -> Vec<Vec<ExprId>> {
     let nodes = graph.reachable(roots);
     let mut slopes = Slopes::default();
@@ -27,7 +27,8 @@ pub fn jacobian(graph: &mut Graph, roots: &[ExprId], variables: &[ExprId]) -> Ve
     rows
 }
 
-/// The derivatives by a variable of all `nodes` that depend on it; operands come first among them.
+/// Returns the derivatives with respect to a variable of all `nodes` that depend on it. Operands
+/// must come first in `nodes`.
 fn sweep(
     graph: &mut Graph,
     nodes: &[ExprId],

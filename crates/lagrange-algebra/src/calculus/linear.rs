@@ -5,7 +5,7 @@ use crate::calculus::{partial, substitute_all};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 
-/// The cause for which equations are not solved.
+/// Reason why equations cannot be solved.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LinearFailure {
     /// The equation at this place is not linear in the symbols.
@@ -14,9 +14,9 @@ pub enum LinearFailure {
     Singular,
 }
 
-/// Returns the values of symbols at which as many expressions, linear in them, vanish.
+/// Returns the values of symbols at which an equal number of expressions, linear in them, vanish.
 ///
-/// Cramer's rule divides by the determinant only, so the values hold wherever the equations
+/// Cramer's rule only divides by the determinant, so the values hold wherever the equations
 /// determine them. The effort grows as 2ⁿ with the number of symbols.
 ///
 /// # Errors
@@ -49,8 +49,8 @@ fn reaches(graph: &Graph, roots: &[ExprId], symbols: &[ExprId]) -> bool {
     graph.reachable(roots).iter().any(|id| symbols.contains(id))
 }
 
-/// True if a condition or a function depends on symbols. Derivatives do not tell where it jumps, as
-/// the sign of a symbol does.
+/// True if a condition or a function depends on symbols. Derivatives do not reveal jumps, such as
+/// that of the sign of a symbol.
 fn is_branched(graph: &Graph, root: ExprId, symbols: &[ExprId]) -> bool {
     graph.reachable(&[root]).into_iter().any(|id| match graph.node(id) {
         Node::Choose { left, right, .. } => reaches(graph, &[*left, *right], symbols),

@@ -19,7 +19,7 @@ pub fn partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     slopes.iter().map(|(operand, slope)| (*operand, *slope)).collect()
 }
 
-/// Edges as of [`partials`], one for every place in which an operand stands, as in `pow(x, x)`.
+/// Returns the edges of [`partials`], one for every place of an operand, as in `pow(x, x)`.
 fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
@@ -50,8 +50,8 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
 }
 
 /// Returns `(operand, operand, ∂²node/∂operand∂operand)` without vanishing ones. Each unordered
-/// pair of places occurs once. If the same operand stands in two places, their pair counts twice,
-/// so that the entries with this operand add up to its second derivative.
+/// pair of places occurs once. If the same operand is in two places, their pair counts twice, so
+/// that the entries with this operand add up to its second derivative.
 pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, ExprId)> {
     let mut found = pairs_of_places(graph, id);
     for (places, (i, j, second)) in &mut found {
@@ -64,7 +64,7 @@ pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, Ex
 
 type SecondPartial = (ExprId, ExprId, ExprId);
 
-/// Second derivatives with respect to two places, i ≤ j, in which operands stand.
+/// Returns second derivatives with respect to two places, i ≤ j, of operands.
 fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), SecondPartial)> {
     match graph.node(id).clone() {
         Node::Product(factors) => second_partials_of_product(graph, &factors),
@@ -102,8 +102,8 @@ fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), Second
     }
 }
 
-/// Stands for an argument while a function is differentiated twice: arguments themselves may
-/// dissolve in what the constructors make of the first derivative.
+/// Returns a symbol for an argument while a function is differentiated twice. Arguments themselves
+/// might dissolve when the first derivative is constructed.
 fn placeholder(graph: &mut Graph, index: usize) -> ExprId {
     graph.symbol("argument", Role::Placeholder(index as u32))
 }
@@ -134,8 +134,8 @@ fn differentiate_factor(graph: &mut Graph, factors: &[(ExprId, Number)], index: 
     graph.scale(scale, product)
 }
 
-/// The power rule on one factor: the factors with that exponent lowered by one, and the old
-/// exponent.
+/// Applies the power rule to one factor: returns the factors with this exponent lowered by one, and
+/// the old exponent.
 fn lower_exponent(factors: &[(ExprId, Number)], index: usize) -> (Vec<(ExprId, Number)>, Number) {
     let mut lowered = factors.to_vec();
     let exponent = lowered[index].1.clone();

@@ -1,7 +1,7 @@
 //! Determinants of small matrices of expressions, by expansion along rows.
 //!
-//! A minor of some columns in the last rows occurs in many larger ones and is computed once. At
-//! most 2ⁿ of them make up a determinant, fewer where entries are zero.
+//! A minor of some columns in the last rows occurs in many larger ones and is computed once. A
+//! determinant has at most 2ⁿ of them, and fewer if entries are zero.
 
 use crate::calculus::partial;
 use lagrange_expr::collections::HashMap;
@@ -10,7 +10,7 @@ use lagrange_expr::expr::{ExprId, Graph};
 /// The minors of a matrix.
 pub(super) struct Minors<'a> {
     rows: &'a [Vec<ExprId>],
-    /// Minors by the rows and the columns that they are made of, as bits.
+    /// Minors by the bit sets of their rows and columns.
     known: HashMap<(u32, u32), ExprId>,
 }
 
@@ -24,14 +24,14 @@ impl Minors<'_> {
         self.minor(graph, all, all)
     }
 
-    /// The derivative of the determinant by an entry.
+    /// Returns the derivative of the determinant with respect to an entry.
     pub(super) fn cofactor(&mut self, graph: &mut Graph, row: usize, column: usize) -> ExprId {
         let all = self.all();
         let minor = self.minor(graph, all & !(1 << row), all & !(1 << column));
         if (row + column).is_multiple_of(2) { minor } else { graph.negate(minor) }
     }
 
-    /// The unknown at a place among those at which the rows and these constants add up to zero, by
+    /// Returns one of the unknowns for which the rows and these constants add up to zero, by
     /// Cramer's rule.
     pub(super) fn root(&mut self, graph: &mut Graph, constants: &[ExprId], place: usize) -> ExprId {
         let mut terms = Vec::new();
@@ -48,7 +48,7 @@ impl Minors<'_> {
         (1 << self.rows.len()) - 1
     }
 
-    /// The recursion is as deep as the matrix has rows.
+    /// Returns a minor; the recursion depth is the number of rows.
     fn minor(&mut self, graph: &mut Graph, rows: u32, columns: u32) -> ExprId {
         if rows == 0 {
             return graph.number(1);
@@ -73,7 +73,8 @@ impl Minors<'_> {
     }
 }
 
-/// Returns the determinant of the Jacobian of some expressions by as many symbols.
+/// Returns the determinant of the Jacobian of expressions with respect to the same number of
+/// symbols.
 pub fn jacobian_determinant(graph: &mut Graph, expressions: &[ExprId], symbols: &[ExprId]) -> ExprId {
     let mut rows = Vec::new();
     for &expression in expressions {

@@ -11,15 +11,15 @@ use lagrange_expr::symbol::Role;
 pub enum AccelerationTerms {
     /// The acceleration of the same coordinate.
     Kept,
-    /// Zero: what remains of a derivative is its value at zero acceleration.
+    /// Zero: a derivative is its value at zero acceleration.
     Dropped,
 }
 
 /// Total time derivatives of expressions, each computed once.
 ///
-/// Coordinates change with their velocities, positions in general as the graph defines, and time
-/// with rate one. Parameters do not change; neither do inputs, whose rates are unknown: a caller to
-/// whom that matters must look for them first.
+/// Coordinates change with their velocities, other positions as defined in the graph, and time with
+/// rate one. Parameters do not change. Inputs, whose rates are unknown, are treated as constant;
+/// callers must check for them first if necessary.
 #[derive(Debug)]
 pub struct Rates {
     accelerations: AccelerationTerms,
@@ -27,12 +27,12 @@ pub struct Rates {
 }
 
 impl Rates {
-    /// Creates rates with nothing derived yet.
+    /// Creates an empty set of rates.
     pub fn new(accelerations: AccelerationTerms) -> Rates {
         Rates { accelerations, known: HashMap::default() }
     }
 
-    /// Takes the rate of an expression from elsewhere, where it is found in a shorter form.
+    /// Sets the rate of an expression whose shorter form is known.
     pub fn learn(&mut self, id: ExprId, rate: ExprId) {
         self.known.insert(id, rate);
     }
@@ -68,7 +68,7 @@ impl Rates {
         graph.dependencies(id).intersects(moving)
     }
 
-    /// The rate of a node whose operands' rates are known.
+    /// Returns the rate of a node whose operands' rates are known.
     fn derive(&self, graph: &mut Graph, id: ExprId) -> ExprId {
         if !Self::changes(graph, id) {
             return graph.number(0);

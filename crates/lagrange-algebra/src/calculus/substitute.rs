@@ -26,7 +26,7 @@ pub fn substitute_all(
     roots.iter().map(|root| image.get(root).copied().unwrap_or(*root)).collect()
 }
 
-/// Rebuilds a node with every operand mapped, by the constructors.
+/// Rebuilds a node from mapped operands, using the constructors.
 pub fn rebuild(graph: &mut Graph, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
     let node = graph.node(id).clone();
     if matches!(node, Node::Number(_) | Node::Pi) {
@@ -35,7 +35,7 @@ pub fn rebuild(graph: &mut Graph, id: ExprId, map: impl Fn(ExprId) -> ExprId) ->
     construct(graph, node, id, map)
 }
 
-/// A node made anew by the constructors, its operands being what `map` says; symbols are `id`.
+/// Reconstructs a node with its operands mapped by `map`; a symbol becomes `id`.
 pub(super) fn construct(graph: &mut Graph, node: Node, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
     match node {
         Node::Symbol(_) => id,

@@ -6,8 +6,8 @@ use lagrange_expr::expr::{AlgebraicUnknowns, ExprId, Graph, Node};
 use lagrange_expr::symbol::Role;
 
 /// Creates a new graph with the parts of `roots`, and returns the place of each expression there.
-/// No rates of positions are set in it. Symbols keep their names and get the roles from `role`,
-/// whose number must be unchanged.
+/// No rates of positions are set in the new graph. Symbols keep their names and receive their roles
+/// from `role`, which must preserve the number of roles.
 pub fn transplant(
     source: &Graph,
     roots: &[ExprId],

@@ -16,13 +16,12 @@ pub enum Scalar {
     F32,
     /// A type parameter bounded by `Scalar`; literals are converted from `f64`.
     Generic(Ident),
-    /// A type parameter bounded by `Number`, which may be several numbers in lanes: choices compute
-    /// both of their values and select. Literals are converted from `f64`.
+    /// A type parameter bounded by `Number`, which may hold several numbers in lanes: choices
+    /// compute both values and select one. Literals are converted from `f64`.
     SideBySide {
         /// The type parameter.
         number: Ident,
-        /// True if each number is an `f32`, to which literals are rounded before they are
-        /// converted.
+        /// True if each number is an `f32`; literals are then rounded to `f32` before conversion.
         is_single: bool,
     },
 }
@@ -45,7 +44,7 @@ pub struct FunctionBody {
 /// Constants that are not finite when rounded to the scalar.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unrepresentable {
-    /// The constants in words, each once.
+    /// The constants as text, each once.
     pub constants: Vec<String>,
 }
 

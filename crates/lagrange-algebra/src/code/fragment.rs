@@ -1,4 +1,4 @@
-//! Pieces of Rust expressions that know when they need parentheses.
+//! Fragments of Rust expressions with the information needed to parenthesise them.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote_spanned};
@@ -16,37 +16,37 @@ pub(super) enum Precedence {
     Atom,
 }
 
-/// An expression and what it takes to put it into a larger one.
+/// An expression with the data needed to insert it into a larger one.
 #[derive(Clone, Debug)]
 pub(super) struct Fragment {
     pub(super) tokens: TokenStream,
     precedence: Precedence,
     starts_with_minus: bool,
-    /// Operations in it.
+    /// Number of operations.
     pub(super) operations: usize,
-    /// Roughly its length in characters.
+    /// Approximate length in characters.
     pub(super) width: usize,
 }
 
 impl Fragment {
-    /// Piece that holds together and costs nothing.
+    /// Creates a fragment that never needs parentheses and costs nothing.
     pub(super) fn atom(tokens: TokenStream, width: usize) -> Fragment {
         Fragment { tokens, precedence: Precedence::Atom, starts_with_minus: false, operations: 0, width }
     }
 
-    /// A variable.
+    /// Creates a variable.
     pub(super) fn name(ident: &Ident) -> Fragment {
         Fragment::atom(ident.to_token_stream(), ident.to_string().chars().count())
     }
 
-    /// A number from its text.
+    /// Creates a number from its text.
     pub(super) fn number(text: &str) -> Fragment {
         let magnitude: Literal = super::literal::literal(text.trim_start_matches('-'));
         let atom = Fragment::atom(magnitude.into_token_stream(), text.len());
         if text.starts_with('-') { atom.negated().free() } else { atom }
     }
 
-    /// `[a, b, …]`
+    /// Creates `[a, b, …]`.
     pub(super) fn array(elements: Vec<Fragment>) -> Fragment {
         let operations = elements.iter().map(|element| element.operations).sum::<usize>();
         let width = elements.iter().map(|element| element.width + 2).sum::<usize>();
@@ -55,12 +55,12 @@ impl Fragment {
         Fragment { operations, ..Fragment::atom(tokens, width) }
     }
 
-    /// A choice, which stands alone in braces or on the right of a `let`.
+    /// Creates a choice, which is either enclosed in braces or the right side of a `let`.
     pub(super) fn block(tokens: TokenStream) -> Fragment {
         Fragment { operations: 1, ..Fragment::atom(tokens, usize::MAX / 4) }
     }
 
-    /// Copy that does not count as work.
+    /// Marks a fragment as free of cost.
     pub(super) fn free(self) -> Fragment {
         Fragment { operations: 0, ..self }
     }
@@ -70,32 +70,32 @@ impl Fragment {
         self.operations == 0
     }
 
-    /// `left + right`, with the longer chain on the left where only one operand is a chain.
+    /// Creates `left + right`, with the chain on the left if only one operand is a chain.
     pub(super) fn sum(left: Fragment, right: Fragment) -> Fragment {
         let swap = right.precedence == Precedence::Sum && left.precedence != Precedence::Sum;
         let (left, right) = if swap { (right, left) } else { (left, right) };
         Fragment::binary(left, '+', right, Precedence::Sum)
     }
 
-    /// `left - right`
+    /// Creates `left - right`.
     pub(super) fn difference(left: Fragment, right: Fragment) -> Fragment {
         Fragment::binary(left, '-', right, Precedence::Sum)
     }
 
-    /// `left * right`, with the longer chain on the left where only one operand is a chain.
+    /// Creates `left * right`, with the chain on the left if only one operand is a chain.
     pub(super) fn product(left: Fragment, right: Fragment) -> Fragment {
         let swap = right.precedence == Precedence::Product && left.precedence != Precedence::Product;
         let (left, right) = if swap { (right, left) } else { (left, right) };
         Fragment::binary(left, '*', right, Precedence::Product)
     }
 
-    /// `left / right`
+    /// Creates `left / right`.
     pub(super) fn quotient(left: Fragment, right: Fragment) -> Fragment {
         Fragment::binary(left, '/', right, Precedence::Product)
     }
 
-    /// Operators associate to the left: an operand of the same precedence needs parentheses on the
-    /// right.
+    /// Creates a binary operation. Operators associate to the left, so a right operand of the same
+    /// precedence needs parentheses.
     fn binary(left: Fragment, operator: char, right: Fragment, precedence: Precedence) -> Fragment {
         let left = if left.precedence < precedence { left.parenthesised() } else { left };
         let bare = right.precedence > precedence && !right.starts_with_minus;
@@ -112,8 +112,8 @@ impl Fragment {
         }
     }
 
-    /// `-self`; in front of a product the sign changes that of the first factor, which gives the
-    /// same bits.
+    /// Creates `-self`. In front of a product, the sign applies to the first factor, which gives
+    /// the same bits.
     pub(super) fn negated(self) -> Fragment {
         let bare = self.precedence >= Precedence::Product && !self.starts_with_minus;
         let operand = if bare { self } else { self.parenthesised() };
@@ -134,7 +134,7 @@ impl Fragment {
         Fragment { operations: self.operations, ..Fragment::atom(tokens, width) }
     }
 
-    /// `path(arguments)`
+    /// Creates `path(arguments)`.
     pub(super) fn call(path: &Fragment, arguments: Vec<Fragment>) -> Fragment {
         let operations = 1 + arguments.iter().map(|argument| argument.operations).sum::<usize>();
         let width = arguments.iter().map(|argument| argument.width + 2).sum::<usize>() + path.width;

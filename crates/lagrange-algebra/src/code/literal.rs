@@ -16,13 +16,15 @@ pub(super) enum Constant<'a> {
 }
 
 impl Constant<'_> {
-    /// The shortest text that reads back as the nearest `f64`; `None` if that is not finite.
+    /// Returns the shortest text that reads back as the nearest `f64`; `None` if that is not
+    /// finite.
     pub(super) fn double(self) -> Option<String> {
         let value = self.to_f64();
         value.is_finite().then(|| format!("{value:?}"))
     }
 
-    /// The shortest text that reads back as the nearest `f32`; `None` if that is not finite.
+    /// Returns the shortest text that reads back as the nearest `f32`; `None` if that is not
+    /// finite.
     pub(super) fn single(self) -> Option<String> {
         let value = match self {
             Constant::Exact(number) => nearest_single(number),
@@ -38,7 +40,7 @@ impl Constant<'_> {
         }
     }
 
-    /// Words of a message for a constant that does not fit: long numbers by their order of
+    /// Describes a constant that does not fit in a message: long numbers by their order of
     /// magnitude.
     pub(super) fn describe(self) -> String {
         match self {
@@ -57,7 +59,7 @@ impl Constant<'_> {
     }
 }
 
-/// Writes a number as it stands in code of any scalar, including NaN.
+/// Writes a number for code of any scalar, including NaN.
 pub fn float(value: f64) -> TokenStream {
     if value.is_nan() {
         return quote!(::core::primitive::f64::NAN);
@@ -66,15 +68,15 @@ pub fn float(value: f64) -> TokenStream {
     if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
 }
 
-/// A literal from the text of a finite number without a sign.
+/// Returns a literal from the text of a finite number without a sign.
 pub(super) fn literal(text: &str) -> Literal {
     text.parse().expect("a finite number without sign, written by the standard library, is a literal")
 }
 
-/// The `f32` nearest to an exact number.
+/// Returns the `f32` nearest to an exact number.
 ///
-/// Rounding to `f64` first is wrong only where that result lies exactly halfway between two `f32`
-/// and the number itself does not. There the number decides.
+/// Rounding to `f64` first is only wrong if the result lies exactly halfway between two `f32` and
+/// the number itself does not. In this case the number decides.
 fn nearest_single(number: &Number) -> f32 {
     let double = number.to_f64();
     let single = double as f32;
@@ -91,7 +93,7 @@ fn nearest_single(number: &Number) -> f32 {
     }
 }
 
-/// The exact value of a finite `f64`.
+/// Returns the exact value of a finite `f64`.
 fn exact(value: f64) -> Option<Number> {
     let bits = value.to_bits();
     let exponent = (bits >> 52 & 0x7ff) as i32;
@@ -134,7 +136,7 @@ mod tests {
 
     #[test]
     fn single_precision_rounds_once() {
-        // 1 + 2⁻²⁴ is halfway between two f32; what is added is lost in f64.
+        // 1 + 2⁻²⁴ is halfway between two f32; the added amount is lost in f64.
         let half = Number::TWO.power(-24).expect("short");
         let tiny = Number::TWO.power(-80).expect("short");
         let halfway = &Number::ONE + &half;

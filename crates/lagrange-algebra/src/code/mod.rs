@@ -2,12 +2,13 @@
 //! JavaScript.
 //!
 //! The statements read like handwritten code. A value with a name, or with several uses, becomes a
-//! `let`; all others are written where they are used, up to a bounded length. Names are the labels
-//! of the program where it has any. Otherwise they list the factors of a value: `sin_theta`,
-//! `x_dot_sq`, `m_l`. If these are too many, they give its dependencies: `const_0` for nothing but
-//! parameters, `pos_0` for time and coordinates, `vel_0` for velocities.
+//! `let`; all others are written where they are used, up to a bounded length. Labels of the program
+//! serve as names. Other names list the factors of a value: `sin_theta`, `x_dot_sq`, `m_l`. If
+//! there are too many factors, names indicate dependencies: `const_0` for parameters only, `pos_0`
+//! for time and coordinates, `vel_0` for velocities.
 //!
-//! Elementary functions are called by their bare names; a body lists those that it needs in scope.
+//! Elementary functions are called by their bare names; a body lists the functions that it needs in
+//! scope.
 
 mod body;
 mod fragment;
@@ -42,7 +43,7 @@ pub fn body(
     scalar: &Scalar,
     names: &mut Names,
 ) -> Result<FunctionBody, Unrepresentable> {
-    // Every other function is a word of the language, which no symbol can be called.
+    // All other functions are reserved words of the language, so symbols cannot have their names.
     ["sin_cos", "sin_cos_each", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
     if matches!(scalar, Scalar::SideBySide { .. }) {
         SELECTIONS.into_iter().for_each(|function| names.reserve(function));
@@ -53,7 +54,7 @@ pub fn body(
         }
     }
     let used = used_roles(program);
-    // Symbols get their names before anything else can take them.
+    // Symbols are named first, so that nothing else takes their names.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));
     write(BodyWriter::new(program, symbols, scalar, names), used)
 }

@@ -29,12 +29,12 @@ impl Names {
         Names { taken, ..Names::default() }
     }
 
-    /// Reserves a name, so that no variable gets it.
+    /// Reserves a name, so that it is not used for a variable.
     pub fn reserve(&mut self, name: &str) {
         self.taken.insert(name.to_owned());
     }
 
-    /// Records where the user names a function.
+    /// Records the place where the user names a function.
     pub fn place_callee(&mut self, name: &str, span: Span) {
         self.callees.insert(name.to_owned(), span);
     }
@@ -66,7 +66,7 @@ impl Names {
         ident
     }
 
-    /// Assigns a variable to a symbol without its own name: called `wish`, or similarly if that is
+    /// Assigns a variable to a symbol without its own name: `wish`, or a similar name if that is
     /// taken.
     pub fn assign(&mut self, role: Role, wish: &str) {
         let ident = self.fresh(wish);
@@ -118,8 +118,8 @@ fn sanitise(name: &str) -> String {
     name
 }
 
-/// True if a name is spelt like a constant or a unit struct. A variable of that name would be taken
-/// for one in scope, since hygiene does not cover constants.
+/// True if a name is spelt like a constant or a unit struct. A variable with this name could be
+/// mistaken for one in scope, since hygiene does not cover constants.
 fn may_be_constant(name: &str) -> bool {
     let is_type = name.starts_with(char::is_uppercase) && !name.contains('_');
     is_type || (name.contains(char::is_uppercase) && !name.contains(char::is_lowercase))

@@ -9,9 +9,9 @@ use lagrange_expr::number::Number;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::{Role, Symbols};
 
-/// Names made of other names are no longer than this.
+/// Maximum length of names composed of other names.
 const LONGEST_NAME: usize = 28;
-/// Names that spell out a product or a sum are no longer than this.
+/// Maximum length of names that spell out a product or a sum.
 const LONGEST_JOINED_NAME: usize = 20;
 
 /// Names of the variables of one body.
@@ -19,9 +19,9 @@ pub(super) struct VariableNames<'a> {
     program: &'a Program,
     names: &'a mut Names,
     variability: ValueTable<Variability>,
-    /// Values in variables whose names only number them.
+    /// Values in variables that are merely numbered.
     is_numbered: ValueTable<bool>,
-    /// Values that are in variables.
+    /// The variables of values.
     variables: ValueTable<Option<Ident>>,
 }
 
@@ -36,22 +36,22 @@ impl<'a> VariableNames<'a> {
         }
     }
 
-    /// The variable of a symbol.
+    /// Returns the variable of a symbol.
     pub(super) fn role(&mut self, symbols: &Symbols, role: Role) -> Ident {
         self.names.role(symbols, role)
     }
 
-    /// A function of the user's crate, which no variable can be called.
+    /// Returns the name of a function of the user's crate, which no variable can have.
     pub(super) fn callee(&self, function: &Opaque) -> Ident {
         self.names.callee(function)
     }
 
-    /// Remembers the variable that a value is in.
+    /// Records the variable of a value.
     pub(super) fn keep(&mut self, id: ValueId, name: &Ident) {
         self.variables[id] = Some(name.clone());
     }
 
-    /// A variable for a value: its label, or a name that says what it is.
+    /// Chooses a variable for a value: its label, or a descriptive name.
     pub(super) fn choose(&mut self, id: ValueId) -> Ident {
         if let Some(hint) = self.program.hint(id) {
             return self.names.fresh(hint);
@@ -70,14 +70,14 @@ impl<'a> VariableNames<'a> {
         self.names.numbered(stem)
     }
 
-    /// The stem of a name for a square, a reciprocal or a function, and the name if that of the
-    /// operand is known.
+    /// Returns the stem of a name for a square, a reciprocal or a function, and the name if that of
+    /// the operand is known.
     fn derived_name(&self, id: ValueId) -> Option<(&'static str, Option<String>)> {
         match self.program.op(id) {
             Op::Multiply(a, b) if a == b => Some(match self.square_root(*a) {
                 Some(root) => ("pow4", Some(format!("{root}_pow4"))),
                 None => match self.known_name(*a) {
-                    // The square of what is called a square already would be hard to read.
+                    // The square of a name that is already a square would be hard to read.
                     Some(base) if base.ends_with("_sq") => return None,
                     base => ("sq", base.map(|base| format!("{base}_sq"))),
                 },
@@ -102,8 +102,7 @@ impl<'a> VariableNames<'a> {
         }
     }
 
-    /// A name made of those of two operands that are in variables with telling names, if it is
-    /// short.
+    /// Joins the names of two operands with descriptive names, if the result is short.
     fn joined_name(&self, a: ValueId, word: &str, b: ValueId) -> Option<String> {
         let is_sum = |id| matches!(self.program.op(id), Op::Add(..) | Op::Subtract(..));
         if [a, b].into_iter().any(|id| is_sum(id) && self.program.hint(id).is_none()) {
@@ -114,7 +113,7 @@ impl<'a> VariableNames<'a> {
         (name.len() <= LONGEST_JOINED_NAME).then_some(name)
     }
 
-    /// The name of a variable, unless it was numbered for want of a better one.
+    /// Returns the name of a variable, unless it is merely numbered.
     fn telling_name(&self, id: ValueId) -> Option<String> {
         match self.program.op(id) {
             Op::Constant(_) | Op::Float(_) => None,
@@ -123,7 +122,7 @@ impl<'a> VariableNames<'a> {
         }
     }
 
-    /// The name of what an unlabelled value is the square of.
+    /// Returns the name of the base of an unlabelled square.
     fn square_root(&self, id: ValueId) -> Option<String> {
         match self.program.op(id) {
             Op::Multiply(a, b) if a == b && self.program.hint(id).is_none() => self.name_of(*a),
@@ -131,8 +130,8 @@ impl<'a> VariableNames<'a> {
         }
     }
 
-    /// The variable that a value is in, or the name of the function it is if that is written in
-    /// place. What is written in place is bounded, and so is the depth of this recursion.
+    /// Returns the variable of a value, or the name of a function call that is written in place.
+    /// The size of expressions in place is bounded, and so is the depth of this recursion.
     fn known_name(&self, id: ValueId) -> Option<String> {
         self.name_of(id).or_else(|| match self.program.op(id) {
             Op::Call(..) | Op::Opaque(..) => self.derived_name(id)?.1,
@@ -140,8 +139,8 @@ impl<'a> VariableNames<'a> {
         })
     }
 
-    /// The variable that an angle is in, or what it is the sum or product of if that is written in
-    /// place.
+    /// Returns the variable of an angle, or a name composed from its operands if a sum or product
+    /// is written in place.
     pub(super) fn name_of_angle(&self, id: ValueId) -> Option<String> {
         self.name_of(id).or_else(|| match self.program.op(id) {
             Op::Add(..) | Op::Subtract(..) | Op::Multiply(..) => self.derived_name(id)?.1,
@@ -149,12 +148,12 @@ impl<'a> VariableNames<'a> {
         })
     }
 
-    /// The variable that a value is in, if it is in one.
+    /// Returns the variable of a value, if it has one.
     pub(super) fn name_of(&self, id: ValueId) -> Option<String> {
         self.variables[id].as_ref().map(ToString::to_string)
     }
 
-    /// A variable for the sine or the cosine in a pair.
+    /// Returns a variable for the sine or the cosine in a pair.
     pub(super) fn name_part(
         &mut self,
         function: &str,

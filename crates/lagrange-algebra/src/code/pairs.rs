@@ -8,7 +8,7 @@ use super::parts::LetStatement;
 use super::writer::{BodyWriter, Written};
 use crate::program::ValueId;
 
-/// `let (sin_x, cos_x) = sin_cos(x);`
+/// Writes `let (sin_x, cos_x) = sin_cos(x);`.
 pub(super) fn pair(writer: &mut BodyWriter<'_>, id: ValueId, argument: ValueId) -> Written {
     let name = writer.names.name_of_angle(argument);
     let angle = writer.take(argument);
@@ -18,7 +18,7 @@ pub(super) fn pair(writer: &mut BodyWriter<'_>, id: ValueId, argument: ValueId) 
     define_pairs(writer, id, tokens, vec![[sine, cosine]])
 }
 
-/// `let [(sin_x, cos_x), (sin_y, cos_y)] = sin_cos_each([x, y]);`
+/// Writes `let [(sin_x, cos_x), (sin_y, cos_y)] = sin_cos_each([x, y]);`.
 pub(super) fn batch(writer: &mut BodyWriter<'_>, id: ValueId, arguments: &[ValueId]) -> Written {
     let op = writer.program.op(id);
     let names = arguments.iter().map(|argument| writer.names.name_of_angle(*argument)).collect::<Vec<_>>();
@@ -46,7 +46,7 @@ fn define_pairs(
     Written::Pairs(pairs)
 }
 
-/// Variables for the sine and the cosine at a place in a batch.
+/// Returns variables for the sine and the cosine at a place in a batch.
 fn name_parts(writer: &mut BodyWriter<'_>, id: ValueId, place: u32, argument: Option<&str>) -> [Ident; 2] {
     let parts = writer.sines_and_cosines.get(&(id, place)).copied().unwrap_or_default();
     let [sine, cosine] = [("sin", parts[0]), ("cos", parts[1])];

@@ -1,4 +1,4 @@
-//! Values of a program that are the sine or the cosine of a pair that is computed together.
+//! Values of a program that are the sine or the cosine from a pair.
 
 use crate::program::{Op, Program, ValueId};
 use lagrange_expr::collections::HashMap;

@@ -1,4 +1,4 @@
-//! Unknowns that are solved for together.
+//! Coupled unknowns.
 
 use proc_macro2::{Ident, Span};
 use quote::{ToTokens, quote_spanned};
@@ -8,7 +8,7 @@ use super::writer::{BodyWriter, Written};
 use crate::program::{Op, ValueId, solution_key};
 use lagrange_expr::opaque::Opaque;
 
-/// `let [y, z] = solve_y_z(x);`, where the first of them stands.
+/// Writes `let [y, z] = solve_y_z(x);` at the first of the unknowns.
 pub(super) fn solved(writer: &mut BodyWriter<'_>, id: ValueId, function: &Opaque) -> Written {
     if let Some(name) = writer.solved.get(&id) {
         return Written::Variable(name.clone());

@@ -15,11 +15,10 @@ use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Relation;
 use lagrange_expr::symbol::Role;
 
-/// Functions that choose without a branch, by whether a number is less than another, and less or
-/// equal.
+/// Functions that select without branching, by the relations `<` and `<=`.
 pub(super) const SELECTIONS: [&str; 2] = ["if_less", "if_less_equal"];
 
-/// The statements, and an expression for each output.
+/// Writes the statements, and an expression for each output.
 pub(super) fn write(mut writer: BodyWriter<'_>, used: Vec<Role>) -> Result<FunctionBody, Unrepresentable> {
     let program = writer.program;
     let is_branch = branches(program);
@@ -41,7 +40,7 @@ pub(super) fn write(mut writer: BodyWriter<'_>, used: Vec<Role>) -> Result<Funct
     }
 }
 
-/// Writes a value that is no constant; a branch is used once, in a selection.
+/// Writes a value that is not a constant; a branch is used only once, in a selection.
 fn value(writer: &mut BodyWriter<'_>, id: ValueId, op: &Op, is_branch: bool) -> Written {
     match op {
         Op::Input(role) => Written::Variable(writer.names.role(writer.symbols, *role)),
@@ -72,7 +71,7 @@ fn value(writer: &mut BodyWriter<'_>, id: ValueId, op: &Op, is_branch: bool) -> 
     }
 }
 
-/// An arithmetic operation or a call.
+/// Writes an arithmetic operation or a call.
 fn expression(writer: &mut BodyWriter<'_>, op: &Op) -> Fragment {
     let mut operands = writer.operands(op);
     let mut next = || operands.remove(0);
@@ -143,7 +142,8 @@ fn constant(
     }
 }
 
-/// Both comparisons fail where an operand is not a number; that must not pick a branch.
+/// Writes a selection. If an operand is NaN, both comparisons fail, and neither branch may be
+/// chosen.
 fn selection(
     writer: &BodyWriter<'_>,
     relation: Relation,
@@ -170,8 +170,8 @@ fn selection(
     }
 }
 
-/// The function that chooses without a branch, and whether it takes the sides of the relation the
-/// other way round.
+/// Returns the function that selects without branching, and true if the sides of the relation must
+/// be exchanged.
 fn selection_without_branch(relation: Relation) -> (&'static str, bool) {
     let [less, less_equal] = SELECTIONS;
     match relation {
@@ -182,8 +182,8 @@ fn selection_without_branch(relation: Relation) -> (&'static str, bool) {
     }
 }
 
-/// Values that are used once, as a branch of a selection: they are computed only where they are
-/// wanted.
+/// Finds values that are used once, as a branch of a selection. They are only computed if they are
+/// selected.
 fn branches(program: &Program) -> ValueTable<bool> {
     let uses = program.uses();
     let mut is_branch = ValueTable::filled(program.len(), false);

@@ -17,17 +17,18 @@ use lagrange_expr::elementary::row;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Symbols;
 
-/// Expressions with more operations than this are split by a `let`.
+/// Maximum number of operations of an expression; longer ones are split by a `let`.
 const MAX_OPERATIONS: usize = 10;
-/// Expressions longer than this many characters are split by a `let`, so that it fits on a line.
+/// Maximum length of an expression in characters; longer ones are split by a `let` to fit on a
+/// line.
 const LONGEST_EXPRESSION: usize = 80;
 
 /// Text of a value where it is used.
 #[derive(Clone, Debug)]
 pub(super) enum Written {
-    /// Already used in the only place where it is.
+    /// Already consumed by its only use.
     Gone,
-    /// An expression; one that costs something is used once.
+    /// An expression; one with operations is used only once.
     Expression(Fragment),
     /// A variable.
     Variable(Ident),
@@ -35,7 +36,7 @@ pub(super) enum Written {
     Pairs(Vec<[Ident; 2]>),
 }
 
-/// Body of a function as far as it is written.
+/// Body of a function under construction.
 pub(super) struct BodyWriter<'a> {
     pub(super) program: &'a Program,
     pub(super) symbols: &'a Symbols,
@@ -43,7 +44,7 @@ pub(super) struct BodyWriter<'a> {
     pub(super) names: VariableNames<'a>,
     pub(super) uses: ValueTable<usize>,
     pub(super) sines_and_cosines: SinesAndCosines,
-    /// The variables of unknowns that were solved for together with an earlier one.
+    /// The variables of unknowns that were computed with an earlier one.
     pub(super) solved: HashMap<ValueId, Ident>,
     pub(super) written: ValueTable<Written>,
     pub(super) statements: Vec<LetStatement>,
@@ -72,7 +73,7 @@ impl<'a> BodyWriter<'a> {
         }
     }
 
-    /// Keeps how the next value is written.
+    /// Records the text of the next value.
     pub(super) fn push(&mut self, id: ValueId, written: Written) {
         if let Written::Variable(name) = &written {
             self.names.keep(id, name);
@@ -80,7 +81,7 @@ impl<'a> BodyWriter<'a> {
         self.written.push(written);
     }
 
-    /// The operands of an operation as they are written in it.
+    /// Returns the operands of an operation as fragments.
     pub(super) fn operands(&mut self, op: &Op) -> Vec<Fragment> {
         let mut ids = Vec::new();
         op.for_each_operand(|operand| ids.push(operand));
@@ -95,15 +96,14 @@ impl<'a> BodyWriter<'a> {
             let named = position < factors && self.is_square_of_variable(id);
             operands.push(if named { self.take_variable(id) } else { self.take(id) });
         }
-        // A sign makes nothing longer.
+        // A sign adds no operation.
         if !matches!(op, Op::Negate(_)) {
             self.shorten(&ids, &mut operands, self.width_of_callee(op));
         }
         operands
     }
 
-    /// Moves the longest operands to variables until what remains makes an expression of bounded
-    /// size.
+    /// Moves the longest operands to variables until the remaining expression has a bounded size.
     fn shorten(&mut self, ids: &[ValueId], operands: &mut [Fragment], own_width: usize) {
         loop {
             let operations = operands.iter().map(|operand| operand.operations).sum::<usize>();
@@ -120,7 +120,7 @@ impl<'a> BodyWriter<'a> {
         }
     }
 
-    /// The length of the name of the function that an operation calls.
+    /// Returns the length of the name of the function that an operation calls.
     fn width_of_callee(&self, op: &Op) -> usize {
         match op {
             Op::Call(function, _) => row(*function).rust.len(),
@@ -136,7 +136,7 @@ impl<'a> BodyWriter<'a> {
         matches!(self.program.op(id), Op::Multiply(a, b) if a == b && self.names.name_of(*a).is_some())
     }
 
-    /// A value where it is used.
+    /// Returns the text of a value where it is used.
     pub(super) fn take(&mut self, id: ValueId) -> Fragment {
         match &self.written[id] {
             Written::Variable(name) => Fragment::name(name),
@@ -148,7 +148,7 @@ impl<'a> BodyWriter<'a> {
         }
     }
 
-    /// A value where it is used twice.
+    /// Returns the text of a value that is used twice.
     pub(super) fn take_variable(&mut self, id: ValueId) -> Fragment {
         let expression = self.take(id);
         if expression.is_free() { expression } else { self.bind_operand(id, &expression) }
@@ -179,19 +179,19 @@ impl<'a> BodyWriter<'a> {
         Fragment::call(&self.function(function), arguments)
     }
 
-    /// A function that the user's crate has, as it is called there.
+    /// Writes a call of a function of the user's crate.
     pub(super) fn call_opaque(&mut self, function: &Opaque, arguments: Vec<Fragment>) -> Fragment {
         Fragment::call(&Fragment::name(&self.names.callee(function)), arguments)
     }
 
-    /// A function of the scalar, imported under its bare name.
+    /// Returns a function of the scalar, imported under its bare name.
     fn function(&mut self, name: &'static str) -> Fragment {
         self.functions.insert(name);
         let function = Ident::new(name, Span::mixed_site());
         Fragment::atom(quote_spanned!(Span::mixed_site()=> #function), name.len())
     }
 
-    /// An associated constant or function of the scalar, for where inference has nothing to go by.
+    /// Returns an associated constant or function of the scalar, for places without type inference.
     pub(super) fn associated(&self, item: &str) -> Fragment {
         let item = Ident::new(item, Span::mixed_site());
         let scalar = match self.scalar {

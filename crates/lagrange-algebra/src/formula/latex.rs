@@ -1,7 +1,7 @@
 //! Expressions in LaTeX, for mathematics mode; choices need the `amsmath` package.
 //!
-//! The text of an expression is written out in full; [`definitions`] names shared parts where that
-//! would be too long.
+//! Expressions are written out in full; [`definitions`] names shared parts if the text would be too
+//! long.
 
 mod names;
 
@@ -20,7 +20,7 @@ pub fn latex(graph: &Graph, expr: ExprId) -> String {
     write(graph, expr, &|_| None)
 }
 
-/// Definitions as of [`text::definitions`](super::text::definitions), in LaTeX.
+/// Writes definitions like [`text::definitions`](super::text::definitions), in LaTeX.
 pub fn definitions(
     graph: &Graph,
     roots: &[ExprId],
@@ -92,8 +92,8 @@ fn opaque(function: &Opaque, arguments: &[ExprId]) -> (Strength, Vec<Piece>) {
     (Strength::Atom, pieces)
 }
 
-/// The template with `#1` replaced by the first argument, as tightly bound as `first`, and `#2` by
-/// the second.
+/// Fills a template: `#1` is replaced by the first argument, bound as tightly as `first`, and `#2`
+/// by the second.
 fn fill(template: &'static str, arguments: &[ExprId], first: Strength) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut rest = template;
@@ -134,7 +134,7 @@ fn cases(view: &View, id: ExprId) -> Vec<Piece> {
     pieces
 }
 
-/// The term without its sign.
+/// Writes a term without its sign.
 fn product(view: &View, term: &WrittenTerm) -> (Strength, Vec<Piece>) {
     let (below, above): (Vec<_>, Vec<_>) =
         term.factors.iter().cloned().partition(|(_, exponent)| exponent.is_negative());
@@ -156,7 +156,7 @@ fn product(view: &View, term: &WrittenTerm) -> (Strength, Vec<Piece>) {
     (Strength::Product, pieces)
 }
 
-/// A product between braces, where a sum that stands alone needs no parentheses.
+/// Writes a product between braces, where a single sum needs no parentheses.
 fn enclosed(view: &View, number: String, product: &[(ExprId, Number)]) -> Vec<Piece> {
     match product {
         [(base, exponent)] if exponent.is_one() && number == "1" => vec![Piece::Expr(*base, Strength::Sum)],
@@ -185,7 +185,7 @@ fn factors(view: &View, number: String, factors: &[(ExprId, Number)]) -> (Streng
     (if count > 1 { Strength::Product } else { strength }, pieces)
 }
 
-/// `base ^ exponent` with a positive exponent.
+/// Writes `base ^ exponent` with a positive exponent.
 fn factor(view: &View, base: ExprId, exponent: &Number) -> Vec<Piece> {
     if exponent.is_one() {
         return vec![Piece::Expr(base, Strength::Product)];
@@ -201,8 +201,8 @@ fn factor(view: &View, base: ExprId, exponent: &Number) -> Vec<Piece> {
     vec![Piece::Expr(base, Strength::Atom), Piece::text(format!("^{{{exponent}}}"))]
 }
 
-/// The name and the parenthesised rest of a call such as `\sin\left(x\right)`, whose powers are
-/// written after the name.
+/// Returns the name and the parenthesised rest of a call such as `\sin\left(x\right)`, whose powers
+/// are written after the name.
 fn power_after_name<'v>(
     view: &'v View,
     base: ExprId,

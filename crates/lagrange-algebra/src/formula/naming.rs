@@ -5,9 +5,9 @@ use lagrange_expr::elementary::row;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Shared parts that are no longer than this are repeated rather than named.
+/// Maximum length of shared parts that are repeated rather than named.
 const LONGEST_REPEATED: usize = 24;
-/// The length taken for a name.
+/// Assumed length of a name.
 const NAME_LENGTH: usize = 4;
 
 /// Returns names with their expressions, each before its first use, and the texts of `roots`.
@@ -25,8 +25,8 @@ pub(super) fn define(
     (definitions, roots.iter().map(root).collect())
 }
 
-/// Names for parts of `roots`, in an order in which no part holds a later one. None if the roots
-/// written out have at most about `max_length` characters.
+/// Names parts of `roots`, in an order in which no part contains a later one. There are no names if
+/// the roots written out have at most about `max_length` characters.
 fn common_parts(graph: &Graph, roots: &[ExprId], max_length: usize) -> OrderedMap<ExprId, String> {
     let parts = graph.reachable(roots);
     let mut names = OrderedMap::default();
@@ -61,7 +61,7 @@ fn count_uses(graph: &Graph, parts: &[ExprId], roots: &[ExprId]) -> HashMap<Expr
     uses
 }
 
-/// Letters with which no symbol's name starts if the rest of that name is a number.
+/// Finds a prefix such that no symbol's name is this prefix followed by a number.
 fn free_prefix(graph: &Graph, parts: &[ExprId]) -> String {
     let is_taken = |prefix: &str| {
         parts.iter().any(|&id| match graph.node(id) {
@@ -79,7 +79,7 @@ fn free_prefix(graph: &Graph, parts: &[ExprId]) -> String {
     prefix
 }
 
-/// About how many characters an expression takes, given what its operands take.
+/// Estimates the number of characters of an expression from those of its operands.
 fn length(graph: &Graph, id: ExprId, known: &HashMap<ExprId, usize>) -> usize {
     let node = graph.node(id);
     let shown = |weighted: &[(ExprId, Number)]| weighted.iter().filter(|(_, w)| !w.abs().is_one()).count();

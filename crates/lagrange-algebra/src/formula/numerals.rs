@@ -2,9 +2,9 @@
 
 use lagrange_expr::number::Number;
 
-/// Decimals with more digits than this after the point are written with an exponent.
+/// Maximum number of digits after the decimal point; longer decimals are written with an exponent.
 const MAX_DECIMALS: usize = 6;
-/// Integers with more zeros than this at the end are written with an exponent.
+/// Maximum number of trailing zeros of integers; others are written with an exponent.
 const MAX_ZEROS: usize = 6;
 
 /// A number written as a numerator and, where that is shorter or the only exact way, a denominator.
@@ -13,8 +13,8 @@ pub(super) struct Numeral {
     pub(super) denominator: Option<String>,
 }
 
-/// The numeral of a number that is not negative. A fraction is written as a decimal if it ends and
-/// its denominator is a multiple of five: 9.81 and 0.1, but 1/2 and 3/4.
+/// Returns the numeral of a nonnegative number. A fraction is written as a decimal if it terminates
+/// and its denominator is a multiple of five: 9.81 and 0.1, but 1/2 and 3/4.
 pub(super) fn numeral(value: &Number) -> Numeral {
     let fraction = value.to_string();
     let Some((numerator, denominator)) = fraction.split_once('/') else {
@@ -44,8 +44,8 @@ fn decimal(value: &Number, denominator: &str) -> Option<String> {
     Some(format!("{whole}.{fraction}"))
 }
 
-/// The number of decimal places of 1/denominator, if it ends and the denominator is a multiple of
-/// five.
+/// Returns the number of decimal places of 1/denominator, if it terminates and the denominator is a
+/// multiple of five.
 fn decimal_places(mut denominator: u128) -> Option<usize> {
     let mut count = |prime: u128| {
         let mut times = 0;

@@ -1,8 +1,8 @@
 //! Expressions in the syntax of the language, so that they can be read back.
 //!
-//! An algebraic unknown is written by its name, its equation standing elsewhere. The text of an
-//! expression is written out in full unless names are given for shared parts. A graph can stand for
-//! a text that is exponentially longer; [`definitions`] never writes that.
+//! An algebraic unknown is written as its name, with its equation elsewhere. An expression is
+//! written out in full unless shared parts are named. The full text can be exponentially longer
+//! than the graph; [`definitions`] avoids this.
 
 use std::borrow::Cow;
 
@@ -32,8 +32,8 @@ pub fn write<'n>(graph: &Graph, expr: ExprId, names: &dyn Fn(ExprId) -> Option<&
 /// Writes the roots in at most about `max_length` characters if that is possible without names.
 /// Otherwise shared parts get names, so that the length is proportional to the size of the graph.
 ///
-/// The first list holds `(name, text)` in an order in which everything is defined before it is
-/// used, the second one the texts of the roots.
+/// The first list contains `(name, text)` in an order in which everything is defined before its
+/// use. The second one contains the texts of the roots.
 pub fn definitions(
     graph: &Graph,
     roots: &[ExprId],
@@ -103,7 +103,7 @@ fn choice(view: &View, id: ExprId) -> Vec<Piece> {
     pieces
 }
 
-/// The term without its sign.
+/// Writes a term without its sign.
 fn product(term: &WrittenTerm) -> (Strength, Vec<Piece>) {
     let (below, above): (Vec<_>, Vec<_>) = term.factors.iter().partition(|(_, e)| e.is_negative());
     let number = numeral(&term.coefficient.abs());
@@ -156,8 +156,8 @@ fn joined(mut factors: Factors) -> (Strength, Vec<Piece>) {
     (Strength::Product, pieces)
 }
 
-/// `base ^ exponent` with a positive exponent; a base without one binds at least as tightly as
-/// `least`.
+/// Writes `base ^ exponent` with a positive exponent; a base without an exponent binds at least as
+/// tightly as `least`.
 fn factor(base: ExprId, exponent: &Number, least: Strength) -> (Strength, Vec<Piece>) {
     if exponent.is_one() {
         return (Strength::Atom, vec![Piece::Expr(base, least)]);

@@ -1,9 +1,9 @@
-//! The only maker of programs: numbers values, folds constants, leaves out what nothing needs.
+//! The only constructor of programs: it numbers values, folds constants, and omits unused values.
 //!
 //! Operations on constants become constants: exact rational ones where the result is rational. A
-//! division by a rational number becomes a multiplication. Beyond that, only identities are used
+//! division by a rational number becomes a multiplication. Beyond that, it only uses identities
 //! that never add an operation. They hold to the last bit, including infinities and NaN but not
-//! signs of zero. `0 * x` therefore stays.
+//! signs of zero. `0 * x` is therefore kept.
 
 use super::interpret::integer_power;
 use super::ir::{Float, Op, Program, Value, ValueId, ValueTable};
@@ -14,8 +14,8 @@ use lagrange_expr::number::Number;
 
 /// A program under construction.
 ///
-/// Pushing an operation that exists already returns its value, so common subexpressions need no
-/// separate pass. Operations on constants return constants.
+/// Pushing an existing operation returns its value, so common subexpressions need no separate pass.
+/// Operations on constants return constants.
 #[derive(Clone, Default, Debug)]
 pub struct Builder {
     values: OrderedMap<Op, Option<Box<str>>>,
@@ -27,7 +27,7 @@ impl Builder {
         Builder::default()
     }
 
-    /// Pushes an operation, folded if its operands are constants, and returns its value.
+    /// Pushes an operation and returns its value; operations on constants are folded.
     pub fn push(&mut self, op: Op) -> ValueId {
         match fold(self, op) {
             Ok(known) => known,
@@ -87,7 +87,7 @@ impl Builder {
         self.values.value_at(id.index()).as_deref()
     }
 
-    /// Proposes a name for a value; the first proposal counts.
+    /// Proposes a name for a value; the first proposal is used.
     pub fn propose_name(&mut self, id: ValueId, name: &str) {
         let op = self.op(id).clone();
         if let Some(hint @ None) = self.values.get_mut(&op) {
@@ -106,7 +106,7 @@ impl Builder {
             }
         }
         let mut values = ValueTable::with_capacity(self.values.len());
-        // Values that are not needed keep a meaningless entry, which nothing asks for.
+        // Unneeded values have a meaningless entry, which is never read.
         let mut renumbered = ValueTable::with_capacity(self.values.len());
         for (index, (op, hint)) in self.values.iter().enumerate() {
             let id = ValueId::new(index);
@@ -124,7 +124,7 @@ impl Builder {
     }
 }
 
-/// The value that an operation folds to, or the operation to be numbered.
+/// Returns the value that an operation folds to, or the operation to be numbered.
 fn fold(builder: &mut Builder, op: Op) -> Result<ValueId, Op> {
     match op {
         Op::Input(_) | Op::Constant(_) | Op::Float(_) => Err(op),
@@ -181,8 +181,7 @@ fn fold_product(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId
 }
 
 fn fold_quotient(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId, Op> {
-    // The reciprocal is rounded too, unlike the quotient, but a division costs several
-    // multiplications.
+    // The reciprocal adds a rounding, but a division costs several multiplications.
     match number(builder, b).and_then(Number::reciprocal) {
         Some(inverse) => {
             let inverse = builder.constant(inverse);
@@ -203,7 +202,7 @@ fn is_zero(builder: &Builder, id: ValueId) -> bool {
     number(builder, id).is_some_and(Number::is_zero)
 }
 
-/// The opposite of a value that is written with a minus sign.
+/// Returns the opposite of a value with a minus sign.
 fn opposite(builder: &mut Builder, id: ValueId) -> Option<ValueId> {
     match builder.op(id) {
         &Op::Negate(inner) => Some(inner),
@@ -213,7 +212,7 @@ fn opposite(builder: &mut Builder, id: ValueId) -> Option<ValueId> {
     }
 }
 
-/// The result of an operation all of whose operands are constants.
+/// Returns the result of an operation all of whose operands are constants.
 fn constant_result(builder: &Builder, op: &Op) -> Option<Op> {
     let mut operands = Vec::new();
     op.for_each_operand(|operand| operands.push(builder.op(operand)));

@@ -7,8 +7,8 @@ use lagrange_expr::expr::Function;
 
 /// The operations of a program by kind.
 ///
-/// A subtraction is an addition, a fused multiply-add one addition and one multiplication. Changes
-/// of sign are free on every processor of interest and not counted.
+/// A subtraction counts as an addition, a fused multiply-add as one addition and one
+/// multiplication. Sign changes are free on every relevant processor and are not counted.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct OperationCounts {
     /// Additions and subtractions.
@@ -20,7 +20,7 @@ pub struct OperationCounts {
     /// Square roots.
     pub square_roots: usize,
     /// Elementary functions other than those counted below, large integer powers, and functions of
-    /// the user's.
+    /// the user's crate.
     pub functions: usize,
     /// Sines and cosines of the same argument computed together, one for each argument of a batch.
     pub sin_cos: usize,

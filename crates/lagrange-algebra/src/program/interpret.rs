@@ -1,6 +1,6 @@
-//! Runs a program in double precision.
+//! Interpreter of programs in double precision.
 //!
-//! Every operation is done as emitted code for `f64` does it on a platform with the standard
+//! Every operation is performed as in emitted code for `f64` on a platform with the standard
 //! library, so both give the same bits.
 
 use super::ir::{Op, Program, ValueId, ValueTable};
@@ -9,15 +9,15 @@ use lagrange_expr::elementary::{multiply_add, row};
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
-/// Computes the outputs where symbols have the values that `value_of` gives.
+/// Computes the outputs for the values of symbols that `value_of` returns.
 ///
-/// A selection whose condition compares with NaN is NaN, and so is a function of the user's.
+/// A selection whose condition compares with NaN is NaN, and so are functions of the user's crate.
 pub fn run(program: &Program, value_of: impl Fn(Role) -> f64) -> Vec<f64> {
     run_with(program, value_of, |_, _| vec![f64::NAN])
 }
 
-/// Runs a program whose functions without a formula have the values that `call` returns: one, or
-/// those of all unknowns that are solved for together.
+/// Runs a program whose functions without a formula have the values that `call` returns: a single
+/// one, or those of all coupled unknowns.
 pub fn run_with(
     program: &Program,
     value_of: impl Fn(Role) -> f64,
@@ -45,7 +45,7 @@ pub fn run_with(
     program.outputs().iter().map(|&output| values[output]).collect()
 }
 
-/// Unknowns that are solved for together, and the arguments for which they are.
+/// Coupled unknowns, and the arguments of their equations.
 pub(crate) type SolutionKey = (Vec<String>, Box<[ValueId]>);
 
 /// Returns the key that all unknowns of several equations share for the same arguments.
@@ -77,14 +77,14 @@ fn evaluate(program: &Program, op: &Op, values: &ValueTable<f64>, value_of: impl
             let arguments = arguments.iter().map(at).collect::<Vec<_>>();
             (row(*function).value)(&arguments)
         }
-        // Who runs the program knows it.
+        // The caller supplies its value.
         Op::Opaque(..) => f64::NAN,
-        // A pair is carried as its argument; what is wanted of it is computed where it is taken
-        // apart.
+        // A pair is represented by its argument; the sine or cosine is computed where it is
+        // extracted.
         Op::SinCos(a) => at(a),
         Op::SinOf(pair) => argument_of(program, *pair, values).sin(),
         Op::CosOf(pair) => argument_of(program, *pair, values).cos(),
-        // The same for a batch; what comes of an angle does not depend on the others.
+        // The same applies to a batch; the results for an angle do not depend on the others.
         Op::SinCosEach(_) => f64::NAN,
         Op::SinIn(batch, place) => in_batch(program, *batch, *place, values).0,
         Op::CosIn(batch, place) => in_batch(program, *batch, *place, values).1,
@@ -112,7 +112,7 @@ fn in_batch(program: &Program, batch: ValueId, place: u32, values: &ValueTable<f
     pair
 }
 
-/// Repeated squaring from the lowest bit of the exponent, as `Scalar::powi` does it.
+/// Computes a power by repeated squaring from the lowest bit of the exponent, like `Scalar::powi`.
 pub(crate) fn integer_power(base: f64, exponent: i32) -> f64 {
     let mut product = 1.0;
     let mut square = base;

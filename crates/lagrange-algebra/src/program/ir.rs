@@ -21,7 +21,7 @@ impl ValueId {
     }
 }
 
-/// A double-precision number that is equal to itself and can be hashed: equal means the same bits.
+/// A double-precision number that can be hashed: numbers are equal if they have the same bits.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Float(u64);
 
@@ -62,11 +62,11 @@ pub enum Op {
     Divide(ValueId, ValueId),
     /// `-a`
     Negate(ValueId),
-    /// `a * b + c`, rounded once where the target can.
+    /// `a * b + c`, rounded once if the target supports it.
     MultiplyAdd(ValueId, ValueId, ValueId),
-    /// `a * b - c`, rounded once where the target can.
+    /// `a * b - c`, rounded once if the target supports it.
     MultiplySubtract(ValueId, ValueId, ValueId),
-    /// `c - a * b`, rounded once where the target can.
+    /// `c - a * b`, rounded once if the target supports it.
     SubtractProduct(ValueId, ValueId, ValueId),
     /// `a` to an integer power too large to be written as products.
     Power(ValueId, i32),
@@ -74,14 +74,13 @@ pub enum Op {
     Call(Function, Box<[ValueId]>),
     /// The value or a derivative of a function without a formula.
     Opaque(Opaque, Box<[ValueId]>),
-    /// Sine and cosine of `a` together: a pair, of use only to [`Op::SinOf`] and [`Op::CosOf`].
+    /// Sine and cosine of `a` together: a pair, only used by [`Op::SinOf`] and [`Op::CosOf`].
     SinCos(ValueId),
     /// The sine in a pair.
     SinOf(ValueId),
     /// The cosine in a pair.
     CosOf(ValueId),
-    /// Sines and cosines of several values at a time: of use only to [`Op::SinIn`] and
-    /// [`Op::CosIn`].
+    /// Sines and cosines of several values at a time, only used by [`Op::SinIn`] and [`Op::CosIn`].
     SinCosEach(Box<[ValueId]>),
     /// The sine of the value at this place in a batch.
     SinIn(ValueId, u32),
@@ -152,7 +151,7 @@ impl Op {
         }
     }
 
-    /// Operation with the operands of its commutative part the other way round.
+    /// Returns the operation with the operands of its commutative part exchanged.
     pub(super) fn commuted(&self) -> Option<Op> {
         match self {
             Op::Add(a, b) => Some(Op::Add(*b, *a)),
@@ -164,7 +163,7 @@ impl Op {
         }
     }
 
-    /// True if this is a number known now.
+    /// True if this is a known number.
     pub fn is_constant(&self) -> bool {
         matches!(self, Op::Constant(_) | Op::Float(_))
     }
@@ -172,8 +171,8 @@ impl Op {
 
 /// A straight-line program: every value is computed once, from earlier ones.
 ///
-/// Only a [`Builder`](super::Builder) makes one, which is why no two values are the same operation
-/// and every value contributes to an output.
+/// Only a [`Builder`](super::Builder) creates programs. No two values are therefore the same
+/// operation, and every value contributes to an output.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Program {
     values: ValueTable<Value>,
@@ -197,7 +196,7 @@ impl Program {
         &self.values[id].op
     }
 
-    /// Returns the name that a value should have, if it was given one.
+    /// Returns the preferred name of a value, if it has one.
     pub fn hint(&self, id: ValueId) -> Option<&str> {
         self.values[id].hint.as_deref()
     }
@@ -257,7 +256,7 @@ impl<T> ValueTable<T> {
         ValueId::new(self.0.len() - 1)
     }
 
-    /// The number of entries.
+    /// Returns the number of entries.
     fn len(&self) -> usize {
         self.0.len()
     }

@@ -1,4 +1,4 @@
-//! A program as text for readers of tests and tools, one value on each line.
+//! A program as text for tests and tools, one value on each line.
 
 use std::fmt::{Display, Formatter, Result};
 

@@ -1,13 +1,12 @@
 //! Straight-line programs: operations and their order, without any notation.
 //!
 //! [`lower()`] turns expressions of the graph into a [`Program`], in which every value is one
-//! machine-sized operation on earlier ones. [`optimise`] runs the passes, each of which takes a
-//! program and returns another that computes the same. [`run`] interprets, [`OperationCounts`]
-//! measures, [`verify()`] checks what every program must satisfy.
+//! machine-sized operation on earlier ones. [`optimise`] runs the passes, each of which returns an
+//! equivalent program. [`run`] interprets programs, [`OperationCounts`] measures them, and
+//! [`verify()`] checks the conditions that every program must satisfy.
 //!
-//! Equal operations, constants and values that nothing needs are the business of the [`Builder`],
-//! so no pass has to think of them. Algebra is not done here: a program has the shape of its
-//! expressions.
+//! The [`Builder`] handles equal operations, constants and unused values, so passes need not. No
+//! algebra is performed here: a program has the shape of its expressions.
 
 mod builder;
 mod count;

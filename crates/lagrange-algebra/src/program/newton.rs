@@ -15,7 +15,7 @@ use lagrange_expr::expr::{AlgebraicUnknowns, ExprId, Graph};
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
-/// Limits of `root::newton` of the run time.
+/// Limits of `root::newton` in the runtime library.
 const TOLERANCE: f64 = 4.0;
 const MIN_SPAN: f64 = 4.0;
 const SAME_SLOPE: f64 = 0.25;
@@ -26,7 +26,7 @@ const ASIDE: f64 = 32.0;
 /// The programs of Newton's method, in symbols for the arguments and the unknowns.
 #[derive(Clone, Debug)]
 pub struct NewtonProgram {
-    /// The functions whose values it finds.
+    /// The functions whose values the method computes.
     pub functions: Vec<Opaque>,
     /// Roles of the arguments.
     pub arguments: Vec<Role>,
@@ -34,10 +34,10 @@ pub struct NewtonProgram {
     pub values: Vec<Role>,
     /// Initial guesses.
     pub start: Program,
-    /// Program of the residuals r: r, ∂r/∂y in rows, and a bound of the rounding error of each r,
+    /// Program of the residuals r: r, ∂r/∂y in rows, and a bound on the rounding error of each r,
     /// in units of one rounding.
     pub equation: Program,
-    /// The largest number of steps.
+    /// Maximum number of steps.
     pub iterations: u32,
 }
 
@@ -63,7 +63,7 @@ impl NewtonProgram {
     }
 
     /// Computes the unknowns by the operations of emitted code for `f64`; NaN if none are found.
-    /// `call` computes functions of the user's.
+    /// `call` computes functions of the user's crate.
     pub fn solve(&self, arguments: &[f64], call: impl Fn(&Opaque, &[f64]) -> Vec<f64>) -> Vec<f64> {
         let place = |roles: &[Role], role: Role| roles.iter().position(|known| *known == role);
         let argument = |role: Role| {
@@ -85,8 +85,8 @@ impl NewtonProgram {
     }
 }
 
-/// Returns the zero that `root::newton` of the run time finds, by the same operations, whose
-/// reasons stand there.
+/// Returns the zero that `root::newton` in the runtime library finds, by the same operations. The
+/// reasons are explained there.
 fn newton(start: f64, iterations: u32, equation: impl Fn(f64) -> [f64; 3]) -> f64 {
     let (mut y, mut last) = (start, [0.0; 2]);
     let root = f64::EPSILON.sqrt();
@@ -125,12 +125,12 @@ fn newton(start: f64, iterations: u32, equation: impl Fn(f64) -> [f64; 3]) -> f6
     f64::NAN
 }
 
-/// True if two slopes have the same sign and differ by no more than a factor.
+/// True if two slopes have the same sign and differ by at most a factor.
 fn is_similar(a: f64, b: f64) -> bool {
     (a < 0.0) == (b < 0.0) && a.abs() < MAX_BEND * b.abs() && b.abs() < MAX_BEND * a.abs()
 }
 
-/// The larger of two numbers, the first if one of them is NaN.
+/// Returns the larger of two numbers, the first if one of them is NaN.
 fn larger(a: f64, b: f64) -> f64 {
     if a < b { b } else { a }
 }

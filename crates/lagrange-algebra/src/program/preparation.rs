@@ -1,8 +1,8 @@
-//! Computations of parameters alone, extracted from programs and performed once for all.
+//! Computations from parameters alone, extracted from programs and performed only once.
 //!
-//! A value of numbers and parameters that a changing value needs becomes an input of its program.
-//! It is taken out before any pass runs: a product of parameters that had been fused into a sum
-//! could not be.
+//! A value of numbers and parameters that a changing value depends on becomes an input of its
+//! program. It is extracted before any pass runs, since a product of parameters that has been fused
+//! into a sum could no longer be extracted.
 
 use super::builder::Builder;
 use super::ir::{Op, Program, ValueId, ValueTable};
@@ -10,13 +10,13 @@ use super::variability::Variability;
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::symbol::Role;
 
-/// The constant parts of some programs, equal ones once.
+/// The constant parts of several programs, each only once.
 #[derive(Debug)]
 pub struct Preparation {
     builder: Builder,
     /// Values that become inputs, in the order of their roles.
     kept: OrderedMap<ValueId, ()>,
-    /// Number of the parameters, behind whose roles those of the new inputs are.
+    /// Number of parameters; the roles of the new inputs follow theirs.
     parameters: u32,
 }
 
@@ -31,11 +31,11 @@ impl Preparation {
         Role::Parameter(self.parameters + u32::try_from(index).expect("fewer than 2^32 values fit in memory"))
     }
 
-    /// Returns the program that computes the same with the prepared values as its inputs.
+    /// Returns the equivalent program with the prepared values as inputs.
     pub fn prepare(&mut self, program: &Program) -> Program {
         let variability = Variability::of_values(program);
         let mut builder = Builder::new();
-        // Of each value what stands for it: among those that are prepared, or in the new program.
+        // The image of each value: in the preparation, or in the new program.
         let mut found = ValueTable::with_capacity(program.len());
         for (id, op) in program.values() {
             let value = match variability[id] {
@@ -63,8 +63,8 @@ impl Preparation {
         builder.finish(&outputs)
     }
 
-    /// A constant value in a program: numbers and parameters as they are, anything else as an
-    /// input. Signs cost nothing.
+    /// Returns a constant value in a program: numbers and parameters as they are, anything else as
+    /// an input. Signs cost nothing.
     fn taken(&mut self, builder: &mut Builder, value: ValueId) -> ValueId {
         match self.builder.op(value) {
             &Op::Negate(of) => {
@@ -89,7 +89,7 @@ impl Preparation {
         self.kept.is_empty()
     }
 
-    /// Returns the name of a prepared value, if it was given one.
+    /// Returns the name of a prepared value, if it has one.
     pub fn name(&self, index: usize) -> Option<&str> {
         self.builder.name(*self.kept.key_at(index))
     }

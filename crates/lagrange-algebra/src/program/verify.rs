@@ -6,7 +6,7 @@ use super::ir::{Op, Program, ValueId};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::elementary::row;
 
-/// The mistake in an invalid program.
+/// The fault in an invalid program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
     /// An operand that is not computed before its use.
@@ -15,9 +15,10 @@ pub enum Fault {
     MissingOutput(ValueId),
     /// A function with the wrong number of arguments.
     Arity(ValueId),
-    /// A part taken of something that is no pair, or a pair used as a number; the same of batches.
+    /// A part extracted from something other than a pair, or a pair used as a number; the same for
+    /// batches.
     Pair(ValueId),
-    /// A part taken of a batch from beyond its end.
+    /// A part extracted from beyond the end of a batch.
     Place(ValueId),
     /// An operation that an earlier value has already done.
     Duplicate(ValueId),

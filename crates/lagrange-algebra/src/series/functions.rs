@@ -29,8 +29,8 @@ pub fn function_rates(graph: &mut Graph, roots: &[ExprId]) -> Vec<(ExprId, ExprI
     found.iter().map(|(value, rate)| (*value, *rate)).collect()
 }
 
-/// The values of functions that a node is computed from by sums, products, quotients and roots
-/// alone.
+/// Returns the values of functions from which a node is computed by only sums, products, quotients
+/// and roots.
 fn values_within(graph: &mut Graph, id: ExprId) -> Vec<ExprId> {
     let moving = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::VELOCITY;
     if !graph.dependencies(id).intersects(moving) {
@@ -54,8 +54,8 @@ fn values_within(graph: &mut Graph, id: ExprId) -> Vec<ExprId> {
     }
 }
 
-/// The rate of a function. That of a power is computed from its value, and that of a length, too.
-/// Both are zero where these vanish and rates of neighbours have a pole.
+/// Returns the rate of a function. The rates of powers and lengths are computed from their values.
+/// Where these values vanish, rates nearby have a pole, and the rate is set to zero.
 fn rate(graph: &mut Graph, rates: &mut Rates, value: ExprId) -> ExprId {
     match graph.node(value).clone() {
         Node::Call(Function::Power, arguments) => {
@@ -69,7 +69,7 @@ fn rate(graph: &mut Graph, rates: &mut Rates, value: ExprId) -> ExprId {
     }
 }
 
-/// (e ẋ/x + ė ln x) xᵉ
+/// Returns (e ẋ/x + ė ln x) xᵉ.
 fn rate_of_power(
     graph: &mut Graph,
     rates: &mut Rates,
@@ -87,14 +87,14 @@ fn rate_of_power(
     graph.add(of_base, of_exponent)
 }
 
-/// A rate, or zero where a value is zero.
+/// Returns a rate, or zero where a value is zero.
 fn unless_zero(graph: &mut Graph, value: ExprId, rate: ExprId) -> ExprId {
     let (magnitude, zero) = (graph.magnitude(value), graph.number(0));
     graph.choose(Relation::LessEqual, magnitude, zero, zero, rate)
 }
 
-/// Returns the program with products in place of high integer powers, which stay products of series
-/// where their base vanishes.
+/// Returns the program with products instead of high integer powers: products of series exist even
+/// if the base vanishes.
 pub fn without_long_powers(program: &Program) -> Program {
     let (mut builder, mut image) = (Builder::new(), ValueTable::with_capacity(program.len()));
     for (id, op) in program.values() {
@@ -111,7 +111,7 @@ pub fn without_long_powers(program: &Program) -> Program {
     builder.finish(&outputs)
 }
 
-/// An integer power by repeated squaring.
+/// Computes an integer power by repeated squaring.
 fn power(builder: &mut Builder, base: ValueId, exponent: i32) -> ValueId {
     let (mut power, mut square, mut remaining) =
         (builder.constant(Number::ONE), base, exponent.unsigned_abs());

@@ -1,7 +1,7 @@
-//! Products in groups of four, which fit vector registers.
+//! Products in groups of four, which fit in vector registers.
 //!
-//! A sum of products takes two loads for each term, more than processors do beside a product and a
-//! sum. Groups that share one side of their products load it once.
+//! A sum of products requires two loads per term, more than processors can perform alongside a
+//! product and a sum. Groups that share one side of their products load it only once.
 //!
 //! # A double pendulum
 //!
@@ -22,9 +22,9 @@ const GROUP: usize = 4;
 /// Products a b in groups: places of factors, four for each group.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Groups {
-    /// Factors a, each side of one group or more.
+    /// Factors a, each shared by one or more groups.
     pub shared: Vec<[usize; GROUP]>,
-    /// Factors b of each group. Groups that are not full repeat a product.
+    /// Factors b of each group. Incomplete groups repeat a product.
     pub groups: Vec<[usize; GROUP]>,
     /// The shared factors of each group.
     pub of_group: Vec<usize>,
@@ -32,17 +32,17 @@ pub struct Groups {
     pub of_product: Vec<[usize; 2]>,
 }
 
-/// A factor, with the products that it is the shared factor of, and their other factors.
+/// A factor, with the products in which it is the shared factor and their other factors.
 struct Star {
     factor: usize,
     others: Vec<(usize, usize)>,
 }
 
-/// Four products, or fewer, as shared factor, other factor and index.
+/// At most four products, as shared factor, other factor and index.
 type Group = Vec<(usize, usize, usize)>;
 
 impl Groups {
-    /// Groups products, given by their factors, such that few registers are loaded.
+    /// Groups products, given by their factors, so that few registers are loaded.
     pub fn new(products: &[[usize; 2]]) -> Groups {
         let stars = stars(products);
         let layers = (0..).map(|layer| row(&stars, layer)).take_while(|row| !row.is_empty());
@@ -52,7 +52,7 @@ impl Groups {
         if layered.loads() < listed.loads() { layered } else { listed }
     }
 
-    /// Number of registers that a term of the sums loads.
+    /// Returns the number of registers that a term of the sums loads.
     fn loads(&self) -> usize {
         self.shared.len() + self.groups.len()
     }
@@ -68,7 +68,7 @@ impl Groups {
             })
         };
         let mut of_group = groups.iter().map(&mut side_of).collect::<Vec<_>>();
-        // Groups that share factors follow each other.
+        // Groups that share factors are adjacent.
         let mut order = (0..groups.len()).collect::<Vec<_>>();
         order.sort_by_key(|&group| of_group[group]);
         groups = order.iter().map(|&group| groups[group].clone()).collect();
@@ -91,7 +91,7 @@ impl Star {
     }
 }
 
-/// All products, each at one of its factors, the most frequent factors first.
+/// Assigns each product to one of its factors, the most frequent factors first.
 fn stars(products: &[[usize; 2]]) -> Vec<Star> {
     let mut left = products.iter().copied().enumerate().collect::<Vec<_>>();
     let mut stars = Vec::new();
@@ -103,7 +103,7 @@ fn stars(products: &[[usize; 2]]) -> Vec<Star> {
                 *counts.get_or_insert_with(b, || 0) += 1;
             }
         }
-        // Factors that are no entries of the state have later places.
+        // Factors that are not entries of the state have later places.
         let (&factor, _) =
             counts.iter().max_by_key(|(factor, count)| (**count, **factor)).expect("some left");
         let (taken, rest) = left.into_iter().partition(|(_, factors)| factors.contains(&factor));
@@ -115,7 +115,7 @@ fn stars(products: &[[usize; 2]]) -> Vec<Star> {
     stars
 }
 
-/// One product of each factor that has so many, the first ones of a list that gets shorter.
+/// Returns one product of each factor that has enough products. Later layers have fewer products.
 fn row(stars: &[Star], layer: usize) -> Group {
     stars.iter().filter_map(|star| star.products().nth(layer)).collect()
 }
@@ -124,7 +124,7 @@ fn chunks(products: &[(usize, usize, usize)]) -> Vec<Group> {
     products.chunks(GROUP).map(<[_]>::to_vec).collect()
 }
 
-/// Four places, the last ones repeated.
+/// Returns four places, repeating the last one.
 fn filled(places: &[usize]) -> [usize; GROUP] {
     std::array::from_fn(|lane| places[lane.min(places.len() - 1)])
 }

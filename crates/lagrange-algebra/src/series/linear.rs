@@ -1,14 +1,15 @@
 //! Short chains in the programs of a step.
 //!
-//! Each order waits for the one before, so an expansion takes as long as the longest chain of
-//! operations through a step. All that a step computes is linear in sums and in coefficients of
-//! earlier steps, with factors of order zero. Such factors are multiplied with each other before
-//! the first step, and powers of k + 1 beside the chain.
+//! Each order depends on the previous one, so the time of an expansion is that of the longest chain
+//! of operations through a step. All results of a step are linear in sums and in coefficients of
+//! earlier steps, with factors of order zero. Such factors are multiplied together before the first
+//! step, and powers of k + 1 in parallel with the chain.
 //!
 //! # In numbers
 //!
-//! F = (k+1) m (l x + n y) with x = p + v u/(k+1) waits for a product, a sum, a product, a sum and
-//! two products. As (k+1)(m l) p + (m l v) u + (k+1)(m n) y, it waits for one product and two sums.
+//! Let F = (k+1) m (l x + n y) with x = p + v u/(k+1). Its longest chain has four products and two
+//! sums. If it is written as (k+1)(m l) p + (m l v) u + (k+1)(m n) y, the chain is one product and
+//! two sums.
 
 use super::slots::{Slot, Slots};
 use crate::program::{Builder, Op, Program, ValueId, ValueTable};
@@ -16,9 +17,9 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// The most terms of a value that is not computed by itself.
+/// Maximum number of terms of a value that is not computed separately.
 const MAX_TERMS: usize = 8;
-/// The most products that a value may cost again where it is used more than once.
+/// Maximum number of repeated products of a value with several uses.
 const MAX_REPEATED: usize = 4;
 
 /// A number of order zero times a power of k + 1.
@@ -44,7 +45,7 @@ enum Image {
     Sum(Vec<Term>),
 }
 
-/// Factors that programs of a step take from the start.
+/// Factors that programs of a step use and that are computed at the start.
 #[derive(Default)]
 pub(super) struct Factors {
     builder: Builder,
@@ -52,7 +53,7 @@ pub(super) struct Factors {
 }
 
 impl Factors {
-    /// The program of all factors, from initial values.
+    /// Returns the program that computes all factors from initial values.
     pub(super) fn program(self) -> Program {
         let used = self.used.iter().map(|(value, ())| *value).collect::<Vec<_>>();
         self.builder.finish(&used)
@@ -67,7 +68,7 @@ struct Flattening<'a> {
     factors: &'a mut Factors,
     builder: Builder,
     images: ValueTable<Image>,
-    /// Operations that a value of the new program waits for.
+    /// Length of the longest chain of operations before each value of the new program.
     depths: HashMap<ValueId, u32>,
 }
 
@@ -133,7 +134,7 @@ impl Flattening<'_> {
         Image::Factor(Factor { power, ..self.number(Number::ONE) })
     }
 
-    /// The value by itself.
+    /// Returns the image of a value that is computed separately.
     fn single(&mut self, of: ValueId) -> Image {
         Image::Sum(vec![Term { of, factor: self.number(Number::ONE) }])
     }
@@ -142,8 +143,8 @@ impl Flattening<'_> {
         Factor { at_start: self.factors.builder.constant(number), power: 0 }
     }
 
-    /// Returns the image of an operation on new values, before the first step if these are known
-    /// then.
+    /// Returns the image of an operation on new values. It is computed before the first step if
+    /// these are known by then.
     fn copied(&mut self, op: &Op) -> Image {
         let mut is_known = true;
         op.for_each_operand(|operand| is_known &= self.at_start(operand).is_some());
@@ -183,7 +184,7 @@ impl Flattening<'_> {
         Factor { at_start, power: a.power + b.power }
     }
 
-    /// a + `sign` b
+    /// Returns a + `sign` b.
     fn sum(&mut self, a: ValueId, b: ValueId, sign: Number) -> Image {
         let sign = self.number(sign);
         let b = self.scaled(b, sign);
@@ -223,7 +224,7 @@ impl Flattening<'_> {
         }
     }
 
-    /// The image of a value, computed by itself if that is cheaper where it is used.
+    /// Returns the image of a value, which is computed separately if this makes its uses cheaper.
     fn limited(&mut self, image: Image, uses: usize) -> Image {
         match image {
             Image::Sum(terms) if is_long(&terms, uses) => {
@@ -241,7 +242,7 @@ impl Flattening<'_> {
         }
     }
 
-    /// A factor in the new program.
+    /// Writes a factor in the new program.
     fn written(&mut self, factor: Factor) -> ValueId {
         let op = self.factors.builder.op(factor.at_start);
         let mut value = match op.is_constant() {
@@ -263,7 +264,7 @@ impl Flattening<'_> {
         self.depths.get(&value).copied().unwrap_or(0)
     }
 
-    /// The sum of terms, in the order in which they are known.
+    /// Adds up terms in the order in which they become known.
     fn total(&mut self, terms: &[Term]) -> ValueId {
         let mut pending = terms.iter().map(|term| self.multiple(*term)).collect::<Vec<_>>();
         let first = |pending: &mut Vec<(u32, ValueId)>| {
@@ -288,13 +289,13 @@ impl Flattening<'_> {
     }
 }
 
-/// True if a value of so many uses costs less by itself.
+/// True if a value with this number of uses is cheaper if computed separately.
 fn is_long(terms: &[Term], uses: usize) -> bool {
     let repeated = uses.saturating_sub(1) * terms.len().saturating_sub(1);
     terms.len() > MAX_TERMS || repeated > MAX_REPEATED
 }
 
-/// Operations that an input waits for: sums hold the newest coefficients.
+/// Returns the number of operations before an input: sums contain the newest coefficients.
 fn depth(slot: Slot) -> u32 {
     match slot {
         Slot::Sum(_) | Slot::Acceleration(_) => 3,

@@ -13,11 +13,11 @@
 //! | f(x) | f′(x) ẋ of order m − 1, divided by m |
 //! | y = xᵃ | a ẋ y/x of order m − 1, divided by m; zero if x₀ is |
 //!
-//! The line of f holds for every elementary function, as its rate is a program, too. It also holds
-//! for solutions of equations and for tables, as long as their arguments stay within the
-//! [pieces](TableArgument) that they start in. A root, a power or a length that starts from zero
-//! has no series there. It is kept at zero, which holds for a short time only. The sine of an angle
-//! costs the product cos θ · θ̇, which the system often needs for a velocity anyway.
+//! The row of f holds for every elementary function, since its rate is also a program. It also
+//! holds for solutions of equations and for tables, as long as their arguments stay within their
+//! initial [pieces](TableArgument). A root, a power or a length that starts from zero has no series
+//! there. It is kept at zero, which is only valid for a short time. The sine of an angle costs the
+//! product cos θ · θ̇, which the system often needs for a velocity anyway.
 //!
 //! Source: Griewank and Walther, *Evaluating Derivatives*, 2nd ed., §13; Jorba and Zou, "A software
 //! package for the numerical integration of ODEs by means of high-order Taylor methods", *Experimental
@@ -27,12 +27,12 @@
 //!
 //! Accelerations may be functions of t, q and v, and are then expanded as such. Alternatively they
 //! are the zeros of a residual R that is linear in them, such as inverse dynamics. Rates ẇ of
-//! velocities w stay unexpanded in R, as symbols, since ẇₖ = (k+1) wₖ₊₁ costs nothing. In each
-//! order R is computed with aₖ = 0. The matrix ∂R/∂a of order zero gives aₖ, and values that depend
-//! on aₖ are corrected by its share.
+//! velocities w remain symbols in R, since ẇₖ = (k+1) wₖ₊₁ costs nothing. In each order, R is
+//! computed with aₖ = 0. The matrix ∂R/∂a of order zero then gives aₖ, and values that depend on aₖ
+//! are corrected accordingly.
 //!
-//! The multipliers λ of constraints are unknown in the same way: forces −Aᵀλ stand in R, and the
-//! rates ċ̇ of the constraints below it.
+//! The multipliers λ of constraints are unknowns of the same kind. R contains the forces −Aᵀλ and
+//! is followed by the rates ċ̇ of the constraints.
 //!
 //! # A pendulum in numbers
 //!
@@ -46,12 +46,12 @@
 //!
 //! # Orders
 //!
-//! In step k, a value that velocities and positions determine gets its coefficient of order k + 1.
-//! A value that contains accelerations or rates of velocities gets that of order k. A product then
-//! needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and otherwise only those of order
-//! zero and the newest. These sums are alike for all products and are computed together, in
-//! [groups](Groups). Multiples of the same values share a
-//! sum unless the system is small.
+//! Step k computes the coefficient of order k + 1 of values that velocities and positions
+//! determine. For values with accelerations or rates of velocities, it computes that of order k. A
+//! product then needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and otherwise only
+//! those of order zero and the newest. These sums have the same form for all products and are
+//! computed together, in [groups](Groups). Multiples of the same values share a sum unless the
+//! system is small.
 
 mod functions;
 mod groups;
@@ -75,13 +75,13 @@ pub use slots::Slot;
 /// A motion to be expanded.
 #[derive(Debug)]
 pub struct Motion<'a> {
-    /// Computes everything below, as lowered, before any pass.
+    /// Program that computes all values below, lowered, before any pass.
     pub program: &'a Program,
     /// Entries of the state.
     pub state: &'a [Entry],
     /// Values of elementary functions with their rates.
     pub rates: &'a [(ValueId, ValueId)],
-    /// Placeholders that stand for the rates of values, with these values.
+    /// Placeholders for the rates of values, with these values.
     pub unexpanded: &'a [(Role, ValueId)],
     /// Residuals R, one for each acceleration, then one for each multiplier; empty if accelerations
     /// are functions of the state.
@@ -89,7 +89,8 @@ pub struct Motion<'a> {
 }
 
 impl Motion<'_> {
-    /// The number of accelerations that only the residuals determine; multipliers come after them.
+    /// Returns the number of accelerations that only the residuals determine; multipliers come
+    /// after them.
     fn unknown_accelerations(&self) -> u32 {
         self.state.iter().map(|entry| u32::from(matches!(entry.rate, Rate::Acceleration(_)))).sum()
     }
@@ -113,14 +114,14 @@ pub enum Rate {
     Acceleration(u32),
 }
 
-/// An argument of a table, whose polynomials it selects.
+/// An argument of a table, which selects polynomials.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TableArgument {
     /// The table.
     pub table: Opaque,
     /// Place among the arguments of the table.
     pub axis: usize,
-    /// Kept value that has its coefficients.
+    /// Kept value with its coefficients.
     pub kept: usize,
     /// Initial value that it starts from.
     pub initial: usize,
@@ -133,16 +134,16 @@ pub struct TableArgument {
 /// `correction`: the entries of the state first.
 #[derive(Debug)]
 pub struct SeriesPrograms {
-    /// The values that [`Slot::Initial`] counts, from the inputs of the motion's program, then the
-    /// matrix ∂R/∂(a, λ), row by row.
+    /// The values that [`Slot::Initial`] refers to, from the inputs of the motion's program, then
+    /// the matrix ∂R/∂(a, λ), row by row.
     pub initial: Program,
     /// One coefficient of each kept value, as if accelerations were zero; then the residuals.
     pub expansion: Program,
     /// One coefficient of each kept value; `None` if accelerations are functions of the state.
     pub correction: Option<Program>,
-    /// Factors of the products that [`Slot::Sum`] counts, as places of kept values.
+    /// Factors of the products that [`Slot::Sum`] refers to, as places of kept values.
     pub sums: Vec<[usize; 2]>,
-    /// Kept values that [`Slot::Carried`] counts, with the initial value that takes their place in
+    /// Kept values that [`Slot::Carried`] refers to, with the initial value that replaces them in
     /// the first step.
     pub carried: Vec<(usize, usize)>,
     /// Meaning of the placeholders, by number.
@@ -155,7 +156,8 @@ pub struct SeriesPrograms {
     pub kept: usize,
 }
 
-/// The most sums of a step that rather waits for chains of operations than for their number.
+/// Maximum number of sums of a step whose time depends on chains of operations rather than on their
+/// number.
 const MAX_WAITING: usize = 8;
 
 /// Derives the programs.

@@ -1,4 +1,4 @@
-//! The programs of one step, value by value.
+//! Programs of one step, constructed value by value.
 
 use super::kinds::Kind;
 use super::linear::{Factors, flatten};
@@ -22,7 +22,7 @@ enum Initial {
     Value(ValueId),
     /// 1/x₀
     Reciprocal(ValueId),
-    /// 1/(2 x₀), and 0 of 0
+    /// 1/(2 x₀), or 0 if x₀ is 0
     HalfReciprocal(ValueId),
 }
 
@@ -51,7 +51,7 @@ impl From<ValueId> for Multiple {
 pub(super) enum Constants {
     /// Before sums, so that products of multiples of the same values share a sum.
     BeforeSums,
-    /// With a factor, where they cost nothing between sums and accelerations.
+    /// In one of the factors, so that they add nothing between sums and accelerations.
     InSums,
 }
 
@@ -70,7 +70,7 @@ pub(super) struct Recurrence<'a> {
 /// The part of coefficients that a pass computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Part {
-    /// Everything but the share of the unknowns, which are accelerations and multipliers.
+    /// Everything except the share of the unknowns, which are accelerations and multipliers.
     Known,
     /// The share of all unknowns.
     Share,
@@ -109,7 +109,7 @@ impl<'a> Recurrence<'a> {
 
     pub(super) fn programs(mut self) -> SeriesPrograms {
         let expansion = self.pass(Builder::new(), Part::Known);
-        // What the next step needs is known by now.
+        // The values that the next step needs are known at this point.
         let carried = self.carried.iter().map(|(value, ())| *value).collect::<Vec<_>>();
         for &value in &carried {
             self.keep(value.into());
@@ -144,7 +144,7 @@ impl<'a> Recurrence<'a> {
         }
     }
 
-    /// The moving arguments of all tables, kept.
+    /// Keeps the moving arguments of all tables.
     fn arguments(&mut self) -> Vec<TableArgument> {
         let mut found = Vec::new();
         for &value in &self.schedule.order {
@@ -182,7 +182,7 @@ impl<'a> Recurrence<'a> {
         pass.builder.finish(&outputs)
     }
 
-    /// A kept value with the share of the accelerations.
+    /// Returns a kept value with the share of the accelerations.
     fn corrected(&mut self, share: &mut Pass, value: &Multiple, place: usize) -> ValueId {
         let is_velocity = matches!(self.schedule.source(self.motion, value.of), Source::Velocity(_));
         let is_all = is_velocity && value.constants.is_empty();
@@ -192,8 +192,8 @@ impl<'a> Recurrence<'a> {
         total.unwrap_or_else(|| share.builder.constant(Number::ZERO))
     }
 
-    /// The matrix of the unknowns in the residuals, row by row: the shares of one unknown after the
-    /// other.
+    /// Returns the program of the matrix of the unknowns in the residuals, row by row, from the
+    /// shares of each unknown.
     fn matrix(&mut self) -> Program {
         let (mut builder, mut columns) = (Builder::new(), Vec::new());
         let unknowns = 0..self.motion.residuals.len();
@@ -266,12 +266,12 @@ impl<'a> Recurrence<'a> {
                 let [left, right] = [left, right].map(|side| self.at_start(pass, Initial::Value(side)));
                 Some(pass.builder.push(Op::Select { relation, left, right, then, otherwise }))
             }
-            // The schedule has refused everything else.
+            // The schedule has rejected everything else.
             _ => None,
         }
     }
 
-    /// An operand of a sum, of the order of the sum.
+    /// Returns the coefficient of an operand of a sum, in the order of the sum.
     fn term(&mut self, pass: &mut Pass, operand: ValueId, is_accelerated: bool) -> Coefficient {
         match (self.schedule.kinds[operand], is_accelerated) {
             (Kind::Fixed, true) => self.first(pass, operand),
@@ -288,8 +288,8 @@ impl<'a> Recurrence<'a> {
             (_, Kind::Fixed) => self.times_initial(pass, pass.coefficients[a], Initial::Value(b)),
             _ => {
                 let inner = self.inner(pass, a, b);
-                // Of a factor that is known to a higher order than the product, the newest
-                // coefficient stands in the sum.
+                // If a factor is known to a higher order than the product, the sum contains its
+                // newest coefficient.
                 let mut edge = |newest: ValueId, other: ValueId| match self.schedule.kinds[other] {
                     Kind::Moving if of_a == of_b || self.schedule.kinds[newest] == Kind::Accelerated => {
                         self.times_initial(pass, pass.coefficients[newest], Initial::Value(other))
@@ -323,8 +323,8 @@ impl<'a> Recurrence<'a> {
         self.times_initial(pass, rest, Initial::HalfReciprocal(value))
     }
 
-    /// Σ xⱼ yₘ₋ⱼ of the coefficients from earlier steps. Products share one of their factors if it
-    /// is free of constants.
+    /// Returns Σ xⱼ yₘ₋ⱼ of the coefficients from earlier steps. Products share one of their
+    /// factors if it is free of constants.
     fn inner(&mut self, pass: &mut Pass, a: ValueId, b: ValueId) -> Coefficient {
         let [(a, of_a), (b, of_b)] = [a, b].map(|factor| self.without_constants(factor));
         let mut constants = [of_a, of_b].concat();
@@ -342,7 +342,7 @@ impl<'a> Recurrence<'a> {
         self.times(pass, sum, &outside)
     }
 
-    /// The coefficient of a multiple.
+    /// Returns the coefficient of a multiple.
     fn times(&mut self, pass: &mut Pass, coefficient: Coefficient, constants: &[Constant]) -> Coefficient {
         constants.iter().fold(coefficient, |coefficient, constant| match *constant {
             Constant::Times(initial) => self.times_initial(pass, coefficient, initial),
@@ -350,7 +350,7 @@ impl<'a> Recurrence<'a> {
         })
     }
 
-    /// The value without constant factors, and these.
+    /// Splits a value into its constant factors and the rest.
     fn without_constants(&self, mut value: ValueId) -> (ValueId, Vec<Constant>) {
         let mut constants = Vec::new();
         while self.schedule.source(self.motion, value) == Source::Operands {
@@ -368,13 +368,13 @@ impl<'a> Recurrence<'a> {
         (value, constants)
     }
 
-    /// The coefficient of order k of a value that step k gives that of order k + 1 of.
+    /// Returns the coefficient of order k of a value for which step k computes that of order k + 1.
     fn now(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
         let index = self.carried.index_or_insert_with(value, || ());
         self.slot(pass, Slot::Carried(index))
     }
 
-    /// A fixed value, in the first step only.
+    /// Returns a fixed value in the first step, and zero afterwards.
     fn first(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
         let first = self.slot(pass, Slot::First);
         self.times_initial(pass, first, Initial::Value(value))
@@ -388,12 +388,12 @@ impl<'a> Recurrence<'a> {
         }
     }
 
-    /// An input that accelerations have no share in.
+    /// Returns an input without a share of the accelerations.
     fn slot(&mut self, pass: &mut Pass, slot: Slot) -> Coefficient {
         (pass.part == Part::Known).then(|| self.slots.input(&mut pass.builder, slot))
     }
 
-    /// A multiple of a coefficient that is one at order zero.
+    /// Multiplies a coefficient by a slot that is one at order zero.
     fn times_slot(&mut self, pass: &mut Pass, coefficient: Coefficient, slot: Slot) -> Coefficient {
         let coefficient = coefficient?;
         if matches!(pass.part, Part::Unit(_)) {
@@ -459,7 +459,7 @@ impl<'a> Recurrence<'a> {
         builder.finish(&outputs)
     }
 
-    /// The outputs of a program over slots of initial values, computed from these.
+    /// Computes the outputs of a program over slots of initial values from these values.
     fn inserted(&self, builder: &mut Builder, program: &Program, initials: &[ValueId]) -> Vec<ValueId> {
         let slots = self.slots.list();
         let mut image = ValueTable::with_capacity(program.len());
@@ -478,7 +478,7 @@ impl<'a> Recurrence<'a> {
 }
 
 impl Builder {
-    /// a + b, where `None` is zero.
+    /// Returns a + b, where `None` is zero.
     fn sum(&mut self, a: Coefficient, b: Coefficient) -> Coefficient {
         match (a, b) {
             (Some(a), Some(b)) => Some(self.add(a, b)),
@@ -486,7 +486,7 @@ impl Builder {
         }
     }
 
-    /// a − b, where `None` is zero.
+    /// Returns a − b, where `None` is zero.
     fn difference(&mut self, a: Coefficient, b: Coefficient) -> Coefficient {
         match (a, b) {
             (Some(a), Some(b)) => Some(self.subtract(a, b)),

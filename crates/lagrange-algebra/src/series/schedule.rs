@@ -1,5 +1,4 @@
-//! The values that a step computes, in an order in which each follows those of the same step that
-//! it needs.
+//! Order of the values in a step: each follows the values of the same step that it depends on.
 
 use super::kinds::{Kind, NoSeries, kinds, reason};
 use super::{Entry, Motion, Rate};
@@ -16,7 +15,7 @@ pub(super) struct Schedule {
     entries: HashMap<ValueId, Rate>,
     /// Rates of values of functions.
     functions: HashMap<ValueId, ValueId>,
-    /// Values whose rates placeholders stand for.
+    /// Values whose rates are represented by placeholders.
     unexpanded: HashMap<ValueId, ValueId>,
     /// Accelerations that are functions of the state, by their symbols.
     accelerations: HashMap<Role, ValueId>,
@@ -24,7 +23,7 @@ pub(super) struct Schedule {
     pub(super) order: Vec<ValueId>,
 }
 
-/// The way to the newest coefficient of a value.
+/// Source of the newest coefficient of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Source {
     /// Time.
@@ -43,7 +42,7 @@ pub(super) enum Source {
     Operands,
 }
 
-/// The name of the function that an operation calls, unless it has a recurrence of its own.
+/// Returns the name of the function that an operation calls, unless it has its own recurrence.
 fn called(op: &Op) -> Option<&str> {
     match op {
         Op::Call(Function::Sqrt, _) => None,
@@ -54,7 +53,7 @@ fn called(op: &Op) -> Option<&str> {
     }
 }
 
-/// The acceleration that a velocity has as a function of the state.
+/// Returns the acceleration of a velocity as a function of the state.
 fn explicit(program: &Program, entry: &Entry) -> Option<(Role, ValueId)> {
     match (program.op(entry.value), entry.rate) {
         (Op::Input(Role::Velocity(index)), Rate::Value(rate)) => Some((Role::Acceleration(*index), rate)),
@@ -84,7 +83,7 @@ impl Schedule {
         Ok(schedule)
     }
 
-    /// The way to the newest coefficient of a value that is not fixed.
+    /// Returns the source of the newest coefficient of a value that is not fixed.
     pub(super) fn source(&self, motion: &Motion<'_>, value: ValueId) -> Source {
         if let Some(rate) = self.entries.get(&value) {
             return match *rate {
@@ -111,8 +110,8 @@ impl Schedule {
         }
     }
 
-    /// Values that are not fixed among those that another one is computed from, in this step or an
-    /// earlier one.
+    /// Returns the values that are not fixed and from which another one is computed, in this step
+    /// or an earlier one.
     fn inputs(&self, motion: &Motion<'_>, value: ValueId) -> Vec<ValueId> {
         let mut inputs = Vec::new();
         match self.source(motion, value) {
@@ -132,7 +131,7 @@ impl Schedule {
         inputs
     }
 
-    /// The inputs that must be computed before the value in the same step.
+    /// Returns the inputs that must be computed before the value in the same step.
     fn inputs_of_this_step(&self, motion: &Motion<'_>, value: ValueId) -> Vec<ValueId> {
         let mut inputs = self.inputs(motion, value);
         let newest = match self.source(motion, value) {
@@ -145,7 +144,7 @@ impl Schedule {
         inputs
     }
 
-    /// Everything that is computed for some values.
+    /// Returns everything that is computed for these values.
     fn needed(&self, motion: &Motion<'_>, roots: &[ValueId]) -> Result<Vec<ValueId>, NoSeries> {
         let mut found = HashSet::default();
         let mut pending = roots.to_vec();

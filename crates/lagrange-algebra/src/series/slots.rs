@@ -11,7 +11,7 @@ pub enum Slot {
     Initial(usize),
     /// The coefficient of order k of this carried value.
     Carried(usize),
-    /// Σ_{0≤j<k} xⱼ yₖ₋₁₋ⱼ of the factors of this sum, of which xⱼ is the coefficient that step j
+    /// Σ_{0≤j<k} xⱼ yₖ₋₁₋ⱼ of the factors of this sum, where xⱼ is the coefficient that step j
     /// kept.
     Sum(usize),
     /// The coefficient of this kept value as if accelerations were zero.
@@ -26,19 +26,19 @@ pub enum Slot {
     First,
 }
 
-/// The placeholders that were given out.
+/// The allocated placeholders.
 #[derive(Default, Debug)]
 pub(super) struct Slots(OrderedMap<Slot, ()>);
 
 impl Slots {
-    /// The value of a placeholder in a program.
+    /// Returns the value of a placeholder in a program.
     pub(super) fn input(&mut self, builder: &mut Builder, slot: Slot) -> ValueId {
         let index = self.0.index_or_insert_with(slot, || ());
         let index = u32::try_from(index).expect("fewer than 2^32 slots fit in memory");
         builder.push(Op::Input(Role::Placeholder(index)))
     }
 
-    /// The meaning of an input, if it is a placeholder.
+    /// Returns the meaning of an input, if it is a placeholder.
     pub(super) fn of(&self, role: Role) -> Option<Slot> {
         match role {
             Role::Placeholder(index) if (index as usize) < self.0.len() => {

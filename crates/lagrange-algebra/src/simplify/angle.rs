@@ -7,11 +7,11 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// `constant + Σ coefficient · part`, without zero coefficients; parts are no sums.
+/// `constant + Σ coefficient · part`, without zero coefficients; parts are not sums.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Angle {
-    /// In ascending order. Angles of long chains have many parts, and a vector of them is added up
-    /// in one pass.
+    /// In ascending order. Angles of long chains have many parts, and sorted vectors are added in
+    /// one pass.
     parts: Vec<(ExprId, Number)>,
     constant: Number,
 }
@@ -23,7 +23,7 @@ pub(super) struct Wave {
     pub(super) angle: Rc<Angle>,
 }
 
-/// Angles that have been read and written: each is opened once and written in one way.
+/// Angles that have been read and written: each is expanded once and has a unique form.
 #[derive(Default, Debug)]
 pub struct Angles {
     read: HashMap<ExprId, Rc<Angle>>,
@@ -49,7 +49,7 @@ impl Angle {
         Angle::default().plus_scaled(self, scale)
     }
 
-    /// `self + scale · other` for a scale that is not zero.
+    /// Returns `self + scale · other` for a nonzero scale.
     fn plus_scaled(&self, other: &Angle, scale: &Number) -> Angle {
         let mut parts = Vec::with_capacity(self.parts.len() + other.parts.len());
         let mut added = other.parts.iter().peekable();
@@ -78,12 +78,12 @@ impl Angle {
 }
 
 impl Wave {
-    /// cos 0
+    /// Returns cos 0.
     pub(super) fn one() -> Wave {
         Wave { is_sine: false, angle: Rc::default() }
     }
 
-    /// sin or cos of any angle, with the coefficient it then has.
+    /// Returns sin or cos of any angle, with the resulting coefficient.
     pub(super) fn signed(is_sine: bool, angle: Angle, coefficient: Number) -> (Wave, Number) {
         if !angle.is_reversed() {
             return (Wave { is_sine, angle: Rc::new(angle) }, coefficient);
@@ -104,7 +104,7 @@ impl Wave {
 }
 
 impl Angles {
-    /// The linear combination that an expression is.
+    /// Returns an expression as a linear combination.
     pub(super) fn read(&mut self, graph: &Graph, id: ExprId) -> Rc<Angle> {
         if let Some(known) = self.read.get(&id) {
             return known.clone();
@@ -115,17 +115,17 @@ impl Angles {
         angle
     }
 
-    /// An expression for a linear combination.
+    /// Returns the expression of a linear combination.
     pub(super) fn write(&mut self, graph: &mut Graph, angle: &Rc<Angle>) -> ExprId {
         let sum = || graph.sum(angle.constant.clone(), angle.parts.iter().cloned());
         *self.written.get_or_insert_with(angle.clone(), sum)
     }
 }
 
-/// The linear combination of what is no sum that an expression is.
+/// Expands an expression to a linear combination of parts that are not sums.
 fn opened(graph: &Graph, id: ExprId) -> Angle {
     let mut angle = Angle::default();
-    // Parents are larger than children: what several sums share is opened once, with all its
+    // Parents are larger than children, so shared parts of sums are expanded once, with all their
     // coefficients added up.
     let mut pending = BTreeMap::from([(id, Number::ONE)]);
     while let Some((id, scale)) = pending.pop_last() {

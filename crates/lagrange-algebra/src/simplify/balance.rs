@@ -1,9 +1,9 @@
 //! Quotients without products of inertias.
 //!
-//! Eliminations multiply pivots out. A numerator over D is then a sum of products of two masses,
-//! which leaves the range of floating-point numbers where its quotient does not. Here such a sum is
-//! divided term by term, so that every sum has at most the [grade](Grades) of one mass. The order
-//! of factors in a product is left to lowering, which keeps partial products in range, too.
+//! Eliminations expand pivots. A numerator over D is then a sum of products of two masses. It may
+//! leave the range of floating-point numbers even if its quotient does not. This module divides
+//! such sums term by term, so that every sum has at most the [grade](Grades) of one mass. Lowering
+//! chooses the order of factors in a product, which also keeps partial products in range.
 
 use super::monomial::Monomial;
 use crate::calculus::{Grades, rebuild};
@@ -11,9 +11,9 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Nested parts up to which a product is taken apart.
+/// Maximum number of nested parts of a product that is split.
 const MAX_FACTORS: usize = 64;
-/// Depth to which quotients within quotients are taken apart: one for each elimination.
+/// Maximum depth of nested quotients that are split: one level for each elimination.
 const MAX_DEPTH: usize = 12;
 
 /// Returns replacements of the parts of `roots`, where they differ. `unit` is an expression that
@@ -45,15 +45,15 @@ struct Balance {
 }
 
 impl Balance {
-    /// A product, or a multiple of one, whose sums are no larger than one mass if what they are
-    /// divided by allows that.
+    /// Rewrites a product, or a multiple of one, so that its sums have at most the grade of one
+    /// mass, if their divisors allow this.
     fn product(&mut self, graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
         let (coefficient, core) = graph.split_coefficient(id);
         let Node::Product(factors) = graph.node(core).clone() else { return id };
         if depth == 0 {
             return id;
         }
-        // A product within another may get a value for itself.
+        // A nested product may become a separate value.
         let mut is_changed = factors.iter().any(|(base, _)| {
             matches!(graph.node(*base), Node::Product(_)) && self.grade(graph, *base).abs() > Number::ONE
         });
@@ -83,7 +83,7 @@ impl Balance {
         graph.scale(coefficient, product)
     }
 
-    /// The first sum among the factors that is a product of masses.
+    /// Returns the first sum among the factors with the grade of a product of masses.
     fn largest_sum(&mut self, graph: &Graph, factors: &Monomial) -> Option<(ExprId, Number)> {
         let mut factors = factors.factors().iter();
         factors
@@ -94,8 +94,8 @@ impl Balance {
             .cloned()
     }
 
-    /// Returns the divisor of a sum among other factors; `None` if they leave it a product of
-    /// masses.
+    /// Returns a divisor of a sum from the other factors; `None` if the quotient would still be a
+    /// product of masses.
     fn divisor(
         &mut self,
         graph: &Graph,
@@ -106,13 +106,13 @@ impl Balance {
         let mut grade = self.grade(graph, sum);
         let mut found = Vec::new();
         for (base, power) in others.factors() {
-            // Which way a factor moves the grade of the sum itself.
+            // The direction in which a factor changes the grade of the sum.
             let step =
                 if power.is_negative() != exponent.is_negative() { Number::MINUS_ONE } else { Number::ONE };
             let own = self.grade(graph, *base);
             let change = &own * &step;
             let mut left = power.abs();
-            // Parameters may be zero; pivots are divided by anyway.
+            // Parameters may be zero, but pivots are divisors anyway.
             let is_possible = !exponent.is_negative() || matches!(graph.node(*base), Node::Sum { .. });
             while is_possible
                 && power.is_integer()
@@ -143,7 +143,7 @@ impl Balance {
         exponent.is_negative() || self.largest_sum(graph, &below).is_some()
     }
 
-    /// A sum divided term by term.
+    /// Divides a sum term by term.
     fn quotient(&mut self, graph: &mut Graph, sum: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
         let key = (sum, divisor.clone());
         if let Some(&known) = self.divided.get(&key) {

@@ -1,4 +1,4 @@
-//! Quotients without the factors that numerator and denominator have in common.
+//! Quotients without common factors of numerator and denominator.
 
 use super::monomial::MAX_FACTORS;
 use super::monomial::Monomial;
@@ -8,13 +8,13 @@ use lagrange_expr::expr::Graph;
 use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 
-/// Depth to which sums are searched for common factors: what all terms share shows near the top,
-/// and each level opens sums that others share.
+/// Maximum depth of the search for common factors in sums. Common factors of all terms are found
+/// near the top, and each level expands shared sums.
 const DEEPEST: usize = 6;
 
 /// Returns `numerator / denominator`. Factors that a product in the denominator shares with all
-/// terms of the numerator are cancelled. Other common factors are drawn out. Either is done only if
-/// the formula gets shorter.
+/// terms of the numerator are cancelled. Other common factors are factored out. Both only happen if
+/// the formula becomes shorter.
 pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> ExprId {
     let plain = graph.divide(numerator, denominator);
     let (scale, core) = graph.split_coefficient(denominator);
@@ -29,11 +29,11 @@ pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Ex
     let factor = common.over(&below).build(graph);
     let product = graph.multiply(rest, factor);
     let cancelled = graph.scale(scale.reciprocal().unwrap_or(Number::ONE), product);
-    // Cancelling opens sums that were shared; only what ends up shorter is worth that.
+    // Cancelling expands shared sums, which only pays off if the result is shorter.
     if graph.written_size(cancelled) < graph.written_size(plain) { cancelled } else { plain }
 }
 
-/// Parts of one numerator, of which those that occur often are looked into once.
+/// Results for parts of one numerator, so that repeated parts are examined only once.
 #[derive(Default)]
 struct Canceller {
     common: HashMap<ExprId, Monomial>,
@@ -41,7 +41,8 @@ struct Canceller {
 }
 
 impl Canceller {
-    /// Positive powers that divide an expression, as far as they show in `depth` levels of nesting.
+    /// Returns the positive powers that divide an expression, found within `depth` levels of
+    /// nesting.
     fn common_factor(&mut self, graph: &Graph, id: ExprId, depth: usize) -> Monomial {
         if let Some(known) = self.common.get(&id) {
             return known.clone();
@@ -67,8 +68,7 @@ impl Canceller {
         common
     }
 
-    /// The expression divided by positive powers that divide it, with the division done inside of
-    /// sums.
+    /// Divides an expression by positive powers that divide it, within its sums.
     fn divide(&mut self, graph: &mut Graph, id: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
         if divisor.is_one() {
             return id;
@@ -78,7 +78,7 @@ impl Canceller {
             return known;
         }
         let (coefficient, core) = graph.split_coefficient(id);
-        // What is divided by itself is not looked into.
+        // An expression divided by itself is not examined.
         let is_opened = depth > 0 && divisor.exponent(core).is_none();
         let quotient = match graph.node(core).clone() {
             Node::Sum { constant, terms } if is_opened && constant.is_zero() => {
@@ -98,7 +98,7 @@ impl Canceller {
         quotient
     }
 
-    /// Each factor is divided by what it has in common with the divisor.
+    /// Divides each factor by its common factor with the divisor.
     fn divide_product(
         &mut self,
         graph: &mut Graph,
@@ -126,7 +126,7 @@ impl Canceller {
     }
 }
 
-/// The sum of terms with nested sums and products opened, so that what cancels between them does.
+/// Returns the sum of terms with nested sums and products expanded, so that terms cancel.
 fn flat_sum(graph: &mut Graph, terms: Vec<(ExprId, Number)>) -> ExprId {
     let mut constant = Number::ZERO;
     let mut flat = Vec::new();

@@ -1,4 +1,4 @@
-//! Sums in which equal products and squares of sine and cosine meet.
+//! Sums with equal products combined, and squares of sine and cosine.
 
 use super::monomial::{MAX_FACTORS, Monomial, Term};
 use super::pairs::join;
@@ -10,21 +10,23 @@ use lagrange_expr::number::Number;
 /// Returns `Σ coefficient · term`, with equal products combined, `a·cos²x + a·sin²x` replaced by
 /// `a`, and `a·cosh²x - a·sinh²x` by `a`.
 ///
-/// Products are compared, and the factors of `a` may be spread, over up to 16 nested parts. What is
-/// not replaced stays as it is; if nothing is replaced, the result is that of [`Graph::sum`].
+/// Products are compared across up to 16 nested parts, and the factors of `a` may be spread over
+/// them. Other terms stay as they are; if nothing is replaced, the result is that of
+/// [`Graph::sum`].
 pub fn collect(graph: &mut Graph, terms: Vec<(ExprId, Number)>) -> ExprId {
     if terms.len() < 2 {
         return graph.sum(Number::ZERO, terms);
     }
     let mut terms = add_equal_products(graph, &terms);
-    // What squares leave behind may equal another product, and so on; each round has fewer terms.
+    // The remainder of joined squares may equal another product, and so on; each round has fewer
+    // terms.
     while let Some(fewer) = join_squares(graph, &terms) {
         terms = add_equal_products(graph, &fewer);
     }
     graph.sum(Number::ZERO, terms)
 }
 
-/// The terms after the rules for squares, if any of these applies.
+/// Applies the rules for squares, and returns the resulting terms if any rule applies.
 fn join_squares(graph: &mut Graph, terms: &[(ExprId, Number)]) -> Option<Vec<(ExprId, Number)>> {
     let candidates = candidates(graph, terms);
     if candidates.len() < 2 {
@@ -46,8 +48,8 @@ fn join_squares(graph: &mut Graph, terms: &[(ExprId, Number)]) -> Option<Vec<(Ex
     Some(result)
 }
 
-/// The terms without coefficients of their own, products of the same factors added up under the
-/// first of them, and those that cancel left out.
+/// Returns the terms without their own coefficients. Products of the same factors are added up
+/// under the first of them, and terms that cancel are omitted.
 fn add_equal_products(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId, Number)> {
     let mut sums: OrderedMap<Monomial, (ExprId, Number)> = OrderedMap::default();
     for (id, coefficient) in terms {
@@ -65,7 +67,7 @@ fn split(graph: &Graph, id: ExprId, coefficient: &Number) -> (ExprId, Number) {
     (core, &inner * coefficient)
 }
 
-/// The terms that hold a square of a function the rules know.
+/// Returns the terms with a square of a function to which rules apply.
 fn candidates(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId, Term)> {
     let candidate = |(id, coefficient): &(ExprId, Number)| {
         let monomial = with_square(graph, *id)?;
@@ -74,7 +76,8 @@ fn candidates(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId, Term)> 
     terms.iter().filter_map(candidate).collect()
 }
 
-/// The term as a flat monomial, if a square of a function the rules know is among its factors.
+/// Returns a term as a flat monomial, if its factors include a square of a function to which rules
+/// apply.
 fn with_square(graph: &Graph, id: ExprId) -> Option<Monomial> {
     let Node::Product(_) = graph.node(id) else { return None };
     let monomial = Monomial::of(graph, id, MAX_FACTORS)?;
@@ -89,7 +92,7 @@ fn is_known(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Call(Sin | Cos | Sinh | Cosh, _))
 }
 
-/// `product / removed`, keeping the nesting.
+/// Returns `product / removed`, keeping the nesting.
 fn remove_all(graph: &mut Graph, product: ExprId, removed: &Monomial) -> ExprId {
     let mut rest = product;
     for (base, exponent) in removed.factors() {
@@ -101,8 +104,8 @@ fn remove_all(graph: &mut Graph, product: ExprId, removed: &Monomial) -> ExprId 
     rest
 }
 
-/// The product without up to `wanted` powers of `base`, wherever they stand in it, and how many
-/// were found.
+/// Returns the product without up to `wanted` powers of `base` at any place in it, and the number
+/// of removed powers.
 fn take_out(graph: &mut Graph, product: ExprId, base: ExprId, wanted: i32) -> (ExprId, i32) {
     let Node::Product(factors) = graph.node(product).clone() else { return (product, 0) };
     let mut factors = factors.into_vec();

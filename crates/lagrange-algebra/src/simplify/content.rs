@@ -8,9 +8,9 @@ use lagrange_expr::expr::ExprId;
 use lagrange_expr::expr::Graph;
 use lagrange_expr::number::Number;
 
-/// Returns a common factor of the expressions, and the expressions without it. Forms that are
-/// multiples of each other by a product of such factors end up equal. The first of the remaining
-/// expressions has a positive coefficient, and a single expression is all content.
+/// Returns a common factor of the expressions, and the expressions without it. Forms that differ
+/// only by a product of such factors become equal. The first of the remaining expressions has a
+/// positive coefficient, and a single expression is entirely content.
 pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId>) {
     let one = graph.number(1);
     if let [only] = expressions {
@@ -21,7 +21,7 @@ pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId
     let common = terms.iter().fold(first.monomial.clone(), |common, term| common.least(&term.monomial));
     let (common, _) = common.split(|_, exponent| !exponent.is_negative() && exponent.is_integer());
     let common_core = common.build(graph);
-    // The first one may be zero, as drifts are.
+    // The first one may be zero, like some drifts.
     let Some(scale) = first.coefficient.reciprocal() else { return (one, expressions.to_vec()) };
     let rest = terms.iter().map(|term| {
         let core = term.monomial.over(&common).build(graph);

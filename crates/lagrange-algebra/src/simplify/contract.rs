@@ -1,15 +1,15 @@
 //! Sums of products of sines and cosines with as few terms as possible, so that little cancels.
 //!
-//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, in
-//! which terms cancel exactly. The remainder is gathered into products again:
+//! Products of sines and cosines are written as sums of waves, which are sin or cos of a sum of
+//! angles. Terms of these sums cancel exactly. The remainder is combined into products again:
 //!
 //! ```text
 //! cos a cos b = ½ cos(a − b) + ½ cos(a + b),     cos a − cos b = −2 sin((a + b)/2) sin((a − b)/2), …
 //! ```
 //!
 //! (Abramowitz and Stegun, §4.3.31–37). Examples:
-//! - sin a cos b − cos a sin b becomes sin(a − b), in which the angles are subtracted before their
-//!   sine is taken;
+//! - sin a cos b − cos a sin b becomes sin(a − b), where the angles are subtracted before the sine
+//!   is computed;
 //! - m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin² a;
 //! - 1 − cos a becomes 2 sin²(a/2).
 
@@ -23,10 +23,10 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
-/// Number of sines and cosines up to which a product is written as a sum of waves: n of them make
-/// 2ⁿ⁻¹ terms.
+/// Maximum number of sines and cosines in a product that is written as a sum of waves: n of them
+/// yield 2ⁿ⁻¹ terms.
 const MAX_WAVES: usize = 4;
-/// Number of terms up to which a sum is contracted, since all pairs of its waves are compared.
+/// Maximum number of terms of a contracted sum, since all pairs of its waves are compared.
 const MAX_TERMS: usize = 64;
 
 /// A number times sines and cosines.
@@ -44,7 +44,7 @@ struct Group {
 }
 
 /// Returns `Σ coefficient · term` with fewer terms, if possible, and the same terms otherwise.
-/// `angles` remembers how angles have been written before.
+/// `angles` caches the forms of angles.
 pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Number)>) -> ExprId {
     if terms.len() < 2 || terms.len() > MAX_TERMS {
         return graph.sum(Number::ZERO, terms);
@@ -67,7 +67,8 @@ pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Numb
             continue;
         }
         let gathered = gather(&group.products);
-        // As many waves as terms would trade shared sines for others.
+        // If the number of terms does not decrease, shared sines would merely be replaced by
+        // others.
         if gathered.len() < group.terms.len() {
             left.extend(gathered.iter().map(|product| build(graph, angles, cofactor, product)));
         } else {
@@ -97,7 +98,7 @@ pub fn contract_all(graph: &mut Graph, angles: &mut Angles, exprs: &[ExprId]) ->
     exprs.iter().map(|expr| image.get(expr).copied().unwrap_or(*expr)).collect()
 }
 
-/// The term as a cofactor and a product of waves; `None` if it has too many factors.
+/// Splits a term into a cofactor and a product of waves; `None` if it has too many factors.
 fn read(
     graph: &Graph,
     angles: &mut Angles,
@@ -122,7 +123,7 @@ fn read(
     Some((Monomial::new(cofactor), WaveProduct { coefficient, waves }))
 }
 
-/// The sum of the products in as few products as are found.
+/// Writes the sum of the products with as few products as possible.
 fn gather(products: &[WaveProduct]) -> Vec<WaveProduct> {
     let mut sum: BTreeMap<Wave, Number> = BTreeMap::new();
     for product in products {
@@ -141,7 +142,7 @@ fn gather(products: &[WaveProduct]) -> Vec<WaveProduct> {
     gathered
 }
 
-/// A product of sines and cosines as a sum of them.
+/// Expands a product of sines and cosines to a sum.
 fn waves_of(product: &WaveProduct) -> Vec<(Wave, Number)> {
     let mut sum = vec![(Wave::one(), product.coefficient.clone())];
     for factor in &product.waves {
@@ -150,7 +151,7 @@ fn waves_of(product: &WaveProduct) -> Vec<(Wave, Number)> {
     sum
 }
 
-/// sin a sin b = ½ cos(a − b) − ½ cos(a + b) and the like.
+/// Applies sin a sin b = ½ cos(a − b) − ½ cos(a + b) and similar identities.
 fn times(a: &Wave, b: &Wave, coefficient: &Number) -> [(Wave, Number); 2] {
     let half = &Number::HALF * coefficient;
     let (sum, difference) = (a.angle.plus(&b.angle), a.angle.minus(&b.angle));
@@ -160,7 +161,7 @@ fn times(a: &Wave, b: &Wave, coefficient: &Number) -> [(Wave, Number); 2] {
     [Wave::signed(is_sine, sum, sum_sign), Wave::signed(is_sine, difference, difference_sign)]
 }
 
-/// Two products that can be written as one, with that one.
+/// Finds two products that can be merged, and the merged product.
 fn first_pair(products: &[WaveProduct]) -> Option<(usize, usize, WaveProduct)> {
     for (j, b) in products.iter().enumerate() {
         for (i, a) in products[..j].iter().enumerate() {
@@ -172,7 +173,7 @@ fn first_pair(products: &[WaveProduct]) -> Option<(usize, usize, WaveProduct)> {
     None
 }
 
-/// `A·w·f(a) ± A·w·f(b)` as a single product.
+/// Writes `A·w·f(a) ± A·w·f(b)` as a single product.
 fn merge(a: &WaveProduct, b: &WaveProduct) -> Option<WaveProduct> {
     if a.coefficient.abs() != b.coefficient.abs() || a.waves.len() != b.waves.len() {
         return None;

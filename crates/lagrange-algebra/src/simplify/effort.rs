@@ -1,19 +1,19 @@
-//! Limits of multiplying out: how long a result may be, and how much may be made on the way to it.
+//! Limits of expansion: the length of results, and the number of intermediate monomials.
 
 use super::polynomial::Polynomial;
 
-/// Number of monomials that may be made on the way for each one allowed in a result. What cancels
-/// is made first, so that the way is longer than the result; without a bound nested products would
-/// make exponentially many.
+/// Maximum number of intermediate monomials for each monomial allowed in a result. Terms that
+/// cancel must first be formed, so more monomials are formed than remain. Without a bound, nested
+/// products would form exponentially many.
 const EFFORT_PER_MONOMIAL: usize = 50;
 
-/// Number of ways of reading a term as a side of a rule that may be tried for each monomial allowed
-/// in a result. Where frames are skew, a term is read in dozens of ways, and rules are applied
-/// again wherever one of them matched.
+/// Maximum number of ways of reading a term as a side of a rule, for each monomial allowed in a
+/// result. With skew frames, a term can be read in dozens of ways, and rules are applied again
+/// after each match.
 const READINGS_PER_MONOMIAL: usize = 50;
 
-/// Monomials that may be in a result, those that may still be made, and ways of reading terms that
-/// may still be tried.
+/// Maximum number of monomials in a result, and the remaining numbers of intermediate monomials and
+/// of readings.
 pub(super) struct Effort {
     budget: usize,
     left: usize,
@@ -29,18 +29,18 @@ impl Effort {
         }
     }
 
-    /// Returns the effort of another attempt, with the readings that are left.
+    /// Returns the effort of another attempt, with the remaining readings.
     pub(super) fn again(&self) -> Effort {
         Effort { readings: self.readings, ..Effort::new(self.budget) }
     }
 
-    /// Uses up ways of reading a term; `None` when too few are left.
+    /// Consumes ways of reading a term; `None` if too few remain.
     pub(super) fn read(&mut self, readings: usize) -> Option<()> {
         self.readings = self.readings.checked_sub(readings)?;
         Some(())
     }
 
-    /// Uses up a part of the effort; `None` when there is not enough left.
+    /// Consumes a part of the effort; `None` if not enough remains.
     pub(super) fn spend(&mut self, monomials: usize) -> Option<()> {
         self.left = self.left.checked_sub(monomials)?;
         Some(())

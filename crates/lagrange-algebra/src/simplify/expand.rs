@@ -1,9 +1,8 @@
-//! Multiplying out within a budget.
+//! Expansion within a budget.
 //!
-//! Expressions are taken in ascending order, so that their parts are known when their turn comes.
-//! Arguments of functions, bases of roots and of denominators stay closed, but are themselves
-//! written in the form that [`Expander::readable`] gives. Parts that exceed the budget stay closed
-//! too.
+//! Expressions are processed in ascending order, so their parts are known beforehand. Arguments of
+//! functions, bases of roots and of denominators stay closed, but are themselves written in the
+//! form of [`Expander::readable`]. Parts that exceed the budget also stay closed.
 
 use std::rc::Rc;
 
@@ -20,8 +19,8 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
-/// Exponent up to which powers of sums are multiplied out: (a + b + c)⁸ has 45 monomials, and
-/// readers prefer the power before that.
+/// Maximum exponent of expanded powers of sums: (a + b + c)⁸ has 45 monomials, and readers would
+/// already prefer the power.
 const HIGHEST_POWER: i32 = 8;
 
 /// Purpose of a result.
@@ -31,11 +30,11 @@ pub(super) enum Purpose {
     Reading,
     /// Equal values in as few different forms as possible.
     Comparing,
-    /// Few operations, none of which loses digits that the expression as it stands keeps.
+    /// Few operations, without losing digits that the original expression keeps.
     Computing,
 }
 
-/// Polynomials of expressions, each found once.
+/// Polynomials of expressions, each computed once.
 pub(super) struct Expander {
     purpose: Purpose,
     effort: Effort,
@@ -48,7 +47,7 @@ impl Expander {
         Expander::with_effort(purpose, Effort::new(budget))
     }
 
-    /// One that has found nothing yet, and tries no more readings than this one would still do.
+    /// Creates an empty expander with the remaining readings of this one.
     pub(super) fn again(&self) -> Expander {
         Expander::with_effort(self.purpose, self.effort.again())
     }
@@ -57,7 +56,7 @@ impl Expander {
         Expander { purpose, effort, expanded: HashMap::default(), readable: HashMap::default() }
     }
 
-    /// Expands everything `root` is made of, unless that alone would take all effort.
+    /// Expands all parts of `root`, unless this alone would consume all effort.
     pub(super) fn expand_all(&mut self, graph: &mut Graph, root: ExprId) -> Option<()> {
         let mut parts = graph.reachable(&[root]);
         parts.retain(|id| !self.expanded.contains(id));
@@ -75,23 +74,23 @@ impl Expander {
         Some(())
     }
 
-    /// The polynomial of something that has been expanded.
+    /// Returns the polynomial of an expanded expression.
     pub(super) fn polynomial(&self, graph: &Graph, id: ExprId) -> Rc<Polynomial> {
         self.expanded.get(&id).cloned().unwrap_or_else(|| Rc::new(Polynomial::atom(graph, id)))
     }
 
-    /// The polynomial with identities applied: each rule for reading, powers of sines and
-    /// hyperbolic sines replaced for comparing.
+    /// Applies identities to a polynomial: every rule for reading; for comparing, powers of sines
+    /// and hyperbolic sines are replaced.
     pub(super) fn simplified(&mut self, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
         match self.purpose {
             Purpose::Reading => apply_rules(graph, &RULES, polynomial, |readings| self.effort.read(readings)),
-            // Sums of angles would take a sine or cosine more.
+            // Sums of angles would need an additional sine or cosine.
             Purpose::Computing => apply_rules(graph, squares(), polynomial, |_| Some(())),
             Purpose::Comparing => waves::reduce(&mut self.effort, graph, polynomial),
         }
     }
 
-    /// The shortest form known of something that has been expanded.
+    /// Returns the shortest known form of an expanded expression.
     pub(super) fn readable(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
         if let Some(&known) = self.readable.get(&id) {
             return known;
@@ -110,7 +109,7 @@ impl Expander {
         form
     }
 
-    /// The polynomial simplified and regrouped, if the effort left allows that.
+    /// Simplifies and regroups a polynomial, if the remaining effort allows it.
     pub(super) fn grouped(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         let polynomial = self.polynomial(graph, id);
         self.effort.spend(polynomial.len())?;
@@ -210,8 +209,8 @@ impl Expander {
 }
 
 /// True if a sum contains a difference of symbols or of products of symbols, such as the length of
-/// a spring and its rest length. Multiplied out, it would round where the difference of near
-/// numbers is exact.
+/// a spring and its rest length. If expanded, it would have rounding errors where the difference of
+/// close numbers is exact.
 pub(super) fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
     let is_symbol = |id: ExprId| matches!(graph.node(id), Node::Symbol(_));
     let is_plain = |id: ExprId| match graph.node(id) {

@@ -1,6 +1,6 @@
-//! Writing a polynomial for readers: what changes during the motion apart from what does not.
+//! Polynomials for readers: factors that change during the motion are separated from constant ones.
 //!
-//! Terms over the same denominator are put together, then terms that differ only in parameters:
+//! Terms over the same denominator are grouped, then terms that differ only in parameters:
 //! `m1·l1²·a + m2·l1²·a` becomes `(m1 + m2)·l1²·a`.
 
 use super::monomial::{Monomial, Term};
@@ -9,18 +9,18 @@ use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Number of terms up to which a coefficient is searched for common factors: every group that is
-/// drawn out searches the rest again.
+/// Maximum number of terms of a coefficient that is searched for common factors: after each group,
+/// the rest is searched again.
 const MAX_TERMS: usize = 64;
 
-/// An expression with the value of the polynomial.
+/// Returns an expression with the value of the polynomial.
 pub(super) fn group(graph: &mut Graph, polynomial: &Polynomial) -> ExprId {
     let by_denominator = classify(polynomial.terms(), |base, exponent| {
         exponent.is_negative() && !graph.dependencies(base).is_constant_in_motion()
     });
     let mut parts = Vec::new();
     for (denominator, terms) in by_denominator {
-        // A denominator of a single term stays with it; there is nothing to put over it together.
+        // The denominator of a single term stays with it, since there is nothing to group.
         if terms.len() == 1 || denominator.is_one() {
             let whole = terms.into_iter().map(|term| term.times(&denominator)).collect();
             parts.extend(by_motion(graph, whole));
@@ -34,7 +34,7 @@ pub(super) fn group(graph: &mut Graph, polynomial: &Polynomial) -> ExprId {
 }
 
 /// Returns the polynomial with terms combined that differ only in sines and cosines. The sum in
-/// brackets, such as sin a cos b − cos a sin b, is often needed again.
+/// parentheses, such as sin a cos b − cos a sin b, is often reused.
 pub(super) fn gather_waves(graph: &mut Graph, polynomial: &Polynomial) -> Polynomial {
     let is_wave = |graph: &Graph, base: ExprId| {
         matches!(graph.node(base), Node::Call(Function::Sin | Function::Cos, _))
@@ -62,8 +62,8 @@ impl Term {
     }
 }
 
-/// Terms by the product of their factors that `is_key` accepts; what remains of them are the
-/// values.
+/// Classifies terms by the product of their factors that satisfy `is_key`; the values are the
+/// remaining factors.
 fn classify(terms: Vec<Term>, is_key: impl Fn(ExprId, &Number) -> bool) -> Vec<(Monomial, Vec<Term>)> {
     let mut classes: OrderedMap<Monomial, Vec<Term>> = OrderedMap::default();
     for term in terms {
@@ -74,7 +74,7 @@ fn classify(terms: Vec<Term>, is_key: impl Fn(ExprId, &Number) -> bool) -> Vec<(
     classes.iter().map(|(key, terms)| (key.clone(), terms.clone())).collect()
 }
 
-/// The product, with the factors of `factor` flat beside those of the expression.
+/// Returns the product, with the factors of `factor` at the same level as those of the expression.
 fn multiply(graph: &mut Graph, id: ExprId, factor: &Monomial) -> ExprId {
     let (coefficient, core) = graph.split_coefficient(id);
     let inner = match graph.node(core) {
@@ -85,7 +85,7 @@ fn multiply(graph: &mut Graph, id: ExprId, factor: &Monomial) -> ExprId {
     graph.scale(coefficient, product)
 }
 
-/// One part for each product of factors that change during the motion.
+/// Returns one part for each product of factors that change during the motion.
 fn by_motion(graph: &mut Graph, terms: Vec<Term>) -> Vec<(ExprId, Number)> {
     let classes = classify(terms, |base, _| !graph.dependencies(base).is_constant_in_motion());
     let mut parts = Vec::new();
@@ -101,7 +101,7 @@ fn by_motion(graph: &mut Graph, terms: Vec<Term>) -> Vec<(ExprId, Number)> {
     parts
 }
 
-/// The sum of the terms times `factor`, with what all terms have in common drawn out.
+/// Returns the sum of the terms times `factor`, with the common factor of all terms factored out.
 fn factored(graph: &mut Graph, terms: &[Term], factor: &Monomial) -> ExprId {
     let common = common_factor(terms);
     let inverse = common.power(&Number::MINUS_ONE);
@@ -111,7 +111,7 @@ fn factored(graph: &mut Graph, terms: &[Term], factor: &Monomial) -> ExprId {
     multiply(graph, sum, &common.times(factor))
 }
 
-/// The largest monomial that divides every term without a change of sign in an exponent.
+/// Returns the largest monomial that divides every term without a change of sign in an exponent.
 fn common_factor(terms: &[Term]) -> Monomial {
     let [first, others @ ..] = terms else { return Monomial::default() };
     let common = first.monomial.factors().iter().filter_map(|(base, exponent)| {
@@ -128,7 +128,7 @@ fn common_factor(terms: &[Term]) -> Monomial {
     Monomial::new(common.collect())
 }
 
-/// Draws out of groups of terms what they share when they differ in a single factor, largest groups
+/// Factors out the common part of groups of terms that differ in a single factor, largest groups
 /// first.
 fn by_common_factor(graph: &mut Graph, mut terms: Vec<Term>) -> Vec<(ExprId, Number)> {
     let mut parts = Vec::new();
@@ -146,8 +146,8 @@ fn by_common_factor(graph: &mut Graph, mut terms: Vec<Term>) -> Vec<(ExprId, Num
     parts
 }
 
-/// The monomial that is left of the most terms when one factor is taken away, longest first; and
-/// which terms these are.
+/// Returns the monomial that the most terms share when one factor is removed, preferably the
+/// longest one, with the indices of these terms.
 fn largest_group(terms: &[Term]) -> Option<(Monomial, Vec<usize>)> {
     let mut groups: OrderedMap<Monomial, Vec<usize>> = OrderedMap::default();
     for (index, term) in terms.iter().enumerate() {
@@ -159,7 +159,8 @@ fn largest_group(terms: &[Term]) -> Option<(Monomial, Vec<usize>)> {
         }
     }
     let candidates = groups.iter().filter(|(_, members)| members.len() > 1);
-    // Of equally good groups `max_by_key` takes the last one; reversed, that is the first.
+    // Among equally good groups, `max_by_key` returns the last one, which is the first one in
+    // reverse order.
     let best = candidates.rev().max_by_key(|(shared, members)| (members.len(), shared.degree()));
     best.map(|(shared, members)| (shared.clone(), members.clone()))
 }

@@ -1,19 +1,19 @@
 //! Simplification by named, directional rules.
 //!
-//! [`RULES`] lists every identity that is used, with its domain and the reason why applying it
-//! ends. For the equations that become code:
+//! [`RULES`] lists every identity in use, with its domain and the reason why its application
+//! terminates. These functions serve equations that become code:
 //!
-//! - [`collect()`] removes what a rule removes and otherwise leaves the nesting of a formula alone,
-//!   because that nesting is what keeps derived equations small;
-//! - [`quotient`] cancels what the equation of a single coordinate shares with its inertia;
+//! - [`collect()`] applies rules that remove terms and otherwise preserves the nesting of a
+//!   formula, because this nesting keeps derived equations small;
+//! - [`quotient`] cancels common factors of the equation of a single coordinate and its inertia;
 //! - [`contract()`] writes sums of products of sines and cosines with fewer terms, so that little
 //!   cancels; [`open()`] multiplies out products that it may then contract;
-//! - [`content()`] is what expressions have in common;
+//! - [`content()`] finds the common factor of expressions;
 //! - [`multiply_out`] is for small systems, where cancellation saves more than sharing.
 //!
-//! These serve readers and proofs, and are unfit for code. [`present()`] multiplies out within a
-//! budget and regroups. [`proves_zero`] multiplies out to decide whether an expression vanishes,
-//! and [`vanishing()`] selects the values for which that is worth trying.
+//! Other functions serve readers and proofs, and are unsuitable for code. [`present()`] expands
+//! within a budget and regroups. [`proves_zero`] expands to decide whether an expression vanishes,
+//! and [`vanishing()`] selects the values for which this is worth trying.
 //!
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 

@@ -1,10 +1,10 @@
-//! Products written flat, for comparing them whatever their nesting.
+//! Flat products, for comparisons that ignore nesting.
 
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Number of nested parts up to which a product is written flat. Products grow with every
-/// elimination; flat copies of all of them would take a time quadratic in the length of a chain.
+/// Maximum number of nested parts of a flat product. Products grow with every elimination; flat
+/// copies of all of them would take quadratic time in the length of a chain.
 pub(super) const MAX_FACTORS: usize = 16;
 
 /// `Π base ^ exponent`: ascending bases, no exponent zero. Equal monomials are equal values.
@@ -19,7 +19,8 @@ pub(super) struct Term {
 }
 
 impl Term {
-    /// `scale · id` with its factors opened; something with too many of them is a factor itself.
+    /// Returns `scale · id` with its factors expanded; an expression with too many of them is a
+    /// single factor.
     pub(super) fn of(graph: &Graph, id: ExprId, scale: &Number) -> Term {
         let (inner, core) = graph.split_coefficient(id);
         let coefficient = scale * &inner;
@@ -53,12 +54,12 @@ impl Monomial {
         self.0.is_empty()
     }
 
-    /// The exponent of a factor.
+    /// Returns the exponent of a factor.
     pub(super) fn exponent(&self, base: ExprId) -> Option<&Number> {
         self.0.iter().find(|(factor, _)| *factor == base).map(|(_, exponent)| exponent)
     }
 
-    /// The sum of the exponents.
+    /// Returns the sum of the exponents.
     pub(super) fn degree(&self) -> Number {
         self.0.iter().fold(Number::ZERO, |degree, (_, exponent)| &degree + exponent)
     }
@@ -75,12 +76,12 @@ impl Monomial {
         Monomial::new(self.0.iter().map(|(base, e)| (*base, e * exponent)).collect())
     }
 
-    /// `self / other`
+    /// Returns `self / other`
     pub(super) fn over(&self, other: &Monomial) -> Monomial {
         self.times(&other.power(&Number::MINUS_ONE))
     }
 
-    /// The largest monomial that divides both, for positive exponents.
+    /// Returns the largest monomial that divides both, for positive exponents.
     pub(super) fn least(&self, other: &Monomial) -> Monomial {
         let least = |(base, exponent): &(ExprId, Number)| {
             Some((*base, exponent.clone().min(other.exponent(*base)?.clone())))
@@ -98,8 +99,8 @@ impl Monomial {
         graph.product(self.0.iter().cloned())
     }
 
-    /// The monomial of a product with nested products opened; `None` if more than `limit` nodes
-    /// would have to be visited.
+    /// Returns the monomial of a product with nested products expanded; `None` if more than `limit`
+    /// nodes would have to be visited.
     ///
     /// Integer powers of products are distributed over the factors. Other powers are not: the root
     /// of a product is not the product of the roots if two factors are negative.

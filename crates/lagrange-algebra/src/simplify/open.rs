@@ -1,4 +1,4 @@
-//! Sums among the factors of products, multiplied out one by one.
+//! Expansion of sums among the factors of products, one at a time.
 
 use super::expand::is_difference;
 use super::monomial::{Monomial, Term};
@@ -6,12 +6,12 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Number of terms to which anything is multiplied out, as many as [`contract`](super::contract())
-/// takes.
+/// Maximum number of terms after expansion, which is the maximum of
+/// [`contract`](super::contract()).
 const MAX_TERMS: usize = 64;
 
-/// Multiplies out the sums among the factors of terms that `is_chosen` accepts; `None` if the terms
-/// become too many. Roots and denominators stay closed.
+/// Expands the sums among the factors of terms that satisfy `is_chosen`; `None` if there would be
+/// too many terms. Roots and denominators stay closed.
 pub fn open(
     graph: &mut Graph,
     terms: &[(ExprId, Number)],
@@ -32,7 +32,7 @@ pub fn open(
     Some(opened)
 }
 
-/// Counts the terms of an expression when everything is multiplied out and nothing is combined.
+/// Counts the terms of an expression if everything is expanded and nothing is combined.
 pub fn count_opened(graph: &Graph, id: ExprId) -> usize {
     let mut counts: HashMap<ExprId, usize> = HashMap::default();
     for id in graph.reachable(&[id]) {
@@ -54,7 +54,7 @@ pub fn count_opened(graph: &Graph, id: ExprId) -> usize {
     counts.get(&id).copied().unwrap_or(1)
 }
 
-/// Returns the sums that stand among the factors of terms, each once.
+/// Returns the sums among the factors of terms, each once.
 pub fn factors_to_open(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<ExprId> {
     let mut found = Vec::new();
     for (id, coefficient) in terms {
@@ -66,7 +66,8 @@ pub fn factors_to_open(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<ExprId>
     found
 }
 
-/// True if a sum may be opened with others without losing what a difference of near numbers keeps.
+/// True if a sum can be expanded with others without losing the accuracy of a difference of close
+/// numbers.
 pub fn is_no_difference(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Sum { constant, terms } => constant.is_zero() && !is_difference(graph, terms),
@@ -81,7 +82,7 @@ fn sums_of<'a>(graph: &'a Graph, monomial: &'a Monomial) -> impl Iterator<Item =
     sums.map(|(base, _)| *base)
 }
 
-/// One power of a sum distributed over the rest of a product.
+/// Distributes one power of a sum over the rest of a product.
 fn distributed(graph: &Graph, term: &Term, factor: ExprId) -> Vec<Term> {
     let Node::Sum { constant, terms } = graph.node(factor) else { return Vec::new() };
     let rest = term.monomial.times_power(factor, -1);

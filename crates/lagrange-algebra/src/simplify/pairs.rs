@@ -1,8 +1,7 @@
-//! The engine behind the rules: finds pairs of terms that a rule turns into one.
+//! Engine of the rules: it finds pairs of terms that a rule combines.
 //!
-//! A term is read as a side of a rule in every possible way. Readings are looked up by the form
-//! that the other side must have. The cost is therefore proportional to the number of terms, not of
-//! pairs.
+//! A term is read as a side of a rule in every possible way. Readings are looked up by the required
+//! form of the other side. The cost is therefore proportional to the number of terms, not of pairs.
 
 use super::monomial::{Monomial, Term};
 use super::rules::{Rule, RuleArguments};
@@ -10,12 +9,11 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// A term left after joining, and the input term it goes back to.
+/// A term after joining, and the input term that it comes from.
 #[derive(Debug)]
 pub(super) struct Joined {
     pub(super) term: Term,
-    /// The index of an input term of which this is a part; that term itself unless something was
-    /// joined.
+    /// The index of an input term that this one contains; they are identical if nothing was joined.
     pub(super) source: usize,
 }
 
@@ -47,8 +45,8 @@ impl Rule {
     }
 }
 
-/// Applies `rules` until none matches. `spend` is given the number of ways of reading each term;
-/// `None` if that is too much for it.
+/// Applies `rules` until none matches. `spend` receives the number of ways of reading each term.
+/// `None` if `spend` returns `None`.
 pub(super) fn join(
     graph: &mut Graph,
     rules: &[Rule],
@@ -82,7 +80,7 @@ pub(super) fn join(
     Some(slots.into_iter().flatten().collect())
 }
 
-/// A term that is still there and is the other side of `reading`.
+/// Returns a remaining term that is the other side of `reading`.
 fn partner<'a>(
     open: &mut HashMap<Reading, Vec<usize>>,
     slots: &[Option<Joined>],
@@ -146,7 +144,7 @@ fn calls(graph: &Graph, monomial: &Monomial) -> Vec<CallFactor> {
     monomial.factors().iter().filter_map(call).collect()
 }
 
-/// Every `(x, y, f(x)·g(y))` among the factors.
+/// Returns every `(x, y, f(x)·g(y))` among the factors.
 fn matches(
     calls: &[CallFactor],
     [f, g]: [Function; 2],
@@ -158,7 +156,8 @@ fn matches(
             let (x, y) = (first.argument, second.argument);
             let fits = match arguments {
                 RuleArguments::Same => x == y && (first.id != second.id || first.exponent > 1),
-                // Every rule is unchanged when x and y are exchanged with their functions.
+                // Every rule is symmetric under the exchange of x and y together with their
+                // functions.
                 RuleArguments::Distinct => x < y,
             };
             if fits {

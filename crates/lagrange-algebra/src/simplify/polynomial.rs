@@ -1,4 +1,4 @@
-//! Sums multiplied out.
+//! Expanded sums.
 
 use std::collections::BTreeMap;
 
@@ -6,8 +6,8 @@ use super::monomial::{Monomial, Term};
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// A polynomial over expressions that are not looked into, with exact coefficients; no coefficient
-/// is zero. Ordered by monomials, that is by the age of the expressions in them.
+/// A polynomial over opaque expressions, with exact nonzero coefficients. Ordered by monomials, and
+/// thus by the age of the expressions in them.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub(super) struct Polynomial(BTreeMap<Monomial, Number>);
 
@@ -24,7 +24,8 @@ impl Polynomial {
         Polynomial::of_terms([Term { coefficient: value, monomial: Monomial::default() }])
     }
 
-    /// An expression that is not looked into, except that numbers and the factors of products show.
+    /// Creates a polynomial of an opaque expression, of which only numbers and the factors of
+    /// products are visible.
     pub(super) fn atom(graph: &Graph, id: ExprId) -> Polynomial {
         let (coefficient, core) = graph.split_coefficient(id);
         match graph.node(core) {
@@ -47,7 +48,7 @@ impl Polynomial {
         self.0.is_empty()
     }
 
-    /// The single term, if there is no other.
+    /// Returns the only term, if there are no others.
     pub(super) fn single(&self) -> Option<(&Monomial, &Number)> {
         self.0.iter().next().filter(|_| self.len() == 1)
     }

@@ -11,9 +11,9 @@ use lagrange_expr::number::Number;
 /// Relation between the arguments of the two calls in one side of a rule.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RuleArguments {
-    /// They are the same expression.
+    /// The arguments are the same expression.
     Same,
-    /// They are different.
+    /// The arguments are different expressions.
     Distinct,
 }
 
@@ -26,7 +26,7 @@ pub struct Rule {
     pub algebra: &'static str,
     /// Domain where it holds.
     pub domain: &'static str,
-    /// Measure that falls each time it is applied, so that applying it ends.
+    /// Measure that decreases with each application, so that application terminates.
     pub measure: &'static str,
     /// The functions of the first term.
     pub left: [Function; 2],
@@ -36,7 +36,7 @@ pub struct Rule {
     pub subtracts: bool,
     /// Relation between x and y.
     pub arguments: RuleArguments,
-    /// Expression that replaces the two.
+    /// Expression that replaces the two terms.
     pub result: fn(&mut Graph, ExprId, ExprId) -> ExprId,
 }
 
@@ -113,13 +113,14 @@ pub const RULES: [Rule; 6] = [
     },
 ];
 
-/// The rules that remove squares and make no new function.
+/// Returns the rules that remove squares without introducing functions.
 pub(super) fn squares() -> &'static [Rule] {
     const SQUARES: &[Rule] = RULES.split_at(2).0;
     SQUARES
 }
 
-/// `function(x + sign·y)`, with sums opened so that equal parts of the arguments meet.
+/// Returns `function(x + sign·y)`, with sums expanded so that equal parts of the arguments are
+/// combined.
 fn of_sum(graph: &mut Graph, function: Function, x: ExprId, y: ExprId, sign: Number) -> ExprId {
     let mut constant = Number::ZERO;
     let mut terms = Vec::new();

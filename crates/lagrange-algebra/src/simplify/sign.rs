@@ -1,20 +1,20 @@
-//! Expressions that vanish nowhere, as their signs show.
+//! Expressions that never vanish, according to their signs.
 
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Depth to which sums are looked into. A pivot is a sum of products of sums; a miss costs a guard,
-/// never a wrong answer.
+/// Maximum depth of the search in sums. A pivot is a sum of products of sums; a miss costs a guard,
+/// but never causes a wrong result.
 const DEEPEST: usize = 4;
 
-/// True if an expression is known to vanish in no configuration, given that parameters are
+/// True if an expression is known to vanish in no configuration, assuming that parameters are
 /// positive.
 pub fn never_vanishes(graph: &Graph, id: ExprId) -> bool {
     stays(graph, id, DEEPEST)
 }
 
-/// True if an expression is known to be positive, or to be negative, wherever it has a value,
-/// whatever its symbols are.
+/// True if an expression is known to be always positive or always negative, wherever it is defined,
+/// for all values of its symbols.
 pub fn has_one_sign(graph: &Graph, id: ExprId) -> bool {
     is_above(graph, id, false, DEEPEST) || is_above(graph, id, true, DEEPEST)
 }
@@ -61,7 +61,7 @@ fn stays(graph: &Graph, id: ExprId, depth: usize) -> bool {
     }
 }
 
-/// True if an expression is never negative, given that parameters are positive.
+/// True if an expression is never negative, assuming that parameters are positive.
 fn is_square(graph: &Graph, id: ExprId) -> bool {
     let is_fixed = |id: ExprId| graph.dependencies(id).is_constant_in_motion();
     match graph.node(id) {

@@ -1,4 +1,4 @@
-//! Sines and cosines in a form that is the same for equal values.
+//! Normal form of sines and cosines, which is unique for equal values.
 //!
 //! Sines and cosines of sums become polynomials in those of the single angles (Abramowitz and
 //! Stegun, §4.3.16–17). Then sin² becomes 1 - cos² and sinh² becomes cosh² - 1. If the single
@@ -11,8 +11,8 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
-/// Largest multiple of an angle that is written in sine and cosine of the angle, n + 1 terms for
-/// both. Higher multiples are separate angles.
+/// Largest multiple of an angle that is written in terms of the sine and cosine of the angle, with
+/// n + 1 terms for both. Higher multiples are separate angles.
 const HIGHEST_MULTIPLE: i32 = 8;
 
 /// The sine and the cosine of an angle.
@@ -21,7 +21,7 @@ struct SineAndCosine {
     cos: Polynomial,
 }
 
-/// sin or cos of an angle; `None` if that takes more than the budget.
+/// Expands sin or cos of an angle; `None` if this exceeds the budget.
 pub(super) fn expand(
     effort: &mut Effort,
     graph: &mut Graph,
@@ -64,7 +64,7 @@ fn add_angles(effort: &mut Effort, a: &SineAndCosine, b: &SineAndCosine) -> Opti
     Some(SineAndCosine { sin: effort.within_budget(sin)?, cos: effort.within_budget(cos)? })
 }
 
-/// The polynomial without powers of sines and hyperbolic sines above the first.
+/// Returns the polynomial without powers of sines and hyperbolic sines above the first.
 pub(super) fn reduce(effort: &mut Effort, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
     let mut polynomial = polynomial.clone();
     loop {
@@ -82,7 +82,7 @@ pub(super) fn reduce(effort: &mut Effort, graph: &mut Graph, polynomial: &Polyno
     }
 }
 
-/// The term with two powers of a sine replaced, `Some(None)` if it has no such power.
+/// Returns the term with two powers of a sine replaced; `Some(None)` if it has no such power.
 fn reduce_term(effort: &mut Effort, graph: &mut Graph, term: &Term) -> Option<Option<Polynomial>> {
     let is_square = |&(base, ref exponent): &(ExprId, Number)| {
         let partner = partner(graph, base)?;
@@ -100,7 +100,8 @@ fn reduce_term(effort: &mut Effort, graph: &mut Graph, term: &Term) -> Option<Op
     Some(Some(Polynomial::of_terms([one, square])))
 }
 
-/// The function whose square replaces that of a sine or a hyperbolic sine, and the argument.
+/// Returns the function whose square replaces that of a sine or a hyperbolic sine, and the
+/// argument.
 fn partner(graph: &Graph, id: ExprId) -> Option<(Function, ExprId)> {
     match graph.node(id) {
         Node::Call(Function::Sin, x) => Some((Function::Cos, x[0])),

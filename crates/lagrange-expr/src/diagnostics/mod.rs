@@ -1,7 +1,7 @@
-//! Mistakes of a declaration: their places, their description in the user's words, and help.
+//! Errors in a declaration: their places, their descriptions for users, and help.
 //!
-//! A phase adds to a [`Report`] and continues as far as it can; the pipeline stops at the barrier
-//! between phases. Wording lives with the phase that finds the mistake, in its `messages` file.
+//! A phase adds to a [`Report`] and continues as far as possible; the pipeline stops between
+//! phases. The wording is in the `messages` file of the phase that finds the error.
 
 mod rows;
 mod spelling;
@@ -15,10 +15,10 @@ use proc_macro2::Span;
 pub use crate::messages;
 pub use spelling::nearest;
 
-/// The names of files of what is in no file.
+/// File names of tokens that are not in a file.
 const NOWHERE: [&str; 2] = ["", "<unspecified>"];
 
-/// A stretch of the user's source, from its first to its last token.
+/// A range of the user's source, from its first to its last token.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
     /// Span of the first token.
@@ -28,30 +28,30 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// Returns the stretch from the start of `self` to the end of `other`.
+    /// Returns the range from the start of `self` to the end of `other`.
     pub fn to(self, other: Origin) -> Origin {
         Origin { start: self.start, end: other.end }
     }
 
-    /// Line and column of its first character, both counted from one. `None` where nothing is known
-    /// of them, as in servers of editors.
+    /// Returns line and column of its first character, both counted from one. `None` if they are
+    /// unknown, as in language servers.
     pub fn position(self) -> Option<[usize; 2]> {
         let start = self.start.start();
         let is_known = start.line > 0 && !NOWHERE.contains(&self.start.file().as_str());
         is_known.then_some([start.line, start.column + 1])
     }
 
-    /// Its bytes in the text that was parsed, where [`Origin::position`] is known.
+    /// Returns its bytes in the parsed text, if [`Origin::position`] is known.
     pub fn bytes(self) -> Option<Range<usize>> {
         let (start, end) = (self.start.byte_range(), self.end.byte_range());
         self.position().map(|_| start.start..end.end.max(start.end))
     }
 
-    /// Its position, `3:7`, with the name of the file before it if it has one: `src/main.rs:3:7`.
+    /// Returns its position, `3:7`, preceded by the file name if it has one: `src/main.rs:3:7`.
     fn place(self) -> Option<String> {
         let [line, column] = self.position()?;
         let file = self.start.file();
-        // What has no file has a name such as `<parsed string 1>`.
+        // Text without a file has a name such as `<parsed string 1>`.
         let file = if file.starts_with('<') { String::new() } else { format!("{file}:") };
         Some(format!("{file}{line}:{column}"))
     }
@@ -66,18 +66,18 @@ impl From<Span> for Origin {
 /// Severity of a diagnostic.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Severity {
-    /// The declaration has no meaning; no equations are derived.
+    /// The declaration is invalid; no equations are derived.
     Error,
-    /// A warning: this name is declared but never used, which is probably not as meant.
+    /// A warning: this name is declared but never used, which is probably unintended.
     Unused(String),
-    /// A warning: this is as meant, but takes long to compile.
+    /// A warning: this is intended, but takes long to compile.
     Expensive,
-    /// A warning: two things contradict each other, or a number is impossible, but equations can be
-    /// derived.
+    /// A warning: the declaration contradicts itself, or a number is impossible, but equations can
+    /// be derived.
     Doubtful,
 }
 
-/// One mistake.
+/// One error or warning.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
     /// Severity.
@@ -86,7 +86,7 @@ pub struct Diagnostic {
     pub message: String,
     /// The offending tokens.
     pub origin: Origin,
-    /// Other places that matter, each with a description.
+    /// Other relevant places, each with a description.
     pub related: Vec<(Origin, String)>,
     /// Advice.
     pub help: Option<String>,
@@ -107,7 +107,7 @@ impl Diagnostic {
 }
 
 impl Diagnostic {
-    /// Returns the message, then related places and help, each from a separate line on.
+    /// Returns the message, then related places and help, each starting on a separate line.
     pub fn text(&self) -> String {
         let mut text = self.message.clone();
         for (origin, note) in &self.related {
@@ -133,7 +133,7 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// Collects the mistakes of one declaration in the order in which they are found.
+/// The diagnostics of one declaration, in the order of discovery.
 #[derive(Clone, Default, Debug)]
 #[must_use = "mistakes must reach the user"]
 pub struct Report {
@@ -146,7 +146,7 @@ impl Report {
         self.add(Severity::Error, origin.into(), message.into())
     }
 
-    /// Adds a warning of a name that is never used; details can be chained.
+    /// Adds a warning about an unused name; details can be chained.
     pub fn unused(
         &mut self,
         name: &str,
@@ -156,12 +156,12 @@ impl Report {
         self.add(Severity::Unused(name.to_owned()), origin.into(), message.into())
     }
 
-    /// Adds a warning of something that takes long to compile; details can be chained.
+    /// Adds a warning about long compilation; details can be chained.
     pub fn expensive(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
         self.add(Severity::Expensive, origin.into(), message.into())
     }
 
-    /// Adds a warning of something that can hardly be meant; details can be chained.
+    /// Adds a warning about something that is hardly intended; details can be chained.
     pub fn doubtful(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
         self.add(Severity::Doubtful, origin.into(), message.into())
     }
@@ -172,23 +172,22 @@ impl Report {
         &mut self.diagnostics[last]
     }
 
-    /// Returns the mistake of this number, counted from zero in the order of discovery, to add
-    /// later findings.
+    /// Returns the diagnostic with this index, in the order of discovery, to add later findings.
     pub fn diagnostic_mut(&mut self, number: usize) -> Option<&mut Diagnostic> {
         self.diagnostics.get_mut(number)
     }
 
-    /// Changes each mistake, and keeps those for which `keep` is true.
+    /// Changes each diagnostic, and retains those for which `keep` is true.
     pub fn revise(&mut self, keep: impl FnMut(&mut Diagnostic) -> bool) {
         self.diagnostics.retain_mut(keep);
     }
 
-    /// True if anything in it is an error.
+    /// True if any diagnostic is an error.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 
-    /// Diagnostics found so far.
+    /// Returns the diagnostics found so far.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }

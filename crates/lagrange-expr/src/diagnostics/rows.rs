@@ -1,9 +1,9 @@
-//! Messages as rows: a name, the gaps that are filled in, and the words.
+//! Messages as rows: a name, the gaps to be filled in, and the text.
 
 /// Writes a table of messages, all with the visibility on its first line.
 ///
-/// A row without gaps is a constant. One with gaps is a function that fills them with anything that
-/// can be displayed; behind the words are values for `{}`, as in `format!`.
+/// A row without gaps is a constant. A row with gaps is a function that fills them with displayable
+/// values; the text is followed by values for `{}`, as in `format!`.
 ///
 /// ```
 /// mod words {

@@ -1,16 +1,16 @@
-//! The name that was probably meant.
+//! Suggestion of the intended name.
 
-/// Longer names are not compared; nobody mistypes them by a letter.
+/// Maximum length of compared names; longer ones are rarely mistyped by a letter.
 const LONGEST_COMPARED: usize = 64;
-/// A name that begins with another is near it if they share at least this many letters.
+/// Minimum number of shared letters for which a name is near a prefix of it.
 const SHORTEST_PREFIX: usize = 3;
 
 /// Returns the candidate nearest to an unknown name, if it is near enough to be worth suggesting.
 ///
-/// Nearness is the number of letters to insert, delete, replace or swap with their neighbour, at
-/// most a third of the longer name. Upper and lower case count as equal. Failing that, a candidate
-/// is near that abbreviates the name or is abbreviated by it. Of equally near candidates the first
-/// wins.
+/// The distance is the number of letters to insert, delete, replace or swap with their neighbour,
+/// at most a third of the longer name. Case is ignored. Otherwise, a candidate is near if it
+/// abbreviates the name or is abbreviated by it. Among equally near candidates, the first one is
+/// chosen.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters = lower_case(name);
     if letters.len() > LONGEST_COMPARED {
@@ -46,11 +46,11 @@ fn small_distance(a: &[char], b: &[char]) -> Option<usize> {
     if a.len().abs_diff(b.len()) > tolerance {
         return None;
     }
-    // With every letter replaced nothing of the name is left: `x` is not near `y`.
+    // If every letter were replaced, nothing would remain of the name: `x` is not near `y`.
     Some(distance(a, b)).filter(|&distance| distance <= tolerance && distance < longer)
 }
 
-/// Optimal string alignment distance, row by row.
+/// Computes the optimal string alignment distance, row by row.
 fn distance(a: &[char], b: &[char]) -> usize {
     let mut before_last: Vec<usize> = Vec::new();
     let mut last: Vec<usize> = (0..=b.len()).collect();

@@ -1,24 +1,24 @@
 //! Domains of elementary functions.
 
-/// Arguments for which a function is defined.
+/// Set of arguments for which a function is defined.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Domain {
-    /// All of them.
+    /// All numbers.
     Everywhere,
-    /// All but single points, which these words name.
+    /// All numbers except single points, described by this text.
     AwayFrom(&'static str),
-    /// No number below zero.
+    /// Nonnegative numbers.
     FromZero,
-    /// Numbers above zero.
+    /// Positive numbers.
     AboveZero,
-    /// A first argument above zero.
+    /// A positive first argument.
     BaseAboveZero,
     /// Numbers from −1 to 1.
     WithinOne,
 }
 
 impl Domain {
-    /// Returns the domain in words for error messages and docs.
+    /// Returns a description of the domain for error messages and documentation.
     pub fn words(self) -> String {
         match self {
             Domain::Everywhere => "everywhere".to_owned(),

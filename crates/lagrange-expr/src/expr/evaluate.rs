@@ -1,4 +1,4 @@
-//! Reference evaluation in double precision: slow, obvious, for checking everything else.
+//! Reference evaluation in double precision: slow and simple, to check everything else.
 
 use crate::collections::HashMap;
 use crate::elementary::row;
@@ -6,10 +6,10 @@ use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 use crate::symbol::Role;
 
-/// Returns the values of `roots` where symbols have the values that `value_of` gives.
+/// Returns the values of `roots` for the values of symbols that `value_of` returns.
 ///
-/// A condition that compares with NaN makes the whole choice NaN. Functions of the user's have
-/// values that stand for any others.
+/// A condition that compares with NaN makes the whole choice NaN. Functions of the user's crate
+/// have generic values.
 pub fn evaluate(graph: &Graph, roots: &[ExprId], value_of: impl Fn(Role) -> f64) -> Vec<f64> {
     let mut values: HashMap<ExprId, f64> = HashMap::default();
     for id in graph.reachable(roots) {
@@ -20,8 +20,8 @@ pub fn evaluate(graph: &Graph, roots: &[ExprId], value_of: impl Fn(Role) -> f64)
     roots.iter().map(|root| values.get(root).copied().unwrap_or(f64::NAN)).collect()
 }
 
-/// Returns the value of one node, where its operands have the values that `at` gives and symbols
-/// those that `value_of` gives.
+/// Returns the value of one node, for the values of operands from `at` and of symbols from
+/// `value_of`.
 pub fn node_value(
     graph: &Graph,
     id: ExprId,

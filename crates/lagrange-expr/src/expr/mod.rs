@@ -2,14 +2,14 @@
 //!
 //! A [`Graph`] owns every expression of one system; an [`ExprId`] is a handle into it. Equal
 //! expressions have equal ids, and children have smaller ids than their parents. A loop over
-//! ascending ids therefore walks from the leaves to the roots without a stack.
+//! ascending ids therefore proceeds from the leaves to the roots without a stack.
 //!
-//! Nodes come only from the constructors in [`sum`](Graph::sum), [`product`](Graph::product) and
-//! [`choose`](Graph::choose), and for elementary functions from [`crate::functions`]. They fold
-//! numbers, collect equal terms and equal bases and sort operands. They do *not* multiply out, and
-//! they keep the nesting in which a formula was built unless a term cancels. Shared parts stay
-//! shared, which keeps derived equations small. The graph knows no algorithm; those are functions
-//! that take it.
+//! Nodes are only created by the constructors in [`sum`](Graph::sum), [`product`](Graph::product)
+//! and [`choose`](Graph::choose), and for elementary functions from [`crate::functions`]. They fold
+//! numbers, collect equal terms and equal bases and sort operands. They do *not* expand products,
+//! and they keep the nesting in which a formula was built unless a term cancels. Shared parts stay
+//! shared, which keeps derived equations small. The graph itself contains no algorithms; these are
+//! functions that take the graph.
 
 mod combine;
 mod evaluate;
@@ -100,7 +100,7 @@ pub enum Node {
     Call(Function, Box<[ExprId]>),
     /// The value or a derivative of a function without a formula.
     Opaque(Opaque, Box<[ExprId]>),
-    /// `if left relation right { then } else { otherwise }`, the relation being `<` or `<=`.
+    /// `if left relation right { then } else { otherwise }`, where the relation is `<` or `<=`.
     Choose {
         /// `<` or `<=`.
         relation: Relation,
@@ -140,7 +140,7 @@ pub struct Graph {
     symbols: Symbols,
     /// Rates of positions that are not the velocities with the same index.
     rates: HashMap<ExprId, ExprId>,
-    /// Powers of the unit of inertia in which symbols are measured, where that is not zero.
+    /// Nonzero powers of the unit of inertia in which symbols are measured.
     grades: HashMap<ExprId, Number>,
     /// Implicit definitions by equations.
     unknowns: Vec<AlgebraicUnknowns>,
@@ -159,17 +159,17 @@ impl Graph {
         &self.nodes[id.index()]
     }
 
-    /// Returns the number of distinct expressions made so far.
+    /// Returns the number of distinct expressions created so far.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// True if nothing has been made.
+    /// True if no expression has been created.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// Returns the symbols that expressions mention.
+    /// Returns the symbols in expressions.
     pub fn symbols(&self) -> &Symbols {
         &self.symbols
     }
@@ -182,7 +182,7 @@ impl Graph {
         }
     }
 
-    /// Dependencies: what the value can change with.
+    /// Returns the quantities that the value may change with.
     pub fn dependencies(&self, id: ExprId) -> Dependencies {
         self.facts[id.index()].dependencies
     }
@@ -192,14 +192,14 @@ impl Graph {
         self.facts[id.index()].nonnegative
     }
 
-    /// True if there may be arguments for which the value is not defined, as of the root of what
-    /// may be negative.
+    /// True if the value may be undefined for some arguments, such as the root of a possibly
+    /// negative expression.
     pub fn is_partial(&self, id: ExprId) -> bool {
         self.facts[id.index()].partial
     }
 
-    /// Counts the names, numbers and function signs that the expression takes when it is written
-    /// out; it saturates.
+    /// Counts the names, numbers and function signs of the expression when written out; the count
+    /// saturates.
     pub fn written_size(&self, id: ExprId) -> u64 {
         self.facts[id.index()].written_size
     }
@@ -241,12 +241,12 @@ impl Graph {
         ExprId(u32::try_from(index).expect("fewer than 2^32 expressions fit in memory"))
     }
 
-    /// Makes an exact number.
+    /// Creates an exact number.
     pub fn number(&mut self, value: impl Into<Number>) -> ExprId {
         self.intern(Node::Number(value.into()))
     }
 
-    /// Makes the circle constant.
+    /// Creates the circle constant.
     pub fn pi(&mut self) -> ExprId {
         self.intern(Node::Pi)
     }
@@ -263,23 +263,23 @@ impl Graph {
         self.intern(Node::Symbol(id))
     }
 
-    /// Lets the rate of a position be this function of positions and velocities, not the velocity
-    /// with the same index.
+    /// Sets the rate of a position to a function of positions and velocities, instead of the
+    /// velocity with the same index.
     pub fn set_rate(&mut self, position: ExprId, rate: ExprId) {
         self.rates.insert(position, rate);
     }
 
-    /// Takes the rate of a position away that [`set_rate`](Graph::set_rate) has set.
+    /// Removes the rate of a position set by [`set_rate`](Graph::set_rate).
     pub fn remove_rate(&mut self, position: ExprId) {
         self.rates.remove(&position);
     }
 
-    /// Returns the rate of a position that differs from the velocity of its index.
+    /// Returns the rate of a position if it differs from the velocity with the same index.
     pub fn rate_of_position(&self, position: ExprId) -> Option<ExprId> {
         self.rates.get(&position).copied()
     }
 
-    /// Keeps in which powers of the unit of inertia symbols are measured.
+    /// Sets the powers of the unit of inertia in which symbols are measured.
     pub fn set_grades(&mut self, grades: impl IntoIterator<Item = (ExprId, Number)>) {
         self.grades = grades.into_iter().collect();
     }
@@ -295,14 +295,13 @@ impl Graph {
         self.grades.get(&symbol).cloned().unwrap_or(Number::ZERO)
     }
 
-    /// Makes a function call as it stands; [`crate::functions::apply`] is the constructor that
-    /// simplifies.
+    /// Creates a function call as it is; [`crate::functions::apply`] is the simplifying
+    /// constructor.
     pub fn call(&mut self, function: Function, arguments: &[ExprId]) -> ExprId {
         self.intern(Node::Call(function, arguments.into()))
     }
 
-    /// Makes the value or a derivative of a function without a formula, for as many arguments as it
-    /// has.
+    /// Creates the value or a derivative of a function without a formula, for all of its arguments.
     pub fn opaque(&mut self, function: Opaque, arguments: &[ExprId]) -> ExprId {
         if function.vanishes() {
             return self.number(0);
@@ -310,7 +309,7 @@ impl Graph {
         self.intern(Node::Opaque(function, arguments.into()))
     }
 
-    /// Makes `if left relation right { then } else { otherwise }`. The condition is decided here if
+    /// Creates `if left relation right { then } else { otherwise }`. The condition is evaluated if
     /// both sides are numbers, and dropped if both values are the same expression.
     pub fn choose(
         &mut self,

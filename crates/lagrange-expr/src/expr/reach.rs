@@ -9,8 +9,8 @@ impl Graph {
         self.reachable_until(roots, |_| false)
     }
 
-    /// Returns expressions as [`reachable`](Graph::reachable) does, except those that are only
-    /// reached through others that `stop` accepts. The latter are included.
+    /// Returns expressions like [`reachable`](Graph::reachable), except those that are only reached
+    /// through expressions for which `stop` is true. The latter are included.
     pub fn reachable_until(&self, roots: &[ExprId], stop: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
         let mut seen = vec![false; roots.iter().map(|root| root.index() + 1).max().unwrap_or(0)];
         let mut pending = roots.to_vec();
@@ -27,8 +27,8 @@ impl Graph {
         found
     }
 
-    /// True if an expression has more than `limit` parts, including itself. Visits no more than
-    /// that many, however large the expression is.
+    /// True if an expression has more than `limit` parts, including itself. Visits at most this
+    /// many, even in a large expression.
     pub fn is_larger_than(&self, root: ExprId, limit: usize) -> bool {
         let mut seen = HashSet::from_iter([root]);
         let mut pending = vec![root];

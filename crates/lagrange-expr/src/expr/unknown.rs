@@ -1,14 +1,15 @@
-//! Values that equations define implicitly.
+//! Values that are implicitly defined by equations.
 //!
-//! Algebraic unknowns y of as many equations 0 = r(x₁, …, y) are functions y(x₁, …) of their
-//! arguments. Expressions mention each as a call of an [`Opaque`] function. The residuals r, with
-//! separate symbols for the arguments and the unknowns, are stored beside them in the graph.
+//! Algebraic unknowns y of an equal number of equations 0 = r(x₁, …, y) are functions y(x₁, …) of
+//! their arguments. Expressions contain each as a call of an [`Opaque`] function. The residuals r,
+//! with separate symbols for the arguments and the unknowns, are stored alongside in the graph.
 
 use super::{ExprId, Graph};
 use crate::opaque::Opaque;
 use crate::symbol::Role;
 
-/// Functions that as many equations define together: one, or several that are coupled.
+/// Functions that are defined by an equal number of equations: a single one, or several coupled
+/// ones.
 #[derive(Clone, Debug)]
 pub struct AlgebraicUnknowns {
     /// The functions.
@@ -21,12 +22,12 @@ pub struct AlgebraicUnknowns {
     pub residuals: Vec<ExprId>,
     /// Values from which the iteration starts, functions of the arguments.
     pub starts: Vec<ExprId>,
-    /// Number of steps after which the equations count as ones without a solution.
+    /// Maximum number of steps; equations without a solution by then count as unsolvable.
     pub iterations: u32,
 }
 
 impl AlgebraicUnknowns {
-    /// Returns all expressions that define them.
+    /// Returns all expressions of the definition.
     pub fn expressions(&self) -> Vec<ExprId> {
         [&self.arguments[..], &self.values, &self.residuals, &self.starts].concat()
     }
@@ -46,14 +47,14 @@ impl AlgebraicUnknowns {
 }
 
 impl Graph {
-    /// Makes a new symbol for an argument or the value of an algebraic unknown.
+    /// Creates a new symbol for an argument or the value of an algebraic unknown.
     pub fn operand(&mut self, name: &str) -> ExprId {
         let role = Role::Operand(self.operands);
         self.operands += 1;
         self.symbol(name, role)
     }
 
-    /// Adds functions that equations define.
+    /// Adds functions that are defined by equations.
     pub fn add_unknowns(&mut self, unknowns: AlgebraicUnknowns) {
         self.unknowns.push(unknowns);
     }
@@ -63,7 +64,7 @@ impl Graph {
         &self.unknowns
     }
 
-    /// Returns the equations that define a function, if some do.
+    /// Returns the equations that define a function, if there are any.
     pub fn equations_of(&self, function: &Opaque) -> Option<&AlgebraicUnknowns> {
         self.unknowns.iter().find(|unknowns| unknowns.functions.contains(function))
     }

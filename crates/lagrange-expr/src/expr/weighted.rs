@@ -3,8 +3,8 @@
 use super::ExprId;
 use crate::number::Number;
 
-/// Nested operands longer than this are never opened: looking into them would cost more than it
-/// finds.
+/// Maximum length of nested operands that are expanded: for longer ones, the search would not pay
+/// off.
 pub(super) const LONGEST_OPENED: usize = 8;
 
 /// An operand and its coefficient or exponent.

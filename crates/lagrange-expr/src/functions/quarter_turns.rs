@@ -4,7 +4,8 @@ use super::apply;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
-/// sin(x + k π/2) and cos(x + k π/2) as ± sin x or ± cos x, if the argument has such a term.
+/// Rewrites sin(x + k π/2) and cos(x + k π/2) as ± sin x or ± cos x, if the argument has such a
+/// term.
 ///
 /// Angles measured from another axis are then the same angles, and no rounded π is subtracted.
 pub(super) fn without_quarter_turns(

@@ -1,4 +1,4 @@
-//! Splines through points: the polynomials between them, and their continuation beyond.
+//! Splines through points: the polynomials between points, and their continuation beyond.
 //!
 //! Sources: de Boor, *A Practical Guide to Splines*, chapter IV, for the natural spline; Fritsch
 //! and Carlson, "Monotone piecewise cubic interpolation", SIAM Journal on Numerical Analysis 17
@@ -18,7 +18,7 @@ pub enum Interpolation {
 /// Function beyond the points of a table.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Outside {
-    /// None: it is not a number there.
+    /// No value: NaN.
     Error,
     /// The value at the end.
     Clamp,
@@ -27,7 +27,7 @@ pub enum Outside {
 }
 
 impl Interpolation {
-    /// Every way, by name.
+    /// Every interpolation, by name.
     pub const ALL: [(&'static str, Interpolation); 3] = [
         ("linear", Interpolation::Linear),
         ("monotone", Interpolation::Monotone),
@@ -46,7 +46,7 @@ impl Interpolation {
 }
 
 impl Outside {
-    /// Every way, by name.
+    /// Every continuation, by name.
     pub const ALL: [(&'static str, Outside); 3] =
         [("error", Outside::Error), ("clamp", Outside::Clamp), ("extend", Outside::Extend)];
 
@@ -56,9 +56,9 @@ impl Outside {
     }
 }
 
-/// Computes coefficients of ascending powers of the distance from the start of a piece. The
-/// polynomials are those before the first knot, between two of them, and behind the last. The first
-/// one counts from the first knot.
+/// Computes coefficients of ascending powers of the distance from the start of a piece. There are
+/// polynomials before the first knot, between adjacent knots, and after the last. The first one is
+/// measured from the first knot.
 pub(super) fn pieces(
     knots: &[f64],
     values: &[f64],
@@ -92,7 +92,7 @@ pub(super) fn pieces(
     [beyond(0)].into_iter().chain(between).chain([beyond(last)]).collect()
 }
 
-/// The cubic with these slopes at its ends.
+/// Returns the cubic with these slopes at its ends.
 fn hermite(value: f64, secant: f64, [left, right]: [f64; 2], h: f64) -> Vec<f64> {
     vec![value, left, (3.0 * secant - 2.0 * left - right) / h, (left + right - 2.0 * secant) / (h * h)]
 }
@@ -102,7 +102,7 @@ fn secants(knots: &[f64], values: &[f64]) -> Vec<f64> {
     (0..knots.len() - 1).map(rise).collect()
 }
 
-/// Slopes of straight lines at both ends; what lies between is not asked for.
+/// Returns the slopes of straight lines at both ends; the slopes in between are not used.
 fn end_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let secants = secants(knots, values);
     let last = secants[secants.len() - 1];
@@ -110,8 +110,8 @@ fn end_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
 }
 
 /// Returns slopes for which the cubics between the points are monotone where the points are. They
-/// are means of the secants on both sides, zero where the points turn, and reduced where they lie
-/// outside the circle α² + β² = 9.
+/// are means of the secants on both sides, zero at extrema, and reduced if they are outside the
+/// circle α² + β² = 9.
 fn monotone_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let secants = secants(knots, values);
     let last = secants.len() - 1;
@@ -135,8 +135,8 @@ fn monotone_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     slopes
 }
 
-/// Slopes of which curvatures are continuous, and zero at both ends. The equations are tridiagonal
-/// and diagonally dominant, so that elimination without pivots is stable.
+/// Returns slopes with continuous curvature, which is zero at both ends. The equations are
+/// tridiagonal and diagonally dominant, so elimination without pivoting is stable.
 fn natural_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let secants = secants(knots, values);
     let last = secants.len();

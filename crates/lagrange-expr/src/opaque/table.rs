@@ -1,5 +1,4 @@
-//! Tables: functions that are polynomials piece by piece, between the points that a declaration
-//! lists and beyond them.
+//! Tables: piecewise polynomial functions, between and beyond the points of a declaration.
 //!
 //! With one argument, a table is a spline. With two, it is the tensor product of two splines, since
 //! splines depend linearly on the values that they interpolate. The coefficients of the splines
@@ -9,18 +8,18 @@ use crate::elementary::multiply_add;
 
 use super::spline::{Interpolation, Outside, pieces};
 
-/// A function that is a polynomial piece by piece.
+/// A piecewise polynomial function.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Table {
     /// Boundaries of pieces, for each argument.
     pub axes: Vec<Axis>,
     /// Interpolation between the points.
     pub interpolation: Interpolation,
-    /// Value beyond the first and the last of them.
+    /// Values beyond the first and the last point.
     pub outside: Outside,
-    /// Coefficients of the pieces, including the one before the first knot and the one behind the
-    /// last. They belong to ascending powers of the distance from the start of a piece. With two
-    /// arguments, both coefficients and pieces are in rows.
+    /// Coefficients of the pieces, including those before the first knot and after the last. They
+    /// belong to ascending powers of the distance from the start of a piece. With two arguments,
+    /// both coefficients and pieces are in rows.
     pub coefficients: Vec<f64>,
 }
 
@@ -29,20 +28,19 @@ pub struct Table {
 pub struct Axis {
     /// At least two numbers, ascending.
     pub knots: Vec<f64>,
-    /// Pieces in a unit of length, if they are equally long; 0 if not.
+    /// Pieces per unit of length, if they are equally long; 0 otherwise.
     pub density: f64,
 }
 
-/// Rounding errors, of the largest knot, up to which distances are equal: what is mistaken for the
-/// piece beside is continued by it.
+/// Relative error, with respect to the largest knot, up to which distances count as equal. An
+/// argument assigned to an adjacent piece is then evaluated by the continuation of that piece.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Distance from a value, as a fraction of the largest one, that rounding explains where points are
-/// spaced as people space them.
+/// Rounding error of a value, as a fraction of the largest one, for points with reasonable spacing.
 const MISSED: f64 = 1e-9;
 
 impl Axis {
-    /// Knots, which must ascend.
+    /// Creates an axis from knots, which must ascend.
     pub fn new(knots: Vec<f64>) -> Axis {
         let (first, last) = (knots[0], knots[knots.len() - 1]);
         let intervals = (knots.len() - 1) as f64;
@@ -51,7 +49,7 @@ impl Axis {
         let is_even =
             knots.iter().enumerate().all(|(i, knot)| (first + step * i as f64 - knot).abs() <= error);
         let density = intervals / (last - first);
-        // Infinite where knots are close to the least normal number.
+        // The density is infinite if knots are close to the smallest normal number.
         Axis { knots, density: if is_even && density.is_finite() { density } else { 0.0 } }
     }
 
@@ -60,12 +58,13 @@ impl Axis {
         self.knots.iter().fold(0.0, |largest: f64, knot| largest.max(knot.abs()))
     }
 
-    /// The number of pieces, with those beyond the ends.
+    /// Returns the number of pieces, including those beyond the ends.
     fn pieces(&self) -> usize {
         self.knots.len() + 1
     }
 
-    /// The piece that a number is in, and its distance from where that begins; `None` for NaN.
+    /// Finds the piece that contains a number, and its distance from the start of the piece; `None`
+    /// for NaN.
     fn find(&self, x: f64) -> Option<(usize, f64)> {
         let (knots, count) = (&self.knots, self.knots.len());
         let piece = if x.is_nan() {
@@ -84,8 +83,7 @@ impl Axis {
 }
 
 impl Table {
-    /// Creates a table of one argument through points, of which there are at least two and whose
-    /// first components ascend.
+    /// Creates a table of one argument through at least two points whose first components ascend.
     pub fn curve(points: &[(f64, f64)], interpolation: Interpolation, outside: Outside) -> Table {
         let (knots, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         let coefficients = pieces(&knots, &values, interpolation, outside).concat();
@@ -93,7 +91,7 @@ impl Table {
     }
 
     /// Creates a table of two arguments with these values, in rows for each knot of the first
-    /// argument. Of the ways to interpolate it has only those that depend linearly on the values.
+    /// argument. It only supports interpolations that depend linearly on the values.
     pub fn surface(
         [along_x, along_y]: [Vec<f64>; 2],
         values: &[Vec<f64>],
@@ -104,7 +102,7 @@ impl Table {
         let rows = rows.collect::<Vec<_>>();
         let size = interpolation.coefficients();
         let (columns, per_row) = (rows[0].len(), along_y.len() + 1);
-        // A spline along x through each coefficient of those along y.
+        // A spline along x through each coefficient of the splines along y.
         let splines = (0..columns).map(|column| {
             let values = rows.iter().map(|row| row[column]).collect::<Vec<_>>();
             pieces(&along_x, &values, interpolation, outside)
@@ -120,14 +118,14 @@ impl Table {
         Table { axes, interpolation, outside, coefficients }
     }
 
-    /// Returns the largest magnitude of a value at which a piece begins.
+    /// Returns the largest magnitude of a value at the start of a piece.
     pub fn largest_value(&self) -> f64 {
         let size = self.interpolation.coefficients().pow(self.axes.len() as u32);
         let values = self.coefficients.iter().step_by(size).filter(|value| value.is_finite());
         values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 
-    /// Returns the order up to which derivatives are continuous wherever there are values.
+    /// Returns the order up to which derivatives are continuous wherever the table is defined.
     pub fn continuous_orders(&self) -> u8 {
         match (self.interpolation, self.outside) {
             (Interpolation::Linear, _) | (_, Outside::Clamp) => 0,
@@ -146,8 +144,8 @@ impl Table {
         self.interpolation == Interpolation::Natural && self.outside != Outside::Clamp
     }
 
-    /// True if all polynomials have finite coefficients: those between the points, and those beyond
-    /// them unless the table ends there.
+    /// True if all polynomials have finite coefficients, including those beyond the points unless
+    /// the table is undefined there.
     pub fn is_finite(&self) -> bool {
         let per_row = self.axes.last().map_or(1, Axis::pieces);
         let is_between = |axis: &Axis, piece: usize| (1..axis.knots.len()).contains(&piece);
@@ -164,11 +162,11 @@ impl Table {
             .all(|(piece, of_piece)| has_end && !are_between(piece) || of_piece.iter().all(|c| c.is_finite()))
     }
 
-    /// True if each polynomial leads to the value at which the next one begins. Values are in rows,
-    /// as in [`Table::surface`].
+    /// True if each polynomial ends at the value where the next one starts. Values are in rows, as
+    /// in [`Table::surface`].
     ///
-    /// Between points at distances of many orders of magnitude a spline swings so far that rounding
-    /// leaves nothing of a value.
+    /// If distances between points differ by many orders of magnitude, a spline oscillates so
+    /// strongly that rounding errors exceed the values.
     pub fn goes_through(&self, values: &[f64]) -> bool {
         let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         let is_met = |found: f64, value: f64| (found - value).abs() <= MISSED * largest;
@@ -185,14 +183,14 @@ impl Table {
         }
     }
 
-    /// Computes a value or a derivative as emitted code does; NaN for NaN.
+    /// Computes a value or a derivative like emitted code; NaN for NaN.
     pub fn value(&self, orders: &[u8], arguments: &[f64]) -> f64 {
         let places = self.axes.iter().zip(arguments).map(|(axis, x)| axis.find(*x));
         let places = places.collect::<Option<Vec<_>>>();
         places.map_or(f64::NAN, |places| self.piece_value(orders, &places))
     }
 
-    /// A value or a derivative of a polynomial at distances from where it begins.
+    /// Computes a value or a derivative of a polynomial at distances from its start.
     fn piece_value(&self, orders: &[u8], places: &[(usize, f64)]) -> f64 {
         let size = self.interpolation.coefficients();
         match (&self.axes[..], orders, places) {
@@ -210,7 +208,7 @@ impl Table {
     }
 }
 
-/// The derivative of an order of Σ cᵢ sⁱ, by Horner's rule.
+/// Computes a derivative of this order of Σ cᵢ sⁱ, by Horner's rule.
 fn polynomial(coefficients: &[f64], order: usize, s: f64) -> f64 {
     let terms = coefficients.iter().enumerate().skip(order).rev();
     let mut terms = terms.map(|(power, coefficient)| coefficient * falling(power, order));
@@ -218,7 +216,7 @@ fn polynomial(coefficients: &[f64], order: usize, s: f64) -> f64 {
     terms.fold(highest, |sum, term| multiply_add(sum, s, term))
 }
 
-/// n (n − 1) … (n − k + 1)
+/// Returns n (n − 1) … (n − k + 1).
 fn falling(n: usize, k: usize) -> f64 {
     (0..k).map(|i| (n - i) as f64).product()
 }

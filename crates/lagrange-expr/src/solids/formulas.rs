@@ -1,37 +1,37 @@
-//! Formulas of moments of inertia and centres of mass that are more than a quotient.
+//! Formulas for moments of inertia and centres of mass that are more complex than a quotient.
 
 use crate::expr::{ExprId, Function, Graph};
 use crate::functions;
 use crate::number::Number;
 
-/// x · numerator / denominator
+/// Returns x · numerator / denominator.
 pub(super) fn fraction(graph: &mut Graph, numerator: i64, x: ExprId, denominator: i64) -> ExprId {
     let (multiple, denominator) = (graph.scale(Number::from(numerator), x), graph.number(denominator));
     graph.divide(multiple, denominator)
 }
 
-/// Σ xᵢ² · numerator / denominator
+/// Returns Σ xᵢ² · numerator / denominator.
 pub(super) fn sum_of_squares(graph: &mut Graph, x: &[ExprId], numerator: i64, denominator: i64) -> ExprId {
     let squares = x.iter().map(|&x| graph.square(x)).collect::<Vec<_>>();
     let sum = graph.total(squares);
     fraction(graph, numerator, sum, denominator)
 }
 
-/// Returns r²/2 − s². A sector of a disk is like the disk about the centre of the circle, at the
-/// distance s from its centre of mass.
+/// Returns r²/2 − s². About the centre of the circle, at the distance s from its centre of mass, a
+/// sector behaves like the whole disk.
 pub(super) fn about_center(graph: &mut Graph, r: ExprId, s: ExprId) -> ExprId {
     let about_circle = sum_of_squares(graph, &[r], 1, 2);
     let square = graph.square(s);
     graph.subtract(about_circle, square)
 }
 
-/// (0, 4 r / 3π)
+/// Returns (0, 4 r / 3π).
 pub(super) fn semicircular_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
     let (pi, r) = (graph.pi(), fraction(graph, 4, x[0], 3));
     [graph.number(0), graph.divide(r, pi)]
 }
 
-/// (4 r sin(angle/2) / (3 angle), 0)
+/// Returns (4 r sin(angle/2) / (3 angle), 0).
 pub(super) fn sector_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
     let half = fraction(graph, 1, x[1], 2);
     let sine = functions::apply(graph, Function::Sin, &[half]);
@@ -60,7 +60,7 @@ pub(super) fn triangle_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
     [fraction(graph, 1, sum, 3), fraction(graph, 1, q, 3)]
 }
 
-/// r² (2 + cos(2π/n)) / 6
+/// Returns r² (2 + cos(2π/n)) / 6.
 pub(super) fn regular_polygon(graph: &mut Graph, x: &[ExprId]) -> ExprId {
     let pi = graph.pi();
     let turn = graph.scale(Number::TWO, pi);
@@ -72,7 +72,7 @@ pub(super) fn regular_polygon(graph: &mut Graph, x: &[ExprId]) -> ExprId {
     fraction(graph, 1, product, 6)
 }
 
-/// 2/5 (R⁵ − r⁵)/(R³ − r³) with R − r cancelled, which leaves 2/3 R² for a thin one.
+/// Returns 2/5 (R⁵ − r⁵)/(R³ − r³) with R − r cancelled, which leaves 2/3 R² for a thin sphere.
 pub(super) fn hollow_sphere(graph: &mut Graph, x: &[ExprId]) -> ExprId {
     let homogeneous = |graph: &mut Graph, degree: i64| {
         let terms =

@@ -1,9 +1,9 @@
 //! Polygons as fans of triangles about their first corner.
 //!
-//! Let u and w be the places of two corners seen from the first. A triangle (0, u, w) has twice the
-//! area D = u × w and its centroid at (u + w)/3. Its second moment of area about the first corner
-//! is D (u·u + u·w + w·w)/12. Areas count with their signs, so that only corners that follow each
-//! other matter, and the quotients do not depend on the orientation.
+//! Let u and w be the positions of two corners relative to the first. A triangle (0, u, w) has
+//! twice the area D = u × w and its centroid at (u + w)/3. Its second moment of area about the
+//! first corner is D (u·u + u·w + w·w)/12. Areas are signed, so only the order of corners matters,
+//! and the quotients do not depend on the orientation.
 
 use super::formulas::fraction;
 use crate::expr::{ExprId, Graph};
@@ -18,15 +18,15 @@ struct Triangle {
     sides: [Vector; 2],
 }
 
-/// Σ D (u + w) / 3 Σ D, from the first corner on.
+/// Returns Σ D (u + w) / 3 Σ D, measured from the first corner.
 pub(super) fn center(graph: &mut Graph, coordinates: &[ExprId]) -> Vector {
     let fan = fan(graph, coordinates);
     let offset = offset(graph, &fan);
     [0, 1].map(|axis| graph.add(coordinates[axis], offset[axis]))
 }
 
-/// Σ D (u·u + u·w + w·w) / 6 Σ D about the first corner, less the square of the distance of the
-/// centre of mass from there.
+/// Returns Σ D (u·u + u·w + w·w) / 6 Σ D about the first corner, less the squared distance of the
+/// centre of mass from this corner.
 pub(super) fn inertia(graph: &mut Graph, coordinates: &[ExprId]) -> ExprId {
     let fan = fan(graph, coordinates);
     let moments = fan.iter().map(|triangle| {
@@ -42,7 +42,7 @@ pub(super) fn inertia(graph: &mut Graph, coordinates: &[ExprId]) -> ExprId {
     graph.subtract(about_corner, square)
 }
 
-/// Centre of mass seen from the first corner.
+/// Returns the centre of mass relative to the first corner.
 fn offset(graph: &mut Graph, fan: &[Triangle]) -> Vector {
     [0, 1].map(|axis| {
         let terms = fan.iter().map(|triangle| {
@@ -55,7 +55,7 @@ fn offset(graph: &mut Graph, fan: &[Triangle]) -> Vector {
     })
 }
 
-/// Σ terms / (divisor · Σ D)
+/// Returns Σ terms / (divisor · Σ D).
 fn mean(graph: &mut Graph, terms: Vec<ExprId>, fan: &[Triangle], divisor: i64) -> ExprId {
     let area = graph.total(fan.iter().map(|triangle| triangle.area));
     let sum = graph.total(terms);

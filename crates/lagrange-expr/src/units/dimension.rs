@@ -23,12 +23,12 @@ impl Dimension {
         Dimension(exponents)
     }
 
-    /// Exponents of the [`BASE_UNITS`].
+    /// Returns the exponents of the [`BASE_UNITS`].
     pub fn exponents(&self) -> &[Number; 7] {
         &self.0
     }
 
-    /// True if plain numbers have it.
+    /// True if this is the dimension of plain numbers.
     pub fn is_none(&self) -> bool {
         self.0.iter().all(Number::is_zero)
     }

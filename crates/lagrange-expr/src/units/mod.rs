@@ -1,9 +1,8 @@
-//! Units of measurement: their spelling, their dimension, and their factor to coherent units of the
-//! SI.
+//! Units of measurement: their spelling, their dimension, and their factor to coherent SI units.
 //!
 //! A unit is a product of powers of named units, such as `kg*m^2/s`. It has a [`Dimension`], the
 //! exponents of the base units, and a [`Scale`], the exact factor to the coherent unit of that
-//! dimension. Numbers at run time are always in coherent units, so that a unit costs nothing there;
+//! dimension. Numbers at run time are always in coherent units, so units have no run-time cost;
 //! other units scale numbers in a declaration.
 //!
 //! Definitions of units: *The International System of Units*, 9th edition, BIPM 2019, and NIST
@@ -44,7 +43,7 @@ impl Scale {
         *self == Scale::ONE
     }
 
-    /// Returns the nearest number; where π occurs, one within a few roundings.
+    /// Returns the nearest number; if π occurs, a number within a few roundings.
     pub fn to_f64(&self) -> f64 {
         self.number.to_f64() * std::f64::consts::PI.powi(self.pi)
     }
@@ -53,7 +52,7 @@ impl Scale {
         Scale { number: &self.number * &other.number, pi: self.pi + other.pi }
     }
 
-    /// A power; `None` if it is not a rational number times a whole power of π.
+    /// Returns a power; `None` if it is not a rational number times an integer power of π.
     fn power(&self, exponent: &Number) -> Option<Scale> {
         if self.is_one() {
             return Some(Scale::ONE);
@@ -72,10 +71,10 @@ pub struct UnitFactor {
     pub exponent: Number,
 }
 
-/// A unit as it is written; without factors it is `1`, the unit of plain numbers.
+/// A unit as written; without factors it is `1`, the unit of plain numbers.
 #[derive(Clone, Debug)]
 pub struct Unit {
-    /// Factors in the order in which they are written.
+    /// Factors in the written order.
     pub factors: Vec<UnitFactor>,
     /// Dimension.
     pub dimension: Dimension,
@@ -88,8 +87,8 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// Creates the product of these factors, which must be known. Returns `None` if its factor to
-    /// the coherent unit is not exact, or if one of several factors counts from a zero of its own.
+    /// Creates the product of these factors, which must be known. Returns `None` if the factor to
+    /// the coherent unit is not exact, or if one of several factors has its own zero.
     pub fn of(factors: Vec<UnitFactor>, origin: Origin) -> Option<Unit> {
         let (dimension, scale, offset) = (Dimension::NONE, Scale::ONE, Number::ZERO);
         let mut unit = Unit { factors: Vec::new(), dimension, scale, offset, origin };
@@ -106,7 +105,7 @@ impl Unit {
         Some(unit)
     }
 
-    /// Creates a product of whole powers of coherent units.
+    /// Creates a product of integer powers of coherent units.
     pub fn coherent_of(powers: &[(&str, i8)], origin: Origin) -> Option<Unit> {
         let factor = |(name, exponent): &(&str, i8)| UnitFactor {
             name: (*name).to_owned(),
@@ -115,13 +114,13 @@ impl Unit {
         Unit::of(powers.iter().map(factor).collect(), origin)
     }
 
-    /// True if numbers in it are numbers in coherent units.
+    /// True if numbers in this unit equal those in the coherent unit.
     pub fn is_coherent(&self) -> bool {
         self.scale.is_one() && self.offset.is_zero()
     }
 
-    /// Returns the unit of the same dimension that numbers have at run time: itself if it is
-    /// coherent, otherwise with coherent units for its factors.
+    /// Returns the unit of the same dimension that numbers have at run time: itself if coherent,
+    /// otherwise with its factors replaced by coherent units.
     pub fn coherent(&self) -> Unit {
         if self.is_coherent() {
             return self.clone();

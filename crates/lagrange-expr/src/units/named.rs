@@ -1,19 +1,18 @@
-//! Units of the names of a system.
+//! Units by name in a system.
 
 use crate::collections::OrderedMap;
 
 /// The unit of a field, a column or an output.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NamedUnit {
-    /// The unit that its numbers have at run time: `rad/s`, `kg*m^2`; `1` for plain numbers. Only
-    /// outputs may be in other than coherent units.
+    /// The unit of its numbers at run time: `rad/s`, `kg*m^2`; `1` for plain numbers. Only outputs
+    /// may have other than coherent units.
     pub unit: String,
-    /// The default in the unit in which it is written, `500 mm`, if that is not the coherent one.
+    /// The default in its written unit, `500 mm`, if that is not the coherent unit.
     pub default: Option<String>,
 }
 
-/// Units by names, in the order in which these are declared. Names without an entry have no known
-/// unit.
+/// Units by name, in the order of declaration. Names without an entry have no known unit.
 #[derive(Clone, Default, Debug)]
 pub struct NamedUnits(OrderedMap<String, NamedUnit>);
 
@@ -29,18 +28,18 @@ impl NamedUnits {
         self.0.iter().map(|(name, unit)| (name.as_str(), unit))
     }
 
-    /// Gives a name a unit, unless it has one.
+    /// Sets the unit of a name, unless it has one.
     pub fn insert(&mut self, name: &str, unit: NamedUnit) {
         self.0.get_or_insert_with(name.to_owned(), || unit);
     }
 }
 
-/// Returns the name under which the unit of one component of an output is kept.
+/// Returns the name under which the unit of one component of an output is stored.
 pub fn component_name(output: &str, index: usize) -> String {
     format!("{output}.{index}")
 }
 
-/// Returns the name under which the unit of the momentum of a coordinate is kept.
+/// Returns the name under which the unit of the momentum of a coordinate is stored.
 pub fn momentum_name(coordinate: &str) -> String {
     format!("momentum of {coordinate}")
 }

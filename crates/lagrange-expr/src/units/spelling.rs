@@ -1,9 +1,9 @@
-//! Dimensions and units in words and signs.
+//! Dimensions and units as words and symbols.
 
 use super::Dimension;
 use crate::number::Number;
 
-/// Coherent units in which quantities are said to be, besides base units.
+/// Coherent units for the spelling of quantities, in addition to base units.
 const DERIVED: [(&str, [i8; 7]); 9] = [
     ("N", [1, 1, -2, 0, 0, 0, 0]),
     ("J", [1, 2, -2, 0, 0, 0, 0]),
@@ -56,7 +56,7 @@ pub fn spelled(dimension: &Dimension) -> String {
         for exponent in [1_i64, -1] {
             let exponent = Number::from(exponent);
             let rest = dimension.over(&Dimension::of(exponents).power(&exponent));
-            // Of masses nothing is left, and none are brought in: an acceleration is not in N/kg.
+            // Masses must be used up and not introduced: an acceleration is not in N/kg.
             let is_out_of_place = !rest.exponents()[0].is_zero() || dimension.exponents()[0].is_zero();
             if is_out_of_place && name != "C" {
                 continue;
@@ -79,7 +79,7 @@ fn powers(dimension: &Dimension) -> Vec<(&'static str, Number)> {
         .collect()
 }
 
-/// Describes a dimension: `a force (N)`, or `a quantity in kg*m^3` if there is no word for it.
+/// Describes a dimension: `a force (N)`, or `a quantity in kg*m^3` without a word for it.
 pub fn described(dimension: &Dimension) -> String {
     let noun = NOUNS.iter().find(|(_, exponents)| Dimension::of(*exponents) == *dimension);
     match noun {
@@ -97,7 +97,7 @@ pub fn noun(dimension: &Dimension) -> Option<&'static str> {
     (!dimension.is_none()).then(|| word.split(" or ").next().unwrap_or(word))
 }
 
-/// A product of powers: `kg*m^2/s`, `1/(m*s)`, `m^(1/2)`.
+/// Writes a product of powers: `kg*m^2/s`, `1/(m*s)`, `m^(1/2)`.
 pub(super) fn product(powers: &[(&str, Number)]) -> String {
     let factor = |(name, exponent): &(&str, Number)| match exponent.abs() {
         exponent if exponent.is_one() => (*name).to_owned(),

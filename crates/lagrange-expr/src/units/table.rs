@@ -39,7 +39,7 @@ const fn coherent(names: &'static [&'static str], exponents: [i8; 7]) -> Coheren
     Coherent { names, exponents, takes_prefixes: true }
 }
 
-/// Base units of the SI and those that have names of their own; the first name is that in messages.
+/// SI base units and derived units with names; messages use the first name.
 const COHERENT: [Coherent; 26] = [
     Coherent { names: &["kg"], exponents: [1, 0, 0, 0, 0, 0, 0], takes_prefixes: false },
     coherent(&["m"], [0, 1, 0, 0, 0, 0, 0]),
@@ -85,7 +85,7 @@ const fn prefixed(
     Scaled { takes_prefixes: true, ..scaled(names, factor, coherent) }
 }
 
-/// Units beside the coherent ones, all of them exact.
+/// Units other than the coherent ones, all of them exact.
 const SCALED: [Scaled; 43] = [
     scaled(&["%", "percent"], ("1", "100", 0), &[]),
     prefixed(&["g"], ("0.001", "1", 0), &[("kg", 1)]),
@@ -124,7 +124,7 @@ const SCALED: [Scaled; 43] = [
     prefixed(&["Wh"], ("3600", "1", 0), &[("J", 1)]),
     prefixed(&["cal"], ("4.184", "1", 0), &[("J", 1)]),
     scaled(&["PS"], ("735.49875", "1", 0), &[("W", 1)]),
-    // 550 foot-pounds a second.
+    // 550 foot-pounds per second.
     scaled(&["hp"], ("745.69987158227022", "1", 0), &[("W", 1)]),
     prefixed(&["Ah"], ("3600", "1", 0), &[("C", 1)]),
     prefixed(&["P"], ("0.1", "1", 0), &[("Pa", 1), ("s", 1)]),
@@ -133,7 +133,7 @@ const SCALED: [Scaled; 43] = [
     Scaled { offset: "273.15", ..scaled(&["degC"], ("1", "1", 0), &[("K", 1)]) },
 ];
 
-/// Prefixes of the SI with their powers of ten.
+/// SI prefixes with their powers of ten.
 const PREFIXES: [(&str, i32); 26] = [
     ("Q", 30),
     ("R", 27),
@@ -164,10 +164,10 @@ const PREFIXES: [(&str, i32); 26] = [
     ("q", -30),
 ];
 
-/// Prefixes that people use, for proposals.
+/// Common prefixes, for suggestions.
 const USUAL_PREFIXES: [&str; 8] = ["k", "M", "G", "c", "d", "m", "u", "n"];
 
-/// Words that people write for units, with what they mean here.
+/// Common words for units, with their spelling here.
 const MEANT: [(&[&str], &str); 27] = [
     (&["Nm", "newtonmeter", "newtonmetre"], "N*m"),
     (&["kNm"], "kN*m"),
@@ -232,12 +232,12 @@ fn named(name: &str) -> Option<(UnitMeaning, bool)> {
     Some((UnitMeaning { dimension, scale, offset, coherent: row.coherent.to_vec() }, row.takes_prefixes))
 }
 
-/// Returns the unit that was probably meant by a word.
+/// Returns the unit that was probably intended by a word.
 pub fn meant(word: &str) -> Option<&'static str> {
     MEANT.iter().find(|(words, _)| words.contains(&word)).map(|(_, unit)| *unit)
 }
 
-/// Returns the names of units that may be meant, including those with usual prefixes.
+/// Returns the names of units that may be intended, including those with common prefixes.
 pub fn names() -> Vec<String> {
     let coherent = COHERENT.iter().flat_map(|row| row.names.iter().map(|name| (*name, row.takes_prefixes)));
     let scaled = SCALED.iter().flat_map(|row| row.names.iter().map(|name| (*name, row.takes_prefixes)));

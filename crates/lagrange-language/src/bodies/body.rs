@@ -61,7 +61,7 @@ pub(super) fn translate_body(translation: &mut Translation<'_>, statement: &ast:
     weigh(translation, index);
 }
 
-/// The angle, under a name of its own unless it is one.
+/// Returns the angle, under a separate name unless it is a name itself.
 fn body_angle(translation: &mut Translation<'_>, statement: &ast::Body) -> AstId {
     let Some(angle) = statement.angle else { return translation.terms().number(0) };
     let angle = turning(translation, angle);
@@ -101,8 +101,8 @@ fn simple_geometry(translation: &mut Translation<'_>, statement: &ast::Body) -> 
     MassGeometry { mass, inertia: stated.or(of_shape), centroid, outlines, radius }
 }
 
-/// Reports a body that turns and states no moment of inertia, unless that of its shape is the one
-/// about its centre of mass.
+/// Reports a turning body without a moment of inertia, unless the one of its shape is about its
+/// centre of mass.
 fn report_unknown_inertia(translation: &mut Translation<'_>, statement: &ast::Body) {
     let name = &statement.name;
     match (&statement.shape, statement.centroid) {
@@ -131,7 +131,7 @@ pub(super) fn mass_of(translation: &mut Translation<'_>, statement: &ast::Body) 
     mass
 }
 
-/// The centre of mass under a name of its own, and the origin of the own coordinates.
+/// Returns the centre of mass under a separate name, and the origin of the body-fixed coordinates.
 fn body_place(
     translation: &mut Translation<'_>,
     statement: &ast::Body,
@@ -170,7 +170,8 @@ fn body_place(
     (center, origin)
 }
 
-/// Origin of the own coordinates, under a name of its own if it is not written by components.
+/// Returns the origin of the body-fixed coordinates, under a separate name unless it is written by
+/// components.
 fn own_origin(translation: &mut Translation<'_>, name: &str, origin: AstId) -> Pair {
     let components = vector_of(translation, origin, &messages::origin_of(name));
     match translation.expressions.get(components[0]) {

@@ -1,7 +1,7 @@
 //! Bodies of several parts, including holes.
 //!
-//! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Jᵢ + mᵢ |rᵢ − r_S|²) by Steiner's theorem, holes with the
-//! lower sign.
+//! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Jᵢ + mᵢ |rᵢ − r_S|²) by Steiner's theorem, with the lower
+//! sign for holes.
 
 use super::mass_geometry::{MassGeometry, fixed_vector, inertia_of, named_centroid, property, shape_of};
 use super::messages;
@@ -11,13 +11,13 @@ use super::translation::Translation;
 use crate::syntax::ast::{self, AstId, Part};
 use lagrange_expr::solids::Solid;
 
-/// A part with what is known of it.
+/// A part and its known properties.
 struct CompoundPart {
     is_hole: bool,
     mass: AstId,
-    /// About its own centre of mass.
+    /// Moment of inertia about its own centre of mass.
     inertia: AstId,
-    /// Its centre of mass in the body's coordinates.
+    /// Centre of mass in the body's coordinates.
     centroid: Pair,
     outline: Outline,
 }
@@ -66,14 +66,14 @@ pub(super) fn report_beside_compound(translation: &mut Translation<'_>, statemen
     }
 }
 
-/// Returns the outlines with which a body is shown.
+/// Returns the outlines of a body for display.
 pub(super) fn visual_outlines(translation: &mut Translation<'_>, visuals: &[Part]) -> Vec<Outline> {
     report_masses(translation, visuals);
     let placed = visuals.iter().map(|part| placed_solid(translation, part)).collect::<Vec<_>>();
     placed.into_iter().flatten().map(|placed| placed.outline).collect()
 }
 
-/// Reports masses of what is only seen.
+/// Reports masses of parts that are only visible.
 pub(super) fn report_masses(translation: &mut Translation<'_>, visuals: &[Part]) {
     for mass in visuals.iter().filter_map(|part| part.mass) {
         let error = translation.report.error(translation.expressions.origin(mass), messages::VISUAL_MASS);
@@ -126,8 +126,8 @@ fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> 
     Some(CompoundPart { is_hole: part.is_hole, mass, inertia, centroid, outline })
 }
 
-/// Centre of mass of a part in the body's coordinates, under a name of its own where the part is
-/// turned.
+/// Returns the centre of mass of a part in the body's coordinates, under a separate name if the
+/// part is turned.
 fn placed_point(translation: &mut Translation<'_>, name: &str, own: Pair, at: Pair, angle: AstId) -> Pair {
     let mut terms = translation.terms();
     let arm = terms.turned(own, angle);
@@ -152,7 +152,7 @@ pub(super) fn mass_of_part(translation: &mut Translation<'_>, part: &Part) -> Op
     Some(mass)
 }
 
-/// Σ ± over the parts.
+/// Returns Σ ± over the parts.
 fn sum_of(
     translation: &mut Translation<'_>,
     pieces: &[CompoundPart],
@@ -167,7 +167,7 @@ fn sum_of(
     sum
 }
 
-/// The common centre of mass, each component under a name of its own unless it is zero.
+/// Returns the common centre of mass, each component under a separate name unless it is zero.
 fn common_centroid(
     translation: &mut Translation<'_>,
     name: &str,

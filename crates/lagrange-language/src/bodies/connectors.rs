@@ -16,7 +16,7 @@ struct End {
     at: AstId,
     /// The body whose angle it is.
     body: Option<usize>,
-    /// The name of the body it belongs to, if that shows.
+    /// The name of the body that it belongs to, if known.
     owner: Option<String>,
 }
 
@@ -56,7 +56,7 @@ pub(super) fn translate_connector(translation: &mut Translation<'_>, statement: 
     }
 }
 
-/// Declares a connector whose mistake was reported; its name is still known.
+/// Declares a connector with a reported error, so that its name remains known.
 fn declare_broken(translation: &mut Translation<'_>, statement: &ast::Connector) {
     if let Some(name) = &statement.name {
         let invalid = translation.terms().invalid();
@@ -101,7 +101,7 @@ fn report_missing(translation: &mut Translation<'_>, label: &str, kind: Connecto
     translation.report.error(translation.origin.start, message).help(messages::connector_help(kind));
 }
 
-/// ½ k (|d| − l)² or ½ c (d|d|/dt)² of the distance d of two points.
+/// Adds ½ k (|d| − l)² or ½ c (d|d|/dt)² for the distance |d| of two points.
 fn between_points(
     translation: &mut Translation<'_>,
     kind: ConnectorKind,
@@ -117,7 +117,7 @@ fn between_points(
     let spread = terms.components_of(dimension, span);
     let stretch = rest.map_or(length, |rest| terms.minus(length, rest));
     let tension = tension_of(&mut terms, kind, factor, [stretch, length]);
-    // Without a length at rest no root is needed, whose derivative would fail where both ends meet.
+    // Without a rest length, no root is needed, whose derivative would fail where both ends meet.
     let (strained, pull) = match kind == ConnectorKind::Spring && stretch == length {
         true => (span, spread.iter().map(|&component| terms.times(factor, component)).collect()),
         false => {
@@ -132,7 +132,7 @@ fn between_points(
     Connector { kind, length, tension }
 }
 
-/// k (l − l₀) or c l̇
+/// Returns k (l − l₀) or c l̇.
 fn tension_of(
     terms: &mut TermWriter<'_>,
     kind: ConnectorKind,
@@ -148,7 +148,7 @@ fn tension_of(
     }
 }
 
-/// The vector from one end to the other, under a name of its own.
+/// Returns the vector from one end to the other, under a separate name.
 fn span_of(translation: &mut Translation<'_>, name: &str, ends: &[End; 2]) -> AstId {
     let dimension = translation.dimension();
     let mut terms = translation.terms();
@@ -157,7 +157,7 @@ fn span_of(translation: &mut Translation<'_>, name: &str, ends: &[End; 2]) -> As
     translation.bind(&format!("{name}_span"), span)
 }
 
-/// ½ k (φ − φ₀)² or ½ c φ̇² of the angle φ between two directions.
+/// Adds ½ k (φ − φ₀)² or ½ c φ̇² for the angle φ between two directions.
 fn between_angles(
     translation: &mut Translation<'_>,
     kind: ConnectorKind,
@@ -208,7 +208,7 @@ fn draw_connector(
     translation.drawing.push(Drawn { kind, values: vec![from, to, tension], needs: Vec::new() });
 }
 
-/// The forces on both ends.
+/// Adds the forces on both ends.
 fn add_pull(translation: &mut Translation<'_>, name: &str, ends: [End; 2], pull: AstId) {
     let back = translation.terms().negative(pull);
     for (end, force) in ends.into_iter().zip([pull, back]) {
@@ -219,8 +219,8 @@ fn add_pull(translation: &mut Translation<'_>, name: &str, ends: [End; 2], pull:
     }
 }
 
-/// The moments on both ends, each drawn at the centre of its body. Where two bodies meet is not
-/// said; the connector is drawn where the own coordinates of one begin.
+/// Adds the moments on both ends, each drawn at the centre of its body. The place where two bodies
+/// meet is unknown, so the connector is drawn at the origin of one of them.
 fn add_twist(
     translation: &mut Translation<'_>,
     kind: ConnectorKind,
@@ -242,8 +242,8 @@ fn add_twist(
     }
 }
 
-/// The force along the vector between both ends, with which each draws the other. A damper has a
-/// limit where they meet.
+/// Returns the force along the vector between both ends with which they attract each other. For a
+/// damper, it has a limit where the ends meet.
 fn pull_along(
     terms: &mut TermWriter<'_>,
     kind: ConnectorKind,
@@ -263,7 +263,7 @@ fn pull_along(
     spread.iter().map(&mut pull_of).collect()
 }
 
-/// The word that begins the statement.
+/// Returns the keyword of the statement.
 pub(super) fn word(kind: ConnectorKind) -> &'static str {
     match kind {
         ConnectorKind::Spring => "spring",

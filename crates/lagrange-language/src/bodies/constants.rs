@@ -1,9 +1,9 @@
-//! Numbers that are known while statements are translated.
+//! Numbers that are known during the translation of statements.
 
 use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression, Expressions, StatementKind};
 use lagrange_expr::collections::HashMap;
 
-/// Values of the constants that are made of numbers and of constants before them.
+/// Returns the values of constants that consist of numbers and earlier constants.
 pub(super) fn constants_of(declaration: &Declaration) -> HashMap<String, f64> {
     let mut known = HashMap::default();
     for statement in &declaration.statements {
@@ -16,7 +16,7 @@ pub(super) fn constants_of(declaration: &Declaration) -> HashMap<String, f64> {
     known
 }
 
-/// The value of an expression that is made of numbers, π and constants.
+/// Returns the value of an expression that consists of numbers, π and constants.
 pub(super) fn number(
     expressions: &Expressions,
     constants: &HashMap<String, f64>,

@@ -1,8 +1,8 @@
-//! Corners of bodies, numbered as the elements of arrays of contacts.
+//! Corners of bodies, numbered like the elements of arrays of contacts.
 //!
-//! The corners of a cuboid (a, b, c) are (±a/2, ±b/2, ±c/2) from its centre, X changing fastest:
-//! number 5 = 1 + 4 has the signs (+, −, +). A rectangle has the first four. Polygons and right
-//! triangles have theirs in the order of their declaration, and a rod has its two ends.
+//! The corners of a cuboid (a, b, c) are at (±a/2, ±b/2, ±c/2) from its centre. X changes fastest:
+//! number 5 = 1 + 4 has the signs (+, −, +). A rectangle has the first four. The corners of
+//! polygons and right triangles are in the order of their declaration, and a rod has its two ends.
 
 use super::constants::number;
 use super::messages;
@@ -11,8 +11,8 @@ use super::terms::TermWriter;
 use super::translation::Translation;
 use crate::syntax::ast::AstId;
 
-/// The corner of a number in the body's coordinates, in the plane with a third component of zero;
-/// what is wrong is reported.
+/// Returns the corner with this number in the body's coordinates, in the plane with a third
+/// component of zero; errors are reported.
 pub(super) fn corner(
     translation: &mut Translation<'_>,
     name: &str,
@@ -38,7 +38,7 @@ pub(super) fn corner_count(translation: &mut Translation<'_>, shape: Option<&Out
     corners_of(&mut translation.terms(), shape).len()
 }
 
-/// The number as that of one of so many corners.
+/// Returns the index of the corner with this number, if there are enough corners.
 fn position(number: f64, count: usize) -> Option<usize> {
     (0..count).find(|&position| position as f64 == number)
 }
@@ -63,7 +63,7 @@ fn corners_of(terms: &mut TermWriter<'_>, shape: Option<&Outline>) -> Vec<[AstId
     }
 }
 
-/// The places at half of the sides on both sides of the centre.
+/// Returns the points at half of the sides on both sides of the centre.
 fn around(terms: &mut TermWriter<'_>, center: [AstId; 3], sides: [Option<AstId>; 3]) -> Vec<[AstId; 3]> {
     let mut corners = vec![center];
     for (axis, side) in sides.into_iter().enumerate() {

@@ -13,14 +13,14 @@ pub(super) struct Load<'a> {
 }
 
 impl Load<'_> {
-    /// A `force` or `torque` statement.
+    /// Creates the load of a `force` or `torque` statement.
     pub(super) fn applied(name: &str, body: Option<String>) -> Load<'_> {
         Load { name, cause: LoadOrigin::Applied, body }
     }
 }
 
-/// The name of the body to which a point belongs, as it was written, if that shows. A frame in
-/// space stands for the body it is fixed in.
+/// Returns the name of the body to which a point belongs, according to its written form. A frame in
+/// space represents the body that it is fixed in.
 pub(super) fn owner_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<String> {
     if let Some(body) = translation.body_of(point) {
         return Some(translation.bodies[body].name.text.clone());
@@ -30,7 +30,7 @@ pub(super) fn owner_of_point(translation: &mut Translation<'_>, point: AstId) ->
     space.loaded_link(link).map(|link| space.name_of(link).to_owned())
 }
 
-/// Its body may be known of a point that moves in it.
+/// Returns the link of a point, which may also be known for a point that moves in it.
 fn link_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<usize> {
     let of_call = match translation.expressions.get(point) {
         Expression::Call(function, arguments) if function.text == "point" => arguments.first().copied(),
@@ -40,8 +40,7 @@ fn link_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<usiz
     link.or_else(|| point_on_link(translation, point).map(|(link, _)| link))
 }
 
-/// A force that acts at a place, unless one of the constraints is left out whose multipliers it
-/// holds.
+/// Draws a force that acts at a place, unless it contains the multiplier of an omitted constraint.
 pub(super) fn draw_force(
     translation: &mut Translation<'_>,
     load: Load<'_>,
@@ -53,7 +52,7 @@ pub(super) fn draw_force(
     translation.loads.push(Drawn { kind, values: vec![at, force], needs });
 }
 
-/// A force on the first body at its point and the opposite one on the second.
+/// Draws a force on the first body at its point, and the opposite one on the second.
 pub(super) fn draw_forces(
     translation: &mut Translation<'_>,
     (name, cause): (&str, LoadOrigin),
@@ -69,13 +68,13 @@ pub(super) fn draw_forces(
     }
 }
 
-/// A moment that is drawn at a place.
+/// Draws a moment at a place.
 pub(super) fn draw_moment(translation: &mut Translation<'_>, load: Load<'_>, [at, moment]: [AstId; 2]) {
     let kind = DrawnKind::Moment { name: load.name.to_owned(), cause: load.cause, body: load.body };
     translation.loads.push(Drawn { kind, values: vec![at, moment], needs: Vec::new() });
 }
 
-/// The name of a torque on an angle where the picture does not show it.
+/// Returns the name of a torque on an angle for pictures that cannot show it.
 pub(super) fn torque_on(translation: &Translation<'_>, angle: AstId) -> String {
     match translation.expressions.get(angle) {
         Expression::Name(name) => format!("torque on `{name}`"),

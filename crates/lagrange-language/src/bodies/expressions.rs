@@ -11,8 +11,8 @@ use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, IN_AXES, Name};
 use crate::syntax::foreign;
 
-/// Functions whose first argument is a body, with the names of all of them; those in brackets may
-/// be left out.
+/// Functions whose first argument is a body, with the names of their arguments; those in brackets
+/// are optional.
 const OF_BODIES: [(&str, &[&str]); 10] = [
     ("point", &["X", "Y"]),
     ("corner", &["i"]),
@@ -27,16 +27,16 @@ const OF_BODIES: [(&str, &[&str]); 10] = [
 ];
 /// Functions whose first argument is a line.
 const OF_LINES: [(&str, &[&str]); 2] = [("distance", &["P"]), ("along", &["P"])];
-/// Functions of points, with the function of the plain language that they are.
+/// Functions of points, with the corresponding functions of the plain language.
 const OF_POINTS: [(&str, &str); 2] = [("velocity", "dot"), ("acceleration", "ddot")];
 
-/// An expression in plain words.
+/// Translates an expression into the plain language.
 pub(super) fn plain_expression(translation: &mut Translation<'_>, root: AstId) -> AstId {
     let mut pending = vec![root];
     while let Some(&id) = pending.last() {
         let before = pending.len();
         if !translation.translated.contains(&id) {
-            // Reversed, so that mistakes are reported from left to right.
+            // In reverse order, so that errors are reported from left to right.
             let parts = parts_of(translation, id).into_iter().rev();
             pending.extend(parts.filter(|part| !translation.translated.contains(part)));
         }
@@ -51,15 +51,15 @@ pub(super) fn plain_expression(translation: &mut Translation<'_>, root: AstId) -
     translation.plain_of(root)
 }
 
-/// Translation of what the user wrote into plain words. Mistakes in it are found whether or not it
-/// is needed.
+/// Translates an expression of the user, and records it so that errors are found even if it is not
+/// needed.
 pub(super) fn mention(translation: &mut Translation<'_>, id: AstId) -> AstId {
     let plain = plain_expression(translation, id);
     translation.mentioned.push(plain);
     plain
 }
 
-/// A point: where a body's name stands, its centre of mass is meant.
+/// Translates a point; the name of a body denotes its centre of mass.
 pub(super) fn translated_place(translation: &mut Translation<'_>, id: AstId) -> AstId {
     if let Some(link) = translation.link_named(id) {
         return place_of_link(translation, link);
@@ -70,7 +70,7 @@ pub(super) fn translated_place(translation: &mut Translation<'_>, id: AstId) -> 
     }
 }
 
-/// A point with as many components as the scene has dimensions.
+/// Translates a point with the dimension of the scene.
 pub(super) fn scene_point(translation: &mut Translation<'_>, id: AstId, what: &str) -> AstId {
     let value = translated_place(translation, id);
     let what = what.to_owned();
@@ -85,7 +85,7 @@ pub(super) fn scene_point(translation: &mut Translation<'_>, id: AstId, what: &s
     }
 }
 
-/// An angle: that of a body, zero for the ground, or any expression but a point.
+/// Translates an angle: that of a body, zero for the ground, or any expression other than a point.
 pub(super) fn turning(translation: &mut Translation<'_>, id: AstId) -> AstId {
     if let Some(body) = translation.body_named(id) {
         return translation.bodies[body].angle;
@@ -109,19 +109,19 @@ pub(super) fn turning(translation: &mut Translation<'_>, id: AstId) -> AstId {
     }
 }
 
-/// True if the ground is meant: nothing was given its name but a line.
+/// True if the ground is meant: nothing other than a line has its name.
 pub(super) fn is_ground(translation: &Translation<'_>, id: AstId) -> bool {
     let Expression::Name(name) = translation.expressions.get(id) else { return false };
     name == "ground" && !translation.names.is_declared(name)
 }
 
-/// True if an expression shows by its form that it is a point.
+/// True if an expression is a point according to its form.
 fn is_point(translation: &Translation<'_>, id: AstId) -> bool {
     matches!(translation.expressions.get(id), Expression::Tuple(_)) || translation.body_of(id).is_some()
 }
 
-/// The parts of an expression that are translated before it: not the names of bodies where these
-/// belong.
+/// Returns the parts of an expression that are translated before it, except names of bodies where
+/// these are expected.
 fn parts_of(translation: &Translation<'_>, id: AstId) -> Vec<AstId> {
     let is_object = |id: &AstId| matches!(translation.expressions.get(*id), Expression::Name(name) if translation.names.find(name).is_some());
     match translation.expressions.get(id) {
@@ -150,7 +150,7 @@ fn plain_node(translation: &mut Translation<'_>, id: AstId) -> AstId {
     plain
 }
 
-/// A name on its own must have a value.
+/// Translates a name, which must have a value.
 fn plain_name(translation: &mut Translation<'_>, name: &str, id: AstId) -> AstId {
     if let Some(object) = translation.names.find(name).filter(|object| !matches!(object, Object::Contact(_)))
     {
@@ -184,7 +184,7 @@ pub(super) fn report_early(translation: &mut Translation<'_>, name: &str) -> boo
     true
 }
 
-/// Copy of the expression with its parts translated.
+/// Returns a copy of the expression with its parts translated.
 fn rebuilt(translation: &mut Translation<'_>, id: AstId) -> AstId {
     let expression = translation.expressions.get(id).clone();
     let parts = expression.operands();
@@ -196,13 +196,13 @@ fn rebuilt(translation: &mut Translation<'_>, id: AstId) -> AstId {
     translation.terms().add_node(expression)
 }
 
-/// The object that an expression names.
+/// Returns the object that an expression names.
 fn object_named(translation: &Translation<'_>, id: AstId) -> Option<(String, Object)> {
     let Expression::Name(name) = translation.expressions.get(id) else { return None };
     translation.names.find(name).map(|object| (name.clone(), object.clone()))
 }
 
-/// `rod.center` and its kin.
+/// Translates `rod.center` and similar expressions.
 fn part_of(translation: &mut Translation<'_>, name: &str, object: &Object, part: &Name) -> AstId {
     let found = match object {
         Object::Body(body) => part_of_body(translation, *body, &part.text),
@@ -218,8 +218,8 @@ fn part_of(translation: &mut Translation<'_>, name: &str, object: &Object, part:
                 "force" => Some(*force),
                 part => parts.iter().find(|(name, _)| *name == part).map(|(_, id)| *id),
             };
-            // Here, and not at the joint, it is missed if the coordinates fulfil the joint by
-            // themselves.
+            // An error for a joint that the coordinates fulfil identically is located here, not at
+            // the joint.
             found.map(|force| translation.terms().repeated(force))
         }
         Object::Surface(_) => None,
@@ -312,7 +312,7 @@ fn plain_call(translation: &mut Translation<'_>, function: &Name, arguments: &[A
     }
 }
 
-/// `v in link`
+/// Translates `v in link`.
 fn components_in(translation: &mut Translation<'_>, vector: AstId, axes: AstId) -> AstId {
     let Some(link) = translation.link_named(axes) else {
         let origin = translation.expressions.origin(axes);
@@ -329,7 +329,7 @@ fn wrong_count(translation: &mut Translation<'_>, function: &Name, wanted: &[&st
     translation.terms().invalid()
 }
 
-/// `point` of something that is no body.
+/// Reports `point` and similar functions of something other than a body.
 fn not_an_object(
     translation: &mut Translation<'_>,
     function: &Name,

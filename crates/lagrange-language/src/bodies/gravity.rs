@@ -1,4 +1,4 @@
-//! Gravity, which every body feels.
+//! Gravity, which acts on every body.
 
 use super::drawing::{Load, draw_force};
 use super::expressions::plain_expression;
@@ -8,7 +8,7 @@ use super::plain::{LoadOrigin, Obligation};
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, StatementKind};
 
-/// Every body feels gravity, wherever it is declared.
+/// Translates gravity, which acts on every body, independent of its place in the declaration.
 pub(super) fn translate_gravity(translation: &mut Translation<'_>, value: AstId) {
     let value = plain_expression(translation, value);
     if let Some((_, first)) = translation.gravity {
@@ -26,7 +26,7 @@ pub(super) fn translate_gravity(translation: &mut Translation<'_>, value: AstId)
     }
 }
 
-/// Only bodies have weight: hand-written energies do not fall.
+/// Reports gravity without bodies: hand-written energies have no weight.
 pub(super) fn report_idle_gravity(translation: &mut Translation<'_>) {
     let Some((_, origin)) = translation.gravity.filter(|_| translation.motions.is_empty()) else { return };
     if !translation.report.has_errors() {
@@ -34,7 +34,7 @@ pub(super) fn report_idle_gravity(translation: &mut Translation<'_>) {
     }
 }
 
-/// The potential −m g·c of a body and its weight, if there is gravity.
+/// Adds the potential −m g·c of a body and its weight, if there is gravity.
 pub(super) fn weigh(translation: &mut Translation<'_>, index: usize) {
     let Some((gravity, _)) = translation.gravity else { return };
     let Body { name, mass, center, .. } = translation.bodies[index].clone();

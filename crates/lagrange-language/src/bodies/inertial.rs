@@ -1,14 +1,14 @@
-//! Bodies by what the regressor of inverse dynamics is made of: their motion in own axes and their
-//! ten inertial parameters about the body-fixed origin.
+//! Bodies as needed by the regressor of inverse dynamics: their motion in own axes and their ten
+//! inertial parameters about the body-fixed origin.
 //!
-//! A body in the plane is one in space that turns about its third axis.
+//! A body in the plane is treated as one in space that turns about its third axis.
 
 use super::object::Body;
 use super::plain::InertialBody;
 use super::space::{inertial_bodies_in_space, inertial_parameters};
 use super::translation::Translation;
 
-/// Returns all bodies; none after a mistake.
+/// Returns all bodies; none after an error.
 pub(super) fn inertial_bodies(translation: &mut Translation<'_>) -> Vec<InertialBody> {
     if translation.report.has_errors() {
         return Vec::new();
@@ -20,7 +20,7 @@ pub(super) fn inertial_bodies(translation: &mut Translation<'_>) -> Vec<Inertial
     bodies.into_iter().filter_map(|body| in_plane(translation, body)).collect()
 }
 
-/// A body in the plane; `None` for a frame.
+/// Returns a body in the plane; `None` for a frame.
 fn in_plane(translation: &mut Translation<'_>, body: Body) -> Option<InertialBody> {
     translation.origin = body.name.span.into();
     let gravity = translation.gravity.map(|(gravity, _)| gravity);

@@ -29,7 +29,7 @@ pub(super) fn translate_joint(translation: &mut Translation<'_>, statement: &ast
     }
 }
 
-/// Its own name, or one that is made for it.
+/// Returns the name of a joint, or a generated one.
 fn joint_name(translation: &mut Translation<'_>, statement: &ast::Joint, kind: &str) -> String {
     match &statement.name {
         Some(name) => name.text.clone(),
@@ -90,7 +90,7 @@ fn link_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<usiz
     point_on_link(translation, point).map(|(link, _)| link)
 }
 
-/// The name of the body, in the plane or in space, to which a point belongs.
+/// Returns the name of the body, in the plane or in space, to which a point belongs.
 fn name_of_owner(translation: &Translation<'_>, body: Option<usize>, link: Option<usize>) -> String {
     let link = link.zip(translation.space.as_ref()).map(|(link, space)| space.name_of(link));
     let body = body.map(|body| translation.bodies[body].name.text.as_str());
@@ -153,7 +153,7 @@ fn hold_roll(
     ))
 }
 
-/// A round body and the line on which it rolls.
+/// Returns a round body and the line on which it rolls.
 fn rolling_pair(
     translation: &mut Translation<'_>,
     wheel: &Name,
@@ -180,7 +180,7 @@ fn rolling_pair(
     Some((wheel, track, radius))
 }
 
-/// The line of a name, unless the body that is to stay on it carries it.
+/// Returns the line with this name, unless it is carried by the body that is to stay on it.
 fn track_of(translation: &mut Translation<'_>, body: Option<usize>, line: &Name) -> Option<Line> {
     let track = track(translation, line)?;
     let track = translation.lines[track].clone();
@@ -192,9 +192,9 @@ fn track_of(translation: &mut Translation<'_>, body: Option<usize>, line: &Name)
     None
 }
 
-/// The velocity at which a wheel slips on a line, which a body may carry. The point of that body
-/// below the hub is at the distance n·(hub − origin) − r across the line, which is all that its
-/// turning needs.
+/// Returns the velocity at which a wheel slips on a line, which a body may carry. The point of that
+/// body below the hub is at the distance n·(hub − origin) − r across the line, which determines the
+/// effect of its rotation.
 fn slip_of(
     translation: &mut Translation<'_>,
     wheel: usize,
@@ -246,7 +246,7 @@ fn rolling_constraint(
     Joint { force, parts: vec![("normal", symbols[0]), ("friction", symbols[1])] }
 }
 
-/// A constraint of a joint; the name of its multiplier.
+/// Adds a constraint of a joint; returns the name of its multiplier.
 fn add_constraint(translation: &mut Translation<'_>, wish: &str, value: AstId) -> Name {
     let name = translation.new_name(wish);
     translation.push(StatementKind::Constraint(name.clone(), value));

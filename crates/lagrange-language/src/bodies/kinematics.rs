@@ -43,7 +43,7 @@ pub(super) fn of_body(
     }
 }
 
-/// The place of own coordinates.
+/// Returns the position of a point given by body-fixed coordinates.
 pub(super) fn point_of_body(translation: &mut Translation<'_>, body: usize, own: Pair) -> Pair {
     let Body { origin, angle, .. } = translation.bodies[body].clone();
     let mut terms = translation.terms();
@@ -81,7 +81,7 @@ fn rate_of_body(translation: &mut Translation<'_>, body: usize, function: &str) 
     }
 }
 
-/// ω̇ e_z × ρ or −ω² ρ for the arm ρ between two points of a body.
+/// Returns ω̇ e_z × ρ or −ω² ρ for the arm ρ between two points of a body.
 fn part_of_acceleration(
     translation: &mut Translation<'_>,
     body: usize,
@@ -108,7 +108,7 @@ fn part_of_acceleration(
     terms.tuple(part)
 }
 
-/// m (r_S − r_P) × v_S + J ω
+/// Returns m (r_S − r_P) × v_S + J ω.
 fn angular_momentum(translation: &mut Translation<'_>, body: usize, about: Option<AstId>) -> AstId {
     let Body { mass, inertia, center, angle, .. } = translation.bodies[body].clone();
     let mut terms = translation.terms();

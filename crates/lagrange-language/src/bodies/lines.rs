@@ -1,4 +1,4 @@
-//! Lines, and what carries them.
+//! Lines and their carriers.
 
 use super::expressions::{mention, report_early};
 use super::kinematics::point_of_body;
@@ -35,7 +35,7 @@ pub(super) fn translate_line(translation: &mut Translation<'_>, statement: ast::
     translation.lines.push(Line { body, through, angle });
 }
 
-/// The body of a name that must be one's.
+/// Returns the body with this name; other names are reported.
 pub(super) fn carrier(translation: &mut Translation<'_>, name: &ast::Name) -> Option<usize> {
     match translation.names.find(&name.text) {
         Some(Object::Body(body)) => Some(*body),
@@ -47,7 +47,7 @@ pub(super) fn carrier(translation: &mut Translation<'_>, name: &ast::Name) -> Op
     }
 }
 
-/// The line of a name that must be one's.
+/// Returns the line with this name; other names are reported.
 pub(super) fn track(translation: &mut Translation<'_>, name: &ast::Name) -> Option<usize> {
     match translation.names.find(&name.text) {
         Some(Object::Line(line)) => Some(*line),

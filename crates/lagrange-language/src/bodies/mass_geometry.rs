@@ -14,21 +14,21 @@ use lagrange_expr::solids::{self, Solid};
 /// Distribution of the mass of a body.
 pub(super) struct MassGeometry {
     pub(super) mass: AstId,
-    /// `None` if nothing says it.
+    /// `None` if it is not specified.
     pub(super) inertia: Option<AstId>,
     pub(super) centroid: Pair,
     pub(super) outlines: Vec<Outline>,
     pub(super) radius: Option<AstId>,
 }
 
-/// Translation of a property of the mass distribution that the user wrote.
+/// Translates a property of the mass distribution.
 pub(super) fn property(translation: &mut Translation<'_>, id: AstId, what: &str) -> AstId {
     let value = mention(translation, id);
     translation.obligations.push(Obligation::Fixed { what: what.to_owned(), value });
     value
 }
 
-/// A known solid with its dimensions, as many as it has; anything else is reported.
+/// Returns a known solid with the correct number of dimensions; anything else is reported.
 pub(super) fn shape_of(
     translation: &mut Translation<'_>,
     shape: &Shape,
@@ -55,7 +55,7 @@ pub(super) fn shape_of(
     Some((solid, dimensions))
 }
 
-/// The call that stands for the moment of inertia of a solid about its centre of mass, blamed on
+/// Returns the call for the moment of inertia of a solid about its centre of mass, located at
 /// `place`.
 pub(super) fn inertia_of(
     translation: &mut Translation<'_>,
@@ -68,7 +68,7 @@ pub(super) fn inertia_of(
     TermWriter::new(&mut translation.expressions, place).call(solid.name, &arguments)
 }
 
-/// The centre of mass of a solid, under a name of its own where it is computed.
+/// Returns the centre of mass of a solid, under a separate name if it is computed.
 pub(super) fn named_centroid(
     translation: &mut Translation<'_>,
     name: &str,
@@ -95,7 +95,7 @@ pub(super) fn outline_of(
     Outline { variant: solid.outline, dimensions, place: vec![terms.tuple(at), angle], is_hole: false }
 }
 
-/// The components of a vector of own coordinates, which does not change.
+/// Returns the components of a constant vector of body-fixed coordinates.
 pub(super) fn fixed_vector(translation: &mut Translation<'_>, id: AstId, what: &str) -> Pair {
     let components = vector_of(translation, id, what);
     let value = plain_expression(translation, id);
@@ -103,14 +103,14 @@ pub(super) fn fixed_vector(translation: &mut Translation<'_>, id: AstId, what: &
     components
 }
 
-/// The components of what the user wrote as a vector in the plane.
+/// Returns the components of a vector in the plane.
 pub(super) fn vector_of(translation: &mut Translation<'_>, id: AstId, what: &str) -> Pair {
     let value = mention(translation, id);
     translation.obligations.push(Obligation::PlaneVector { what: what.to_owned(), value });
     translation.terms().pair(value)
 }
 
-/// The centre of mass of a solid in its own coordinates, blamed on `place`.
+/// Returns the centre of mass of a solid in its own coordinates, located at `place`.
 pub(super) fn centroid_of(
     translation: &mut Translation<'_>,
     shape: Option<&(&'static Solid, Vec<AstId>)>,

@@ -95,7 +95,7 @@ messages! {
     no_value(name, what) = "`{name}` is {what} and has no value";
     no_part(name, what, part) = "`{name}` is {what} and has no `{part}`";
 
-    /// Message for the rate of a point that is made of numbers and parameters.
+    /// Message for the rate of a point that consists of numbers and parameters.
     point_at_rest(function) = "this point does not move, so its {function} is zero";
     POINT_AT_REST_HELP =
         "remove it, or write a point of a body, `name.point(X, Y)`, or one made of coordinates";
@@ -172,7 +172,7 @@ pub(super) fn wrong_arguments(function: &str, count: usize) -> String {
     format!("`{function}` does not take {count} argument{plural}")
 }
 
-/// Arguments in brackets may be left out.
+/// Returns the usage of a function; arguments in brackets are optional.
 pub(super) fn usage(function: &str, arguments: &[&str]) -> String {
     let plain = |name: &&str| name.trim_matches(['[', ']']).to_owned();
     let all = arguments.iter().map(plain).collect::<Vec<_>>().join(", ");

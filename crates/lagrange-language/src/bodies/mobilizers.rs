@@ -1,4 +1,4 @@
-//! Joints with coordinates in the plane: they place a body as `origin` and `angle` would.
+//! Joints with coordinates in the plane: they place a body like `origin` and `angle`.
 
 use super::body::translate_body;
 use super::expressions::{is_ground, mention, report_early};
@@ -44,7 +44,7 @@ pub(super) fn translate_plane_mobilizer(
     }
 }
 
-/// A frame is a body without mass.
+/// Declares a frame, which is a body without mass.
 fn declare_frame(translation: &mut Translation<'_>, name: Name, frame: PlaneFrame) {
     let mut terms = translation.terms();
     let (nothing, center) = (terms.number(0), terms.tuple(frame.origin));
@@ -84,7 +84,7 @@ fn report_no_body(translation: &mut Translation<'_>, name: &Name) {
     report_no_object(translation, name, "a body", found, |object| matches!(object, Object::Body(_)));
 }
 
-/// The body that waits for this joint; any other is reported.
+/// Returns the body that waits for this joint; any other is reported.
 fn waiting_body(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<WaitingBody> {
     let name = &joint.outboard;
     let waiting = translation.waiting.iter().position(|body| body.name().text == name.text);
@@ -130,7 +130,7 @@ fn turned_by(translation: &mut Translation<'_>, frame: PlaneFrame, by: AstId) ->
     PlaneFrame { angle: translation.terms().plus(frame.angle, by), ..frame }
 }
 
-/// The frame behind the motions of a joint.
+/// Returns the frame after the motions of a joint.
 fn moved(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -160,7 +160,7 @@ fn moved(
     }
 }
 
-/// The direction along which a joint moves, of length one; x if nothing says it.
+/// Returns the unit vector along which a joint moves; x by default.
 fn direction(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<Pair> {
     let Some(axis) = joint.axis else {
         let mut terms = translation.terms();
@@ -178,7 +178,7 @@ fn direction(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<Pai
     Some(components.map(|component| terms.divide(component, length)))
 }
 
-/// Reports bodies and frames that no joint has placed after all.
+/// Reports bodies and frames that no joint has placed.
 pub(super) fn report_waiting(translation: &mut Translation<'_>) {
     if translation.report.has_errors() {
         return;

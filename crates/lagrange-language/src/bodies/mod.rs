@@ -1,18 +1,18 @@
-//! Rigid bodies in the statements of the plain language: here those in the plane, in `space` the
-//! others.
+//! Translation of rigid bodies to statements of the plain language: here in the plane, in `space`
+//! those in space.
 //!
 //! A body becomes its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c. Springs,
 //! dampers and joints become energies, Rayleigh functions and constraints of points on bodies.
-//! Contacts become events with an impact and frictions, or with a stiffness energies and forces.
-//! [`plain()`] writes all of that as syntax before names are resolved. Later phases therefore know
-//! nothing of bodies, and the plain statements can be shown to the user. Nothing is simplified or
-//! differentiated here.
+//! Contacts become events with an impact and friction, or energies and forces if they have a
+//! stiffness. [`plain()`] writes all of this as syntax before names are resolved. Later phases are
+//! therefore independent of bodies, and the plain statements can be shown to the user. Nothing is
+//! simplified or differentiated here.
 //!
-//! Hand-written energies mix with those of bodies, and a scene costs as much as the same system by
-//! hand, to which `tests/bodies` holds it. Mistakes point at the user's text. A constraint of a
-//! joint that proves to be zero is omitted.
+//! Hand-written energies can be combined with those of bodies, and a scene costs as much as the
+//! same system by hand, which `tests/bodies` verifies. Errors point at the user's text. A
+//! constraint of a joint that is proved to be zero is omitted.
 //!
-//! Motions, frames and drawings have expressions beside the statements ([`Plain`]).
+//! Motions, frames and drawings have expressions in addition to the statements ([`Plain`]).
 //! `elaborate::scene` evaluates them only if `emit` requests them. They are emitted as values of
 //! `lagrange::body` and `lagrange::scene`, which every build has; pictures are behind the feature
 //! `draw`. A drawing contains every load that is declared with bodies. `tests/laws/scenes.rs` and
@@ -21,7 +21,7 @@
 //! adds the resultant of unnamed loads, m a − Σ F, from the motion. In space a load on the
 //! coordinate of a joint acts along its axis (`space::motors`). In the plane, torques on angles
 //! find their bodies by proof (`elaborate::torques`). Joints without multipliers, and torques that
-//! fit no body or several, are listed as omitted and named below the picture.
+//! match no body or several, are listed as omitted and named below the picture.
 //!
 //! Source of the formulas: any textbook of plane rigid-body mechanics, such as Meriam, Kraige, *Engineering
 //! Mechanics: Dynamics*, ch. 5 and 6.
@@ -64,7 +64,7 @@ pub use plain::{
     Outline, Plain, SpatialJointForm, SpatialKinematics, SpatialMotion,
 };
 
-/// Replaces statements about bodies by plain statements. Mistakes are reported.
+/// Replaces statements about bodies by plain statements. Errors are reported.
 pub fn plain(mut declaration: Declaration, report: &mut Report) -> Plain {
     report_repeated(&declaration, report);
     let translation = Translation::new(&mut declaration, report);

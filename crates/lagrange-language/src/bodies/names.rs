@@ -1,5 +1,4 @@
-//! Names of a declaration: those of the scene with their objects, and names of plain statements
-//! that nobody else uses.
+//! Names of a declaration: objects of the scene, and unique names for plain statements.
 
 use super::constants::constants_of;
 use super::messages;
@@ -11,7 +10,7 @@ use lagrange_expr::diagnostics::{Report, nearest};
 
 /// The names of a declaration.
 pub(super) struct SceneNames {
-    /// Objects of the scene that were declared so far.
+    /// Objects of the scene that have been declared so far.
     objects: OrderedMap<String, Object>,
     /// Objects that are declared anywhere.
     all_objects: OrderedMap<String, Name>,
@@ -23,7 +22,7 @@ pub(super) struct SceneNames {
     constants: HashMap<String, f64>,
     /// Bodies and frames that joints place.
     placed_by_joints: HashSet<String>,
-    /// Names declared anywhere but on lines.
+    /// Names declared anywhere, except names of lines.
     declared: HashSet<String>,
     /// Names that plain statements must not take.
     taken: HashSet<String>,
@@ -47,7 +46,7 @@ impl SceneNames {
                 placed_by_joints.insert(joint.outboard.text.clone());
             }
             for name in statement.kind.declared_names() {
-                // A name that stands for something else already is not one that is used too early.
+                // A name that already has another meaning is not used too early.
                 if is_object && !taken.contains(&name.text) {
                     all_objects.insert(name.text.clone(), name.clone());
                 }
@@ -89,32 +88,32 @@ impl SceneNames {
         self.objects.insert(name.to_owned(), object);
     }
 
-    /// Object declared under a name so far.
+    /// Returns the object declared under a name so far.
     pub(super) fn find(&self, name: &str) -> Option<&Object> {
         self.objects.get(&name.to_owned())
     }
 
-    /// Returns the declaration of an object of that name, even further down.
+    /// Returns the declaration of an object with this name, even further down.
     pub(super) fn anywhere(&self, name: &str) -> Option<&Name> {
         self.all_objects.get(&name.to_owned())
     }
 
-    /// True if something else than a line has this name, even further down.
+    /// True if something other than a line has this name, even further down.
     pub(super) fn is_declared(&self, name: &str) -> bool {
         self.declared.contains(&name.to_owned())
     }
 
-    /// True if a name stands for a number that does not change during the motion.
+    /// True if a name denotes a number that does not change during the motion.
     pub(super) fn is_fixed(&self, name: &str) -> bool {
         name == "pi" || self.fixed.contains(&name.to_owned())
     }
 
-    /// Values of the constants that are numbers.
+    /// Returns the values of the constants that are numbers.
     pub(super) fn constants(&self) -> &HashMap<String, f64> {
         &self.constants
     }
 
-    /// True of the name of a parameter, or of a constant that is a number.
+    /// True for the name of a parameter, or of a constant that is a number.
     pub(super) fn is_scalar(&self, name: &str) -> bool {
         self.parameters.contains(&name.to_owned()) || self.constants.contains(&name.to_owned())
     }
@@ -124,13 +123,13 @@ impl SceneNames {
         self.placed_by_joints.contains(&name.to_owned())
     }
 
-    /// The name of an object like this one.
+    /// Returns the name of an object that is similar to this one.
     pub(super) fn nearest(&self, name: &str, accept: impl Fn(&Object) -> bool) -> Option<&str> {
         let known = self.objects.iter().filter(|(_, object)| accept(object));
         nearest(name, known.map(|(name, _)| name.as_str()))
     }
 
-    /// A name like `wish` that nothing has.
+    /// Returns an unused name similar to `wish`.
     pub(super) fn fresh(&mut self, wish: &str) -> String {
         let mut name = wish.to_owned();
         let mut count = 1;
@@ -142,7 +141,7 @@ impl SceneNames {
         name
     }
 
-    /// `spring_1`, `spring_2`, … for statements without a name.
+    /// Returns `spring_1`, `spring_2`, … for statements without a name.
     pub(super) fn of_nameless(&mut self, kind: &str) -> String {
         let count = self.nameless.get(&kind.to_owned()).copied().unwrap_or(0) + 1;
         self.nameless.insert(kind.to_owned(), count);
@@ -150,7 +149,7 @@ impl SceneNames {
     }
 }
 
-/// Names of parameters and constants.
+/// Returns the names of parameters and constants.
 fn fixed_names(kind: &StatementKind) -> Vec<String> {
     match kind {
         StatementKind::Parameters(list) | StatementKind::Constants(list) => {
@@ -160,14 +159,14 @@ fn fixed_names(kind: &StatementKind) -> Vec<String> {
     }
 }
 
-/// True if what a statement declares is an object of the scene; coordinates of joints and forces of
-/// contacts are none.
+/// True if a statement declares an object of the scene; coordinates of joints and forces of
+/// contacts do not count.
 fn declares_object(kind: &StatementKind) -> bool {
     use SceneStatement::{Contact, Mobilizer};
     matches!(kind, StatementKind::Scene(scene) if !matches!(scene, Contact(_) | Mobilizer(_)))
 }
 
-/// Reports objects of the scene that share their name with something else.
+/// Reports objects of the scene that share a name with something else.
 pub(super) fn report_repeated(declaration: &Declaration, report: &mut Report) {
     let mut first: OrderedMap<String, (&Name, bool)> = OrderedMap::default();
     for statement in &declaration.statements {

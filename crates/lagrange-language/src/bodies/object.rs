@@ -25,7 +25,7 @@ pub(super) struct Body {
     pub(super) energies: Energies,
 }
 
-/// Energies of a body, as far as it has them.
+/// The available energies of a body.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Energies {
     /// ½ m v²
@@ -37,7 +37,7 @@ pub(super) struct Energies {
 }
 
 impl Energies {
-    /// T − V
+    /// Returns T − V.
     pub(super) fn lagrangian(self, terms: &mut TermWriter<'_>) -> AstId {
         let kinetic = [self.of_translation, self.of_rotation].into_iter().flatten();
         let kinetic = kinetic.fold(terms.number(0), |sum, energy| terms.plus(sum, energy));
@@ -48,7 +48,7 @@ impl Energies {
     }
 }
 
-/// A body or frame that waits for the joint that places it.
+/// A body or frame that has not yet been placed by a joint.
 #[derive(Clone, Debug)]
 pub(super) enum WaitingBody {
     Body(Box<ast::Body>),
@@ -63,7 +63,7 @@ impl WaitingBody {
         }
     }
 
-    /// Returns the kind of object, in the user's words.
+    /// Returns the kind of object, for messages.
     pub(super) fn kind(&self) -> &'static str {
         match self {
             WaitingBody::Body(_) => "body",
@@ -90,19 +90,19 @@ pub(super) struct Connector {
     pub(super) tension: AstId,
 }
 
-/// A joint: the names that stand for its forces.
+/// A joint: the names of its forces.
 #[derive(Clone, Debug)]
 pub(super) struct Joint {
-    /// The force on the first of what it holds.
+    /// The force on the first of the connected objects.
     pub(super) force: AstId,
-    /// Components with names of their own.
+    /// Components with separate names.
     pub(super) parts: Vec<(&'static str, AstId)>,
 }
 
 /// The height of a terrain.
 #[derive(Clone, Debug)]
 pub(super) struct Height {
-    /// Names that stand for coordinates of what carries the terrain.
+    /// Names for coordinates of the carrier of the terrain.
     pub(super) coordinates: Vec<String>,
     /// Height over them.
     pub(super) value: AstId,
@@ -113,9 +113,9 @@ pub(super) struct Height {
 /// A surface other than a line, in the world. Vectors in the plane have a third component of zero.
 #[derive(Clone, Debug)]
 pub(super) struct Surface {
-    /// Kind, in the user's words.
+    /// Kind of the surface.
     pub(super) kind: SurfaceKind,
-    /// The body, in space the link, that carries it.
+    /// The body, or in space the link, that carries it.
     pub(super) carrier: Option<usize>,
     /// A point of it, its centre, or the origin of the coordinates of a terrain.
     pub(super) place: [AstId; 3],
@@ -131,7 +131,7 @@ pub(super) struct Surface {
     pub(super) turning: AstId,
 }
 
-/// A contact: names that stand for its forces, and what else is known of it.
+/// A contact: the names of its forces, and its other properties.
 #[derive(Clone, Debug)]
 pub(super) struct Contact {
     pub(super) parts: Vec<(&'static str, AstId)>,
@@ -150,12 +150,12 @@ pub(super) enum Object {
     Connector(Connector),
     Joint(Joint),
     Surface(Box<Surface>),
-    /// Its name has a value, too: the normal force.
+    /// The name of a contact also has a value: the normal force.
     Contact(Contact),
 }
 
 impl Object {
-    /// Kind of object, for those who look for parts of it under other names.
+    /// Returns the kind of object, for suggestions of other names for its parts.
     pub(super) fn owner(&self) -> Option<Owner> {
         match self {
             Object::Body(_) => Some(Owner::Body),
@@ -167,7 +167,7 @@ impl Object {
         }
     }
 
-    /// Description in the user's words, with its article.
+    /// Returns a description for messages, with its article.
     pub(super) fn describe(&self) -> &'static str {
         match self {
             Object::Body(_) | Object::Link { is_frame: false, .. } => "a body",

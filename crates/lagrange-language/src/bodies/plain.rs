@@ -1,9 +1,9 @@
-//! A declaration in plain statements, with the facts about its bodies beside them.
+//! A declaration in plain statements, with additional data about its bodies.
 
 use crate::syntax::ast::{AstId, ConnectorKind, Declaration, MobilizerKind, Name, StatementKind};
 use lagrange_expr::diagnostics::Origin;
 
-/// A declaration without statements about bodies, and the properties of the bodies beside it.
+/// A declaration without statements about bodies, and the properties of the bodies.
 ///
 /// Expressions are those of the declaration.
 #[derive(Clone, Debug)]
@@ -18,14 +18,15 @@ pub struct Plain {
     pub inertial: Vec<InertialBody>,
     /// Items to draw.
     pub drawing: Vec<Drawn>,
-    /// Conditions on numbers, checked where these are known.
+    /// Conditions on numbers, checked when these are known.
     pub obligations: Vec<Obligation>,
-    /// Names of the constraints of joints. They are omitted where the coordinates satisfy them.
+    /// Names of the constraints of joints. They are omitted if the coordinates satisfy them
+    /// identically.
     pub joints: Vec<Name>,
     /// Names of `let`s that are places, with their owners: they depend on coordinates and time.
     pub places: Vec<(String, String)>,
-    /// Expressions in statements about bodies, so that mistakes in them are found whether or not
-    /// they are needed.
+    /// Expressions in statements about bodies, so that errors in them are found even if they are
+    /// not needed.
     pub mentioned: Vec<AstId>,
 }
 
@@ -41,7 +42,7 @@ impl Plain {
     }
 }
 
-/// Motion of a body. Vectors have two components, rates may hold `ddot`.
+/// Motion of a body. Vectors have two components; rates may contain `ddot`.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// The name of the body.
@@ -59,7 +60,7 @@ pub struct Motion {
 }
 
 /// A body by its inertial parameters and by the motion that multiplies them. All expressions are
-/// scalars; rates may hold `ddot`.
+/// scalars; rates may contain `ddot`.
 #[derive(Clone, Debug)]
 pub struct InertialBody {
     /// The name of the body.
@@ -76,7 +77,7 @@ pub struct InertialBody {
 }
 
 impl InertialBody {
-    /// All expressions.
+    /// Returns all expressions.
     pub(super) fn expressions(&self) -> impl Iterator<Item = AstId> {
         let vectors = self.twist.iter().chain(&self.change).copied();
         self.parameters.into_iter().chain(vectors.collect::<Vec<_>>()).chain([self.lagrangian])
@@ -94,7 +95,7 @@ pub struct SpatialKinematics {
     pub twists: Vec<FrameTwist>,
 }
 
-/// Motion of a body in space. Rates may hold `ddot`.
+/// Motion of a body in space. Rates may contain `ddot`.
 #[derive(Clone, Debug)]
 pub struct SpatialMotion {
     /// The name of the body.
@@ -136,7 +137,7 @@ pub struct FrameTwist {
 }
 
 impl SpatialKinematics {
-    /// All expressions.
+    /// Returns all expressions.
     pub(super) fn expressions(&self) -> Vec<AstId> {
         let mut all = Vec::new();
         for motion in &self.motions {
@@ -159,14 +160,15 @@ pub struct Drawn {
     pub kind: DrawnKind,
     /// Its numbers, scalars and vectors, in the order of its kind.
     pub values: Vec<AstId>,
-    /// Constraints whose multipliers the values contain: it is omitted if one of them is.
+    /// Constraints whose multipliers the values contain: the item is omitted if one of them is
+    /// omitted.
     pub needs: Vec<String>,
 }
 
-/// Kinds of items to draw; vectors have two components, in space three.
+/// Kinds of items to draw; vectors have two components in the plane and three in space.
 #[derive(Clone, Debug)]
 pub enum DrawnKind {
-    /// A body: no values, but the outlines of its shape, one for each part.
+    /// A body: no values, but one outline for each part of its shape.
     Body {
         /// Its index among the motions.
         body: usize,
@@ -178,7 +180,7 @@ pub enum DrawnKind {
         /// Its name.
         name: String,
     },
-    /// A line: the point it goes through, its angle.
+    /// A line: a point on it, and its angle.
     Line {
         /// Its name.
         name: String,
@@ -193,24 +195,24 @@ pub enum DrawnKind {
         /// Kind of the connector.
         kind: ConnectorKind,
     },
-    /// A joint: where it is.
+    /// A joint: its position.
     Joint {
         /// Its name.
         name: String,
         /// Kind of joint: a pin, a slide or a roll.
         kind: JointForm,
     },
-    /// A joint in space: where it is, and the direction of its axis.
+    /// A joint in space: its position, and the direction of its axis.
     SpatialJoint {
         /// Its name.
         name: String,
         /// Kind of joint.
         kind: SpatialJointForm,
-        /// Names of the carrying and the placed link, or of the two that are pinned; `None` for the
+        /// Names of the carrying and the placed link, or of the two pinned links; `None` for the
         /// ground.
         links: [Option<String>; 2],
     },
-    /// A force: the point it acts on, its two components.
+    /// A force: its point of application and its components.
     Force {
         /// Its name.
         name: String,
@@ -219,7 +221,7 @@ pub enum DrawnKind {
         /// The body it acts on, if that is known.
         body: Option<String>,
     },
-    /// A moment: where it is drawn, and its value, in space a vector.
+    /// A moment: the position where it is drawn, and its value, which is a vector in space.
     Moment {
         /// Its name.
         name: String,
@@ -228,10 +230,10 @@ pub enum DrawnKind {
         /// The body it acts on, if that is known.
         body: Option<String>,
     },
-    /// A torque on an angle that is no body's by name: its value, and the angle. Which bodies it
-    /// turns shows in their angles.
+    /// A torque on an angle that is not named after a body: its value, and the angle. The bodies
+    /// that it turns follow from their angles.
     Torque {
-        /// Name where the picture does not show it.
+        /// Name for pictures that cannot show it.
         name: String,
     },
     /// A force or moment that acts, but whose value or place is not known: no values.
@@ -241,17 +243,17 @@ pub enum DrawnKind {
     },
 }
 
-/// The outline of a part of a body, in space the solid: its dimensions (corners of a polygon as
+/// The outline of a part of a body, or the solid in space: its dimensions (corners of a polygon are
 /// vectors).
 #[derive(Clone, Debug)]
 pub struct Outline {
-    /// The variant of `lagrange::scene::Outline`, in space of `lagrange::scene::Solid`.
+    /// The variant of `lagrange::scene::Outline`, or in space of `lagrange::scene::Solid`.
     pub variant: &'static str,
     /// Its dimensions.
     pub dimensions: Vec<AstId>,
-    /// Place of its own coordinates in those of the body. In the plane it is the origin, a vector,
-    /// and the angle of the axes. In space it is all components of the origin, then those of the
-    /// rotation in rows.
+    /// Pose of its own coordinates in those of the body. In the plane, it consists of the origin as
+    /// a vector and the angle of the axes. In space, it consists of the components of the origin,
+    /// then those of the rotation in rows.
     pub place: Vec<AstId>,
     /// True if it is cut out.
     pub is_hole: bool,
@@ -273,7 +275,7 @@ pub enum JointForm {
 /// The form of a joint in space.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SpatialJointForm {
-    /// One that makes coordinates.
+    /// A joint that creates coordinates.
     Mobilizer(MobilizerKind),
     /// A pin.
     Pin,
@@ -294,7 +296,7 @@ pub enum LoadOrigin {
     Contact,
 }
 
-/// Condition on numbers, checked where these are known.
+/// Condition on numbers, checked when these are known.
 #[derive(Clone, Debug)]
 pub enum Obligation {
     /// A mass must be positive.

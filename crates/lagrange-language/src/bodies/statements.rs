@@ -1,4 +1,4 @@
-//! Statements, one by one, to plain ones.
+//! Translation of statements to plain ones, one by one.
 
 use super::body::translate_body;
 use super::connectors::translate_connector;
@@ -108,7 +108,7 @@ pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: 
     }
 }
 
-/// Remembers of what a named point is one.
+/// Records the body that a named point belongs to.
 fn note_point(translation: &mut Translation<'_>, name: String, value: AstId) {
     if let Some(body) = translation.body_of(value) {
         translation.points.insert(name, body);
@@ -142,19 +142,19 @@ pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: Scen
         SceneStatement::Surface(surface) => translate_surface(translation, &surface),
         SceneStatement::Connector(connector) => translate_connector(translation, &connector),
         SceneStatement::Joint(joint) => translate_joint(translation, &joint),
-        // They are statements with documentation of their own.
+        // These are statements with separate documentation.
         SceneStatement::Mobilizer(_) | SceneStatement::Contact(_) => {}
     }
 }
 
-/// A body in the plane, which waits if a joint is to place it.
+/// Translates a body in the plane, or keeps it if a joint is to place it.
 fn translate_or_keep(translation: &mut Translation<'_>, body: Box<ast::Body>) {
     if let Some(sequence) = &body.sequence {
         let error = translation.report.error(sequence.span, messages::SEQUENCE_IN_THE_PLANE);
         error.help(messages::SEQUENCE_IN_THE_PLANE_HELP);
     }
     let is_given = |place: Option<AstId>| {
-        // What could not be read may be missing because a joint is to say it.
+        // An unreadable place may be missing because a joint specifies it.
         place.is_some_and(|id| !matches!(translation.expressions.get(id), Expression::Invalid))
     };
     let is_placed = is_given(body.center) || is_given(body.origin);
@@ -170,7 +170,7 @@ fn translate_or_keep(translation: &mut Translation<'_>, body: Box<ast::Body>) {
     translation.waiting.push(WaitingBody::Body(Box::new(body)));
 }
 
-/// The word of a statement that has no meaning in space.
+/// Returns the keyword of a statement that is invalid in space.
 fn word_of_the_plane(statement: &SceneStatement) -> Option<&'static str> {
     match statement {
         SceneStatement::Surface(surface) => {
@@ -189,7 +189,7 @@ fn word_of_the_plane(statement: &SceneStatement) -> Option<&'static str> {
     }
 }
 
-/// A Lagrangian says it all: no energy can be added to it.
+/// Reports statements with energies next to a Lagrangian, which is already complete.
 pub(super) fn report_beside_lagrangian(translation: &mut Translation<'_>, statement: &SceneStatement) {
     let Some(lagrangian) = translation.lagrangian else { return };
     let (what, origin) = match statement {
@@ -219,7 +219,7 @@ pub(super) fn translate_force(
     translation.statements.push(Statement { kind: StatementKind::ForceAt { force, point }, ..statement });
 }
 
-/// Not written as a vector in space.
+/// True unless a force is written as a vector in space.
 pub(super) fn is_in_plane(translation: &Translation<'_>, force: AstId) -> bool {
     !matches!(translation.expressions.get(force), Expression::Tuple(components) if components.len() != 2)
 }

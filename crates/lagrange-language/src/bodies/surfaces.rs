@@ -1,7 +1,7 @@
 //! Planes, circles, spheres, cylinders and terrain that bodies touch.
 //!
-//! A plane has two perpendicular tangents t₁ × t₂ = n, of which t₁ is the projection of the least
-//! aligned coordinate axis, the first of several. They are fixed in what carries the plane.
+//! A plane has two perpendicular tangents with t₁ × t₂ = n. t₁ is the projection of the least
+//! aligned coordinate axis, or the first of several. They are fixed in the carrier of the plane.
 
 use super::constants::number;
 use super::expressions::plain_expression;
@@ -35,7 +35,7 @@ pub(super) fn translate_surface(translation: &mut Translation<'_>, statement: &a
     translation.names.declare(&statement.name.text, Object::Surface(Box::new(surface)));
 }
 
-/// Declares a surface whose mistake was reported.
+/// Declares a surface with a reported error.
 pub(super) fn declare_broken_surface(translation: &mut Translation<'_>, statement: &ast::Surface) {
     let radius = translation.terms().invalid();
     let [place, direction] = [[radius; 3]; 2];
@@ -45,7 +45,7 @@ pub(super) fn declare_broken_surface(translation: &mut Translation<'_>, statemen
     translation.names.declare(&statement.name.text, Object::Surface(Box::new(surface)));
 }
 
-/// The body or link of a name; anything else is reported.
+/// Returns the body or link with this name; anything else is reported.
 fn carrier_of(translation: &mut Translation<'_>, name: &Name) -> Option<usize> {
     match translation.space {
         Some(_) => link_of(translation, name),
@@ -53,7 +53,7 @@ fn carrier_of(translation: &mut Translation<'_>, name: &Name) -> Option<usize> {
     }
 }
 
-/// A surface in the coordinates of what carries it.
+/// Returns a surface in the coordinates of its carrier.
 fn own_surface(translation: &mut Translation<'_>, statement: &ast::Surface) -> Option<Surface> {
     let ast::Surface { kind, name, place, direction, radius, .. } = statement;
     let place = own_place(translation, name, *place);
@@ -104,7 +104,7 @@ fn own_radius(
     Some(value)
 }
 
-/// The height of a terrain, `Some(None)` for other surfaces; `None` after a mistake.
+/// Returns the height of a terrain, `Some(None)` for other surfaces; `None` after an error.
 fn own_height(translation: &mut Translation<'_>, statement: &ast::Surface) -> Option<Option<Height>> {
     if statement.kind != SurfaceKind::Terrain {
         return Some(None);
@@ -121,7 +121,7 @@ fn own_height(translation: &mut Translation<'_>, statement: &ast::Surface) -> Op
     };
     let coordinates = statement.coordinates.iter().map(|name| name.text.clone()).collect::<Vec<_>>();
     if coordinates.is_empty() {
-        // They could not be read.
+        // The coordinates could not be read.
         return None;
     }
     if coordinates.len() + 1 != translation.dimension() {
@@ -134,7 +134,7 @@ fn own_height(translation: &mut Translation<'_>, statement: &ast::Surface) -> Op
     }
     let value = plain_expression(translation, written);
     let mut terms = translation.terms();
-    // Anything that changes may stand for coordinates where mistakes are looked for.
+    // To find errors, any changing quantity can represent the coordinates.
     let values = coordinates.iter().map(|_| terms.name("t")).collect::<Vec<_>>();
     let mentioned = terms.with_values(value, &coordinates, &values);
     translation.mentioned.push(mentioned);
@@ -144,7 +144,7 @@ fn own_height(translation: &mut Translation<'_>, statement: &ast::Surface) -> Op
     Some(Some(Height { coordinates, value, is_fixed: translation.is_at_rest(fixed) }))
 }
 
-/// The normal of a plane with its tangents, or the axis of a cylinder: of length one.
+/// Returns the unit normal of a plane with its tangents, or the unit axis of a cylinder.
 fn own_direction(
     translation: &mut Translation<'_>,
     kind: SurfaceKind,
@@ -164,7 +164,7 @@ fn own_direction(
     unit_direction(translation, name, kind.labels()[2], direction)
 }
 
-/// A direction of length one with two tangents; the third axis if it is not given.
+/// Returns a unit direction with two tangents; the third axis by default.
 pub(super) fn unit_direction(
     translation: &mut Translation<'_>,
     name: &Name,
@@ -200,9 +200,9 @@ pub(super) fn unit_direction(
     Some((normal, tangents))
 }
 
-/// Two perpendicular directions whose cross product is a direction n of length one. If a coordinate
-/// axis is perpendicular to n, they are this axis and its cross product with n. Otherwise they are
-/// Frisvad's, singular at n = −e_z only.
+/// Returns two perpendicular directions whose cross product is the unit direction n. If a
+/// coordinate axis is perpendicular to n, they are this axis and its cross product with n.
+/// Otherwise they are Frisvad's, which are only singular at n = −e_z.
 ///
 /// Source: Frisvad, *Building an orthonormal basis from a 3D unit vector without normalization*
 /// (2012), eq. 2.
@@ -248,7 +248,8 @@ fn in_world(translation: &mut Translation<'_>, name: &Name, own: Surface, carrie
     Surface { carrier, place, direction, tangents, ..own }
 }
 
-/// A vector under a name, unless its components need none; in the plane its first two components.
+/// Returns a vector under a name, unless its components need none; in the plane its first two
+/// components.
 pub(super) fn bind_vector(translation: &mut Translation<'_>, wish: &str, vector: Triple) -> Triple {
     if translation.space.is_some() {
         return named_vector(translation, wish, vector);

@@ -1,7 +1,7 @@
-//! Syntax that is put together from syntax.
+//! Construction of syntax from syntax.
 //!
-//! Zeros and ones that come of leaving something out are not written, so that plain statements read
-//! as if a person had written them. No other algebra happens here.
+//! Zeros and ones from omitted parts are not written, so that plain statements read as if written
+//! by hand. There is no other algebra here.
 
 use proc_macro2::Span;
 
@@ -13,14 +13,14 @@ use lagrange_expr::number::Number;
 /// A vector in the plane.
 pub(super) type Pair = [AstId; 2];
 
-/// Writes expressions that stand for a place in the source.
+/// Writer of expressions that are located at a place in the source.
 pub(super) struct TermWriter<'e> {
     expressions: &'e mut Expressions,
     origin: Origin,
 }
 
 impl<'e> TermWriter<'e> {
-    /// Terms that are blamed on `origin`.
+    /// Creates a writer of terms located at `origin`.
     pub(super) fn new(expressions: &'e mut Expressions, origin: Origin) -> TermWriter<'e> {
         TermWriter { expressions, origin }
     }
@@ -42,8 +42,8 @@ impl<'e> TermWriter<'e> {
         self.add_node(Expression::Name(name.to_owned()))
     }
 
-    /// Copy of terms that were put together before, blamed on the place that these stand for; calls
-    /// and numbers stay as they are.
+    /// Copies terms that were constructed before, with the current location; calls and numbers stay
+    /// as they are.
     pub(super) fn repeated(&mut self, id: AstId) -> AstId {
         let expression = match self.expressions.get(id).clone() {
             Expression::Tuple(parts) => {
@@ -59,7 +59,7 @@ impl<'e> TermWriter<'e> {
         self.add_node(expression)
     }
 
-    /// Copy of an expression in which names have values.
+    /// Copies an expression with values in place of names.
     pub(super) fn with_values(&mut self, root: AstId, names: &[String], values: &[AstId]) -> AstId {
         let mut copies: HashMap<AstId, AstId> = HashMap::default();
         for id in self.expressions.parts(root) {
@@ -84,7 +84,7 @@ impl<'e> TermWriter<'e> {
         [self.number(0), self.number(0)]
     }
 
-    /// Placeholder for what was reported already.
+    /// Returns a placeholder for an expression with a reported error.
     pub(super) fn invalid(&mut self) -> AstId {
         self.add_node(Expression::Invalid)
     }
@@ -98,7 +98,8 @@ impl<'e> TermWriter<'e> {
         self.add_node(Expression::Tuple(pair.to_vec()))
     }
 
-    /// A vector of these components; all those of one vector in their order are that vector.
+    /// Returns the vector with these components. All components of an existing vector, in order,
+    /// yield this vector.
     pub(super) fn vector(&mut self, components: &[AstId]) -> AstId {
         match self.whole(components) {
             Some(vector) => vector,
@@ -106,7 +107,7 @@ impl<'e> TermWriter<'e> {
         }
     }
 
-    /// The vector in space that has these components.
+    /// Returns the existing vector in space with these components.
     fn whole(&self, components: &[AstId]) -> Option<AstId> {
         let of = |id: AstId, axis: &str| match self.expressions.get(id) {
             Expression::Component(vector, name) if name.text == axis => Some(*vector),
@@ -117,23 +118,23 @@ impl<'e> TermWriter<'e> {
         (of(y, "y") == Some(vector) && of(z, "z") == Some(vector)).then_some(vector)
     }
 
-    /// The components of a vector in the plane.
+    /// Returns the components of a vector in the plane.
     pub(super) fn pair(&mut self, vector: AstId) -> Pair {
         self.components(vector, ["x", "y"])
     }
 
-    /// The components of a vector in space.
+    /// Returns the components of a vector in space.
     pub(super) fn triple(&mut self, vector: AstId) -> [AstId; 3] {
         self.components(vector, ["x", "y", "z"])
     }
 
-    /// The components of the difference of two vectors.
+    /// Returns the components of the difference of two vectors.
     pub(super) fn difference(&mut self, dimension: usize, [a, b]: [AstId; 2]) -> Vec<AstId> {
         let (a, b) = (self.components_of(dimension, a), self.components_of(dimension, b));
         a.into_iter().zip(b).map(|(a, b)| self.minus(a, b)).collect()
     }
 
-    /// The components of a vector, three in space.
+    /// Returns the components of a vector, three in space.
     pub(super) fn components_of(&mut self, dimension: usize, vector: AstId) -> Vec<AstId> {
         match dimension {
             3 => self.triple(vector).to_vec(),
@@ -239,13 +240,13 @@ impl<'e> TermWriter<'e> {
         [self.times(factor, a[0]), self.times(factor, a[1])]
     }
 
-    /// Σ aᵢ bᵢ
+    /// Returns Σ aᵢ bᵢ.
     pub(super) fn inner(&mut self, a: Pair, b: Pair) -> AstId {
         let (x, y) = (self.times(a[0], b[0]), self.times(a[1], b[1]));
         self.plus(x, y)
     }
 
-    /// x² + y²
+    /// Returns x² + y².
     pub(super) fn squared_length(&mut self, a: Pair) -> AstId {
         let [x, y] = a.map(|component| match self.is_zero(component) {
             true => component,
@@ -254,18 +255,18 @@ impl<'e> TermWriter<'e> {
         self.plus(x, y)
     }
 
-    /// a × b, out of the plane.
+    /// Returns a × b, perpendicular to the plane.
     pub(super) fn cross(&mut self, a: Pair, b: Pair) -> AstId {
         let (forward, backward) = (self.times(a[0], b[1]), self.times(a[1], b[0]));
         self.minus(forward, backward)
     }
 
-    /// e_z × a
+    /// Returns e_z × a.
     pub(super) fn quarter_turn(&mut self, a: Pair) -> Pair {
         [self.negative(a[1]), a[0]]
     }
 
-    /// A vector turned by an angle.
+    /// Returns a vector turned by an angle.
     pub(super) fn turned(&mut self, a: Pair, angle: AstId) -> Pair {
         if self.is_zero(angle) || a.iter().all(|&component| self.is_zero(component)) {
             return a;
@@ -275,7 +276,7 @@ impl<'e> TermWriter<'e> {
         self.plus_pair(x, y)
     }
 
-    /// (cos, sin) of an angle.
+    /// Returns (cos, sin) of an angle.
     pub(super) fn direction(&mut self, angle: AstId) -> Pair {
         match self.is_zero(angle) {
             true => [self.number(1), self.number(0)],
@@ -283,26 +284,26 @@ impl<'e> TermWriter<'e> {
         }
     }
 
-    /// The directions of own axes that are turned by an angle.
+    /// Returns the directions of axes that are turned by an angle.
     pub(super) fn axes(&mut self, angle: AstId) -> [Pair; 2] {
         let along = self.direction(angle);
         [along, self.quarter_turn(along)]
     }
 
-    /// One value where a scalar is positive, another one elsewhere.
+    /// Returns one value where a scalar is positive, and another one elsewhere.
     pub(super) fn if_positive(&mut self, scalar: AstId, then: AstId, otherwise: AstId) -> AstId {
         let zero = self.number(0);
         let condition = Condition { left: zero, relation: Comparison::Less, right: scalar };
         self.add_node(Expression::If { condition, then, otherwise })
     }
 
-    /// Distance of one point from another in a direction.
+    /// Returns the distance of one point from another in a direction.
     pub(super) fn projection(&mut self, direction: Pair, to: Pair, from: Pair) -> AstId {
         let arm = self.minus_pair(to, from);
         self.inner(direction, arm)
     }
 
-    /// The rate of a scalar.
+    /// Returns the rate of a scalar.
     pub(super) fn rate(&mut self, of: AstId) -> AstId {
         match self.as_number(of) {
             Some(_) => self.number(0),
@@ -310,7 +311,7 @@ impl<'e> TermWriter<'e> {
         }
     }
 
-    /// The second rate of a scalar.
+    /// Returns the second rate of a scalar.
     pub(super) fn second_rate(&mut self, of: AstId) -> AstId {
         match self.as_number(of) {
             Some(_) => self.number(0),
@@ -318,7 +319,7 @@ impl<'e> TermWriter<'e> {
         }
     }
 
-    /// The components of the rate of a vector.
+    /// Returns the components of the rate of a vector.
     pub(super) fn rate_pair(&mut self, of: Pair) -> Pair {
         of.map(|component| self.rate(component))
     }
@@ -338,7 +339,7 @@ impl<'e> TermWriter<'e> {
         }
     }
 
-    /// a if the expression is −a, be the sign that of its first factor.
+    /// Returns a if the expression is −a, even if the sign is that of its first factor.
     fn negated(&mut self, id: AstId) -> Option<AstId> {
         use BinaryOperator::{Divide, Multiply};
         match *self.expressions.get(id) {

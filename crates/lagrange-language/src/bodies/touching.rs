@@ -1,4 +1,4 @@
-//! Round bodies and points of bodies that touch, with their motion.
+//! Round bodies and points of bodies in contact, with their motion.
 
 use super::corners::corner_count;
 use super::expressions::{plain_expression, scene_point};
@@ -12,10 +12,10 @@ use super::space::{origin_motion, place_on_link, point_on_link, spin_of_link, ve
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, Contact, Expression, Name, SurfaceKind};
 
-/// A point of a body with the radius around it that touches. Vectors in the plane have a third
+/// A touching point of a body with the radius around it. Vectors in the plane have a third
 /// component of zero.
 pub(super) struct Touching {
-    /// The body, in space the link.
+    /// The body, or in space the link.
     pub(super) body: usize,
     pub(super) center: Triple,
     /// Velocity of the point of the body at the centre.
@@ -25,7 +25,7 @@ pub(super) struct Touching {
     pub(super) radius: Option<AstId>,
 }
 
-/// The point of a body that touches; what belongs to no body is reported.
+/// Returns the touching point of a body; a point without a body is reported.
 pub(super) fn touching(translation: &mut Translation<'_>, contact: &Contact) -> Option<Touching> {
     let (name, object) = (&contact.name, contact.object);
     let mistakes = translation.report.diagnostics().len();
@@ -48,7 +48,7 @@ pub(super) fn touching(translation: &mut Translation<'_>, contact: &Contact) -> 
     touching.filter(|_| translation.report.diagnostics().len() == mistakes)
 }
 
-/// Reports a body that stands for its centre although it has a shape.
+/// Reports a body that denotes its centre although it has a shape.
 fn report_without_radius(translation: &mut Translation<'_>, contact: &Name, object: AstId) {
     let Expression::Name(name) = translation.expressions.get(object).clone() else { return };
     let Some(shape) = shape_named(translation, object).filter(|shape| shape.variant != "PointMass") else {
@@ -62,7 +62,7 @@ fn report_without_radius(translation: &mut Translation<'_>, contact: &Name, obje
     translation.report.error(origin, message).help(help);
 }
 
-/// The shape of the body that this is the name of.
+/// Returns the shape of the body with this name.
 fn shape_named(translation: &Translation<'_>, object: AstId) -> Option<Outline> {
     match &translation.space {
         Some(space) => space.links[translation.link_named(object)?].shape.clone(),
@@ -81,8 +81,8 @@ fn report_no_body(translation: &mut Translation<'_>, contact: &Name, object: Ast
     translation.report.error(origin, words::no_body_touches(&contact.text)).help(help);
 }
 
-/// Reports `case.corners` of a body that has none, or that is declared inside of a part or outside
-/// of it, apart from the contact.
+/// Reports `case.corners` of a body without corners, or of a body and a contact that are not in the
+/// same part.
 fn report_without_corners(translation: &mut Translation<'_>, contact: &Name, object: AstId) {
     let Expression::Component(body, part) = translation.expressions.get(object).clone() else { return };
     let is_body = translation.body_named(body).is_some() || translation.link_named(body).is_some();
@@ -133,7 +133,8 @@ fn touching_link(translation: &mut Translation<'_>, object: AstId) -> Option<Tou
     Some(Touching { body, center, velocity, spin, radius })
 }
 
-/// Velocity at a place of the body in the plane or the link in space, and the angular velocity.
+/// Returns the velocity at a place of the body in the plane or the link in space, and the angular
+/// velocity.
 pub(super) fn motion_at(translation: &mut Translation<'_>, body: usize, place: Triple) -> (Triple, Triple) {
     let (origin, velocity, spin) = match translation.space {
         Some(_) => origin_motion(translation, body),
@@ -148,7 +149,7 @@ pub(super) fn motion_at(translation: &mut Translation<'_>, body: usize, place: T
     (plus(&mut terms, velocity, turning), spin)
 }
 
-/// Origin, its velocity and the angular velocity.
+/// Returns the origin, its velocity and the angular velocity.
 fn plane_motion(translation: &mut Translation<'_>, body: usize) -> (Triple, Triple, Triple) {
     let Body { origin: [x, y], angle, .. } = translation.bodies[body].clone();
     let zero = translation.terms().number(0);
@@ -156,7 +157,7 @@ fn plane_motion(translation: &mut Translation<'_>, body: usize) -> (Triple, Trip
     ([x, y, zero], [vx, vy, zero], [zero, zero, rate])
 }
 
-/// The rate of what may be at rest.
+/// Returns the rate of an expression that may be at rest.
 pub(super) fn rate_of(translation: &mut Translation<'_>, value: AstId) -> AstId {
     match translation.is_at_rest(value) {
         true => translation.terms().number(0),
@@ -164,7 +165,7 @@ pub(super) fn rate_of(translation: &mut Translation<'_>, value: AstId) -> AstId 
     }
 }
 
-/// The surface of a round body: its kind, centre and radius in its own coordinates.
+/// Returns the surface of a round body: its kind, centre and radius in its own coordinates.
 pub(super) fn round_of(
     translation: &mut Translation<'_>,
     body: usize,
@@ -183,7 +184,7 @@ pub(super) fn round_of(
     Some((kind, [place[0], place[1], place[2]], radius))
 }
 
-/// The surface of a round body in the world; `None` of any other body.
+/// Returns the surface of a round body in the world; `None` for any other body.
 pub(super) fn surface_of(translation: &mut Translation<'_>, body: usize) -> Option<Surface> {
     let (kind, own, radius) = round_of(translation, body)?;
     let zero = translation.terms().number(0);

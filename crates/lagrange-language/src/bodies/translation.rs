@@ -1,4 +1,4 @@
-//! The statements of a declaration, one by one, in plain words.
+//! Translation of the statements of a declaration, one by one, to the plain language.
 
 use super::messages;
 use super::names::SceneNames;
@@ -29,38 +29,38 @@ pub(super) struct Translation<'a> {
     pub(super) lines: Vec<Line>,
     /// Additional data of a scene in space.
     pub(super) space: Option<Space>,
-    /// Bodies and frames in the plane that a joint is still to place.
+    /// Bodies and frames in the plane that have not yet been placed by a joint.
     pub(super) waiting: Vec<WaitingBody>,
     /// Plain statements so far.
     pub(super) statements: Vec<Statement>,
     /// The statement that is being translated.
     pub(super) origin: Origin,
     pub(super) gravity: Option<(Pair, Origin)>,
-    /// Bodies to which points belong that `let` names.
+    /// Bodies of points that are named by `let`.
     pub(super) points: HashMap<String, usize>,
-    /// Names of which it was reported that they are used too early.
+    /// Names that have been reported as used too early.
     pub(super) early: HashSet<String>,
-    /// Words of statements that cannot be read, which may have declared them.
+    /// Words of unreadable statements, which may declare them.
     pub(super) unreadable: HashSet<String>,
-    /// Translations of expressions, each found once.
+    /// Translations of expressions, each computed once.
     pub(super) translated: HashMap<AstId, AstId>,
     pub(super) motions: Vec<Motion>,
-    /// True if anybody asks for what there is to draw.
+    /// True if a drawing is requested.
     pub(super) is_drawn: bool,
     pub(super) drawing: Vec<Drawn>,
     /// Forces and moments, which are drawn last.
     pub(super) loads: Vec<Drawn>,
     pub(super) obligations: Vec<Obligation>,
     pub(super) joints: Vec<Name>,
-    /// Names of `let`s that are places, with what they are places of.
+    /// Names of `let`s that are places, with their owners.
     pub(super) places: Vec<(String, String)>,
     /// The level of accuracy of the emitted code.
     pub(super) accuracy: Accuracy,
-    /// Place of the Lagrangian, if the declaration gives one.
+    /// Place of the Lagrangian, if the declaration has one.
     pub(super) lagrangian: Option<Origin>,
     /// Expressions that the user wrote in statements about bodies.
     pub(super) mentioned: Vec<AstId>,
-    /// Names of `let`s that are left out if nothing needs them.
+    /// Names of `let`s that are omitted if nothing needs them.
     pub(super) optional: HashSet<String>,
 }
 
@@ -95,7 +95,7 @@ impl<'a> Translation<'a> {
         }
     }
 
-    /// Reports something that never turns where something that does is needed.
+    /// Reports something that never turns where a turning object is needed.
     pub(super) fn report_no_turning(&mut self, what: AstId, purpose: &str) {
         let name = match self.expressions.get(what) {
             Expression::Name(name) => format!("`{name}`"),
@@ -106,7 +106,7 @@ impl<'a> Translation<'a> {
         error.help(messages::DOES_NOT_TURN_HELP);
     }
 
-    /// Number of components of vectors in the scene.
+    /// Returns the number of components of vectors in the scene.
     pub(super) fn dimension(&self) -> usize {
         if self.space.is_some() { 3 } else { 2 }
     }
@@ -121,14 +121,14 @@ impl<'a> Translation<'a> {
         if self.lagrangian.is_some()
             && matches!(kind, StatementKind::Kinetic(_) | StatementKind::Potential(_))
         {
-            // That was reported.
+            // This has been reported.
             return;
         }
         let docs = proc_macro2::TokenStream::new();
         self.statements.push(Statement { kind, origin: self.origin, docs });
     }
 
-    /// `let` of a new name like `wish`; the name.
+    /// Adds a `let` with a new name like `wish`; returns the name.
     pub(super) fn bind(&mut self, wish: &str, value: AstId) -> AstId {
         let name = self.new_name(wish);
         let mentioned = self.terms().name(&name.text);
@@ -136,7 +136,8 @@ impl<'a> Translation<'a> {
         mentioned
     }
 
-    /// `let` of a new name like `wish`, left out in the end if nothing needs it; the name.
+    /// Adds a `let` with a new name like `wish`, which is omitted later if nothing needs it;
+    /// returns the name.
     pub(super) fn bind_optionally(&mut self, wish: &str, value: AstId) -> AstId {
         let name = self.bind(wish, value);
         if let Expression::Name(name) = self.expressions.get(name) {
@@ -145,7 +146,7 @@ impl<'a> Translation<'a> {
         name
     }
 
-    /// Remembers that a `let` is a place, which is a matter of coordinates and time.
+    /// Records that a `let` is a place, which may only depend on coordinates and time.
     pub(super) fn note_place(&mut self, name: AstId, what: &str) {
         if let Expression::Name(name) = self.expressions.get(name) {
             self.places.push((name.clone(), what.to_owned()));
@@ -165,7 +166,7 @@ impl<'a> Translation<'a> {
         }
     }
 
-    /// True of an expression, as the user wrote it, that is made of parameters and numbers only.
+    /// True for an expression of the user that consists of only parameters and numbers.
     pub(super) fn is_at_rest(&self, id: AstId) -> bool {
         let mut pending = vec![id];
         while let Some(id) = pending.pop() {
@@ -177,17 +178,17 @@ impl<'a> Translation<'a> {
         true
     }
 
-    /// True if all of these expressions could be read, so that their number is what was meant.
+    /// True if all of these expressions could be read, so that their number is the intended one.
     pub(super) fn are_read(&self, ids: &[AstId]) -> bool {
         ids.iter().all(|&id| !matches!(self.expressions.get(id), Expression::Invalid))
     }
 
-    /// The translation of an expression whose parts have been translated.
+    /// Returns the translation of an expression whose parts have been translated.
     pub(super) fn plain_of(&self, id: AstId) -> AstId {
         self.translated.get(&id).copied().unwrap_or(id)
     }
 
-    /// The body or frame in space that an expression names.
+    /// Returns the body or frame in space that an expression names.
     pub(super) fn link_named(&self, id: AstId) -> Option<usize> {
         let Expression::Name(name) = self.expressions.get(id) else { return None };
         match self.names.find(name)? {
@@ -196,7 +197,7 @@ impl<'a> Translation<'a> {
         }
     }
 
-    /// The body to which a point belongs, if that shows.
+    /// Returns the body to which a point belongs, if this follows from its form.
     pub(super) fn body_of(&self, id: AstId) -> Option<usize> {
         match self.expressions.get(id) {
             Expression::Name(name) => self.body_named(id).or_else(|| self.points.get(name).copied()),

@@ -1,14 +1,14 @@
-//! Optional `let`s that nothing needs.
+//! Removal of optional `let`s that nothing needs.
 //!
-//! The place of a frame in the world matters to weights, points and outputs only, and so does the
-//! force of a contact by itself. Those that a scene does not need are omitted, so that its plain
-//! statements hold only the parts of its equations.
+//! The world position of a frame is only needed for weights, points and outputs, and so is a
+//! contact force on its own. If a scene does not need them, they are omitted, so that its plain
+//! statements contain only the parts of its equations.
 
 use super::plain::{Drawn, DrawnKind, InertialBody, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
 use lagrange_expr::collections::HashSet;
 
-/// Removes `let`s of these names that neither statements nor anything beside them mention.
+/// Removes `let`s with these names that are used neither in statements nor in the additional data.
 pub(super) fn leave_out_unneeded(plain: &mut Plain, optional: &HashSet<String>) {
     if optional.is_empty() {
         return;
@@ -37,7 +37,7 @@ pub(super) fn leave_out_unneeded(plain: &mut Plain, optional: &HashSet<String>) 
     plain.declaration.statements.retain(|_| kept.next().unwrap_or(true));
 }
 
-/// Expressions of an item that is drawn.
+/// Returns the expressions of a drawn item.
 fn drawn(item: &Drawn) -> Vec<AstId> {
     let outlines = match &item.kind {
         DrawnKind::Body { outlines, .. } => &outlines[..],
@@ -47,8 +47,8 @@ fn drawn(item: &Drawn) -> Vec<AstId> {
     item.values.iter().chain(of_shape).copied().collect()
 }
 
-/// Expressions that obligations check, those of masses and properties being among the mentioned
-/// ones.
+/// Returns the expressions that obligations check; those of masses and properties are among the
+/// mentioned ones.
 fn obliged(obligation: &Obligation) -> Vec<AstId> {
     match obligation {
         Obligation::Tensor { tensor, .. } => tensor.to_vec(),
@@ -58,7 +58,7 @@ fn obliged(obligation: &Obligation) -> Vec<AstId> {
     }
 }
 
-/// Names in expressions, each found once.
+/// Names in expressions, each collected once.
 struct Needed<'e> {
     expressions: &'e Expressions,
     names: HashSet<String>,

@@ -12,7 +12,7 @@ use lagrange_expr::number::Number;
 pub(super) struct Checker<'a> {
     pub(super) expressions: &'a Expressions,
     pub(super) scope: HashMap<String, Measure>,
-    /// Functions of the crate and tables: dimensions of arguments, then that of the value.
+    /// Functions of the user's crate and tables: dimensions of arguments, then of the value.
     pub(super) callables: HashMap<String, Vec<Exponents>>,
     /// Constants that are rational numbers.
     pub(super) constants: HashMap<String, Number>,
@@ -36,12 +36,12 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The dimension of an expression that has one already.
+    /// Returns the known dimension of an expression.
     pub(super) fn known_value(&self, id: AstId) -> Measure {
         self.values.get(&id).cloned().unwrap_or_else(Measure::any)
     }
 
-    /// A power. Where the exponent may change, nothing but plain numbers has one.
+    /// Returns the dimension of a power. If the exponent may change, only plain numbers are valid.
     pub(super) fn power(&mut self, base: AstId, exponent: AstId) -> Measure {
         let value = self.known_value(base);
         if let Some(exponent) = self.number(exponent) {
@@ -52,7 +52,7 @@ impl<'a> Checker<'a> {
         Measure::known(Exponents::plain()).with_rates(value.has_rates)
     }
 
-    /// The rational number that an expression is.
+    /// Returns the value of an expression that is a rational number.
     fn number(&self, root: AstId) -> Option<Number> {
         let mut numbers: HashMap<AstId, Number> = HashMap::default();
         for id in self.expressions.parts(root) {
@@ -78,14 +78,14 @@ impl<'a> Checker<'a> {
         numbers.get(&root).cloned()
     }
 
-    /// Remembers what a constant is, if exponents can be made of it.
+    /// Records the value of a constant, if it can be used in exponents.
     pub(super) fn define_constant(&mut self, name: &str, value: AstId) {
         if let Some(number) = self.number(value) {
             self.constants.insert(name.to_owned(), number);
         }
     }
 
-    /// Two expressions of one dimension; the second is wrong if they differ.
+    /// Requires two expressions to have the same dimension; the second is wrong if they differ.
     pub(super) fn same(&mut self, first: AstId, second: AstId, words: &str) -> Measure {
         let (a, b) = (self.known_value(first), self.known_value(second));
         let reason = Grounds { words: words.to_owned(), place: self.expressions.origin(first) };
@@ -100,7 +100,7 @@ impl<'a> Checker<'a> {
         Measure::of(longer.shape, components).with_rates(has_rates)
     }
 
-    /// Equal dimensions of what is found and what is expected, component by component.
+    /// Equates found and expected dimensions, component by component.
     pub(super) fn equate_values(
         &mut self,
         expression: AstId,
@@ -131,7 +131,7 @@ impl<'a> Checker<'a> {
         self.solver.equate(DimensionEquation { found, expected, expression: Some(expression), reason });
     }
 
-    /// An operand that is a plain number or an angle.
+    /// Requires an operand to be a plain number or an angle.
     pub(super) fn require_plain(&mut self, operand: AstId, words: &str) {
         let reason = Grounds { words: words.to_owned(), place: self.expressions.origin(operand) };
         if let Some(found) = self.known_value(operand).form() {

@@ -1,4 +1,4 @@
-//! Numbers that are written in the units of their names, in coherent units.
+//! Conversion of numbers from the units of their names to coherent units.
 
 use super::labels::{Label, label};
 use super::messages;
@@ -18,11 +18,11 @@ use lagrange_expr::units::{NamedUnit, NamedUnits, Scale, Unit, UnitFactor};
 pub struct Measured {
     pub(super) named: NamedUnits,
     pub(super) labels: Vec<Label>,
-    /// The last expression that the user wrote.
+    /// The last expression written by the user.
     pub(super) last_written: Option<AstId>,
 }
 
-/// Writes the units of names and labels behind the numbers that are in them.
+/// Writes the units of names and labels after their numbers.
 pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> Measured {
     if !declaration.has_units {
         return Measured::default();
@@ -38,7 +38,7 @@ pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> 
     measured
 }
 
-/// Gives entries of the state and their rates units as those of coordinates are written, so that
+/// Sets the units of state entries and their rates from the written units of coordinates, so that
 /// angles stay in `rad`.
 pub(super) fn name_state(declaration: &Declaration, named: &mut NamedUnits) {
     let mut add = |name: &str, unit: &Unit| {
@@ -72,8 +72,7 @@ struct UnitWriter<'a> {
     expressions: &'a mut Expressions,
     report: &'a mut Report,
     measured: Measured,
-    /// Places of units of which it was said that they scale nothing, once for all elements of an
-    /// array.
+    /// Places of units that have been reported to scale nothing, once for all elements of an array.
     said: HashSet<String>,
 }
 
@@ -100,7 +99,7 @@ impl UnitWriter<'_> {
         }
     }
 
-    /// A name whose value comes from elsewhere.
+    /// Checks a name whose value comes from elsewhere.
     fn value(&mut self, name: &Name) {
         self.coherent(name);
         self.name(name, None);
@@ -112,7 +111,7 @@ impl UnitWriter<'_> {
         }
     }
 
-    /// Reports a unit that is not coherent although there is no number in it.
+    /// Reports a unit that is not coherent although it has no number.
     fn coherent(&mut self, name: &Name) {
         let Some(unit) = name.unit.as_ref().filter(|unit| !unit.is_coherent()) else { return };
         if self.is_said(unit.origin) {
@@ -126,7 +125,7 @@ impl UnitWriter<'_> {
         !self.said.insert(format!("{:?}", origin.start))
     }
 
-    /// The value of a definition in coherent units.
+    /// Returns the value of a definition in coherent units.
     fn definition(&mut self, name: &Name, value: AstId) -> AstId {
         let Some(unit) = &name.unit else { return value };
         let is_scaled = !unit.is_coherent() && is_of_numbers(self.expressions, value);
@@ -135,7 +134,7 @@ impl UnitWriter<'_> {
         self.number(name, value)
     }
 
-    /// An output, whose values at run time are in the unit behind its name.
+    /// Converts an output, whose run-time values are in the unit after its name.
     fn output(&mut self, name: &Name, value: &mut AstId) {
         if let Some(unit) = &name.unit {
             self.measured.named.insert(&name.text, NamedUnit { unit: unit.to_string(), default: None });
@@ -145,7 +144,7 @@ impl UnitWriter<'_> {
         }
     }
 
-    /// A parameter, whose bounds are in its unit, too.
+    /// Converts a parameter, whose bounds are also in its unit.
     fn parameter(&mut self, Definition { name, range, value }: &mut Definition) {
         let has_bounds = range.limits().next().is_some();
         range.limits_mut().for_each(|limit| limit.value = self.number(name, limit.value));
@@ -156,7 +155,7 @@ impl UnitWriter<'_> {
         }
     }
 
-    /// A number in the unit of a name, with that unit behind it.
+    /// Returns a number in the unit of a name, followed by this unit.
     fn number(&mut self, name: &Name, value: AstId) -> AstId {
         let Some(unit) = name.unit.as_ref() else { return value };
         let is_plain = unit.is_coherent() && unit.dimension.is_none();
@@ -172,7 +171,7 @@ impl UnitWriter<'_> {
         value
     }
 
-    /// Points of a table are in the units of its arguments and of its value.
+    /// Converts the points of a table, which are in the units of its arguments and its value.
     fn table(&mut self, table: &mut TableDefinition) {
         let columns = table.parameters.iter().chain([&table.name]).cloned().collect::<Vec<_>>();
         match &mut table.source {
@@ -196,7 +195,7 @@ impl UnitWriter<'_> {
     }
 }
 
-/// A number of a file, converted as if it were a literal: exactly, and then rounded.
+/// Converts a number from a file like a literal: exactly, then rounded.
 fn in_coherent_unit(value: f64, unit: &Unit) -> f64 {
     if unit.is_coherent() || !value.is_finite() {
         return value;

@@ -1,8 +1,7 @@
-//! Dimensions that are not known yet: products of powers of unknown dimensions.
+//! Dimensions that are not yet known: products of powers of unknown dimensions.
 //!
-//! Written additively, in exponents, these are linear forms with rational coefficients, so that
-//! equations between them have solutions by elimination. Source: Kennedy, *Dimension types*, ESOP
-//! 1994.
+//! In terms of exponents, these are linear forms with rational coefficients, so equations between
+//! them are solved by elimination. Source: Kennedy, *Dimension types*, ESOP 1994.
 
 use std::collections::BTreeMap;
 
@@ -13,11 +12,11 @@ use lagrange_expr::units::Dimension;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Unknown(pub(super) usize);
 
-/// A dimension times powers of unknown ones.
+/// A known dimension times powers of unknown ones.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Exponents {
     pub(super) known: Dimension,
-    /// Exponents of unknown dimensions, none of them zero.
+    /// Nonzero exponents of unknown dimensions.
     pub(super) unknowns: BTreeMap<Unknown, Number>,
 }
 
@@ -43,7 +42,7 @@ impl Exponents {
         Exponents::plain().times_power(self, exponent)
     }
 
-    /// This times a power of another.
+    /// Returns the product with a power of another dimension.
     pub(super) fn times_power(&self, other: &Exponents, exponent: &Number) -> Exponents {
         let mut product = self.clone();
         product.known = product.known.times(&other.known.power(exponent));

@@ -11,7 +11,7 @@ use crate::syntax::ast::{ArrayShape, AstId, BinaryOperator, Expression};
 use lagrange_expr::units::Dimension;
 
 impl Checker<'_> {
-    /// The dimension of an expression. What is wrong in it is remembered.
+    /// Returns the dimension of an expression. Contradictions in it are recorded.
     pub(super) fn value(&mut self, root: AstId) -> Measure {
         let mut pending = vec![root];
         while let Some(&id) = pending.last() {
@@ -91,7 +91,7 @@ impl Checker<'_> {
         }
     }
 
-    /// An expression that is to have a dimension, whatever it is made of; of sums each term is.
+    /// Requires an expression to have a dimension; in sums, this applies to each term.
     pub(super) fn require(&mut self, root: AstId, expected: &Measure, reason: &Grounds) -> Measure {
         let mut pending = vec![root];
         let mut all = expected.clone();
@@ -114,7 +114,7 @@ impl Checker<'_> {
                 }
             }
         }
-        // Whoever asks for the whole of it gets what it should be.
+        // The whole expression is assigned its expected dimension.
         if !self.values.contains(&root) {
             self.values.insert(root, all.clone());
         }

@@ -8,12 +8,12 @@ use crate::syntax::ast::{
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::units::Unit;
 
-/// A value behind a label.
+/// A value after a label.
 #[derive(Clone, Debug)]
 pub(super) struct Label {
     /// The value.
     pub(super) value: AstId,
-    /// The unit of it or of its components.
+    /// The unit of the value or of its components.
     pub(super) unit: Unit,
     /// Description: `the mass of a body`.
     pub(super) what: &'static str,
@@ -35,11 +35,10 @@ const TORSION: Powers = &[("N", 1), ("m", 1)];
 const TORSION_DAMPING: Powers = &[("N", 1), ("m", 1), ("s", 1)];
 const ANGLE: Powers = &[("rad", 1)];
 
-/// A value that can be replaced, its unit and what it is.
+/// A replaceable value, its unit and its description.
 type LabelRow<'a> = (&'a mut AstId, Powers, &'static str);
 
-/// Writes units behind the plain numbers at labels, and behind the names of the coordinates of
-/// joints.
+/// Writes units after the plain numbers at labels, and after the names of joint coordinates.
 pub(super) fn label(statement: &mut SceneStatement, expressions: &mut Expressions) -> Vec<Label> {
     if let SceneStatement::Mobilizer(joint) = statement {
         name_coordinates(joint);
@@ -52,14 +51,14 @@ pub(super) fn label(statement: &mut SceneStatement, expressions: &mut Expression
     rows.collect()
 }
 
-/// A number, or a vector with components that are numbers, in a unit.
+/// Returns a number, or a vector with numeric components, in a unit.
 fn measured(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
     if let Expression::Tuple(parts) = expressions.get(value).clone() {
         let origin = expressions.origin(value);
         let parts = parts.into_iter().map(|part| measured(expressions, part, unit)).collect();
         return expressions.add(Expression::Tuple(parts), origin);
     }
-    // Zero fits every dimension, and is to be seen to be zero.
+    // Zero has any dimension, and must remain recognisable as zero.
     let is_zero = matches!(expressions.get(value), Expression::Number(number) if number.is_zero());
     let is_measured = !unit.dimension.is_none() && !is_zero && is_of_numbers(expressions, value);
     if is_measured { with_unit(expressions, value, unit) } else { value }
@@ -140,7 +139,7 @@ fn of_surface(surface: &mut Surface) -> Vec<LabelRow<'_>> {
     let Surface { kind, place, direction, radius, height, .. } = surface;
     let what = if *kind == SurfaceKind::Line { "a point of a line" } else { "the position of a surface" };
     let place = place.iter_mut().map(|value| (value, LENGTH, what));
-    // The length of a normal or an axis does not matter.
+    // The length of a normal or an axis is irrelevant.
     let angle = direction.iter_mut().filter(|_| *kind == SurfaceKind::Line);
     let angle = angle.map(|value| (value, PLAIN, "the angle of a line"));
     let radius = radius.iter_mut().map(|value| (value, LENGTH, "the radius of a surface"));

@@ -3,8 +3,8 @@
 use super::exponents::Exponents;
 use crate::syntax::ast::ArrayShape;
 
-/// The known dimension of a number; unknown for zero, which fits every dimension, and after a
-/// reported mistake.
+/// The known dimension of a number; unknown for zero, which has any dimension, and after a reported
+/// error.
 pub(super) type MeasuredComponent = Option<Exponents>;
 
 /// The dimension of an expression.
@@ -13,7 +13,7 @@ pub(super) struct Measure {
     /// One entry for a scalar, one per component for a vector or matrix.
     pub(super) components: Vec<MeasuredComponent>,
     pub(super) shape: ArrayShape,
-    /// True if it is made of rates.
+    /// True if it contains rates.
     pub(super) has_rates: bool,
 }
 
@@ -39,19 +39,19 @@ impl Measure {
         Measure { components, shape, has_rates: false }
     }
 
-    /// True of everything but vectors and matrices.
+    /// True for everything except vectors and matrices.
     pub(super) fn is_scalar(&self) -> bool {
         self.shape == ArrayShape::Scalar
     }
 
-    /// Returns what stands behind indices; nothing is known of what is wrong.
+    /// Returns the measure at these indices; unknown if they are invalid.
     pub(super) fn entry(&self, indices: &[usize]) -> Measure {
         let found = self.shape.entry(indices);
         let entry = found.map(|(places, shape)| Measure::of(shape, self.components[places].to_vec()));
         entry.unwrap_or_else(Measure::any).with_rates(self.has_rates)
     }
 
-    /// Its own dimension; nothing is known of that of a vector.
+    /// Returns the dimension of a scalar; unknown for a vector.
     pub(super) fn form(&self) -> MeasuredComponent {
         if self.is_scalar() { self.components.first().cloned().flatten() } else { None }
     }

@@ -1,15 +1,15 @@
 //! Dimensions in declarations: numbers in coherent units, and the dimension of each name.
 //!
-//! Numbers at run time are in coherent units of the SI. A number that is written in another unit is
-//! scaled, exactly, before anything else is known of the declaration: `param l: mm = 500` has the
-//! default 1/2. A declaration without any unit passes unchanged. One with units of angles and of
-//! plain numbers alone is scaled but not checked.
+//! Numbers at run time are in coherent SI units. A number in another unit is scaled exactly, before
+//! any other processing: `param l: mm = 500` has the default 1/2. A declaration without units
+//! passes unchanged. A declaration with only units of angles and plain numbers is scaled but not
+//! checked.
 //!
 //! In any other declaration every name has one dimension, whether declared or not. Statements
-//! determine dimensions: energies are added, terms of a sum are of one kind, and arguments of sines
-//! are plain numbers. These are equations between products of powers of dimensions. They are linear
-//! in exponents, and are solved one after the other by elimination. An equation that contradicts
-//! those before it is a mistake at its expression, reported with the chain of contradicting
+//! determine dimensions: energies are added, terms of a sum have the same dimension, and arguments
+//! of sines are plain numbers. These are equations between products of powers of dimensions. They
+//! are linear in exponents, and are solved one after the other by elimination. An equation that
+//! contradicts earlier ones is an error in its expression, reported with the chain of contradicting
 //! equations. Source: Kennedy, *Dimension types*, ESOP 1994.
 
 mod calls;
@@ -34,8 +34,8 @@ use measure::Measure;
 
 pub use defaults::{Measured, in_coherent_units};
 
-/// Checks dimensions of a declaration in plain statements. Says which names have which units,
-/// declared or found.
+/// Checks dimensions of a declaration in plain statements. Returns the declared or inferred units
+/// of names.
 pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &mut Report) -> NamedUnits {
     let mut named = measured.named;
     if declaration.has_units {
@@ -75,7 +75,7 @@ fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: 
     }
 }
 
-/// The unit of an output, or those of its components if they differ.
+/// Records the unit of an output, or those of its components if they differ.
 fn name_output(checker: &Checker<'_>, name: &str, named: &mut NamedUnits) {
     let Some(value) = checker.scope.get(&statements::output_key(name)) else { return };
     if let Some(dimension) = common(checker, value) {
@@ -87,14 +87,14 @@ fn name_output(checker: &Checker<'_>, name: &str, named: &mut NamedUnits) {
     }
 }
 
-/// Names the coherent unit of a dimension that is known.
+/// Records the coherent unit of a known dimension.
 fn add(named: &mut NamedUnits, name: &str, dimension: Option<Dimension>) {
     if let Some(dimension) = dimension {
         named.insert(name, NamedUnit { unit: spelled(&dimension), default: None });
     }
 }
 
-/// The dimension of all components but zeros, which have any.
+/// Returns the common dimension of all components except zeros, which have any dimension.
 fn common(checker: &Checker<'_>, value: &Measure) -> Option<Dimension> {
     let mut known = value.components.iter().flatten().map(|form| checker.solver.dimension(form));
     let first = known.next()??;

@@ -4,7 +4,7 @@ use crate::syntax::ast::{AstId, BinaryOperator, Expression, Expressions};
 use lagrange_expr::number::Number;
 use lagrange_expr::units::Unit;
 
-/// True if an expression is made of numbers alone, so that a unit can be meant for all of it.
+/// True if an expression consists of only numbers, so that a unit can apply to all of it.
 pub(super) fn is_of_numbers(expressions: &Expressions, root: AstId) -> bool {
     let is_other = |id: &AstId| {
         matches!(expressions.get(*id), Expression::Quantity(..) | Expression::Invalid)
@@ -13,13 +13,13 @@ pub(super) fn is_of_numbers(expressions: &Expressions, root: AstId) -> bool {
     !expressions.parts(root).iter().any(is_other)
 }
 
-/// True if an expression is a name that has a unit of its own.
+/// True if an expression is a name with its own unit.
 pub(super) fn is_name(expressions: &Expressions, id: AstId) -> bool {
     matches!(expressions.get(id), Expression::Name(name) if name != "pi")
 }
 
-/// `500` as `500 [mm]`, anything else as `(…) * 1 [mm]`; `(…) * 1 [K] + 273.15 [K]` for a unit with
-/// a zero of its own, whose factor is one.
+/// Writes `500` as `500 [mm]`, anything else as `(…) * 1 [mm]`. A unit with its own zero and factor
+/// one yields `(…) * 1 [K] + 273.15 [K]`.
 pub(super) fn with_unit(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
     let origin = expressions.origin(value);
     if let Expression::Number(_) = expressions.get(value) {

@@ -14,14 +14,14 @@ use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::number::Number;
 use lagrange_expr::units::{Dimension, Unit, described, meaning, noun, spelled};
 
-/// Longer chains of reasons are cut.
+/// Maximum length of a chain of reasons; longer ones are truncated.
 const MAX_NOTES: usize = 4;
 
-/// A name and what it would have to be multiplied with for an equation to hold.
+/// A name and the factor that it lacks for an equation to hold.
 type Correction = (Unknown, Dimension);
 
-/// Reports contradictions, those in what the user wrote before others: these are made of the same
-/// mistakes.
+/// Reports contradictions. Those in expressions of the user come first, since the others follow
+/// from the same errors.
 pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report: &mut Report) {
     let contradictions = checker.solver.contradictions.iter();
     let mut located =
@@ -39,7 +39,7 @@ pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report:
         let follows = own.iter().any(|correction| corrections.contains(correction));
         corrections.extend(own);
         let is_said = !said.insert(format!("{:?} {:?}", origin.start, origin.end));
-        // Terms of one sum that all lack the same are one mistake.
+        // Terms of one sum that lack the same factor are one error.
         let lack = format!("{:?} {:?}", contradiction.equation.reason.place, contradiction.missing);
         let is_lacking_again = !said.insert(lack);
         let holds_mistake = checker.expressions.parts(expression).iter().any(|part| wrong.contains(part));
@@ -55,8 +55,8 @@ pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report:
     }
 }
 
-/// The changes of single names that each would remove a contradiction. One that removes two stands
-/// for one mistake.
+/// Returns the changes of single names that would each remove a contradiction. A change that
+/// removes two of them indicates a single error.
 fn corrections_of(contradiction: &Contradiction) -> Vec<Correction> {
     let equation = &contradiction.equation;
     let difference = equation.found.over(&equation.expected);
@@ -103,7 +103,7 @@ fn report_contradiction(
     });
 }
 
-/// The words of a reason with the dimension in them.
+/// Returns the text of a reason with the dimension inserted.
 fn said(checker: &Checker<'_>, reason: &Grounds, expected: &Exponents) -> String {
     let expected = checker.solver.dimension(expected);
     let is_moment = expected.as_ref() == Some(&Dimension::of(ENERGY));
@@ -122,7 +122,7 @@ fn in_words(missing: &Dimension) -> String {
     }
 }
 
-/// A factor of a product that is just what is missing.
+/// Finds a factor of a product that equals the missing dimension.
 fn factor_to_square(checker: &Checker<'_>, expression: AstId, missing: &Dimension) -> Option<AstId> {
     let mut pending = vec![expression];
     while let Some(id) = pending.pop() {
@@ -159,7 +159,7 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
         return messages::in_brackets(&unit);
     }
     let names = equation.found.unknowns.keys().chain(equation.expected.unknowns.keys());
-    // Each once: a name may stand on both sides.
+    // Each is listed once, since a name may be on both sides.
     let names = names.copied().collect::<BTreeSet<_>>();
     let units = names.into_iter().filter_map(|unknown| unit_of(checker, unknown));
     // The argument of a table may have the name of a coordinate.
@@ -171,8 +171,8 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
     }
 }
 
-/// The numbers and the unit of `1/2 [kg]`, which is 1/(2 kg), where half a kilogram would fit: a
-/// power of kg² is missing.
+/// Returns the numbers and the unit of `1/2 [kg]`, which is 1/(2 kg), if half a kilogram would fit:
+/// kg² is missing.
 fn unit_below<'a>(
     checker: &Checker<'a>,
     expression: AstId,
@@ -191,7 +191,7 @@ fn unit_below<'a>(
     })
 }
 
-/// The last factor of a product, if it is a number without a unit.
+/// Returns the last factor of a product, if it is a number without a unit.
 fn last_factor(expressions: &Expressions, product: AstId) -> Option<AstId> {
     let last = match expressions.get(product) {
         Expression::Binary(BinaryOperator::Multiply, _, _, last) => *last,
@@ -200,7 +200,7 @@ fn last_factor(expressions: &Expressions, product: AstId) -> Option<AstId> {
     matches!(expressions.get(last), Expression::Number(_)).then_some(last)
 }
 
-/// `3 [N/m]` of an expression that holds `3 N/m`, where `m` is a name of the declaration, too.
+/// Returns `3 [N/m]` for an expression with `3 N/m`, where `m` is also a name of the declaration.
 fn unit_across_names(checker: &Checker<'_>, expression: AstId) -> Option<String> {
     let expressions = checker.expressions;
     expressions.parts(expression).into_iter().find_map(|part| {
@@ -229,8 +229,8 @@ fn unit_of(checker: &Checker<'_>, unknown: Unknown) -> Option<String> {
     })
 }
 
-/// Equations by which names have the dimensions that they have, as far as these are not declared,
-/// with the names: the last one first.
+/// Returns the equations that determined undeclared dimensions of names, with the names, last one
+/// first.
 fn inferences(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(usize, Unknown)> {
     let solver = &checker.solver;
     let equation = &contradiction.equation;
@@ -249,7 +249,7 @@ fn inferences(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(usiz
     numbers
 }
 
-/// Notes on the first of these, each at its place.
+/// Returns notes on the first of these, each at its place.
 fn notes(checker: &Checker<'_>, inferences: &[(usize, Unknown)]) -> Vec<(Origin, String)> {
     let solver = &checker.solver;
     let notes = inferences.iter().take(MAX_NOTES).filter_map(|&(number, unknown)| {

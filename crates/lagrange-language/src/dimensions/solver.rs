@@ -1,4 +1,4 @@
-//! Equations between dimensions, solved one after the other, with why they hold.
+//! Equations between dimensions, solved one after the other, with the reasons for them.
 
 use super::exponents::{Exponents, Unknown};
 use crate::syntax::ast::AstId;
@@ -6,11 +6,11 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::number::Number;
 use lagrange_expr::units::Dimension;
 
-/// Why two dimensions are equal.
+/// Reason why two dimensions are equal.
 #[derive(Clone, Debug)]
 pub(super) struct Grounds {
-    /// Description of the right side, in words in which `#` stands for its dimension: ``
-    /// `potential` adds energies (J) ``.
+    /// Description of the right side, where `#` represents its dimension: `` `potential` adds
+    /// energies (J) ``.
     pub(super) words: String,
     /// Place of the description.
     pub(super) place: Origin,
@@ -23,12 +23,12 @@ pub(super) struct DimensionEquation {
     pub(super) found: Exponents,
     /// The dimension that it should have.
     pub(super) expected: Exponents,
-    /// The expression, to which mistakes are attributed; `None` where a name is declared.
+    /// The expression to which errors are attributed; `None` for the declaration of a name.
     pub(super) expression: Option<AstId>,
     pub(super) reason: Grounds,
 }
 
-/// An equation that contradicts those before it.
+/// An equation that contradicts earlier ones.
 #[derive(Clone, Debug)]
 pub(super) struct Contradiction {
     pub(super) equation: DimensionEquation,
@@ -36,27 +36,27 @@ pub(super) struct Contradiction {
     pub(super) missing: Dimension,
 }
 
-/// A name of which one dimension is to be found.
+/// A name with an inferred dimension.
 #[derive(Clone, Debug)]
 struct SolvedUnknown {
-    /// Dimension in terms of unknowns, some of which may be solved by now.
+    /// Dimension in terms of unknowns, some of which may have been solved later.
     form: Exponents,
-    /// Number of the equation that says so.
+    /// Index of the equation that determines it.
     equation: usize,
 }
 
-/// All that is known of dimensions so far.
+/// Everything known about dimensions so far.
 #[derive(Default)]
 pub(super) struct Solver {
     names: Vec<String>,
     solved: Vec<Option<SolvedUnknown>>,
-    /// Equations that said something.
+    /// Equations that provided information.
     pub(super) equations: Vec<DimensionEquation>,
     pub(super) contradictions: Vec<Contradiction>,
 }
 
 impl Solver {
-    /// The dimension of another name.
+    /// Creates an unknown dimension for another name.
     pub(super) fn unknown(&mut self, name: &str) -> Unknown {
         self.names.push(name.to_owned());
         self.solved.push(None);
@@ -67,15 +67,15 @@ impl Solver {
         &self.names[unknown.0]
     }
 
-    /// The number of the equation that says what an unknown is.
+    /// Returns the index of the equation that determines an unknown.
     pub(super) fn equation_of(&self, unknown: Unknown) -> Option<usize> {
         self.solved[unknown.0].as_ref().map(|solved| solved.equation)
     }
 
-    /// A form in which no unknown is left that has been solved.
+    /// Returns a form without unknowns that have been solved.
     pub(super) fn resolved(&self, form: &Exponents) -> Exponents {
         let mut form = form.clone();
-        // The last ones first: what an unknown is made of was not solved when it was.
+        // The last ones come first: the unknowns in a solution were unsolved at that time.
         while let Some((unknown, solved)) = self.first_solved(&form) {
             let exponent = form.unknowns.remove(&unknown).unwrap_or(Number::ZERO);
             form = form.times_power(&solved, &exponent);
@@ -93,13 +93,14 @@ impl Solver {
         Some((unknown, form.clone()))
     }
 
-    /// The dimension of a form, if it is known.
+    /// Returns the dimension of a form, if it is known.
     pub(super) fn dimension(&self, form: &Exponents) -> Option<Dimension> {
         let resolved = self.resolved(form);
         resolved.unknowns.is_empty().then_some(resolved.known)
     }
 
-    /// Adds an equation. One that contradicts those before it says nothing and is remembered.
+    /// Adds an equation. An equation that contradicts earlier ones provides no information and is
+    /// recorded.
     pub(super) fn equate(&mut self, equation: DimensionEquation) {
         let missing = self.resolved(&equation.expected.over(&equation.found));
         let Some((unknown, exponent)) = missing.unknowns.last_key_value() else {

@@ -1,4 +1,5 @@
-//! Functions that calls mean: those of an iteration, elements of arrays, and arguments of parts.
+//! Resolution of called functions: those of an iteration, elements of arrays, and arguments of
+//! parts.
 
 use super::copier::Copier;
 use super::messages;
@@ -8,7 +9,7 @@ use crate::syntax::ast::{ArrayExpression, AstId, Expression, Name};
 use crate::syntax::is_function;
 
 impl Copier<'_> {
-    /// The name of the function that a call in a scope means. One that is not known is reported.
+    /// Returns the name of the function called in a scope. An unknown one is reported.
     pub(super) fn function(&mut self, call: AstId, function: &Name, scope: ScopeId) -> String {
         let mut place = scope;
         let mut named = Segment::of(function, scope);
@@ -48,9 +49,8 @@ impl Copier<'_> {
         }
     }
 
-    /// The function behind indices. An array of functions that is called as a whole, and values
-    /// that are called, are reported. Without an index, a name may be that of a method, as in
-    /// `box.corner(0)`.
+    /// Returns the function at indices. Calls of a whole array of functions, and of values, are
+    /// reported. A name without an index may be a method, as in `box.corner(0)`.
     fn element_called(&mut self, call: AstId, callee: Segment, scope: ScopeId) -> String {
         let has_values = self.elements.rank_of_values(&callee.text).is_some();
         let (message, help) = match callee.indices.is_empty() {

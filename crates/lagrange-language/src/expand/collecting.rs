@@ -38,27 +38,26 @@ struct Collector<'a, 'c> {
     elements: ElementNames,
     counting: Counting<'a>,
     complaints: &'a mut Complaints<'c>,
-    /// Names without indices in loops of which that was said.
+    /// Names without indices in loops that have been reported.
     repeated: HashSet<String>,
-    /// Elements of arrays that are declared as a whole so far.
+    /// Number of elements of whole arrays declared so far.
     count: u64,
 }
 
-/// A name that is declared.
+/// A declared name.
 struct DeclaredName<'a> {
     /// The name in the text, with its indices.
     name: &'a Name,
     /// Rest of the intended name.
     suffix: &'a str,
     scope: ScopeId,
-    /// Number of the statement, as that of its place in memory.
+    /// Identifier of the statement: its address in memory.
     statement: usize,
     kind: &'a StatementKind,
 }
 
 impl Collector<'_, '_> {
-    /// Counts the elements of whole arrays; false from the first one on that is too large, which is
-    /// reported.
+    /// Counts the elements of whole arrays; false once there are too many, which is reported.
     fn has_room(&mut self, instance: &Instance<'_>) -> bool {
         let Instance { statement, scope, .. } = *instance;
         if !statement.kind.declares_arrays() || self.counting.scopes.is_in_loop(scope) {
@@ -132,7 +131,7 @@ impl Collector<'_, '_> {
         }
     }
 
-    /// `theta[n]` of a statement that declares all elements.
+    /// Collects `theta[n]` of a statement that declares all elements.
     fn array(&mut self, declared: &DeclaredName<'_>) {
         let DeclaredName { name, scope, .. } = *declared;
         if self.counting.scopes.is_in_loop(scope) {
@@ -154,7 +153,7 @@ impl Collector<'_, '_> {
         }
     }
 
-    /// `p[i + 1]` of a statement that declares one element.
+    /// Collects `p[i + 1]` of a statement that declares one element.
     fn element(&mut self, declared: &DeclaredName<'_>) {
         let DeclaredName { name, scope, .. } = *declared;
         let Some(indices) = self.indices(name, scope) else { return };
@@ -188,7 +187,7 @@ impl Collector<'_, '_> {
         indices_of(name, scope, self.counting, self.complaints)
     }
 
-    /// Adds an element; says whether there was none of its name.
+    /// Adds an element; true if its name is new.
     fn add(&mut self, declared: &DeclaredName<'_>, sizes: Option<&[i64]>, indices: Vec<i64>) -> bool {
         let DeclaredName { name, suffix, scope, kind, .. } = *declared;
         let scopes = self.counting.scopes;
@@ -242,13 +241,13 @@ impl Collector<'_, '_> {
         true
     }
 
-    /// A name with the part that it is a member of, as it is written.
+    /// Returns a name with the part that it is a member of, as it is written.
     fn written(&self, scope: ScopeId, own: &str) -> String {
         let part = self.counting.scopes.around(scope);
         part.map_or_else(|| own.to_owned(), |part| format!("{}{own}", part.written))
     }
 
-    /// Remembers how a member of a part is written.
+    /// Records the spelling of a member of a part.
     fn member(&mut self, own: &str, text: &str, declared: &DeclaredName<'_>) {
         let DeclaredName { name, scope, .. } = *declared;
         let Some(part) = self.counting.scopes.around(scope) else { return };
@@ -261,7 +260,7 @@ impl Collector<'_, '_> {
         });
     }
 
-    /// Remembers a name that is local to a loop, with what it stands for in this iteration.
+    /// Records a name that is local to a loop, with its meaning in this iteration.
     fn local(&mut self, own: &str, text: &str, declared: &DeclaredName<'_>) {
         let DeclaredName { name, scope, statement, .. } = *declared;
         let new = || DeclaredArray {

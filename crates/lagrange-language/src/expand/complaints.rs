@@ -1,4 +1,4 @@
-//! Mistakes in expanded text, each reported once however often it is expanded.
+//! Errors in expanded text, each reported once, however often it is expanded.
 
 use std::collections::BTreeSet;
 
@@ -16,15 +16,15 @@ use lagrange_expr::units::meaning;
 pub(super) struct Complaints<'a> {
     pub(super) report: &'a mut Report,
     declaration: &'a Declaration,
-    /// The names that are declared anywhere, with those of variables.
+    /// All declared names, including those of variables.
     pub(super) names: &'a BTreeSet<String>,
-    /// Expressions of which something was said.
+    /// Expressions with a report.
     said: HashSet<AstId>,
-    /// Placements of which something was said.
+    /// Placements with a report.
     placements: HashSet<usize>,
-    /// Names of which was said that they are no constants.
+    /// Names that have been reported as not constant.
     no_constants: HashSet<String>,
-    /// True if what could not be read may be where a name is declared.
+    /// True if a name may be declared in an unreadable part.
     is_partial: bool,
 }
 
@@ -40,17 +40,17 @@ impl<'a> Complaints<'a> {
         Complaints { report, declaration, names, said, placements, no_constants, is_partial }
     }
 
-    /// True if what could not be read is not known of names.
+    /// True if unreadable parts may declare names.
     pub(super) fn is_partial(&self) -> bool {
         self.is_partial
     }
 
-    /// True the first time of a placement, by its place in memory.
+    /// True for the first report on a placement, identified by its address.
     pub(super) fn once_of(&mut self, placement: usize) -> bool {
         self.placements.insert(placement)
     }
 
-    /// Reports something of an expression; nothing the second time.
+    /// Reports an error in an expression, at most once.
     pub(super) fn once(&mut self, of: AstId, origin: Origin, message: String) -> Option<&mut Diagnostic> {
         self.said.insert(of).then(|| self.report.error(origin, message))
     }
@@ -103,7 +103,7 @@ impl<'a> Complaints<'a> {
         self.open(expressions, fault, scope, (|name| messages::condition(name), messages::CONDITION_HELP));
     }
 
-    /// Reports a condition on indices in an expression that holds something else.
+    /// Reports a condition on indices in an expression that contains something else.
     pub(super) fn unequal(
         &mut self,
         expressions: &Expressions,
@@ -136,7 +136,8 @@ impl<'a> Complaints<'a> {
         }
     }
 
-    /// True if a name is declared in the part around a scope, or outside of parts if there is none.
+    /// True if a name is declared in the part around a scope, or outside of parts if there is no
+    /// such part.
     pub(super) fn knows(&self, name: &str, (scopes, scope): (&Scopes, ScopeId)) -> bool {
         match scopes.around(scope) {
             Some(part) => part.interior.knows(name),
@@ -144,8 +145,7 @@ impl<'a> Complaints<'a> {
         }
     }
 
-    /// Reports a name that means nothing, unless it may be declared where the text could not be
-    /// read.
+    /// Reports an undefined name, unless it may be declared in an unreadable part of the text.
     pub(super) fn unknown(&mut self, name: &str, place: (AstId, Origin), scope: (&Scopes, ScopeId)) {
         self.unknown_as(name, messages::DECLARE_HELP.to_owned(), place, scope);
     }
@@ -181,12 +181,12 @@ impl<'a> Complaints<'a> {
         }
     }
 
-    /// True if a name may be declared where the text could not be read.
+    /// True if a name may be declared in an unreadable part of the text.
     pub(super) fn may_be_unread(&self, name: &str) -> bool {
         self.declaration.lacks_names || self.declaration.unreadable_words.contains(name)
     }
 
-    /// The message for a name that is not known in a part, and what to do.
+    /// Returns the message for a name that is unknown in a part, and the help.
     fn unknown_in(&self, part: &Interior, name: &str) -> (String, String) {
         if self.names.contains(name) {
             let help = messages::outside_help(name, &part.name.text);
@@ -199,7 +199,7 @@ impl<'a> Complaints<'a> {
         (messages::unknown_in_part(name, &part.name.text), help)
     }
 
-    /// Reports a path without a meaning. `of` is the expression, if it is one.
+    /// Reports an undefined path. `of` is the expression, if it is one.
     pub(super) fn path(
         &mut self,
         fault: &PathFault,
@@ -248,7 +248,7 @@ impl<'a> Complaints<'a> {
     }
 }
 
-/// The message for a member that a placed part does not have, and what to do.
+/// Returns the message for a member that a placed part does not have, and the help.
 fn no_member(part: &PlacedPart, member: &str) -> (String, String) {
     let written = |name: &str| format!("{}{name}", part.written);
     let rate = foreign::rate(member, |of| part.interior.names().any(|known| known == of));

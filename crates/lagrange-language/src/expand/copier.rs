@@ -1,4 +1,4 @@
-//! State and common operations of the pass that copies expressions with arrays written out.
+//! State and common operations of the pass that copies expressions with expanded arrays.
 
 use super::complaints::Complaints;
 use super::counting::Counting;
@@ -13,14 +13,14 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_WRITTEN_OUT;
 use lagrange_expr::number::Number;
 
-/// Copies expressions, with arrays, loops and parts written out.
+/// State for copying expressions with expanded arrays, loops and parts.
 pub(super) struct Copier<'a> {
     pub(super) expressions: &'a mut Expressions,
     pub(super) scopes: Scopes,
     pub(super) elements: &'a ElementNames,
     pub(super) complaints: Complaints<'a>,
     pub(super) constants: &'a HashMap<String, Number>,
-    /// For each expression in the text, where it may have to be copied.
+    /// For each expression in the text, the places where it may have to be copied.
     pub(super) changes: HashMap<AstId, Change>,
     /// Functions of the user's crate that parts declare.
     external: HashSet<String>,
@@ -33,7 +33,7 @@ pub(super) struct Copier<'a> {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Change {
     Nowhere,
-    /// In parts, where its names mean something else.
+    /// In parts, where its names have other meanings.
     InParts,
     Anywhere,
 }
@@ -42,11 +42,11 @@ pub(super) enum Change {
 pub(super) enum Task {
     /// Copy an expression.
     Copy(AstId, ScopeId),
-    /// Make an expression like this one of the copies of its operands.
+    /// Make an expression like this one from the copies of its operands.
     Make(AstId),
-    /// Make a call like this one, but of a function of this name.
+    /// Make a call like this one, but of the function with this name.
     Call(AstId, String),
-    /// Apply a function to that many copies.
+    /// Apply a function to this number of copies.
     Fold(Fold, usize, Origin),
     /// Take the entry of a copy at these indices.
     Entry(Vec<PlacedIndex>, Origin),

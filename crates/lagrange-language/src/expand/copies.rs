@@ -51,7 +51,7 @@ impl Copier<'_> {
         copies.pop().unwrap_or(root)
     }
 
-    /// The copy of an expression, or nothing if that takes what is left to do.
+    /// Returns the copy of an expression, or schedules the tasks that are needed first.
     fn begun(&mut self, id: AstId, scope: ScopeId, tasks: &mut Vec<Task>) -> Option<AstId> {
         let origin = self.expressions.origin(id);
         self.terms += 1;
@@ -106,7 +106,8 @@ impl Copier<'_> {
         }
     }
 
-    /// The copy of a name or a member of a part, or nothing if that takes what is left to do.
+    /// Returns the copy of a name or a member of a part, or schedules the tasks that are needed
+    /// first.
     fn path(&mut self, id: AstId, scope: ScopeId, tasks: &mut Vec<Task>) -> Option<AstId> {
         let origin = self.expressions.origin(id);
         let Some(path) = Path::of(self.expressions, id, scope) else {
@@ -141,7 +142,7 @@ impl Copier<'_> {
 
     /// Copies the operands of an expression.
     fn operands(&mut self, id: AstId, scope: ScopeId, tasks: &mut Vec<Task>) -> Option<AstId> {
-        // The index of something that has no elements, which is reported.
+        // An index of something without elements is reported.
         if let Expression::Array(ArrayExpression::Element(name)) = self.expressions.get(id).clone() {
             let message = messages::no_array(&name.text);
             return Some(self.invalid(id, message, &messages::no_array_help(&name.text)));
@@ -161,12 +162,12 @@ impl Copier<'_> {
         None
     }
 
-    /// The copy of something declared.
+    /// Returns the copy of a declared name.
     fn declared(&mut self, id: AstId, segment: &Segment, scope: ScopeId) -> AstId {
         let origin = self.expressions.origin(id);
         if segment.indices.is_empty() && self.elements.is_array(&segment.text) && self.complaints.is_partial()
         {
-            // A list of values may have been meant as a vector.
+            // A list of values may have been intended as a vector.
             return self.expressions.add(Expression::Invalid, origin);
         }
         if let Some(whole) = self.part_of_whole(segment, (scope, origin)) {
@@ -211,7 +212,7 @@ impl Copier<'_> {
         None
     }
 
-    /// a + b + c, a * b * c, `min(a, b, c)` or `max(a, b, c)`, as it would be written.
+    /// Returns a + b + c, a * b * c, `min(a, b, c)` or `max(a, b, c)`, as it would be written.
     fn folded(&mut self, fold: Fold, terms: &[AstId], origin: Origin) -> AstId {
         let operator = match (fold, terms) {
             (_, &[single]) => return single,

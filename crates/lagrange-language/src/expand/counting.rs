@@ -1,4 +1,4 @@
-//! Indices as numbers.
+//! Evaluation of indices.
 
 use super::messages;
 use super::scopes::{Meaning, ScopeId, Scopes};
@@ -8,30 +8,30 @@ use crate::syntax::ast::{
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::number::Number;
 
-/// The known facts about an index.
+/// The data needed to evaluate indices.
 #[derive(Clone, Copy)]
 pub(super) struct Counting<'a> {
     pub(super) expressions: &'a Expressions,
     pub(super) scopes: &'a Scopes,
-    /// Values of constants and of elements of arrays of them.
+    /// Values of constants and of elements of constant arrays.
     pub(super) constants: &'a HashMap<String, Number>,
 }
 
-/// Why something is no number that can be counted with, and at which expression.
+/// Reason why an expression is not a valid index, and its place.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct IndexFault {
     pub(super) place: AstId,
     pub(super) reason: Reason,
 }
 
-/// The mistake in an index.
+/// The error in an index.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Reason {
-    /// Reported already.
+    /// An error that has already been reported.
     Unreadable,
-    /// A name that is no constant and no variable of a loop.
+    /// A name that is neither a constant nor a variable of a loop.
     Name(String),
-    /// A call, a vector or something else that indices are not made of.
+    /// A call, a vector or something else that is invalid in indices.
     Form,
     NoInteger(Number),
     DivisionByZero,
@@ -39,7 +39,7 @@ pub(super) enum Reason {
 }
 
 impl Counting<'_> {
-    /// The exact value.
+    /// Returns the exact value.
     pub(super) fn number(self, root: AstId, scope: ScopeId) -> Result<Number, IndexFault> {
         let mut values: HashMap<AstId, Number> = HashMap::default();
         for id in self.expressions.parts(root) {
@@ -50,7 +50,7 @@ impl Counting<'_> {
         values.remove(&root).ok_or(fault)
     }
 
-    /// The value, if it is an integer.
+    /// Returns the value, if it is an integer.
     pub(super) fn integer(self, root: AstId, scope: ScopeId) -> Result<i64, IndexFault> {
         let number = self.number(root, scope)?;
         let fault = |reason| IndexFault { place: root, reason };
@@ -85,8 +85,8 @@ impl Counting<'_> {
         Ok(false)
     }
 
-    /// Returns the value of a condition on variables and other numbers that are known here; `None`
-    /// of one on the motion.
+    /// Returns the value of a condition on variables and other known numbers; `None` for one on the
+    /// motion.
     pub(super) fn decided(self, condition: &Condition, scope: ScopeId) -> Option<bool> {
         let sides = [condition.left, condition.right];
         let is_variable = |id: &AstId| match self.expressions.get(*id) {
@@ -136,7 +136,7 @@ impl Counting<'_> {
         .ok_or_else(|| Reason::Name(name.to_owned()))
     }
 
-    /// The name of an array in the expanded declaration, also behind arguments that stand for it.
+    /// Returns the name of an array in the expanded declaration, also if an argument refers to it.
     fn array(self, name: &str, scope: ScopeId) -> Option<String> {
         let (mut name, mut scope) = (name.to_owned(), scope);
         loop {

@@ -1,5 +1,4 @@
-//! Elements of arrays that are declared as a whole: how many there are, and which value belongs
-//! to which.
+//! Elements of arrays that are declared as a whole: their number, and their values.
 
 use super::complaints::Complaints;
 use super::messages;
@@ -12,7 +11,8 @@ pub(super) fn count(sizes: &[i64]) -> Option<u64> {
     are_sizes.then(|| sizes.iter().fold(1, |count: u64, size| count.saturating_mul(size.unsigned_abs())))
 }
 
-/// Indices of all elements of an array, the last index changing fastest; none if that is too many.
+/// Returns the indices of all elements of an array, with the last index changing fastest; none if
+/// there are too many.
 pub(super) fn positions(sizes: &[i64]) -> Vec<Vec<i64>> {
     let longer = |positions: Vec<Vec<i64>>, size: &i64| {
         let with = |position: &Vec<i64>, index| position.iter().copied().chain([index]).collect();
@@ -24,7 +24,7 @@ pub(super) fn positions(sizes: &[i64]) -> Vec<Vec<i64>> {
     }
 }
 
-/// The value of an element: of lists the one at its place, of anything else the same for all.
+/// Returns the value of an element: the one at its place in lists, otherwise the same for all.
 pub(super) fn element_of(expressions: &Expressions, value: AstId, position: &[i64]) -> Option<AstId> {
     let mut value = value;
     for index in position {
@@ -34,7 +34,7 @@ pub(super) fn element_of(expressions: &Expressions, value: AstId, position: &[i6
     Some(value)
 }
 
-/// Checks that lists are as long as the array in every direction; reports those that are not.
+/// Checks that lists have the sizes of the array in every dimension; reports others.
 pub(super) fn fits(
     expressions: &Expressions,
     value: AstId,

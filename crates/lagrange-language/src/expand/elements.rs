@@ -1,4 +1,4 @@
-//! Names of elements: the array of each, and its name where arrays are written out.
+//! Names of elements: the array of each, and its name in the expanded declaration.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,16 +12,15 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 #[derive(Default)]
 pub(super) struct ElementNames {
     pub(super) arrays: OrderedMap<String, Array>,
-    /// Names of which only what is made of them is declared, with what follows them in the first of
-    /// these.
+    /// Names that are only declared with suffixes, with the suffix of the first such name.
     pub(super) owners: HashMap<String, String>,
     /// Names without indices.
     pub(super) plain: HashMap<String, Plain>,
     /// Names of elements, with the place of the declaration and their spelling.
     pub(super) texts: HashMap<String, (Span, String)>,
-    /// Members of parts that are no arrays.
+    /// Members of parts that are not arrays.
     pub(super) members: Vec<DeclaredArray>,
-    /// Names that are local to loops, by the statements that declare them.
+    /// Names that are local to loops, by their declaring statements.
     pub(super) locals: OrderedMap<(usize, String), DeclaredArray>,
 }
 
@@ -29,17 +28,17 @@ pub(super) struct ElementNames {
 #[derive(Clone)]
 pub(super) struct Plain {
     pub(super) span: Span,
-    /// Number of the statement that declares it.
+    /// Identifier of the declaring statement.
     pub(super) statement: usize,
     pub(super) written: String,
-    /// True of a `let`, whose value may be a vector.
+    /// True for a `let`, whose value may be a vector.
     pub(super) is_let: bool,
 }
 
 /// Elements of one array.
 pub(super) struct Array {
     pub(super) name: Name,
-    /// Its name as it is written, with the part that it is a member of.
+    /// Its name as written, with the part that it is a member of.
     pub(super) written: String,
     pub(super) member_of: Option<[String; 2]>,
     /// Numbers of elements, if they are declared together.
@@ -50,12 +49,12 @@ pub(super) struct Array {
     pub(super) has_values: bool,
     /// True if elements can be called.
     pub(super) is_callable: bool,
-    /// Places of elements, by their indices, with what they are called.
+    /// Places of elements, by their indices, with their names.
     pub(super) elements: BTreeMap<Vec<i64>, (Span, String)>,
 }
 
 impl Array {
-    /// The numbers of elements in each direction, if none is missing.
+    /// Returns the number of elements in each dimension, if none is missing.
     fn extents(&self) -> Option<Vec<usize>> {
         let end =
             |direction: usize| self.elements.keys().map(|indices| indices[direction] + 1).max().unwrap_or(0);
@@ -71,12 +70,12 @@ impl Array {
 }
 
 impl ElementNames {
-    /// True if a name is that of an array.
+    /// True if a name belongs to an array.
     pub(super) fn is_array(&self, name: &str) -> bool {
         self.arrays.get(&name.to_owned()).is_some()
     }
 
-    /// True if a name is that of an array whose elements can be called.
+    /// True if a name belongs to an array whose elements can be called.
     pub(super) fn is_callable(&self, name: &str) -> bool {
         self.arrays.get(&name.to_owned()).is_some_and(|array| array.is_callable)
     }
@@ -98,8 +97,7 @@ impl ElementNames {
         self.arrays.get(&owned.unwrap_or_else(|| name.to_owned()))
     }
 
-    /// True if something is declared under a name, where names of declarations without arrays and
-    /// parts are known.
+    /// True if something is declared under a name; `names` are those without arrays and parts.
     pub(super) fn is_declared(&self, text: &str, names: &BTreeSet<String>) -> bool {
         names.contains(text) || self.plain.contains(&text.to_owned())
     }
@@ -109,7 +107,7 @@ impl ElementNames {
         self.texts.get(&text.to_owned()).map(|(_, written)| written.as_str())
     }
 
-    /// Returns the spelling of the local name that stands for a text.
+    /// Returns the spelling of the local name with this expanded name.
     pub(super) fn local(&self, text: &str) -> Option<&str> {
         let mut elements = self.locals.iter().flat_map(|(_, local)| &local.elements);
         elements.find(|element| element.name == text).map(|element| element.written.as_str())
@@ -136,19 +134,19 @@ impl ElementNames {
         self.arrays.get(&name.to_owned())?.elements.get(indices).map(|(_, text)| text.as_str())
     }
 
-    /// True if a name without indices is that of a `let`.
+    /// True if a name without indices belongs to a `let`.
     pub(super) fn is_let(&self, name: &str) -> bool {
         self.plain.get(&name.to_owned()).is_some_and(|plain| plain.is_let)
     }
 
-    /// An example of how an array is used.
+    /// Returns an example of the use of an array.
     pub(super) fn example(&self, name: &str) -> String {
         let first = self.array(name).and_then(|array| array.elements.keys().next());
         let written = self.array(name).map_or(name, |array| array.written.as_str());
         messages::written(written, first.map_or(&[0], |first| first))
     }
 
-    /// Why an element does not exist, in the words of the array; `None` if there is no such array.
+    /// Explains why an element does not exist; `None` if there is no such array.
     pub(super) fn objection(&self, name: &str, indices: &[i64]) -> Option<(String, String)> {
         let array = self.array(name)?;
         let name = array.written.as_str();
@@ -173,7 +171,7 @@ impl ElementNames {
         Some((message, help))
     }
 
-    /// The arrays in the order of their declarations.
+    /// Returns the arrays in the order of their declarations.
     pub(super) fn arrays(&self) -> Vec<DeclaredArray> {
         let arrays = self.arrays.iter().map(|(_, array)| DeclaredArray {
             name: array.name.clone(),

@@ -1,4 +1,4 @@
-//! Indices behind names as integers.
+//! Indices of names as integers.
 
 use super::complaints::Complaints;
 use super::counting::Counting;
@@ -9,7 +9,7 @@ use lagrange_expr::diagnostics::Origin;
 /// An index and its place.
 pub(super) type PlacedIndex = (i64, Origin);
 
-/// The indices behind a name as integers; what is wrong about them is reported.
+/// Returns the indices of a name as integers; errors are reported.
 pub(super) fn indices_of(
     name: &Name,
     scope: ScopeId,
@@ -20,7 +20,7 @@ pub(super) fn indices_of(
     counted_indices(&indices, counting, complaints)
 }
 
-/// Indices as integers, each in its scope; what is wrong about them is reported.
+/// Returns indices as integers, each in its scope; errors are reported.
 pub(super) fn counted_indices(
     indices: &[(AstId, ScopeId)],
     counting: Counting<'_>,

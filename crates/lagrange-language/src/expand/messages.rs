@@ -48,7 +48,7 @@ messages! {
     write(text) = "write `{text}`";
     in_its_loop(name) = "the variable `{name}` is known only inside its loop";
 
-    /// Message for a name in a condition with `==`, `&&` or the like.
+    /// Message for a name in a condition with `==`, `&&` or similar operators.
     condition_in_value(name) =
         "`{name}` is not an index: only indices can be compared with `==` or combined with `&&`, `||`, `!` and `%`";
     condition(name) =
@@ -132,7 +132,7 @@ pub(super) fn element(name: &str, indices: &[i64]) -> String {
     indices.iter().fold(name.to_owned(), |text, index| format!("{text}_{index}"))
 }
 
-/// An element as it is written: `u[1][2]`.
+/// Returns the spelling of an element: `u[1][2]`.
 pub(super) fn written(name: &str, indices: &[i64]) -> String {
     indices.iter().fold(name.to_owned(), |text, index| format!("{text}[{index}]"))
 }
@@ -162,7 +162,7 @@ pub(super) fn list_length(given: usize, wanted: i64) -> String {
     format!("{given} {values} given for {wanted} {elements}")
 }
 
-/// Advice for a placed part that does not exist.
+/// Returns advice for a placed part that does not exist.
 pub(super) fn placed_are(known: &[String]) -> String {
     match known {
         [] => DECLARE_PART.to_owned(),
@@ -171,7 +171,7 @@ pub(super) fn placed_are(known: &[String]) -> String {
     }
 }
 
-/// Advice for a member that does not exist, with the first members that do.
+/// Returns advice for a member that does not exist, with the first existing members.
 pub(super) fn members_are<'a>(part: &str, members: impl Iterator<Item = &'a str>) -> String {
     let members = members.take(8).map(|member| format!("`{member}`")).collect::<Vec<_>>();
     match members.is_empty() {
@@ -180,7 +180,7 @@ pub(super) fn members_are<'a>(part: &str, members: impl Iterator<Item = &'a str>
     }
 }
 
-/// Advice for an argument that does not exist.
+/// Returns advice for an argument that does not exist.
 pub(super) fn arguments_are(part: &str, arguments: &[&str]) -> String {
     match arguments {
         [] => format!("the part `{part}` has no arguments"),

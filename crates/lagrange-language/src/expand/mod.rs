@@ -1,16 +1,16 @@
-//! Arrays, loops, sums and parts, written out.
+//! Expansion of arrays, loops, sums and parts.
 //!
 //! `theta[2]` becomes the name `theta_2`, `u[1][2]` becomes `u_1_2`, a loop becomes its statements,
-//! and a sum its terms. This is done before anything else is known of the declaration. The result
-//! is therefore the same as for a declaration that was written out by hand: the same equations, the
-//! same code. Expressions keep the places of the tokens that they come from.
+//! and a sum its terms. This precedes all other processing. The result is therefore the same as for
+//! a declaration that was written out by hand: the same equations, the same code. Expressions keep
+//! the places of their original tokens.
 //!
 //! `param`, `input`, `const`, `coord` and `quaternion` declare whole arrays, with the number of
 //! elements in brackets; all other statements declare one element, with its index. Indices are
-//! counted exactly, of integers, constants and variables of loops.
+//! evaluated exactly, from integers, constants and variables of loops.
 //!
-//! Loops in loops may stand for any number of statements, for which there is a bound, as for all
-//! terms together.
+//! Nested loops may produce any number of statements, so this number is limited, as is the total
+//! number of terms.
 
 mod callees;
 mod collecting;
@@ -53,7 +53,7 @@ use unrolling::{Unrolled, unroll};
 use warnings::say_where_placed;
 pub use warnings::{name_elements, once_for_each_array};
 
-/// Expands arrays, loops and sums. Mistakes in them are reported, and the result then has
+/// Expands arrays, loops and sums. Errors in them are reported, and the result then contains
 /// everything that is still known.
 pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Declaration {
     if !has_arrays(&mut declaration) {
@@ -69,7 +69,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
     let unrolled = unroll(&statements, &expressions, &mut scopes, &mut complaints);
     let elements = declared_elements(&unrolled, &expressions, &scopes, &mut complaints);
     let mut silent = Report::default();
-    // What follows from mistakes in names is not said.
+    // Consequences of errors in names are not reported.
     if complaints.report.diagnostics().len() > before {
         complaints = Complaints::new(&mut silent, &declaration, &names);
     }
@@ -85,7 +85,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
     written
 }
 
-/// True if there is anything to be written out.
+/// True if there is anything to expand.
 pub fn has_arrays(declaration: &mut Declaration) -> bool {
     let is_array = |expression: &Expression| match expression {
         Expression::Array(_) | Expression::Entry { .. } => true,
@@ -107,7 +107,7 @@ pub fn has_arrays(declaration: &mut Declaration) -> bool {
         })
 }
 
-/// The names that are declared anywhere, except those that are local to loops.
+/// Returns all declared names, except those that are local to loops.
 fn names_of(statements: &[Statement]) -> BTreeSet<String> {
     let mut names = BTreeSet::from(BUILT_IN.map(str::to_owned));
     let lasting = nested(statements).into_iter().flat_map(Nested::lasting_names);
@@ -115,7 +115,7 @@ fn names_of(statements: &[Statement]) -> BTreeSet<String> {
     names
 }
 
-/// The names in indices, ranges of loops and conditions on indices.
+/// Returns the names in indices, ranges of loops and conditions on indices.
 fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<String> {
     let mut roots = Vec::new();
     let mut pending = statements.iter_mut().collect::<Vec<_>>();

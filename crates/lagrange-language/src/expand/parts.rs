@@ -1,4 +1,4 @@
-//! Parts: what is known of each before it is placed.
+//! Parts, before they are placed.
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -13,19 +13,19 @@ use crate::syntax::ast::{
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::diagnostics::{Origin, nearest};
 
-/// A part as it is declared, with the names in it.
+/// A declared part, with the names in it.
 #[derive(Clone)]
 pub(super) struct Part<'d> {
     pub(super) definition: &'d PartDefinition,
     pub(super) interior: Rc<Interior>,
 }
 
-/// The parts of a declaration by their names.
+/// The parts of a declaration by name.
 #[derive(Default)]
 pub(super) struct Parts<'d>(OrderedMap<String, Part<'d>>);
 
 impl<'d> Parts<'d> {
-    /// The parts that statements declare; what is wrong with their heads is reported.
+    /// Collects the parts that statements declare; errors in their heads are reported.
     pub(super) fn of(
         statements: &'d [Statement],
         expressions: &Expressions,
@@ -44,7 +44,7 @@ impl<'d> Parts<'d> {
         parts
     }
 
-    /// Returns the part of a name.
+    /// Returns the part with this name.
     pub(super) fn find(&self, name: &str) -> Option<&Part<'d>> {
         self.0.get(&name.to_owned())
     }
@@ -54,7 +54,7 @@ impl<'d> Parts<'d> {
         self.0.iter().map(|(_, part)| part)
     }
 
-    /// Returns the name of the part that was probably meant.
+    /// Returns the name of the part that was probably intended.
     pub(super) fn nearest(&self, name: &str) -> Option<&str> {
         nearest(name, self.0.iter().map(|(known, _)| known.as_str()))
     }
@@ -76,7 +76,7 @@ impl<'d> Parts<'d> {
         for Nested { statement, .. } in nested(&part.body) {
             check_statement(statement, &interior, complaints);
         }
-        // What is said of these is not said again wherever they are placed.
+        // Errors about these are not repeated wherever the part is placed.
         let Interior { arguments, declared, .. } = &mut interior;
         declared.retain(|name| !arguments.contains(name));
         let part = Part { definition: part, interior: Rc::new(interior) };
@@ -101,7 +101,7 @@ fn refuse(statements: &[Statement], complaints: &mut Complaints<'_>) {
     }
 }
 
-/// The names in a part.
+/// Returns the names in a part.
 fn interior(part: &PartDefinition) -> Interior {
     let arguments = part.arguments.iter().map(|argument| argument.name.text.clone()).collect();
     let (mut declared, mut placed, mut external) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
@@ -126,7 +126,7 @@ fn interior(part: &PartDefinition) -> Interior {
     Interior { name: part.name.clone(), arguments, declared, placed, external }
 }
 
-/// True of a joint that names its coordinates after its body.
+/// True for a joint that names its coordinates after its body.
 fn is_free(kind: &StatementKind) -> bool {
     matches!(kind, StatementKind::Scene(SceneStatement::Mobilizer(joint)) if joint.kind == MobilizerKind::Free)
 }
@@ -140,7 +140,7 @@ fn check_arguments(part: &PartDefinition, expressions: &Expressions, complaints:
             let first = Origin::from(first.name.span);
             error.related(first, messages::FIRST_DECLARED).help(messages::OTHER_NAME_HELP);
         }
-        // Only earlier ones, so that no value depends on itself.
+        // Only earlier arguments are valid, so that no value depends on itself.
         for id in argument.default.into_iter().flat_map(|default| expressions.parts(default)) {
             let Expression::Name(used) = expressions.get(id) else { continue };
             if further.iter().any(|other| other.name.text == *used)
@@ -153,7 +153,7 @@ fn check_arguments(part: &PartDefinition, expressions: &Expressions, complaints:
     }
 }
 
-/// Reports a statement that cannot be in a part.
+/// Reports a statement that is invalid in a part.
 fn check_statement(statement: &Statement, interior: &Interior, complaints: &mut Complaints<'_>) {
     let kind = &statement.kind;
     let word = match kind {

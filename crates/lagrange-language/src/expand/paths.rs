@@ -1,14 +1,14 @@
-//! Names in parts: what `leg[0].hip`, or an argument that stands for it, means.
+//! Names in parts: the meaning of `leg[0].hip`, or of an argument that refers to it.
 
 use super::counting::{Counting, IndexFault};
 use super::scopes::{Meaning, PlacedId, ScopeId};
 use crate::syntax::ast::{ArrayExpression, AstId, Expression, Expressions, Name};
 use proc_macro2::Span;
 
-/// Members behind a name at most, more than parts may stand in each other.
+/// Maximum number of members after a name, more than the nesting depth of parts.
 const MAX_MEMBERS: usize = 100;
 
-/// A name with the members behind it, `leg[0].hip`.
+/// A name with its members, `leg[0].hip`.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
     /// Scope of the first name.
@@ -35,32 +35,32 @@ pub(super) enum Target {
     Value(i64),
     /// A parameter of a function.
     Hidden,
-    /// An argument that stands for an expression.
+    /// An argument with an expression as its value.
     Expression(AstId, ScopeId),
     /// An entry of a parameter of a function.
     HiddenEntry(Segment),
-    /// An entry of an expression that an argument stands for.
+    /// An entry of the value of an argument.
     Entry(AstId, ScopeId, Vec<ScopedIndex>),
     /// Something declared: its name in the expanded declaration, without its indices.
     Declared(Segment),
-    /// A part, which is no value.
+    /// A part, which is not a value.
     Part(PlacedId),
-    /// A member of something that is no part, such as a component of a vector.
+    /// A member of something other than a part, such as a component of a vector.
     Beyond,
 }
 
-/// Why a path has no meaning.
+/// Reason why a path is undefined.
 #[derive(Debug)]
 pub(super) enum PathFault {
-    /// A name that is not known in the part.
+    /// A name that is unknown in the part.
     Outside(Segment),
     /// A name that is not declared in a placed part.
     NoMember(PlacedId, Segment),
     /// A placed part without these indices.
     NoElement(Option<PlacedId>, Segment, Vec<i64>),
-    /// A part that this place has no placement of.
+    /// A part without a placement at this place.
     Unplaced(Segment),
-    /// An index that cannot be counted, in this scope.
+    /// An invalid index, in this scope.
     Index(IndexFault, ScopeId),
 }
 
@@ -72,13 +72,13 @@ impl Segment {
 }
 
 impl Path {
-    /// The path that a name outside of expressions is.
+    /// Returns the path of a name outside of expressions.
     pub(super) fn of_name(name: &Name, scope: ScopeId) -> Path {
         let members = name.members.iter().map(|member| Segment::of(member, scope)).collect();
         Path { scope, first: Segment::of(name, scope), members }
     }
 
-    /// The path that an expression is, if it is one.
+    /// Returns the path of an expression, if it is one.
     pub(super) fn of(expressions: &Expressions, id: AstId, scope: ScopeId) -> Option<Path> {
         let mut members = Vec::new();
         let mut id = id;
@@ -103,14 +103,14 @@ impl Path {
         self.first.indices.is_empty() && self.members.is_empty()
     }
 
-    /// This path with what stood behind the argument that stands for it.
+    /// Returns this path, extended by the indices and members of the argument that refers to it.
     fn followed_by(mut self, argument: Segment, members: Vec<Segment>) -> Path {
         self.members.last_mut().unwrap_or(&mut self.first).indices.extend(argument.indices);
         self.members.extend(members);
         self
     }
 
-    /// Returns its meaning.
+    /// Returns the meaning of the path.
     pub(super) fn target(self, counting: Counting<'_>) -> Result<Target, PathFault> {
         let mut path = self;
         loop {
@@ -135,7 +135,7 @@ impl Path {
                     },
                     Meaning::Value(_) | Meaning::Hidden | Meaning::Declared(_) => return Ok(Target::Beyond),
                 };
-            // The argument stands for a path outside, which goes on with the same members.
+            // The argument refers to an outer path, which continues with the same members.
             match Path::of(counting.expressions, value, scope) {
                 Some(outside) => path = outside.followed_by(argument, members),
                 None if members.is_empty() && !argument.indices.is_empty() => {
@@ -146,7 +146,7 @@ impl Path {
         }
     }
 
-    /// Follows placed parts up to the first member that is none.
+    /// Follows placed parts up to the first member that is not a part.
     fn walk(self, counting: Counting<'_>) -> Result<Walk, PathFault> {
         let mut part = counting.scopes.part_of(self.scope);
         let mut segments = [self.first].into_iter().chain(self.members);
@@ -182,14 +182,14 @@ impl Path {
     }
 }
 
-/// The way in which following members ends.
+/// The result of following members.
 enum Walk {
     Ended(Target),
-    /// An argument, and what stands behind it.
+    /// An argument, with its indices and members.
     Argument(AstId, ScopeId, Segment, Vec<Segment>),
 }
 
-/// True of a name that is known everywhere, and therefore no member.
+/// True for a name that is known everywhere, and therefore not a member.
 fn is_built_in_of(text: &str, segment: &Segment) -> bool {
     text == segment.text
 }
@@ -201,7 +201,7 @@ fn no_member(part: Option<PlacedId>, segment: Segment) -> PathFault {
     }
 }
 
-/// The part that is placed under a name with indices.
+/// Returns the part that is placed under a name with indices.
 fn placed(outer: Option<PlacedId>, segment: Segment, counting: Counting<'_>) -> Result<PlacedId, PathFault> {
     let index = |(index, scope): &(AstId, ScopeId)| {
         counting.integer(*index, *scope).map_err(|fault| PathFault::Index(fault, *scope))

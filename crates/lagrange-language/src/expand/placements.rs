@@ -20,15 +20,15 @@ use lagrange_expr::number::Number;
 /// Places parts.
 pub(super) struct Placer<'d> {
     pub(super) parts: Parts<'d>,
-    /// Placements of which the arguments were checked, by their places in memory.
+    /// Placements with checked arguments, by their addresses.
     checked: HashSet<usize>,
-    /// Placements of which a mistake was reported.
+    /// Placements with a reported error.
     reported: HashSet<usize>,
     /// True after the report that there are too many.
     is_full: bool,
-    /// Parts that were placed, in order.
+    /// Placed parts, in order.
     pub(super) placed: Vec<PlacedInstance>,
-    /// For each array of parts its least indices, and the place and name of its first element.
+    /// For each array of parts, its smallest indices, and the place and name of its first element.
     arrays: OrderedMap<String, (Vec<i64>, Origin, String)>,
 }
 
@@ -46,8 +46,8 @@ impl Site<'_, '_> {
     }
 }
 
-/// An element of an array of parts: its index, its number counted from zero, and how many there
-/// are.
+/// An element of an array of parts: its index, its position counted from zero, and the number of
+/// elements.
 pub(super) type Turn = Option<(i64, [i64; 2])>;
 
 impl<'d> Placer<'d> {
@@ -57,7 +57,7 @@ impl<'d> Placer<'d> {
         Placer { parts, checked, reported, is_full: false, placed: Vec::new(), arrays }
     }
 
-    /// Places a part once. Returns it with the scope of its statements, unless there is a mistake,
+    /// Places a part once. Returns it with the scope of its statements, unless there is an error,
     /// which is reported.
     pub(super) fn place(
         &mut self,
@@ -101,7 +101,7 @@ impl<'d> Placer<'d> {
         Some((definition, inside))
     }
 
-    /// Names a placed part, whose arguments are still unknown.
+    /// Records the name of a placed part, whose arguments are still unknown.
     fn remember(
         &mut self,
         (placement, part): (&Placement, &Part<'_>),
@@ -140,7 +140,7 @@ impl<'d> Placer<'d> {
         part
     }
 
-    /// Returns the names of parts that nothing places, except of those that need not be placed.
+    /// Returns the names of parts that nothing places, except those that need not be placed.
     pub(super) fn unplaced(&self) -> Vec<Name> {
         let placed = self.placed.iter().map(|instance| instance.part.as_str()).collect::<BTreeSet<_>>();
         let unplaced = self.parts.iter().map(|part| part.definition).filter(|definition| {
@@ -162,13 +162,13 @@ impl<'d> Placer<'d> {
     }
 }
 
-/// Checks the arguments that a placement gives.
+/// Checks the arguments of a placement.
 fn check_arguments(placement: &Placement, part: &Part<'_>, site: &mut Site<'_, '_>) -> bool {
     let definition = part.definition;
     let known = definition.arguments.iter().map(|argument| argument.name.text.as_str()).collect::<Vec<_>>();
     let before = site.complaints.report.diagnostics().len();
     for (given, _) in &placement.arguments {
-        // It may be one that could not be read.
+        // The argument may be one that could not be read.
         if known.contains(&given.text.as_str()) || site.complaints.is_partial() {
             continue;
         }
@@ -180,7 +180,7 @@ fn check_arguments(placement: &Placement, part: &Part<'_>, site: &mut Site<'_, '
         let error = site.complaints.report.error(given.span, message);
         error.related(definition.name.span.into(), messages::FIRST_DECLARED).help(help);
     }
-    // A misspelt argument is one mistake.
+    // A misspelt argument is reported only once.
     if site.complaints.report.diagnostics().len() > before || site.complaints.is_partial() {
         return site.complaints.report.diagnostics().len() == before;
     }
@@ -211,7 +211,7 @@ fn is_possible(placement: &Placement, part: &Part<'_>, scope: ScopeId, site: &mu
     false
 }
 
-/// True if a name with these indices is that of something else, which is reported.
+/// True if a name with these indices belongs to something else, which is reported.
 fn is_taken(name: &Name, indices: &[i64], scope: ScopeId, site: &mut Site<'_, '_>) -> bool {
     let outer = site.scopes.part_of(scope);
     let is_twin = |others: &BTreeMap<Vec<i64>, PlacedId>| {
@@ -253,7 +253,7 @@ fn indices(placement: &Placement, turn: Turn, scope: ScopeId, site: &mut Site<'_
     None
 }
 
-/// The value of an argument: of a list the one at the place of the element.
+/// Returns the value of an argument; for a list, the one at the position of the element.
 fn binding(value: AstId, turn: Turn, scope: ScopeId, site: &mut Site<'_, '_>) -> ArgumentValue {
     let mut chosen = value;
     if let Expression::Array(ArrayExpression::List(values)) = site.expressions.get(value) {
@@ -270,7 +270,8 @@ fn binding(value: AstId, turn: Turn, scope: ScopeId, site: &mut Site<'_, '_>) ->
     ArgumentValue { value: chosen, scope, number }
 }
 
-/// A mistake in a list of values for an array of parts: its place, the message and the help.
+/// Returns the error in a list of values for an array of parts: its place, the message and the
+/// help.
 fn list_fault(
     list: AstId,
     values: &[AstId],

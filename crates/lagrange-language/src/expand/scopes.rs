@@ -1,6 +1,6 @@
-//! Scopes of names: variables of loops with their values, one in the other, and placed parts.
+//! Scopes of names: nested variables of loops with their values, and placed parts.
 //!
-//! A placed part begins anew: what is around it is known inside by its arguments only.
+//! A placed part is a fresh scope: its surroundings are only accessible through its arguments.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -12,7 +12,7 @@ use crate::syntax::ast::{AstId, Name};
 use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::number::Number;
 
-/// Names with a meaning everywhere.
+/// Names that are defined everywhere.
 pub(super) const BUILT_IN: [&str; 3] = ["t", "pi", "ground"];
 
 /// The loops and the placed part around a place; none by default.
@@ -30,24 +30,24 @@ pub(super) struct Scopes {
     placed: Vec<PlacedPart>,
     /// Placed parts by the part around them, their name and their indices.
     by_name: HashMap<(Option<PlacedId>, String), BTreeMap<Vec<i64>, PlacedId>>,
-    /// Names of placements and of what is in parts, which mean something else elsewhere.
+    /// Names of placements and of items in parts, which have other meanings elsewhere.
     scoped: HashSet<String>,
-    /// Parts that are placed anywhere.
+    /// Names of parts that are placed anywhere.
     interiors: HashSet<String>,
-    /// The number of meanings so far of each name that is local to loops, as it would be outside.
+    /// The number of meanings so far of each name that is local to loops, under its name outside.
     local_counts: HashMap<String, i64>,
-    /// Names that are declared outside of parts, of which local names must be different.
+    /// Names that are declared outside of parts; local names must differ from them.
     declared: BTreeSet<String>,
 }
 
 struct Scope {
     outer: ScopeId,
-    /// The innermost part around it.
+    /// The innermost part around the scope.
     part: Option<PlacedId>,
-    /// The variable of a loop; `None` of the inside of a part and behind a local name. Parameters
-    /// of functions, which hide other names, have no value.
+    /// The variable of a loop; `None` inside a part and after a local name. Parameters of
+    /// functions, which shadow other names, have no value.
     variable: Option<(String, Option<i64>)>,
-    /// Names that are known only here.
+    /// Names that are only known here.
     locals: BTreeMap<String, LocalName>,
 }
 
@@ -72,12 +72,12 @@ pub(super) struct Interior {
     pub(super) external: BTreeSet<String>,
 }
 
-/// A part where it is placed.
+/// A placed part.
 pub(super) struct PlacedPart {
     pub(super) interior: Rc<Interior>,
-    /// Beginning of the names of its members: `leg_0_`.
+    /// Prefix of the names of its members: `leg_0_`.
     pub(super) prefix: String,
-    /// The prefix as it is written: `leg[0].`.
+    /// The prefix as written: `leg[0].`.
     pub(super) written: String,
     /// Values of its arguments.
     pub(super) bindings: HashMap<String, ArgumentValue>,
@@ -105,42 +105,42 @@ pub(super) enum Meaning {
     Argument(AstId, ScopeId),
     /// A placed part, or an array of them.
     Placed,
-    /// Anything else, under the name that it has in the expanded declaration.
+    /// Anything else, under its name in the expanded declaration.
     Declared(String),
-    /// Nothing in this part.
+    /// Undefined in this part.
     Outside,
 }
 
 impl Interior {
-    /// True if a name means something in the part.
+    /// True if a name is defined in the part.
     pub(super) fn knows(&self, name: &str) -> bool {
         let sets = [&self.arguments, &self.declared, &self.placed, &self.external];
         sets.into_iter().any(|names| names.contains(name)) || BUILT_IN.contains(&name)
     }
 
-    /// Returns the names that mean something in the part, but for those of functions outside.
+    /// Returns the names that are defined in the part, except functions from outside.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         [&self.arguments, &self.declared, &self.placed].into_iter().flatten().map(String::as_str)
     }
 }
 
 impl Scopes {
-    /// No scopes yet, in a declaration of these names.
+    /// Creates an empty set of scopes, in a declaration of these names.
     pub(super) fn among(names: &BTreeSet<String>) -> Scopes {
         Scopes { declared: names.clone(), ..Scopes::default() }
     }
 
-    /// A scope in which a name has a value.
+    /// Adds a scope in which a name has a value.
     pub(super) fn within(&mut self, outer: ScopeId, name: &str, value: i64) -> ScopeId {
         self.add(outer, self.part_of(outer), Some((name.to_owned(), Some(value))))
     }
 
-    /// A scope in which a name means nothing that is known here.
+    /// Adds a scope in which a name is shadowed.
     pub(super) fn hiding(&mut self, outer: ScopeId, name: &str) -> ScopeId {
         self.add(outer, self.part_of(outer), Some((name.to_owned(), None)))
     }
 
-    /// A scope for names that are known only from here on.
+    /// Adds a scope for names that are only known from here on.
     pub(super) fn inside(&mut self, outer: ScopeId) -> ScopeId {
         self.add(outer, self.part_of(outer), None)
     }
@@ -164,7 +164,7 @@ impl Scopes {
         (id, self.add(ScopeId::default(), Some(id), None))
     }
 
-    /// Declares a name that is known only in this iteration of a loop, or between these braces.
+    /// Declares a name that is only known in this iteration of a loop, or between these braces.
     pub(super) fn localise(&mut self, scope: ScopeId, name: &Name) {
         let base = self.prefixed(scope, &name.text);
         let mut count = self.local_counts.get(&base).copied().unwrap_or(0);
@@ -178,14 +178,14 @@ impl Scopes {
         inside.locals.insert(name.text.clone(), LocalName { text, span: name.span });
     }
 
-    /// True if a name with a number is declared around a place, or outside of parts.
+    /// True if a numbered name is declared around a place, or outside of parts.
     fn is_declared(&self, scope: ScopeId, base: &str, (own, number): (&str, i64)) -> bool {
         let member = messages::element(own, &[number]);
         self.declared.contains(&messages::element(base, &[number]))
             || self.around(scope).is_some_and(|part| part.interior.declared.contains(&member))
     }
 
-    /// Returns what a name that is local to a loop around a place stands for.
+    /// Returns the meaning of a name that is local to a loop around a place.
     pub(super) fn local(&self, scope: ScopeId, name: &str) -> Option<&LocalName> {
         self.outwards(scope).find_map(|scope| scope.locals.get(name))
     }
@@ -213,7 +213,7 @@ impl Scopes {
         }
     }
 
-    /// The innermost part around a scope.
+    /// Returns the innermost part around a scope.
     pub(super) fn part_of(&self, scope: ScopeId) -> Option<PlacedId> {
         self.scopes.get(scope.0?)?.part
     }
@@ -228,12 +228,12 @@ impl Scopes {
         self.part_of(scope).map(|id| self.placed(id))
     }
 
-    /// Returns a part and those around it, from the inside outwards.
+    /// Returns a part and the parts around it, from the inside outwards.
     pub(super) fn chain(&self, part: Option<PlacedId>) -> impl Iterator<Item = &PlacedPart> {
         std::iter::successors(part.map(|id| self.placed(id)), |part| part.outer.map(|id| self.placed(id)))
     }
 
-    /// Placed parts of one name, by their indices.
+    /// Returns the placed parts with one name, by their indices.
     pub(super) fn elements(
         &self,
         outer: Option<PlacedId>,
@@ -242,7 +242,7 @@ impl Scopes {
         self.by_name.get(&(outer, name.to_owned()))
     }
 
-    /// True if a name means something else in a part or a loop than outside, or is that of a placed
+    /// True if a name has another meaning in a part or a loop than outside, or belongs to a placed
     /// part.
     pub(super) fn is_scoped(&self, name: &str) -> bool {
         self.scoped.contains(name)
@@ -253,7 +253,7 @@ impl Scopes {
         scope.0.and_then(|index| self.scopes.get(index)).is_some_and(|scope| scope.variable.is_some())
     }
 
-    /// The name that something declared in a scope has in the expanded declaration.
+    /// Returns the name in the expanded declaration of an item declared in a scope.
     pub(super) fn prefixed(&self, scope: ScopeId, name: &str) -> String {
         match (self.local(scope, name), self.around(scope)) {
             (Some(local), _) => local.text.clone(),
@@ -262,19 +262,19 @@ impl Scopes {
         }
     }
 
-    /// The value of a name; `Some(None)` of what is hidden, `None` of what is declared outside of
-    /// loops.
+    /// Returns the value of a name: `Some(None)` if it is shadowed, `None` if it is declared
+    /// outside of loops.
     pub(super) fn find(&self, scope: ScopeId, name: &str) -> Option<Option<i64>> {
         let mut variables = self.outwards(scope).filter_map(|scope| scope.variable.as_ref());
         variables.find(|(variable, _)| variable == name).map(|(_, value)| *value)
     }
 
-    /// The number that an argument stands for, if it is known at compile time.
+    /// Returns the numeric value of an argument, if it is known at compile time.
     pub(super) fn number(&self, scope: ScopeId, argument: &str) -> Option<&Number> {
         self.around(scope)?.bindings.get(&argument.to_owned())?.number.as_ref()
     }
 
-    /// The meaning of a name.
+    /// Returns the meaning of a name.
     pub(super) fn meaning(&self, scope: ScopeId, name: &str) -> Meaning {
         for around in self.outwards(scope) {
             match &around.variable {
@@ -289,7 +289,7 @@ impl Scopes {
         self.member(self.part_of(scope), name)
     }
 
-    /// The meaning of a name in a part, or outside of all.
+    /// Returns the meaning of a name in a part, or outside of all parts.
     pub(super) fn member(&self, part: Option<PlacedId>, name: &str) -> Meaning {
         let Some(part) = part else {
             return match self.elements(None, name) {
@@ -311,7 +311,7 @@ impl Scopes {
         }
     }
 
-    /// `, for i = 2, j = 1` or `, in leg[0], for i = 2`; nothing outside of loops and parts.
+    /// Returns `, for i = 2, j = 1` or `, in leg[0], for i = 2`; empty outside of loops and parts.
     pub(super) fn place_of(&self, scope: ScopeId) -> String {
         let variables = self.outwards(scope).filter_map(|scope| scope.variable.as_ref());
         let values = variables.filter_map(|(name, value)| Some(format!("{name} = {}", (*value)?)));
@@ -322,7 +322,7 @@ impl Scopes {
         part.unwrap_or_default() + &values
     }
 
-    /// True if a name is that of a variable somewhere.
+    /// True if a name belongs to a variable somewhere.
     pub(super) fn is_variable(&self, name: &str) -> bool {
         let is_valued = |(variable, value): &(String, Option<i64>)| variable == name && value.is_some();
         self.scopes.iter().any(|scope| scope.variable.as_ref().is_some_and(is_valued))

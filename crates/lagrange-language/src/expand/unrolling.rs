@@ -1,4 +1,4 @@
-//! Loops and choices between statements: which statements they stand for.
+//! Expansion of loops and choices between statements.
 
 mod enclosures;
 
@@ -20,7 +20,7 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::{MAX_EXPANDED_NESTING, MAX_WRITTEN_OUT};
 use lagrange_expr::number::Number;
 
-/// A statement as it is meant once.
+/// One instance of a statement.
 pub(super) struct Instance<'d> {
     pub(super) statement: &'d Statement,
     pub(super) scope: ScopeId,
@@ -28,18 +28,18 @@ pub(super) struct Instance<'d> {
     pub(super) lines: Vec<Vec<ScopeId>>,
 }
 
-/// All that loops stand for.
+/// The result of expanding loops.
 pub(super) struct Unrolled<'d> {
     pub(super) instances: Vec<Instance<'d>>,
-    /// Values of constants and of elements of arrays of them.
+    /// Values of constants and of elements of constant arrays.
     pub(super) constants: HashMap<String, Number>,
-    /// Parts that were placed.
+    /// Placed parts.
     pub(super) placed: Vec<PlacedInstance>,
-    /// Names of parts that should have been.
+    /// Names of parts that should have been placed.
     pub(super) unplaced: Vec<Name>,
 }
 
-/// Writes loops out.
+/// Expands loops.
 pub(super) fn unroll<'d>(
     statements: &'d [Statement],
     expressions: &Expressions,
@@ -69,17 +69,17 @@ pub(super) fn unroll<'d>(
     Unrolled { unplaced: placer.unplaced(), placed: placer.placed, ..unrolled }
 }
 
-/// Expands loops, choices and placements.
+/// State of the expansion of loops, choices and placements.
 pub(super) struct Unroller<'a, 'c, 'd> {
     pub(super) unrolled: Unrolled<'d>,
     placer: Placer<'d>,
     pub(super) expressions: &'a Expressions,
     pub(super) scopes: &'a mut Scopes,
     pub(super) complaints: &'a mut Complaints<'c>,
-    /// Turns of loops so far.
+    /// Number of iterations so far.
     turns: u64,
     is_too_long: bool,
-    /// Loops, conditions and parts around what is expanded.
+    /// Nesting depth of loops, conditions and parts around the current statement.
     depth: usize,
 }
 
@@ -120,7 +120,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         let values = values(variable, range, (counting, scope), self.complaints);
         let Some(values) = values else { return };
         for value in values {
-            // Loops may stand in loops.
+            // Loops may be nested.
             if !self.has_room(body.len()) {
                 return self.report_too_long(origin_of(self.expressions, range));
             }
@@ -129,7 +129,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         }
     }
 
-    /// Counts statements before they are written out; false if they become too many.
+    /// Counts statements before they are expanded; false if there are too many.
     pub(super) fn has_room(&mut self, statements: usize) -> bool {
         self.turns = self.turns.saturating_add(statements as u64).saturating_add(1);
         self.turns <= MAX_WRITTEN_OUT
@@ -191,7 +191,8 @@ impl<'d> Unroller<'_, '_, 'd> {
         self.statements(&selection.otherwise, scope);
     }
 
-    /// Makes names without indices those of this scope; false if one is known, which is reported.
+    /// Makes names without indices local to this scope; false if one is already known, which is
+    /// reported.
     pub(super) fn localise(&mut self, kind: &StatementKind, scope: ScopeId) -> bool {
         let names = kind.written_names().into_iter().map(|(name, _)| name);
         let mut names = names.filter(|name| name.indices.is_empty());
@@ -211,7 +212,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         })
     }
 
-    /// The objection to a local name, if there is one.
+    /// Returns the objection to a local name, if there is one.
     fn objection(&self, name: &Name, scope: ScopeId) -> Option<String> {
         if self.scopes.find(scope, &name.text).is_some() {
             return Some(messages::shadowed_variable(&name.text));
@@ -222,10 +223,10 @@ impl<'d> Unroller<'_, '_, 'd> {
         is_known.then(|| messages::local_is_declared(&name.text))
     }
 
-    /// Remembers a constant, if it is a number that indices can be made of.
+    /// Records a constant, if it is a number that can be used in indices.
     fn constant(&mut self, definition: &Definition, scope: ScopeId) {
         let name = &definition.name;
-        // A length is no number that indices can be made of.
+        // A length cannot be used in indices.
         let is_plain = name.unit.as_ref().is_none_or(|unit| unit.is_coherent() && unit.dimension.is_none());
         let Some(value) = definition.value.filter(|_| is_plain) else { return };
         let sizes = name.indices.iter().map(|size| self.counting().integer(*size, scope));
@@ -233,7 +234,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         let positions = positions(&sizes);
         self.turns += positions.len() as u64;
         if self.turns > MAX_WRITTEN_OUT {
-            // That there are too many elements is reported where they are collected.
+            // An excessive number of elements is reported where they are collected.
             return;
         }
         for position in positions {
@@ -249,7 +250,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         Counting { expressions: self.expressions, scopes: self.scopes, constants: &self.unrolled.constants }
     }
 
-    /// Reports the first statement of those that are nested too deeply; once is enough.
+    /// Reports the first statement that is nested too deeply, only once.
     fn report_too_deep(&mut self, statements: &[Statement]) {
         if let Some(first) = statements.first()
             && !std::mem::replace(&mut self.is_too_long, true)
@@ -259,7 +260,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         }
     }
 
-    /// Once is enough.
+    /// Reports that the expansion is too long, only once.
     pub(super) fn report_too_long(&mut self, origin: Origin) {
         if !std::mem::replace(&mut self.is_too_long, true) {
             self.complaints
@@ -270,7 +271,7 @@ impl<'d> Unroller<'_, '_, 'd> {
     }
 }
 
-/// The values of a variable; what is wrong about them, or about its name, is reported.
+/// Returns the values of a variable; errors in them, or in its name, are reported.
 pub(super) fn values(
     variable: &Name,
     range: &Range,
@@ -303,7 +304,7 @@ pub(super) fn values(
     }
 }
 
-/// Place of a range.
+/// Returns the place of a range.
 pub(super) fn origin_of(expressions: &Expressions, range: &Range) -> Origin {
     expressions.origin(range.from).to(expressions.origin(range.to))
 }

@@ -1,4 +1,4 @@
-//! Warnings about a declaration with expanded arrays, in the words of the original.
+//! Warnings about a declaration with expanded arrays, in terms of the original.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,11 +7,11 @@ use crate::syntax::ast::{ArrayElement, Declaration, DeclaredArray, PlacedInstanc
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Report, Severity};
 
-/// Elements by their names in expanded declarations.
+/// Elements by name in expanded declarations.
 type ElementsByName<'d> = HashMap<&'d str, (&'d DeclaredArray, &'d ArrayElement)>;
 
-/// Reports each mistake in a loop or a part once. An array is used if one of its elements is, and a
-/// member of a part if it is used in one placement. So is anything by which was counted.
+/// Reports each error in a loop or a part once. An array is used if one of its elements is used,
+/// and a member of a part if it is used in one placement. Anything in an index is also used.
 pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
     let (elements, counted) = (elements(declaration), &declaration.counted);
     let unused =
@@ -44,7 +44,7 @@ pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
     warn_of_unplaced(declaration, report);
 }
 
-/// Warns of parts that nothing places.
+/// Warns about parts that nothing places.
 fn warn_of_unplaced(declaration: &Declaration, report: &mut Report) {
     if report.has_errors() {
         return;
@@ -55,7 +55,7 @@ fn warn_of_unplaced(declaration: &Declaration, report: &mut Report) {
     }
 }
 
-/// Members of parts of which an element is used somewhere.
+/// Returns the members of parts with an element that is used somewhere.
 fn used_members<'d>(declaration: &'d Declaration, unused: &BTreeSet<String>) -> BTreeSet<&'d [String; 2]> {
     let is_used = |array: &&DeclaredArray| array.elements.iter().any(|one| !unused.contains(&one.name));
     declaration.arrays.iter().filter(is_used).filter_map(|array| array.member_of.as_ref()).collect()
@@ -67,7 +67,7 @@ fn once_at_each_place(report: &mut Report) {
     report.revise(|diagnostic| diagnostic.severity != Severity::Error || places.insert(place(diagnostic)));
 }
 
-/// Adds to mistakes in parts where these are placed, and reports each once.
+/// Adds the placements to errors in parts, and reports each error once.
 pub(super) fn say_where_placed(declaration: &Declaration, report: &mut Report) {
     if declaration.placed.is_empty() {
         return;
@@ -93,19 +93,19 @@ pub(super) fn say_where_placed(declaration: &Declaration, report: &mut Report) {
     });
 }
 
-/// True if a place is within another one; false where that is not known.
+/// True if a place is within another one; false if that is unknown.
 fn contains(outer: Origin, inner: Origin) -> bool {
     let ends = |origin: Origin| (origin.position(), origin.end.start());
     let ((Some([first, column]), last), (Some([line, at]), _)) = (ends(outer), ends(inner)) else {
         return false;
     };
-    // In the compiler, all tokens of an included file have one place.
+    // In the compiler, all tokens of an included file have the same place.
     let is_known = (first, column) != (last.line, last.column + 1);
     let is_behind = (line, at) >= (first, column) && (line, at) <= (last.line, last.column + 1);
     is_known && is_behind && outer.start.file() == inner.start.file()
 }
 
-/// Gives elements in messages the names of the declaration: `theta[2]`, not `theta_2`.
+/// Replaces names of elements in messages by those in the declaration: `theta[2]`, not `theta_2`.
 pub fn name_elements(declaration: &Declaration, report: &mut Report) {
     if declaration.arrays.is_empty() || report.diagnostics().is_empty() {
         return;
@@ -127,7 +127,7 @@ fn elements(declaration: &Declaration) -> ElementsByName<'_> {
     elements.map(|(array, element)| (&element.name[..], (array, element))).collect()
 }
 
-/// The text with the names of elements between backticks as they are written.
+/// Returns the text with the names of elements between backticks as they are written.
 fn with_elements_as_written(text: &str, elements: &ElementsByName<'_>) -> String {
     let quoted = text.split('`').enumerate().map(|(number, part)| match number % 2 {
         0 => part.to_owned(),
@@ -156,7 +156,7 @@ fn name_of_unused(diagnostic: &Diagnostic) -> Option<&str> {
     }
 }
 
-/// First and last line and column, and where there are none the message.
+/// Returns the first and last line and column, and the message if these are unknown.
 fn place(diagnostic: &Diagnostic) -> ([(usize, usize); 2], String) {
     let (start, end) = (diagnostic.origin.start.start(), diagnostic.origin.end.end());
     let message = if start.line > 0 { String::new() } else { diagnostic.message.clone() };

@@ -1,4 +1,4 @@
-//! Whole arrays as vectors and matrices of their elements, and entries of vectors and matrices.
+//! Whole arrays as vectors and matrices of their elements; entries of vectors and matrices.
 
 use super::copier::{Copier, Task};
 use super::counting::Counting;
@@ -19,7 +19,7 @@ pub(super) struct WholeArray {
 }
 
 impl Copier<'_> {
-    /// The array that a name without indices is, if it is one.
+    /// Returns the array denoted by a name without indices, if it is one.
     pub(super) fn whole_array(&mut self, name: &Name, scope: ScopeId) -> Option<WholeArray> {
         let Ok(Target::Declared(segment)) = Path::of_name(name, scope).target(self.counting()) else {
             return None;
@@ -29,7 +29,7 @@ impl Copier<'_> {
         is_whole.then(|| WholeArray { sizes, elements: self.elements.all_of(&segment.text) })
     }
 
-    /// An assignment, or one to each component of a vector or matrix of targets.
+    /// Returns an assignment, or one for each component of a vector or matrix of targets.
     pub(super) fn assigned(&mut self, assignment: Assignment) -> Vec<Assignment> {
         let Assignment { target, value, .. } = assignment;
         let (rate, whole) = match self.expressions.get(target) {
@@ -57,14 +57,14 @@ impl Copier<'_> {
         assigned
     }
 
-    /// The part of a value that an element of an array gets.
+    /// Returns the part of a value for an element of an array.
     pub(super) fn part_given(&mut self, value: AstId, indices: &[i64], shape: Option<ArrayShape>) -> AstId {
         let origin = self.expressions.origin(value);
         let indices = indices.iter().map(|index| (*index, origin)).collect::<Vec<_>>();
         self.entry(value, &indices, shape, origin)
     }
 
-    /// The shape of a vector or matrix that is written out, and its entries with their indices.
+    /// Returns the shape of a written-out vector or matrix, and its entries with their indices.
     fn leaves(&self, whole: AstId) -> (Option<ArrayShape>, Vec<(Vec<i64>, AstId)>) {
         let Expression::Tuple(rows) = self.expressions.get(whole) else { return (None, Vec::new()) };
         let (mut shapes, mut leaves) = (Vec::new(), Vec::new());
@@ -83,7 +83,7 @@ impl Copier<'_> {
         (ArrayShape::stacked(&shapes), leaves)
     }
 
-    /// Leaves the entry of a value behind indices to be copied; a wrong index is reported.
+    /// Schedules the copy of the entry of a value at indices; an invalid index is reported.
     pub(super) fn behind(
         &mut self,
         of: AstId,
@@ -99,7 +99,7 @@ impl Copier<'_> {
         None
     }
 
-    /// An entry of a value; of a vector that is written out, its component.
+    /// Returns an entry of a value; for a written-out vector, its component.
     pub(super) fn entry(
         &mut self,
         of: AstId,
@@ -121,8 +121,8 @@ impl Copier<'_> {
         self.expressions.add(Expression::Entry { of, indices, shape }, origin)
     }
 
-    /// A whole array, a row of a grid, or an entry of an element that is a vector. Returns `None`
-    /// of everything else, `Some(None)` of what was reported.
+    /// Returns a whole array, a row of a grid, or an entry of a vector element. `None` for
+    /// everything else, and `Some(None)` after a reported error.
     pub(super) fn part_of_whole(
         &mut self,
         segment: &Segment,
@@ -144,7 +144,7 @@ impl Copier<'_> {
         Some(indices.and_then(|indices| self.whole(segment, &indices, &sizes, (scope, origin))))
     }
 
-    /// The entry of an element behind further indices.
+    /// Returns the entry of an element at further indices.
     fn entry_of_element(
         &mut self,
         segment: &Segment,
@@ -162,7 +162,7 @@ impl Copier<'_> {
         Some(self.entry(element, &further, None, origin))
     }
 
-    /// The elements behind the first indices as a vector or a matrix.
+    /// Returns the elements at the first indices as a vector or a matrix.
     fn whole(
         &mut self,
         segment: &Segment,
@@ -197,7 +197,7 @@ impl Copier<'_> {
         self.elements_behind(&segment.text, &mut first.to_vec(), rest, origin)
     }
 
-    /// The elements behind indices, nested as deeply as there are sizes: two at most.
+    /// Returns the elements at indices, nested to the number of sizes: at most two.
     fn elements_behind(
         &mut self,
         name: &str,
@@ -218,7 +218,7 @@ impl Copier<'_> {
         Some(self.expressions.add(Expression::Tuple(components), origin))
     }
 
-    /// Indices as integers; what is wrong about them, or negative, is reported.
+    /// Returns indices as integers; invalid or negative ones are reported.
     fn counted(&mut self, indices: &[ScopedIndex], scope: ScopeId) -> Option<Vec<PlacedIndex>> {
         let counting =
             Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants };

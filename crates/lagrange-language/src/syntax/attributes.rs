@@ -1,4 +1,4 @@
-//! Attributes of the struct: those of the language are consumed, all others are kept.
+//! Attributes of the struct: those of the language are consumed, all others kept.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -35,8 +35,8 @@ impl Parser<'_> {
         attributes
     }
 
-    /// Reads attributes before a statement: the documentation among them, and where they stand if
-    /// there are any.
+    /// Reads attributes before a statement. Returns the documentation among them, and their place
+    /// if there are any.
     pub(super) fn documentation(&mut self, cursor: &mut Cursor) -> (TokenStream, Option<Origin>) {
         let mut first = None;
         let mut attributes = TokenStream::new();
@@ -70,8 +70,8 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// Reads `#[…]`: what it says, and its tokens. One that is malformed is not emitted: it would
-    /// make all emitted items unreadable.
+    /// Reads `#[…]`: its content and its tokens. A malformed attribute is not emitted, since it
+    /// would make all emitted items unreadable.
     fn attribute(&mut self, cursor: &mut Cursor) -> Parsed<(Meta, TokenStream)> {
         let start = cursor.position();
         cursor.skip_one();
@@ -101,7 +101,7 @@ impl Parser<'_> {
         self.fail_with_help(error.span(), message, messages::ATTRIBUTE_FORM_HELP)
     }
 
-    /// The last segment of each path in a list of traits.
+    /// Returns the last segment of each path in a list of traits.
     fn traits(&mut self, list: &MetaList) -> Parsed<Vec<Name>> {
         let paths = Punctuated::<Path, Token![,]>::parse_terminated_with;
         let paths = list.parse_args_with(|input: ParseStream| paths(input, Path::parse_mod_style));
@@ -149,7 +149,7 @@ impl Parser<'_> {
         })
     }
 
-    /// The only word in the parentheses behind an attribute's name.
+    /// Reads the single word in parentheses after an attribute's name.
     fn argument(&mut self, name: &Ident, meta: &Meta, form: &str, help: &str) -> Parsed<(Ident, Origin)> {
         let list = match meta {
             Meta::List(list) if matches!(list.delimiter, MacroDelimiter::Paren(_)) => Some(list),
@@ -192,8 +192,8 @@ fn in_brackets(input: ParseStream) -> syn::Result<Meta> {
     content.parse()
 }
 
-/// Checks that any value behind `=` is a literal or a macro. The compiler accepts nothing else, and
-/// syn reads all other expressions by recursion.
+/// Checks that any value after `=` is a literal or a macro. The compiler accepts nothing else, and
+/// syn reads other expressions recursively.
 fn require_plain_value(input: ParseStream) -> syn::Result<()> {
     let is_unsafe = input.parse::<Option<Token![unsafe]>>()?.is_some();
     let is_path = is_unsafe || input.call(Path::parse_mod_style).is_ok();

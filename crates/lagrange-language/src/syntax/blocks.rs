@@ -11,9 +11,9 @@ use super::messages::scenes;
 use super::parser::{Parsed, Parser, Reported};
 use lagrange_expr::diagnostics::{Origin, nearest};
 
-/// The labels that something can have, and those that were read.
+/// The labels that an object can have, and those that have been read.
 pub(super) struct BlockLabels {
-    /// Object that is described, with its article.
+    /// The described object, with its article.
     owner: &'static str,
     known: Vec<&'static str>,
     given: Vec<(&'static str, Origin)>,
@@ -30,7 +30,7 @@ impl BlockLabels {
 }
 
 impl Parser<'_> {
-    /// The name of something that goes on with braces.
+    /// Reads the name of an object that is followed by braces.
     pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
         let name = match cursor.group(Delimiter::Brace) {
             None => self.declared_name(cursor),
@@ -42,7 +42,7 @@ impl Parser<'_> {
         name
     }
 
-    /// Takes the braces of a statement. If they are missing, what might be meant is skipped.
+    /// Consumes the braces of a statement. If they are missing, the probable content is skipped.
     pub(super) fn braces(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Group> {
         if let Some(group) = cursor.eat_group(Delimiter::Brace) {
             return Ok(group);
@@ -53,7 +53,7 @@ impl Parser<'_> {
         Err(reported)
     }
 
-    /// Skips a statement up to its braces, so that those are not read as if they stood alone.
+    /// Skips a statement up to its braces, so that these are not read separately.
     pub(super) fn skip_braces(&mut self, cursor: &mut Cursor) {
         self.skipped = true;
         let is_brace = |cursor: &Cursor| cursor.group(Delimiter::Brace).is_some();
@@ -61,8 +61,8 @@ impl Parser<'_> {
         cursor.eat_group(Delimiter::Brace);
     }
 
-    /// Reads lines `label: e;` between braces into the places for their values; says whether all
-    /// could be read.
+    /// Reads lines `label: e;` between braces into the places for their values; true if all could
+    /// be read.
     pub(super) fn values<T>(
         &mut self,
         group: &Group,
@@ -78,7 +78,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Reads lines between braces, each up to its semicolon; says whether all could be read.
+    /// Reads lines between braces, each up to its semicolon; true if all could be read.
     pub(super) fn lines(
         &mut self,
         group: &Group,
@@ -129,7 +129,7 @@ impl Parser<'_> {
         cursor.eat(';');
     }
 
-    /// Reads a label with its colon. One that is misspelt counts as what it should be.
+    /// Reads a label with its colon. A misspelt label is replaced by the intended one.
     pub(super) fn label_of(&mut self, labels: &mut BlockLabels, cursor: &mut Cursor) -> Parsed<&'static str> {
         let (here, found) = (cursor.here(), cursor.peek().cloned());
         let Some(word) = cursor.eat_ident().map(|word| word.to_string()) else {
@@ -150,7 +150,7 @@ impl Parser<'_> {
         Ok(label)
     }
 
-    /// The label that a misspelt one stands for.
+    /// Returns the label that was intended by a misspelt one.
     fn unknown_label(&mut self, word: &str, here: Origin, labels: &BlockLabels) -> Parsed<&'static str> {
         let known = || labels.known.iter().copied();
         let meant = foreign::label(word, known()).or_else(|| nearest(word, known()));
@@ -165,8 +165,7 @@ impl Parser<'_> {
         meant.filter(|label| labels.place(label).is_none()).ok_or(reported)
     }
 
-    /// Takes the colon behind a label. With another sign in its place the value is read all the
-    /// same.
+    /// Consumes the colon after a label. If there is another sign, the value is still read.
     pub(super) fn colon(&mut self, label: &str, cursor: &mut Cursor) -> Parsed<()> {
         if cursor.at_same_word() {
             self.fail_with_help(cursor.skip_one(), habits::TWICE_IN_A_ROW, messages::REPEATED_ATTRIBUTE_HELP);
@@ -179,7 +178,7 @@ impl Parser<'_> {
         cursor.eat('=').map(|_| ()).ok_or(reported)
     }
 
-    /// Reads the expression behind a label. What is unreadable is still a value.
+    /// Reads the expression after a label. An unreadable one still counts as a value.
     pub(super) fn line_value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {
@@ -193,7 +192,7 @@ impl Parser<'_> {
         self.unreadable(cursor, start)
     }
 
-    /// Placeholder for what is missing because it could not be read.
+    /// Fills in a placeholder for a value that is missing because it could not be read.
     pub(super) fn missing(&mut self, value: &mut Option<AstId>, origin: Origin) {
         if value.is_none() {
             *value = Some(self.add(Expression::Invalid, origin).id);
@@ -208,7 +207,7 @@ pub(super) fn at_label(cursor: &Cursor) -> bool {
     cursor.ident().is_some() && is_colon(1) && !is_colon(2)
 }
 
-/// True if a comma stands where a line ends.
+/// True if there is a comma at the end of a line.
 fn at_comma_line(cursor: &Cursor) -> bool {
     let is_sign = |ahead: usize, signs: &str| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if signs.contains(punct.as_char()));
     let begins_line = matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) && is_sign(2, ":=");

@@ -18,11 +18,11 @@ const BODY: &[&str] = &[
 ];
 /// Number of components of a tensor of inertia.
 const TENSOR: usize = 6;
-/// Labels of a part of a compound, behind what it is.
+/// Labels of a part of a compound, after its shape.
 const PART: &[&str] = &["mass", "at", "angle", "turned"];
 
 impl Parser<'_> {
-    /// `name { mass: e; … }`.
+    /// Reads `name { mass: e; … }`.
     pub(super) fn body(&mut self, cursor: &mut Cursor) -> Parsed<Body> {
         let name = self.scene_name(form("body"), cursor)?;
         let group = self.braces(form("body"), cursor)?;
@@ -74,7 +74,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// `zxz`: axes of three rotations, one after the other.
+    /// Reads `zxz`: axes of three rotations, one after the other.
     fn sequence(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let letters = self.name(cursor)?;
         let axes = letters.text.as_bytes();
@@ -90,7 +90,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `(xx, yy, zz, xy, xz, yz)`.
+    /// Reads `(xx, yy, zz, xy, xz, yz)`.
     fn tensor(&mut self, cursor: &mut Cursor) -> Parsed<[AstId; TENSOR]> {
         let here = cursor.here();
         let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
@@ -103,8 +103,8 @@ impl Parser<'_> {
         tensor.map_err(|_| self.fail_with_help(here, scenes::tensor_count(count), scenes::TENSOR_HELP))
     }
 
-    /// Completes a body: what could not be read may be what is missing, so that nothing more is to
-    /// be said about it.
+    /// Completes a body. Missing values may be those that could not be read, so they are not
+    /// reported.
     fn complete_body(&mut self, body: &mut Body) {
         let origin = body.name.span.into();
         if body.parts.is_empty() {
@@ -121,7 +121,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `solid(e, e)`.
+    /// Reads `solid(e, e)`.
     fn shape(&mut self, cursor: &mut Cursor) -> Parsed<Shape> {
         let start = cursor.position();
         if cursor.ident().is_none() {
@@ -137,7 +137,7 @@ impl Parser<'_> {
         Ok(Shape { solid, dimensions, origin: cursor.since(start) })
     }
 
-    /// `compound { disk(r), mass: m; }` or `visual { disk(r); }`, from the brace on.
+    /// Reads `compound { disk(r), mass: m; }` or `visual { disk(r); }`, from the brace on.
     fn parts(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Vec<Part>> {
         if cursor.at(':') {
             let message = messages::expected("`{`", cursor.peek());
@@ -157,7 +157,7 @@ impl Parser<'_> {
         Ok(parts)
     }
 
-    /// `hole disk(r), mass: m, at: (a, b), angle: e`.
+    /// Reads `hole disk(r), mass: m, at: (a, b), angle: e`.
     fn part(&mut self, cursor: &mut Cursor) -> Parsed<Part> {
         let (start, mistakes) = (cursor.position(), self.report.diagnostics().len());
         let is_hole = cursor.eat_word("hole").is_some();
@@ -181,7 +181,7 @@ impl Parser<'_> {
         Ok(part)
     }
 
-    /// Takes a comma; before a label it is missing.
+    /// Consumes a comma; before a label, it is missing.
     fn comma(&mut self, cursor: &mut Cursor) -> bool {
         let is_missing = at_label(cursor);
         if is_missing {
@@ -205,7 +205,7 @@ impl Parser<'_> {
     }
 }
 
-/// True before parentheses that hold more components than a vector.
+/// True before parentheses with more components than a vector.
 fn at_tensor(cursor: &Cursor) -> bool {
     let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
     let commas = |group: &Group| {

@@ -10,7 +10,7 @@ const SPRING: &[&str] = &["from", "to", "stiffness", "rest"];
 const DAMPER: &[&str] = &["from", "to", "damping"];
 
 impl Parser<'_> {
-    /// `name { from: e; to: e; … }`, with or without the name.
+    /// Reads `name { from: e; to: e; … }`, with or without the name.
     pub(super) fn connector(&mut self, kind: ConnectorKind, cursor: &mut Cursor) -> Parsed<Connector> {
         let help = form(kind.name());
         let name = match cursor.ident() {
@@ -33,7 +33,7 @@ impl Parser<'_> {
     }
 }
 
-/// The place for the value of a label.
+/// Returns the place for the value of a label.
 fn value_at<'a>(connector: &'a mut Connector, label: &'static str) -> &'a mut Option<AstId> {
     match label {
         "from" => &mut connector.from,
@@ -48,7 +48,7 @@ fn is_spring(kind: ConnectorKind) -> bool {
     matches!(kind, ConnectorKind::Spring | ConnectorKind::TorsionSpring)
 }
 
-/// Labels in the description of a connector.
+/// Returns the labels in the description of a connector.
 fn labels(kind: ConnectorKind) -> &'static [&'static str] {
     if is_spring(kind) { SPRING } else { DAMPER }
 }

@@ -1,4 +1,4 @@
-//! Statements that declare surfaces and the contacts on them.
+//! Statements that declare surfaces and contacts on them.
 
 use proc_macro2::Delimiter;
 
@@ -11,7 +11,7 @@ use super::messages::scenes;
 use super::parser::{Parsed, Parser, Reported};
 
 impl Parser<'_> {
-    /// `name { on: body; through: e; angle: e; }` and its kin.
+    /// Reads `name { on: body; through: e; angle: e; }` and similar statements.
     pub(super) fn surface(&mut self, kind: SurfaceKind, cursor: &mut Cursor) -> Parsed<Surface> {
         let help = form(kind.name());
         let name = self.scene_name(help, cursor)?;
@@ -42,8 +42,8 @@ impl Parser<'_> {
         Ok(surface)
     }
 
-    /// `(x, y): e` behind the label of a height. A space behind the names of the coordinates tells
-    /// them from all that a declaration contains; in print it does not matter.
+    /// Reads `(x, y): e` after the label of a height. A space after the names of the coordinates
+    /// distinguishes them from all names in a declaration; it does not matter in print.
     fn height(&mut self, surface: &mut Surface, cursor: &mut Cursor) -> Parsed<()> {
         let help = form("terrain");
         let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
@@ -69,7 +69,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// `name = e on surface { friction: e; … }`, with or without the braces.
+    /// Reads `name = e on surface { friction: e; … }`, with or without the braces.
     pub(super) fn contact(&mut self, cursor: &mut Cursor) -> Parsed<Contact> {
         let help = form("contact");
         let name = self.declared_name(cursor)?;
@@ -96,7 +96,8 @@ impl Parser<'_> {
         Ok(contact)
     }
 
-    /// A contact has one coefficient of friction, or one for slipping and one for sticking.
+    /// Checks that a contact has one coefficient of friction, or one for slipping and one for
+    /// sticking.
     fn check_coefficients(&mut self, contact: &Contact) -> Parsed<()> {
         let name = &contact.name.text;
         let (value, message) = match (contact.friction, contact.kinetic, contact.fixed) {
@@ -110,8 +111,8 @@ impl Parser<'_> {
         Err(Reported)
     }
 
-    /// Only a rim has an axis. A contact with a stiffness loses energy by dissipation, and its
-    /// friction has one coefficient and a speed at which it creeps.
+    /// Checks combinations of labels. Only a rim has an axis. A contact with a stiffness loses
+    /// energy by dissipation, and its friction has one coefficient and a creep speed.
     fn check_labels(&mut self, contact: &Contact) -> Parsed<()> {
         let name = &contact.name.text;
         let Contact { friction, kinetic, restitution, stiffness, dissipation, stiction, .. } = *contact;

@@ -1,7 +1,7 @@
 //! A position in a sequence of tokens.
 //!
-//! Square brackets behind a word that can be a name belong to the word instead of being tokens.
-//! Lookahead therefore sees the same for `q = …` and `q[i] = …`.
+//! Square brackets after a word that can be a name belong to the word instead of being tokens.
+//! Lookahead is therefore the same for `q = …` and `q[i] = …`.
 
 mod boundaries;
 mod brackets;
@@ -17,22 +17,22 @@ use lagrange_expr::diagnostics::Origin;
 const PAIRS: [&str; 17] =
     [":=", "==", "+=", "-=", "*=", "/=", "^=", "->", "=>", "<-", "!=", "<=", ">=", "&&", "||", "**", "::"];
 
-/// Longer lists of type parameters and of what is said about them are refused, whatever they say.
+/// Maximum number of tokens of type parameters and their bounds; longer lists are rejected.
 const MAX_TOKENS_OF_RUST: usize = 32;
 
-/// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token
-/// each and get a cursor of their own, so every token is copied once.
+/// A cursor over the tokens of one bracket group, or of the whole input. Inner groups count as one
+/// token each and have separate cursors, so every token is copied only once.
 pub(super) struct Cursor {
     tokens: Vec<TokenTree>,
     next: usize,
     /// Square brackets that belong to words.
     brackets: SquareBrackets,
-    /// Place behind the last token: the closing bracket, or the last token itself.
+    /// Place after the last token: the closing bracket, or the last token itself.
     end: Span,
 }
 
 impl Cursor {
-    /// At the start of a whole input.
+    /// Creates a cursor at the start of the whole input.
     pub(super) fn new(tokens: TokenStream) -> Cursor {
         let mut cursor = Cursor::over(tokens, Span::call_site());
         if let Some(last) = cursor.tokens.len().checked_sub(1) {
@@ -41,7 +41,7 @@ impl Cursor {
         cursor
     }
 
-    /// Behind the opening bracket of a group.
+    /// Creates a cursor after the opening bracket of a group.
     pub(super) fn inside(group: &Group) -> Cursor {
         Cursor::over(group.stream(), group.span_close())
     }
@@ -51,44 +51,44 @@ impl Cursor {
         Cursor { tokens, next: 0, brackets, end }
     }
 
-    /// Place of the token of this number, with the square brackets that belong to it.
+    /// Returns the place of the token with this index, including its square brackets.
     fn origin(&self, number: usize) -> Origin {
         let word = self.tokens.get(number).map_or(Origin::from(self.end), origin);
         self.brackets.last(number).map_or(word, |last| word.to(group_origin(last)))
     }
 
-    /// The square brackets behind the last token, which are read now.
+    /// Returns the square brackets after the last token, and marks them as read.
     pub(super) fn read_brackets(&mut self) -> Vec<Group> {
         self.next.checked_sub(1).map_or_else(Vec::new, |last| self.brackets.read(last))
     }
 
-    /// The first square brackets behind what has been taken that nobody read. Nobody is told of
-    /// them again.
+    /// Returns the first unread square brackets among the consumed tokens, and marks all of them as
+    /// read.
     pub(super) fn forget_brackets(&mut self) -> Option<Group> {
         self.brackets.forget(self.next)
     }
 
-    /// The next token.
+    /// Returns the next token.
     pub(super) fn peek(&self) -> Option<&TokenTree> {
         self.peek_past(0)
     }
 
-    /// The token behind the next `count` ones.
+    /// Returns the token after the next `count` ones.
     pub(super) fn peek_past(&self, count: usize) -> Option<&TokenTree> {
         self.tokens.get(self.next + count)
     }
 
-    /// All tokens that are left, without taking them.
+    /// Returns all remaining tokens without consuming them.
     pub(super) fn rest(&self) -> &[TokenTree] {
         self.tokens.get(self.next..).unwrap_or_default()
     }
 
-    /// The tokens that are left in front of the next semicolon.
+    /// Returns the remaining tokens before the next semicolon.
     pub(super) fn rest_of_statement(&self) -> &[TokenTree] {
         self.rest().split(|token| is_punct(Some(token), ';')).next().unwrap_or_default()
     }
 
-    /// The last token that was taken.
+    /// Returns the last consumed token.
     pub(super) fn previous(&self) -> Option<&TokenTree> {
         self.tokens.get(self.next.checked_sub(1)?)
     }
@@ -98,12 +98,12 @@ impl Cursor {
         self.next == self.tokens.len()
     }
 
-    /// Place of the next token; at the end, of what stands there.
+    /// Returns the place of the next token, or of the end.
     pub(super) fn here(&self) -> Origin {
         self.origin(self.next)
     }
 
-    /// Place of the last token that was taken; at the start, the same as [`Cursor::here`].
+    /// Returns the place of the last consumed token; at the start, the same as [`Cursor::here`].
     pub(super) fn before(&self) -> Origin {
         match self.next.checked_sub(1) {
             Some(last) => self.origin(last),
@@ -111,23 +111,23 @@ impl Cursor {
         }
     }
 
-    /// Place of the next `count` tokens.
+    /// Returns the place of the next `count` tokens.
     pub(super) fn reaching(&self, count: usize) -> Origin {
         self.here().to(self.origin(self.next + count.saturating_sub(1)))
     }
 
-    /// Number of tokens that were taken; see [`Cursor::since`].
+    /// Returns the number of consumed tokens; see [`Cursor::since`].
     pub(super) fn position(&self) -> usize {
         self.next
     }
 
-    /// Place of the tokens that were taken since the cursor was at a position; if there are none,
-    /// the same as [`Cursor::here`].
+    /// Returns the place of the tokens consumed since a position; if there are none, the same as
+    /// [`Cursor::here`].
     pub(super) fn since(&self, position: usize) -> Origin {
         if position < self.next { self.origin(position).to(self.before()) } else { self.here() }
     }
 
-    /// The tokens that were taken since the cursor was at a position.
+    /// Returns the tokens consumed since a position.
     pub(super) fn taken_since(&self, position: usize) -> &[TokenTree] {
         self.tokens.get(position..self.next).unwrap_or_default()
     }
@@ -142,7 +142,7 @@ impl Cursor {
         is_joint(self.peek(), first) && is_punct(self.peek_past(1), second)
     }
 
-    /// The operator of two characters that stands here, and where.
+    /// Returns the two-character operator at the cursor, and its place.
     pub(super) fn pair(&self) -> Option<(&'static str, Origin)> {
         let is_here = |pair: &&str| {
             let mut characters = pair.chars();
@@ -156,13 +156,13 @@ impl Cursor {
         Some((pair, self.here().to(end)))
     }
 
-    /// Place of the next token, and of the one behind it if both are one operator.
+    /// Returns the place of the next token, including the following one if both form an operator.
     pub(super) fn here_to_pair(&self) -> Origin {
         self.pair().map_or(self.here(), |(_, origin)| origin)
     }
 
-    /// Takes what a parser of Rust reads here; nothing if it fails. It sees few tokens, since it
-    /// may read by recursion.
+    /// Consumes what a parser of Rust reads; nothing if it fails. The parser only receives few
+    /// tokens, since it may be recursive.
     pub(super) fn read<T>(&mut self, read: impl Fn(ParseStream) -> syn::Result<T>) -> syn::Result<T> {
         let mut left = MAX_TOKENS_OF_RUST;
         let is_seen = |token: &&TokenTree| {
@@ -177,43 +177,43 @@ impl Cursor {
         Ok(result)
     }
 
-    /// Skips what stands on the same line as the last token.
+    /// Skips the rest of the line of the last token.
     pub(super) fn skip_line_of_text(&mut self) {
         let line = self.before().start.start().line;
         self.skip_to(|cursor| cursor.here().start.start().line != line);
     }
 
-    /// A decimal comma: whether the token that many places ahead is a comma between the digits of
-    /// two numbers. Where they stand, and how the number is written.
+    /// Detects a decimal comma: the token at this offset is a comma between the digits of two
+    /// numbers. Returns their place, and the spelling of the number.
     pub(super) fn decimal_comma(&self, ahead: isize) -> Option<(Origin, String)> {
         let at = self.next.checked_add_signed(ahead)?;
         let (before, behind) = (self.tokens.get(at.checked_sub(1)?)?, self.tokens.get(at + 1)?);
         let comma = self.tokens.get(at);
-        // Between the items of a list stands a space.
+        // The items of a list are separated by a space.
         let is_adjacent = comma.is_some_and(|comma| comma.span().end() == behind.span().start());
         let is_comma = is_punct(comma, ',') && is_adjacent;
         let (whole, fraction) = (digits(before)?, digits(behind)?);
         is_comma.then(|| (origin(before).to(origin(behind)), format!("{whole}.{fraction}")))
     }
 
-    /// Takes the next token if it is this punctuation character.
+    /// Consumes the next token if it is this punctuation character.
     pub(super) fn eat(&mut self, punctuation: char) -> Option<Span> {
         let found = self.at(punctuation);
         found.then(|| self.skip_one().end)
     }
 
-    /// Takes as many of this punctuation character as follow each other; says where they stood.
+    /// Consumes a sequence of this punctuation character; returns their places.
     pub(super) fn eat_all(&mut self, punctuation: char) -> impl Iterator<Item = Span> {
         std::iter::from_fn(move || self.eat(punctuation))
     }
 
-    /// Takes an `=` that is not the beginning of `==` or `=>`.
+    /// Consumes an `=` that is not the beginning of `==` or `=>`.
     pub(super) fn eat_equals(&mut self) -> Option<Span> {
         let found = self.equals_past(0);
         found.then(|| self.skip_one().end)
     }
 
-    /// True if an `=` stands behind the next `count` tokens that is not the beginning of `==` or
+    /// True if the next `count` tokens are followed by an `=` that is not the beginning of `==` or
     /// `=>`.
     pub(super) fn equals_past(&self, count: usize) -> bool {
         let follower = self.peek_past(count + 1);
@@ -222,7 +222,7 @@ impl Cursor {
         is_punct(self.peek_past(count), '=') && !longer
     }
 
-    /// The next token, if it is an identifier.
+    /// Returns the next token, if it is an identifier.
     pub(super) fn ident(&self) -> Option<&Ident> {
         match self.peek() {
             Some(TokenTree::Ident(ident)) => Some(ident),
@@ -230,13 +230,13 @@ impl Cursor {
         }
     }
 
-    /// True if the next token is the same word as the last one that was taken.
+    /// True if the next token is the same word as the last consumed one.
     pub(super) fn at_same_word(&self) -> bool {
         let last = self.previous().map(ToString::to_string);
         self.ident().is_some_and(|word| last.as_deref() == Some(word.to_string().as_str()))
     }
 
-    /// Takes the next token if it is an identifier.
+    /// Consumes the next token if it is an identifier.
     pub(super) fn eat_ident(&mut self) -> Option<Ident> {
         let ident = self.ident().cloned()?;
         self.next += 1;
@@ -248,25 +248,25 @@ impl Cursor {
         self.ident().is_some_and(|ident| ident == word)
     }
 
-    /// Takes the next token if it is this word.
+    /// Consumes the next token if it is this word.
     pub(super) fn eat_word(&mut self, word: &str) -> Option<Span> {
         let found = self.at_word(word);
         found.then(|| self.skip_one().end)
     }
 
-    /// The next token, if it is a group in these brackets.
+    /// Returns the next token, if it is a group in these brackets.
     pub(super) fn group(&self, delimiter: Delimiter) -> Option<&Group> {
         as_group(self.peek(), delimiter)
     }
 
-    /// Takes the next token if it is a group in these brackets.
+    /// Consumes the next token if it is a group in these brackets.
     pub(super) fn eat_group(&mut self, delimiter: Delimiter) -> Option<Group> {
         let group = self.group(delimiter).cloned()?;
         self.next += 1;
         Some(group)
     }
 
-    /// Takes the next token and says where it stood.
+    /// Consumes the next token and returns its place.
     pub(super) fn skip_one(&mut self) -> Origin {
         let origin = self.here();
         self.next = (self.next + 1).min(self.tokens.len());
@@ -278,12 +278,12 @@ impl Cursor {
         while !self.at_end() && !fits(self) {
             self.next += 1;
         }
-        // What is skipped was reported.
+        // Skipped tokens have been reported.
         self.forget_brackets();
     }
 }
 
-/// The number of tokens in a token, which is one but for a group.
+/// Returns the number of tokens in a token tree, which is one except for a group.
 fn token_count(token: &TokenTree) -> usize {
     let (mut pending, mut count) = (vec![token.clone()], 0);
     while let Some(token) = pending.pop() {
@@ -295,7 +295,7 @@ fn token_count(token: &TokenTree) -> usize {
     count
 }
 
-/// Place of a token, of a group from bracket to bracket.
+/// Returns the place of a token; for a group, from bracket to bracket.
 fn origin(token: &TokenTree) -> Origin {
     match token {
         TokenTree::Group(group) => group_origin(group),
@@ -303,12 +303,12 @@ fn origin(token: &TokenTree) -> Origin {
     }
 }
 
-/// Place of a group, from bracket to bracket.
+/// Returns the place of a group, from bracket to bracket.
 pub(super) fn group_origin(group: &Group) -> Origin {
     Origin { start: group.span_open(), end: group.span_close() }
 }
 
-/// The token, if it is a group in these brackets.
+/// Returns the token, if it is a group in these brackets.
 pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Option<&Group> {
     match token {
         Some(TokenTree::Group(group)) if group.delimiter() == delimiter => Some(group),
@@ -316,7 +316,7 @@ pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Optio
     }
 }
 
-/// A number that is made of digits only.
+/// Returns a number that consists of only digits.
 fn digits(token: &TokenTree) -> Option<String> {
     let TokenTree::Literal(literal) = token else { return None };
     let text = literal.to_string();

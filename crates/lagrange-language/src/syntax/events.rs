@@ -19,7 +19,7 @@ const DIRECTIONS: [(&str, Direction); 3] =
 const ACTIONS: [&str; 3] = ["stop", "record", "impact"];
 
 impl Parser<'_> {
-    /// `name = e, falling => action`.
+    /// Reads `name = e, falling => action`.
     pub(super) fn event(&mut self, cursor: &mut Cursor) -> Parsed<Event> {
         let name = self.leading_name("event", cursor)?;
         let value = self.event_function(&name, cursor)?;
@@ -36,7 +36,7 @@ impl Parser<'_> {
         Ok(Event { name, value, direction, direction_span, action })
     }
 
-    /// `0.01 => { a = e; }` behind the word `every`.
+    /// Reads `0.01 => { a = e; }` after the word `every`.
     pub(super) fn clock(&mut self, cursor: &mut Cursor) -> Parsed<Clock> {
         let period = self.expression(cursor)?;
         if !eat_arrow(cursor) {
@@ -50,7 +50,7 @@ impl Parser<'_> {
         Ok(Clock { period, assignments: self.assigned_in(&group) })
     }
 
-    /// `= e,`.
+    /// Reads `= e,`.
     fn event_function(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<AstId> {
         let mistakes = self.report.diagnostics().len();
         self.equals(form("event"), cursor)?;
@@ -59,7 +59,7 @@ impl Parser<'_> {
         let is_condition = at_relation(cursor) && !at_arrow(cursor);
         if is_condition || at_combination(cursor) {
             if is_wrong {
-                // Written as a condition behind a colon, it is one mistake.
+                // A condition after a colon is reported only once.
                 return Err(Reported);
             }
             let origin = cursor.here_to_pair();
@@ -138,7 +138,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The assignments between braces, of which there must be one.
+    /// Reads the assignments between braces; there must be at least one.
     fn assigned_in(&mut self, group: &Group) -> Vec<Assignment> {
         self.some_lines(
             group,
@@ -147,7 +147,7 @@ impl Parser<'_> {
         )
     }
 
-    /// `(e)`.
+    /// Reads `(e)`.
     fn restitution(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
         let group = cursor.eat_group(Delimiter::Parenthesis);
         let Some(group) = group.filter(|group| !group.stream().is_empty()) else {
@@ -163,8 +163,8 @@ impl Parser<'_> {
         })
     }
 
-    /// Reports a statement between the braces and skips it. What it declares is not reported as
-    /// unknown.
+    /// Reports a statement between the braces and skips it. The names that it declares are not
+    /// reported as unknown.
     fn statement_in_event(&mut self, cursor: &mut Cursor) -> Reported {
         let start = cursor.position();
         if let Some(keyword) = cursor.eat_ident() {
@@ -176,7 +176,7 @@ impl Parser<'_> {
         Reported
     }
 
-    /// `dot(x) = e`
+    /// Reads `dot(x) = e`.
     fn assignment(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Assignment>> {
         if cursor.at_statement() {
             return Err(self.statement_in_event(cursor));
@@ -194,7 +194,7 @@ fn at_combination(cursor: &Cursor) -> bool {
     cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
 }
 
-/// True if `&&` or `||` stands in front of the action.
+/// True if `&&` or `||` precedes the action.
 fn combines_conditions(cursor: &Cursor) -> bool {
     let signs = |token: &TokenTree| match token {
         TokenTree::Punct(punct) => punct.as_char(),

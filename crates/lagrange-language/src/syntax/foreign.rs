@@ -1,5 +1,5 @@
-//! Words of other languages and of textbooks, with what stands for them in this one. None of them
-//! is reserved: they are looked up only where a word means nothing.
+//! Words of other languages and of textbooks, with their equivalents in this language. None of them
+//! is reserved: they are only looked up for undefined words.
 
 mod functions;
 mod rates;
@@ -7,7 +7,7 @@ mod rates;
 pub use functions::{FUNCTIONS, function, without_counterpart};
 pub use rates::{Rate, derives, is_word_for_rate, rate};
 
-/// Words that begin no statement, with the keyword that does in their place.
+/// Words that begin no statement, with the intended keyword.
 const STATEMENTS: &[(&[&str], &str)] = &[
     (&["T", "K", "KE", "Ek", "Ekin", "E_k", "E_kin", "T_kin", "kinetic_energy", "ke"], "kinetic"),
     (&["V", "U", "PE", "Ep", "Epot", "E_p", "E_pot", "V_pot", "potential_energy", "pe"], "potential"),
@@ -65,7 +65,7 @@ const STATEMENTS: &[(&[&str], &str)] = &[
     (&["touch", "touches", "collide"], "contact"),
 ];
 
-/// Words that begin what a declaration has no room for: what the mistake is, and what to do.
+/// Words that begin statements without an equivalent, with the message and the help.
 const STRANGERS: &[(&[&str], &str, &str)] = &[
     (
         &["fn", "def", "function", "lambda", "macro"],
@@ -119,7 +119,7 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
 ];
 
-/// Names without a meaning, with their replacements.
+/// Undefined names, with their replacements.
 pub const NAMES: &[(&[&str], &str)] = &[
     (&["PI", "Pi", "M_PI", "π"], "pi"),
     (&["TAU", "two_pi", "twopi"], "2 * pi"),
@@ -129,11 +129,11 @@ pub const NAMES: &[(&[&str], &str)] = &[
     (&["INFINITY", "inf", "Inf", "infinity", "oo"], "1e300"),
 ];
 
-/// Names of libraries in front of functions and constants.
+/// Names of libraries before functions and constants.
 const LIBRARIES: &[&str] = &["np", "numpy", "math", "Math", "sp", "sympy", "sym", "torch", "jnp", "cmath"];
 
-/// Labels of bodies, lines, springs and dampers, with the words that others use for them. A word
-/// may stand for several: the one that is possible is meant.
+/// Labels of bodies, lines, springs and dampers, with foreign words for them. A word may correspond
+/// to several labels: the possible one is intended.
 const LABELS: &[(&str, &[&str])] = &[
     ("mass", &["m", "M"]),
     ("inertia", &["J", "I", "j", "moment_of_inertia", "moment"]),
@@ -187,7 +187,7 @@ const LABELS: &[(&str, &[&str])] = &[
     ("smooth", &["width", "regularised", "regularized", "epsilon"]),
 ];
 
-/// Solids, with the words that others use for them.
+/// Solids, with foreign words for them.
 const SOLIDS: &[(&str, &[&str])] = &[
     ("disk", &["circle", "disc", "cylinder", "wheel", "puck", "round"]),
     ("slender_rod", &["bar", "stick", "beam", "link", "line", "needle", "thin_rod"]),
@@ -205,8 +205,8 @@ const SOLIDS: &[(&str, &[&str])] = &[
     ("regular_polygon", &["hexagon", "pentagon", "octagon", "ngon"]),
 ];
 
-/// Parts of bodies, connectors and joints, with the spelling here of foreign ones; `#1` stands for
-/// the object, `#2` for the word.
+/// Parts of bodies, connectors and joints, with their spelling here; `#1` is replaced by the
+/// object, `#2` by the word.
 const PARTS: &[(Owner, &[&str], &str)] = &[
     (Owner::Body, &["position", "pos", "centre", "com", "place", "location"], "#1.center"),
     (Owner::Body, &["x", "y"], "#1.center.#2"),
@@ -231,7 +231,7 @@ const PARTS: &[(Owner, &[&str], &str)] = &[
     (Owner::Joint, &["normal_force", "pressure", "N"], "#1.normal"),
 ];
 
-/// Parts of bodies in space and of frames alike.
+/// Parts of bodies in space and of frames.
 const PARTS_IN_SPACE: &[(&[&str], &str)] = &[
     (&["velocity", "vel", "v", "speed"], "velocity(#1)"),
     (&["acceleration", "acc", "a"], "acceleration(#1)"),
@@ -288,28 +288,28 @@ const LETTERS: &[(char, &str)] = &[
     ('Ω', "Omega"),
 ];
 
-/// The keyword that is meant by a word that begins no statement.
+/// Returns the keyword that is intended by a word that begins no statement.
 pub(super) fn statement(word: &str) -> Option<&'static str> {
     STATEMENTS.iter().find(|(words, _)| words.contains(&word)).map(|(_, keyword)| *keyword)
 }
 
-/// Message for a word that begins what a declaration has no room for, and advice.
+/// Returns the message for a word that begins a statement without an equivalent, and advice.
 pub(super) fn stranger(word: &str) -> Option<(&'static str, &'static str)> {
     STRANGERS.iter().find(|(words, ..)| words.contains(&word)).map(|(_, message, help)| (*message, *help))
 }
 
-/// Returns the spelling here of a name without a meaning.
+/// Returns the spelling here of an undefined name.
 pub fn name(word: &str) -> Option<&'static str> {
     NAMES.iter().find(|(words, _)| words.contains(&word)).map(|(_, meant)| *meant)
 }
 
-/// True if a name is that of a library in which functions are found elsewhere.
+/// True if a name is that of a library that contains functions in other languages.
 pub fn is_library(word: &str) -> bool {
     LIBRARIES.contains(&word)
 }
 
-/// Returns a name with Greek letters written out, or with the names of letters as letters; `None`
-/// if it has neither.
+/// Returns a name with Greek letters written out, or with names of letters replaced by letters;
+/// `None` if it has neither.
 pub fn letter(word: &str) -> Option<String> {
     let written_out =
         LETTERS.iter().fold(word.to_owned(), |text, (letter, name)| text.replace(*letter, name));
@@ -321,17 +321,17 @@ pub fn letter(word: &str) -> Option<String> {
     if is_other { Some(written_out) } else { as_letter() }
 }
 
-/// Returns the known word that was probably meant by another one.
+/// Returns the known word that was probably intended by another one.
 pub fn label<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     known.into_iter().find(|label| is_row_of(LABELS, label, word))
 }
 
-/// Returns the solid that was probably meant by a word.
+/// Returns the solid that was probably intended by a word.
 pub fn solid(word: &str) -> Option<&'static str> {
     SOLIDS.iter().find(|(_, words)| words.contains(&word)).map(|(solid, _)| *solid)
 }
 
-/// Returns the spelling here of a part of an object, whose name comes behind its kind.
+/// Returns the spelling here of a part of an object, given by its kind and name.
 pub fn part((kind, object): (Owner, &str), word: &str) -> Option<String> {
     let in_space = PARTS_IN_SPACE.iter().filter(|_| matches!(kind, Owner::BodyInSpace | Owner::Frame));
     let own = PARTS.iter().filter(|(owner, ..)| *owner == kind).map(|(_, words, template)| (words, template));
@@ -344,7 +344,7 @@ fn is_row_of(rows: &[(&str, &[&str])], key: &str, word: &str) -> bool {
     rows.iter().any(|(row, words)| *row == key && words.contains(&word))
 }
 
-/// A template with texts in the position of `#1`, `#2`, ….
+/// Fills a template with texts at `#1`, `#2`, ….
 fn filled(template: &str, texts: &[String]) -> String {
     let places = texts.iter().enumerate();
     places.fold(template.to_owned(), |text, (i, filler)| text.replace(&format!("#{}", i + 1), filler))

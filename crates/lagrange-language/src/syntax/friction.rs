@@ -11,16 +11,16 @@ use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
 use lagrange_expr::diagnostics::{Origin, nearest};
 
-/// Labels behind the slip velocity.
+/// Labels after the slip velocity.
 const LABELS: [&str; 3] = ["kinetic", "static", "smooth"];
-/// Label of a value that has none.
+/// Label of a value without a label.
 const LIMIT: &str = "";
 
-/// A value, its label and where it stands, from the label on.
+/// A value, its label and its place, from the label on.
 type Labelled = (&'static str, AstId, Origin);
 
 impl Parser<'_> {
-    /// `name = slip, limit`, with `kinetic:` and `static:` limits, or with `smooth: width`.
+    /// Reads `name = slip, limit`, with `kinetic:` and `static:` limits, or with `smooth: width`.
     pub(super) fn friction(&mut self, cursor: &mut Cursor) -> Parsed<Friction> {
         let name = self.declared_name(cursor)?;
         self.equals(form("friction"), cursor)?;
@@ -40,7 +40,7 @@ impl Parser<'_> {
         Ok(Friction { name, slip, kinetic, fixed, width })
     }
 
-    /// Values behind the slip velocity.
+    /// Reads the values after the slip velocity.
     fn labelled_values(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Labelled>> {
         let mut values = Vec::new();
         self.turns(cursor, |parser, cursor| {
@@ -57,7 +57,7 @@ impl Parser<'_> {
         Ok(values)
     }
 
-    /// `e` or `label: e`, up to the next comma or the end of the statement.
+    /// Reads `e` or `label: e`, up to the next comma or the end of the statement.
     fn labelled(&mut self, cursor: &mut Cursor) -> Parsed<Labelled> {
         let start = cursor.position();
         let label = match is_labelled(cursor) || is_behind_comma(cursor) {
@@ -93,7 +93,7 @@ impl Parser<'_> {
         self.fail_with_help(origin, message, form("friction"))
     }
 
-    /// The kinetic limit and the static one, if that is not the same.
+    /// Returns the kinetic limit, and the static one if it differs.
     fn limits(
         &mut self,
         name: &Name,
@@ -125,7 +125,7 @@ fn find<'a>(values: &'a [Labelled], label: &str) -> Option<&'a Labelled> {
     values.iter().find(|(known, ..)| *known == label)
 }
 
-/// True if a label follows with an equals sign, which begins no statement behind a comma.
+/// True if a label with an equals sign follows, which does not begin a statement after a comma.
 fn is_behind_comma(cursor: &Cursor) -> bool {
     let is_comma = matches!(cursor.previous(), Some(TokenTree::Punct(punct)) if punct.as_char() == ',');
     let is_label = LABELS.iter().any(|label| cursor.at_word(label));

@@ -14,14 +14,14 @@ use super::recovery::Turn;
 use super::units::at_unit;
 use lagrange_expr::diagnostics::{Origin, nearest};
 
-/// Labels of derivatives of functions of one argument, in the order of their orders.
+/// Labels of derivatives of functions of one argument, by ascending order.
 const DERIVATIVES: [&str; 3] = ["derivative", "second_derivative", "third_derivative"];
 
-/// Functions that emitted code brings into scope and that are no words of the language.
+/// Functions that emitted code brings into scope and that are not words of the language.
 const OF_EMITTED_CODE: [&str; 3] = ["sin_cos", "sin_cos_each", "multiply_add"];
 
 impl Parser<'_> {
-    /// `f(x, y)`, with or without derivatives between braces.
+    /// Reads `f(x, y)`, with or without derivatives between braces.
     pub(super) fn external(&mut self, cursor: &mut Cursor) -> Parsed<ExternalFunction> {
         let (name, parameters) = self.function_head("function", cursor)?;
         self.refuse_elements(std::slice::from_ref(&name))?;
@@ -36,7 +36,7 @@ impl Parser<'_> {
         Ok(ExternalFunction { name, parameters, derivatives })
     }
 
-    /// `f(x, y)`.
+    /// Reads `f(x, y)`.
     pub(super) fn function_head(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<(Name, Vec<Name>)> {
         let mut name = self.declared_name(cursor)?;
         self.check_callee(&name);
@@ -58,8 +58,8 @@ impl Parser<'_> {
         Ok((name, parameters))
     }
 
-    /// Reports a name under which the user's crate cannot have a function, or emitted code would
-    /// call another one.
+    /// Reports a name that functions of the user's crate cannot have, or for which emitted code
+    /// would call another function.
     fn check_callee(&mut self, name: &Name) {
         let message = match name.text.as_str() {
             text if OF_EMITTED_CODE.contains(&text) => words::of_emitted_code(text),
@@ -70,7 +70,7 @@ impl Parser<'_> {
         self.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
     }
 
-    /// Lines between braces, one for each derivative.
+    /// Reads the lines between braces, one for each derivative.
     fn derivatives(&mut self, name: &Name, parameters: &[Name], group: &Group) -> Vec<ExternalDerivative> {
         let mut derivatives: Vec<(ExternalDerivative, Origin)> = Vec::new();
         self.lines(group, |parser, cursor| {
@@ -78,7 +78,7 @@ impl Parser<'_> {
             let orders = parser.orders(name, parameters, cursor)?;
             let place = cursor.since(start);
             parser.colon("derivative", cursor)?;
-            // Words that begin statements may be names there.
+            // Words that begin statements may be names in the user's crate.
             let of_crate = parser.name(cursor)?;
             parser.check_callee(&of_crate);
             if let Some((_, first)) = derivatives.iter().find(|(known, _)| known.orders == orders) {
@@ -92,8 +92,7 @@ impl Parser<'_> {
         derivatives.into_iter().map(|(derivative, _)| derivative).collect()
     }
 
-    /// `derivative` or `by x, y`: how often the function is differentiated by each of its
-    /// arguments.
+    /// Reads `derivative` or `by x, y`: the order of differentiation with respect to each argument.
     fn orders(&mut self, function: &Name, parameters: &[Name], cursor: &mut Cursor) -> Parsed<Vec<u8>> {
         if cursor.at_word("by") {
             cursor.skip_one();
@@ -119,7 +118,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `x, y` behind `by`.
+    /// Reads `x, y` after `by`.
     fn by_arguments(&mut self, function: &Name, parameters: &[Name], cursor: &mut Cursor) -> Parsed<Vec<u8>> {
         let mut orders = vec![0_u8; parameters.len()];
         self.turns(cursor, |parser, cursor| {

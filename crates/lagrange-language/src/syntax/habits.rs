@@ -1,5 +1,4 @@
-//! Expressions as they are written on paper or in other languages: derivatives as quotients, powers
-//! of functions, paths.
+//! Notations from paper or other languages: derivatives as quotients, powers of functions, paths.
 
 use proc_macro2::{Delimiter, TokenTree};
 
@@ -11,19 +10,20 @@ use super::messages::habits;
 use super::parser::Parser;
 use lagrange_expr::diagnostics::Origin;
 
-/// Place of a mistake, message and advice.
+/// Place of an error, message and advice.
 type Habit = (Origin, &'static str, String);
 
-/// Stands for an argument that is too long to be repeated.
+/// Replacement for an argument that is too long to be repeated.
 const SOMETHING: &str = "…";
 
 impl Parser<'_> {
-    /// Message for the word here and what follows it, if that has a meaning elsewhere only.
+    /// Returns the message for the word here and the following tokens, if these are only valid in
+    /// other notations.
     pub(super) fn habit(&self, cursor: &Cursor) -> Option<Habit> {
         self.quotient(cursor).or_else(|| power_of_function(cursor)).or_else(|| self.path(cursor))
     }
 
-    /// `d/dt(e)`, `d(e)/dt`, `dx/dt`, `d^2/dt^2(e)`, `d2x/dt2`.
+    /// Detects `d/dt(e)`, `d(e)/dt`, `dx/dt`, `d^2/dt^2(e)`, `d2x/dt2`.
     fn quotient(&self, cursor: &Cursor) -> Option<Habit> {
         let word = cursor.ident()?.to_string();
         if self.declared(&word).is_some() {
@@ -56,13 +56,13 @@ impl Parser<'_> {
         Some((tokens.origin(), habits::QUOTIENT, help))
     }
 
-    /// `std::f64::consts::PI`, `f64::sin(x)`, `crate::GRAVITY`, `np.cos(x)`.
+    /// Detects `std::f64::consts::PI`, `f64::sin(x)`, `crate::GRAVITY`, `np.cos(x)`.
     fn path(&self, cursor: &Cursor) -> Option<Habit> {
         let word = cursor.ident()?.to_string();
         let is_library = foreign::is_library(&word) && self.declared(&word).is_none();
         let mut tokens = Ahead { cursor, count: 1 };
         let mut last = None;
-        // No path is longer, and loops over tokens are elsewhere.
+        // Longer paths do not occur; this is not a loop over all tokens.
         for _ in 0..LONGEST_PATH {
             let is_link = tokens.is(':') && tokens.is(':') || is_library && tokens.is('.');
             if !is_link {
@@ -84,7 +84,7 @@ impl Parser<'_> {
     }
 }
 
-/// `sin^2(x)`, `sin^2 x`, `sin^-1(x)` and `sin^(-1)(x)`.
+/// Detects `sin^2(x)`, `sin^2 x`, `sin^-1(x)` and `sin^(-1)(x)`.
 fn power_of_function(cursor: &Cursor) -> Option<Habit> {
     let word = cursor.ident()?.to_string();
     let mut tokens = Ahead { cursor, count: 1 };
@@ -108,10 +108,10 @@ fn power_of_function(cursor: &Cursor) -> Option<Habit> {
     Some((tokens.origin(), habits::POWER_OF_FUNCTION, habits::written(&usage)))
 }
 
-/// Longer paths are read as far as this many words.
+/// Maximum number of words that are read of a path.
 const LONGEST_PATH: usize = 16;
 
-/// Looks at tokens behind the cursor, one after the other.
+/// Lookahead over tokens after the cursor, one after the other.
 struct Ahead<'a> {
     cursor: &'a Cursor,
     count: usize,
@@ -122,7 +122,7 @@ impl Ahead<'_> {
         self.cursor.peek_past(self.count)
     }
 
-    /// Goes on behind the next token.
+    /// Moves past the next token.
     fn passed<T>(&mut self, found: T) -> T {
         self.count += 1;
         found
@@ -161,7 +161,7 @@ impl Ahead<'_> {
         matches!(self.peek(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis)
     }
 
-    /// Contents of the parentheses that come next, if they are short.
+    /// Returns the contents of the next parentheses, if they are short.
     fn argument(&mut self) -> Option<String> {
         let Some(TokenTree::Group(group)) = self.peek().filter(|_| self.has_argument()) else { return None };
         let tokens = group.stream().into_iter().collect::<Vec<_>>();
@@ -173,7 +173,7 @@ impl Ahead<'_> {
         Some(self.passed(text))
     }
 
-    /// Place from the cursor to the last token that was looked at.
+    /// Returns the place from the cursor to the last visited token.
     fn origin(&self) -> Origin {
         self.cursor.reaching(self.count)
     }

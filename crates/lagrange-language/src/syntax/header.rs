@@ -14,16 +14,16 @@ use super::parser::{Parsed, Parser, Reported};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Origin;
 
-/// Name of a system that is given as a bare list of statements.
+/// Name of a system that consists of a bare list of statements.
 const DEFAULT_NAME: &str = "System";
 
-/// The declaration that a bare list of statements belongs to.
+/// Returns the declaration for a bare list of statements.
 pub(super) fn default_header() -> Declaration {
     let name = Name::new(DEFAULT_NAME, Span::call_site());
     declaration(Attributes::default(), (quote!(pub), Span::call_site()), name, ScalarType::F64)
 }
 
-/// True if a struct follows, perhaps behind attributes and a visibility.
+/// True if a struct follows, possibly after attributes and a visibility.
 pub(super) fn header_ahead(cursor: &Cursor) -> bool {
     let decides = |token: &TokenTree| match token {
         TokenTree::Ident(word) if word == "struct" => Some(true),
@@ -88,7 +88,7 @@ impl Parser<'_> {
         Ok(declaration(attributes, (visibility, keyword), name, scalar))
     }
 
-    /// The name of an emitted type.
+    /// Reads the name of an emitted type.
     pub(super) fn type_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let name = self.name(cursor)?;
         self.no_keyword(name)
@@ -102,7 +102,7 @@ impl Parser<'_> {
         Ok(name)
     }
 
-    /// `<S>`; any other type parameters are reported and skipped.
+    /// Reads `<S>`; any other type parameters are reported and skipped.
     fn type_parameter(&mut self, cursor: &mut Cursor) -> Option<Name> {
         if !cursor.at('<') {
             return None;
@@ -178,7 +178,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `pub`, `pub(…)`, what a `macro_rules!` macro passes on as a visibility, or nothing.
+    /// Reads `pub`, `pub(…)`, a visibility passed on by a `macro_rules!` macro, or nothing.
     fn visibility(&mut self, cursor: &mut Cursor) -> Parsed<TokenStream> {
         let start = cursor.position();
         let fragment = cursor.eat_group(Delimiter::None);

@@ -1,4 +1,4 @@
-//! Identifiers, and which of them can be names.
+//! Identifiers, and the rules for names.
 
 use lagrange_expr::keywords::is_rust_keyword;
 use proc_macro2::{Ident, TokenTree};
@@ -11,9 +11,8 @@ use super::messages::habits;
 use super::parser::{Parsed, Parser, Reported};
 
 impl Parser<'_> {
-    /// Reads a name that is being declared. One that cannot be a name is reported and left out of
-    /// the syntax tree. Every declared name there is therefore an identifier of Rust and of the
-    /// language.
+    /// Reads a name that is being declared. An invalid name is reported and omitted from the syntax
+    /// tree. Every declared name in it is therefore a valid identifier of Rust and of the language.
     pub(super) fn free_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         if cursor.ident().is_none() {
             return Err(self.no_name(habits::name_help(cursor.peek()), cursor));
@@ -25,8 +24,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports that what is declared here has no name. It may be mentioned under the name that it
-    /// was to have.
+    /// Reports a declaration without a name. Its intended name may be used elsewhere.
     pub(super) fn no_name(&mut self, help: &str, cursor: &Cursor) -> Reported {
         self.lacks_names = true;
         let message = messages::expected("a name", cursor.peek());
@@ -44,7 +42,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The name that an identifier spells, if it is not raw.
+    /// Returns the name spelt by an identifier, if it is not raw.
     pub(super) fn plain(&mut self, ident: &Ident) -> Parsed<Name> {
         let (text, span) = (ident.to_string(), ident.span());
         match text.strip_prefix("r#") {
@@ -54,16 +52,16 @@ impl Parser<'_> {
     }
 }
 
-/// True if a declaration can introduce this identifier wherever names stand. Keywords, functions
-/// and names with a predefined meaning cannot be declared. Nor can words that begin a statement, or
-/// continue one in some places only.
+/// True if a declaration can introduce this identifier wherever names are allowed. Keywords,
+/// functions and names with a predefined meaning cannot be declared. The same is true of words that
+/// begin a statement, or continue one in some places.
 pub fn can_be_declared(identifier: &str) -> bool {
     objection(identifier).is_none()
         && keywords::soft_statement(identifier).is_none()
         && !keywords::is_connective(identifier)
 }
 
-/// Why a declaration cannot introduce this name, if it cannot.
+/// Explains why a declaration cannot introduce this name, if this is the case.
 fn objection(name: &str) -> Option<String> {
     if keywords::begins_statement(name) {
         Some(messages::statement_keyword_as_name(name))
@@ -82,7 +80,7 @@ fn objection(name: &str) -> Option<String> {
     }
 }
 
-/// True if an `=`, or what is like it elsewhere, stands behind the next `count` tokens.
+/// True if an `=`, or a similar sign of other languages, follows the next `count` tokens.
 pub(super) fn at_equals_past(count: usize, cursor: &Cursor) -> bool {
     let is = |ahead: usize, characters: &str| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if characters.contains(punct.as_char()));
     let is_assignment = is(count, ":+") && is(count + 1, "=");
@@ -94,7 +92,7 @@ pub(super) fn at_relation(cursor: &Cursor) -> bool {
     cursor.at('=') || cursor.at('<') || cursor.at('>') || cursor.at_pair('!', '=')
 }
 
-/// Takes a comparison, if one stands here.
+/// Consumes a comparison, if there is one.
 pub(super) fn eat_comparison(cursor: &mut Cursor) -> Option<Comparison> {
     let is_here = |sign: &str| match sign.as_bytes() {
         [first, second] => cursor.at_pair(char::from(*first), char::from(*second)),

@@ -8,7 +8,7 @@ use super::messages::forms::form;
 use super::parser::{Parsed, Parser, Reported};
 
 impl Parser<'_> {
-    /// `name = p to q`, with or without the name.
+    /// Reads `name = p to q`, with or without the name.
     pub(super) fn pin(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let first = self.expression(cursor)?;
@@ -16,7 +16,7 @@ impl Parser<'_> {
         Ok(Joint { name, kind: JointKind::Pin { first, second: self.value(cursor) } })
     }
 
-    /// `name = p on line`, with or without the name.
+    /// Reads `name = p on line`, with or without the name.
     pub(super) fn slide(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let point = self.expression(cursor)?;
@@ -28,7 +28,7 @@ impl Parser<'_> {
         Ok(Joint { name, kind: JointKind::Slide { point, line } })
     }
 
-    /// `name = body on line, radius: e`, with or without the name and the radius.
+    /// Reads `name = body on line, radius: e`, with or without the name and the radius.
     pub(super) fn roll(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let body = self.mentioned(form("roll"), cursor)?;
@@ -38,7 +38,7 @@ impl Parser<'_> {
         Ok(Joint { name, kind: JointKind::Roll { body, line, radius } })
     }
 
-    /// `, radius: e`, if it is there.
+    /// Reads `, radius: e`, if present.
     fn radius(&mut self, cursor: &mut Cursor) -> Parsed<Option<AstId>> {
         if cursor.at_statement_end() {
             return Ok(None);
@@ -54,7 +54,7 @@ impl Parser<'_> {
         Ok(Some(self.value(cursor)))
     }
 
-    /// The word between what is joined.
+    /// Consumes the word between the joined objects.
     pub(super) fn joining(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
         match cursor.eat_word(word) {
             Some(_) => Ok(()),
@@ -71,7 +71,7 @@ impl Parser<'_> {
         Ok(Some(name))
     }
 
-    /// The name of something declared, which may be a member of a part.
+    /// Reads the name of a declared object, which may be a member of a part.
     pub(super) fn mentioned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
         match cursor.ident() {
             Some(_) if !cursor.at_statement() => {

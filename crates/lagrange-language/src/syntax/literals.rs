@@ -15,7 +15,7 @@ pub(super) const TYPES: [&str; 14] =
     ["f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize"];
 
 impl Parser<'_> {
-    /// The exact value of a literal.
+    /// Returns the exact value of a literal.
     pub(super) fn number(&mut self, literal: &Literal) -> Parsed<Number> {
         let (text, span) = (literal.to_string(), literal.span());
         if !text.starts_with(|first: char| first.is_ascii_digit()) {
@@ -49,7 +49,7 @@ impl Parser<'_> {
     }
 }
 
-/// Length of the decimal number in a literal; a type suffix may follow.
+/// Returns the length of the decimal number in a literal; a type suffix may follow.
 fn decimal_length(text: &str) -> usize {
     let mantissa = leading(text, |byte| byte.is_ascii_digit() || byte == b'_' || byte == b'.');
     let Some(exponent) = text[mantissa..].strip_prefix(['e', 'E']) else {

@@ -10,7 +10,7 @@ use super::messages::scenes;
 use super::parser::{Parsed, Parser};
 
 impl Parser<'_> {
-    /// `q = a to b { at: e; … }`, `(a, b) = c to d;`; of a weld `a to b`.
+    /// Reads `q = a to b { at: e; … }`, `(a, b) = c to d;`; of a weld `a to b`.
     pub(super) fn mobilizer(&mut self, kind: MobilizerKind, cursor: &mut Cursor) -> Parsed<Mobilizer> {
         let help = scenes::mobilizer_help(kind);
         if kind == MobilizerKind::Free {
@@ -43,7 +43,7 @@ impl Parser<'_> {
         Ok(joint)
     }
 
-    /// Returns false, and reports it, if an axis is a letter without a meaning, as in `axis: z;`.
+    /// Returns false, with a report, if an axis is an undefined letter, as in `axis: z;`.
     fn is_vector(&mut self, axis: AstId) -> bool {
         let Expression::Name(letter) = self.expressions.get(axis) else { return true };
         let direction = scenes::direction_of_axis(letter).filter(|_| self.declared(letter).is_none());
@@ -53,7 +53,7 @@ impl Parser<'_> {
         direction.is_none()
     }
 
-    /// `trunk`: three coordinates and an orientation.
+    /// Reads `trunk`: three coordinates and an orientation.
     fn free_body(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Mobilizer> {
         let body = self.mentioned(help, cursor)?;
         if !cursor.at_statement_end() {
@@ -62,7 +62,7 @@ impl Parser<'_> {
         Ok(Mobilizer::free(body))
     }
 
-    /// The coordinates that a joint makes, with the `=` behind them.
+    /// Reads the coordinates that a joint creates, with the `=` after them.
     fn made_coordinates(
         &mut self,
         kind: MobilizerKind,
@@ -97,7 +97,7 @@ impl Parser<'_> {
     }
 }
 
-/// The place for the value of a label.
+/// Returns the place for the value of a label.
 fn value_at<'a>(joint: &'a mut Mobilizer, label: &'static str) -> &'a mut Option<AstId> {
     match label {
         "at" => &mut joint.at,

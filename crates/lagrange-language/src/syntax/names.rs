@@ -13,13 +13,13 @@ use super::recovery::Turn;
 use super::units::at_unit;
 
 impl Parser<'_> {
-    /// Reads a name that is being declared, with what stands in square brackets behind it.
+    /// Reads a name that is being declared, with the square brackets after it.
     pub(super) fn declared_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let name = self.free_name(cursor)?;
         self.indexed(name, cursor)
     }
 
-    /// The members behind a name, `.hip[1]`.
+    /// Reads the members after a name, `.hip[1]`.
     pub(super) fn with_members(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Name> {
         let mut whole = name;
         self.turns(cursor, |parser, cursor| {
@@ -34,7 +34,7 @@ impl Parser<'_> {
         Ok(whole)
     }
 
-    /// Reads the name that a statement declares in front of its `=`.
+    /// Reads the name that a statement declares before its `=`.
     pub(super) fn leading_name(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<Name> {
         let is_named = cursor.ident().is_some() && can_follow_name(cursor);
         let is_end = cursor.ident().is_none() && cursor.at_statement_end();
@@ -53,8 +53,8 @@ impl Parser<'_> {
         Ok(name)
     }
 
-    /// Reads the unit between a declared name and its value. What stands there elsewhere, a type or
-    /// an argument, is reported and skipped.
+    /// Reads the unit between a declared name and its value. Content from other languages, such as
+    /// a type or an argument, is reported and skipped.
     pub(super) fn annotation(&mut self, name: &mut Name, keyword: &str, cursor: &mut Cursor) {
         let start = cursor.position();
         let (message, help) = match cursor.peek() {
@@ -65,7 +65,7 @@ impl Parser<'_> {
                     _ => !value_follows(cursor),
                 };
                 if is_equals {
-                    // The colon stands for the equals sign.
+                    // The colon is used in place of the equals sign.
                     return;
                 }
                 if at_unit(cursor) {
@@ -87,8 +87,8 @@ impl Parser<'_> {
         self.fail_once(cursor.since(start), message, help);
     }
 
-    /// Takes the `=` behind what is declared. An operator that is like it elsewhere is reported and
-    /// taken for it.
+    /// Consumes the `=` after a declared name. A similar operator from other languages is reported
+    /// and treated like it.
     pub(super) fn equals(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<()> {
         if cursor.eat_equals().is_some() {
             return Ok(());
@@ -118,7 +118,7 @@ fn value_follows(cursor: &Cursor) -> bool {
     cursor.rest().iter().find_map(sign) == Some('=')
 }
 
-/// True if what stands behind a word is such that the word is a name that is declared.
+/// True if the tokens after a word make it a declared name.
 fn can_follow_name(cursor: &Cursor) -> bool {
     let is_annotated = || match cursor.peek_past(1) {
         Some(TokenTree::Group(_)) => at_equals_past(2, cursor),

@@ -8,7 +8,7 @@ use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
 use lagrange_expr::diagnostics::{Origin, nearest};
 
-/// The options that a kind of statement has.
+/// The options of a kind of statement.
 pub(super) struct StatementOptions {
     /// The keyword of the statement.
     pub(super) keyword: &'static str,
@@ -18,8 +18,8 @@ pub(super) struct StatementOptions {
 }
 
 impl Parser<'_> {
-    /// Reads options as long as there are any; `read` reads the value behind a label, whose place
-    /// it is given.
+    /// Reads options as long as there are any; `read` reads the value after a label and receives
+    /// the place of the label.
     pub(super) fn labelled_options(
         &mut self,
         options: &StatementOptions,
@@ -52,7 +52,7 @@ impl Parser<'_> {
         Err(self.fail_with_help(here, (options.unknown)(&word), help))
     }
 
-    /// Reports a label that was said before, if it was.
+    /// Reports a label that has already occurred.
     pub(super) fn once(&mut self, label: &str, place: Origin, first: Option<Origin>) {
         if let Some(first) = first {
             let error = self.report.error(place, messages::repeated_label(label));

@@ -1,4 +1,4 @@
-//! State and helpers that the readers of statements and of expressions share.
+//! Common state and helpers of the readers of statements and expressions.
 
 use proc_macro2::{Group, TokenTree};
 
@@ -11,36 +11,37 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::MAX_NESTING;
 
-/// Reads one declaration; the grammar is spread over the modules named after its parts.
+/// Parser of one declaration; the grammar is spread over modules named after its parts.
 pub(super) struct Parser<'r> {
     pub(super) report: &'r mut Report,
     pub(super) expressions: Expressions,
-    /// True if tokens of the current statement were skipped, so that nothing is said about its end.
+    /// True if tokens of the current statement have been skipped, so that nothing is reported about
+    /// its end.
     pub(super) skipped: bool,
-    /// True where indices are read, which know the operator `%`.
+    /// True while indices are read, which support the operator `%`.
     pub(super) counts: bool,
-    /// Variables of the loops and sums around what is read.
+    /// Variables of the enclosing loops and sums.
     pub(super) variables: Vec<String>,
-    /// Words in what was left out of the syntax tree.
+    /// Words in text that was omitted from the syntax tree.
     pub(super) unreadable_words: HashSet<String>,
-    /// Names that were declared where the text could be read.
+    /// Names that were declared in readable text.
     pub(super) declared_names: HashMap<String, Declared>,
-    /// True if something is declared without the name that it should have.
+    /// True if something is declared without a name.
     pub(super) lacks_names: bool,
     /// True if a unit of measurement is written anywhere.
     pub(super) has_units: bool,
-    /// True if one of these measures more than plain numbers and angles.
+    /// True if one of the units is not that of plain numbers or angles.
     pub(super) has_dimensions: bool,
     /// True in bounds of ranges, which an equals sign may follow.
     pub(super) precedes_default: bool,
     /// True in statements that accept accelerations.
     pub(super) accepts_accelerations: bool,
-    /// Messages that are given only once in a statement.
+    /// Messages that are only reported once per statement.
     said: HashSet<String>,
     depth: u32,
 }
 
-/// Kind of a declared name, as far as reading depends on it.
+/// Kind of a declared name that affects reading.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Declared {
     Parameter,
@@ -50,7 +51,7 @@ pub(super) enum Declared {
 }
 
 impl Declared {
-    /// Kind of the names that a statement declares.
+    /// Returns the kind of the names that a statement declares.
     pub(super) fn by(kind: &StatementKind) -> Declared {
         match kind {
             StatementKind::Parameters(_) | StatementKind::Inputs(_) | StatementKind::Constants(_) => {
@@ -63,10 +64,10 @@ impl Declared {
     }
 }
 
-/// A mistake was reported that makes a part of the input unreadable.
+/// An error has been reported that makes a part of the input unreadable.
 pub(super) struct Reported;
 
-/// Result of reading, unless a mistake was reported instead.
+/// Result of reading, unless an error was reported instead.
 pub(super) type Parsed<T> = Result<T, Reported>;
 
 impl<'r> Parser<'r> {
@@ -89,7 +90,7 @@ impl<'r> Parser<'r> {
         }
     }
 
-    /// Reports a mistake with what to do about it.
+    /// Reports an error with help.
     pub(super) fn fail_with_help(
         &mut self,
         origin: impl Into<Origin>,
@@ -100,8 +101,7 @@ impl<'r> Parser<'r> {
         Reported
     }
 
-    /// Reports a mistake that is likely made again and again in a statement, where it is made
-    /// first.
+    /// Reports an error that is likely to occur repeatedly in a statement, only at its first place.
     pub(super) fn fail_once(&mut self, origin: impl Into<Origin>, message: &str, help: &str) -> Reported {
         if self.said.insert(message.to_owned()) {
             self.report.error(origin, message).help(help);
@@ -109,29 +109,29 @@ impl<'r> Parser<'r> {
         Reported
     }
 
-    /// True if [`Parser::fail_once`] said this of the statement.
+    /// True if [`Parser::fail_once`] has reported this for the statement.
     pub(super) fn has_said(&self, message: &str) -> bool {
         self.said.contains(&message.to_owned())
     }
 
-    /// Forgets what was said of the last statement.
+    /// Clears the record of reports on the last statement.
     pub(super) fn begin_statement(&mut self) {
         self.skipped = false;
         self.said = HashSet::default();
     }
 
-    /// Kind that a name was declared as, where the text could be read.
+    /// Returns the kind that a name was declared as in readable text.
     pub(super) fn declared(&self, name: &str) -> Option<Declared> {
         self.declared_names.get(&name.to_owned()).copied()
     }
 
-    /// Placeholder for the tokens since a position of the cursor, which a reported mistake made
-    /// unreadable.
+    /// Returns a placeholder for the tokens since a position, which are unreadable after a reported
+    /// error.
     pub(super) fn unreadable(&mut self, cursor: &Cursor, start: usize) -> AstId {
         self.expressions.add(Expression::Invalid, cursor.since(start))
     }
 
-    /// Remembers the words since a position of the cursor, which are left out of the syntax tree.
+    /// Records the words since a position, which are omitted from the syntax tree.
     pub(super) fn leave_out(&mut self, cursor: &Cursor, start: usize) {
         let mut pending = cursor.taken_since(start).to_vec();
         while let Some(token) = pending.pop() {
@@ -143,7 +143,7 @@ impl<'r> Parser<'r> {
         }
     }
 
-    /// Reads what stands between the brackets of a group.
+    /// Reads the content of a group.
     pub(super) fn inside<T>(
         &mut self,
         group: &Group,
@@ -157,8 +157,8 @@ impl<'r> Parser<'r> {
         })
     }
 
-    /// Reports square brackets that belong to a word which cannot have any, unless there are other
-    /// mistakes around it.
+    /// Reports square brackets after a word that cannot have any, unless there are other errors
+    /// around it.
     pub(super) fn refuse_brackets(&mut self, cursor: &mut Cursor, mistakes: usize) {
         let unread = cursor.forget_brackets();
         if let Some(group) = unread.filter(|_| self.report.diagnostics().len() == mistakes) {
@@ -166,7 +166,7 @@ impl<'r> Parser<'r> {
         }
     }
 
-    /// Checks that tokens which are kept as they are can be walked by recursion.
+    /// Checks that tokens that are kept as they are can be traversed recursively.
     pub(super) fn shallow(&mut self, cursor: &mut Cursor) -> Parsed<()> {
         for token in cursor.rest() {
             if let TokenTree::Group(group) = token {
@@ -176,7 +176,7 @@ impl<'r> Parser<'r> {
         Ok(())
     }
 
-    /// Reads something that may hold others of its kind.
+    /// Reads something that may contain others of its kind.
     pub(super) fn nested<T>(
         &mut self,
         origin: Origin,

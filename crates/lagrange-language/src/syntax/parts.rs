@@ -1,4 +1,4 @@
-//! Parts, their placements, and the files that hold them.
+//! Parts, their placements, and the files that contain them.
 
 use proc_macro2::{Delimiter, Group, TokenTree};
 
@@ -14,11 +14,11 @@ use super::tables::string;
 type Count = Option<(Name, Range)>;
 
 impl Parser<'_> {
-    /// `Leg(side, l = 0.2 m) { … }` behind the word `part`.
+    /// Reads `Leg(side, l = 0.2 m) { … }` after the word `part`.
     pub(super) fn part_definition(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let start = cursor.position().saturating_sub(1);
         let name = self.free_name(cursor)?;
-        // Names inside are known inside only, and no others are.
+        // Names inside are only known inside, and outer names are not.
         let outside = std::mem::take(&mut self.declared_names);
         let arguments = match cursor.eat_group(Delimiter::Parenthesis) {
             Some(group) if group.stream().is_empty() => Ok(Vec::new()),
@@ -44,7 +44,7 @@ impl Parser<'_> {
         Ok(PartArgument { name, default })
     }
 
-    /// `leg[i in 0..4]: Leg { side: e; }`.
+    /// Reads `leg[i in 0..4]: Leg { side: e; }`.
     pub(super) fn placement(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let name = self.free_name(cursor)?;
         let (name, count) = self.placed_name(name, cursor)?;
@@ -60,7 +60,7 @@ impl Parser<'_> {
         Ok(StatementKind::Block(Block::Place(Box::new(placement))))
     }
 
-    /// The indices behind the name of what is placed, and the range of the last one.
+    /// Reads the indices after the name of a placed part, and the range of the last one.
     fn placed_name(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<(Name, Count)> {
         let mut brackets = cursor.read_brackets();
         let Some(last) = brackets.last().filter(|group| is_range(group)).cloned() else {
@@ -110,7 +110,7 @@ impl Parser<'_> {
         if is_readable { Ok(given) } else { Err(Reported) }
     }
 
-    /// The name of an argument, which stands before a colon.
+    /// Reads the name of an argument, which precedes a colon.
     fn argument_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let is_value = match cursor.peek_past(1) {
             None => true,
@@ -124,7 +124,7 @@ impl Parser<'_> {
         self.name(cursor)
     }
 
-    /// `"parts/leg.lag"` behind the word `include`.
+    /// Reads `"parts/leg.lag"` after the word `include`.
     pub(super) fn include(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let path = match cursor.peek() {
             Some(TokenTree::Literal(literal)) => string(literal),
@@ -139,7 +139,7 @@ impl Parser<'_> {
     }
 }
 
-/// True at `leg[0]: Leg {`, with any indices. Other brackets are a mistake there.
+/// True at `leg[0]: Leg {`, with any indices. Other brackets are an error there.
 pub(super) fn at_placement(cursor: &Cursor) -> bool {
     let is_colon =
         |ahead| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
@@ -148,7 +148,7 @@ pub(super) fn at_placement(cursor: &Cursor) -> bool {
     cursor.ident().is_some() && is_colon(1) && is_word(2) && is_group(3)
 }
 
-/// The number of tokens in `leg[0].hip`, if one begins here.
+/// Returns the number of tokens in `leg[0].hip`, if a path begins here.
 pub(super) fn path_length(cursor: &Cursor) -> usize {
     let is_dot =
         |ahead| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if punct.as_char() == '.');
@@ -160,7 +160,7 @@ pub(super) fn path_length(cursor: &Cursor) -> usize {
     length
 }
 
-/// True of `[i in 0..4]`.
+/// True for `[i in 0..4]`.
 fn is_range(group: &Group) -> bool {
     let mut tokens = group.stream().into_iter();
     let (variable, word) = (tokens.next(), tokens.next());

@@ -12,7 +12,7 @@ use lagrange_expr::units::meaning;
 type Comparison = (bool, Limit);
 
 impl Parser<'_> {
-    /// `in 0..=1`, `> 0` or `> 0 <= 1` behind the name of a parameter; no bounds if no range
+    /// Reads `in 0..=1`, `> 0` or `> 0 <= 1` after the name of a parameter; no bounds if no range
     /// follows. Other names have no range.
     pub(super) fn range_behind(
         &mut self,
@@ -50,7 +50,7 @@ impl Parser<'_> {
         Ok(AllowedRange::default())
     }
 
-    /// `0..`, `..1` or `0..=1`
+    /// Reads `0..`, `..1` or `0..=1`.
     fn range_between_dots(&mut self, cursor: &mut Cursor) -> Parsed<AllowedRange> {
         let (start, here) = (cursor.position(), cursor.here());
         if let Some(TokenTree::Group(group)) = cursor.peek()
@@ -73,7 +73,7 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.since(start), words::NO_DOTS, help));
         }
         cursor.skip_one();
-        // The sign of equality belongs to the range if it follows at once.
+        // The equals sign belongs to the range if it follows immediately.
         let is_included = matches!(cursor.peek(), Some(TokenTree::Punct(dot)) if is_joint(dot));
         cursor.skip_one();
         let is_included = is_included && cursor.eat('=').is_some();
@@ -88,7 +88,7 @@ impl Parser<'_> {
         Ok(AllowedRange { lower, upper })
     }
 
-    /// `> 0` or `> 0 <= 1`
+    /// Reads `> 0` or `> 0 <= 1`.
     fn range_of_comparisons(&mut self, cursor: &mut Cursor) -> Parsed<AllowedRange> {
         let Some(first) = self.bound_by_comparison(cursor)? else { return Ok(AllowedRange::default()) };
         let origin = cursor.here_to_pair();

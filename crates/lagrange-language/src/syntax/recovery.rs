@@ -1,4 +1,4 @@
-//! Invalid statements: the mistake to report, and the place from which to continue.
+//! Invalid statements: the error to report, and the place from which to continue.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
@@ -14,7 +14,7 @@ use super::messages::parts;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use lagrange_expr::diagnostics::nearest;
 
-/// The way in which reading continues after a turn of [`Parser::turns`].
+/// Continuation after a turn of [`Parser::turns`].
 pub(super) enum Turn {
     Next,
     Last,
@@ -28,8 +28,8 @@ impl Turn {
 
 impl Parser<'_> {
     /// Reads turn by turn up to the last one. This is the only loop over tokens that does not skip
-    /// them, and it ends whatever the turns do. A token that none of them takes is skipped, with a
-    /// complaint unless the turn complained.
+    /// them, and it terminates for any turns. A token that no turn consumes is skipped, with a
+    /// report unless the turn has reported an error.
     pub(super) fn turns(
         &mut self,
         cursor: &mut Cursor,
@@ -80,19 +80,19 @@ impl Parser<'_> {
         });
     }
 
-    /// Skips what cannot be read, up to what ends the statement.
+    /// Skips unreadable tokens, up to the end of the statement.
     pub(super) fn skip_statement(&mut self, cursor: &mut Cursor) {
         self.skipped = true;
         cursor.skip_statement();
     }
 
-    /// Skips what cannot be read, up to the next comma or what ends the statement.
+    /// Skips unreadable tokens, up to the next comma or the end of the statement.
     pub(super) fn skip_item(&mut self, cursor: &mut Cursor) {
         self.skipped = true;
         cursor.skip_item();
     }
 
-    /// Reports that a statement goes on where it should end.
+    /// Reports a statement that continues where it should end.
     pub(super) fn missing_semicolon(&mut self, cursor: &mut Cursor) {
         let before = cursor.before().end;
         if cursor.at_end() {
@@ -107,7 +107,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports the sign with which comments begin elsewhere, and skips the comment.
+    /// Reports the comment sign of other languages, and skips the comment.
     pub(super) fn comment(&mut self, cursor: &mut Cursor) {
         self.fail_with_help(cursor.here(), habits::COMMENT, messages::COMMENT_HELP);
         let start = cursor.position();
@@ -116,7 +116,7 @@ impl Parser<'_> {
         self.leave_out(cursor, start);
     }
 
-    /// Reports a statement that begins with no word.
+    /// Reports a statement that does not begin with a word.
     pub(super) fn no_statement(&mut self, cursor: &Cursor) -> Reported {
         let is_assigned = at_equals_past(1, cursor) && cursor.group(Delimiter::Parenthesis).is_some();
         let help = match is_assigned {
@@ -162,8 +162,8 @@ impl Parser<'_> {
         self.fail_with_help(word.span(), messages::unknown_statement(&text), help)
     }
 
-    /// Message for a word that begins no statement but has a meaning in this declaration or in
-    /// other languages.
+    /// Returns the message for a word that begins no statement but is defined in this declaration
+    /// or in other languages.
     fn strange_statement(&self, word: &str, cursor: &Cursor) -> Option<(String, String)> {
         let is_assigned = at_equals_past(0, cursor);
         match self.declared(word) {
@@ -196,7 +196,7 @@ impl Parser<'_> {
             return Some((message.to_owned(), help.to_owned()));
         }
         let keyword = match foreign::statement(word)? {
-            // A hinge between bodies makes a coordinate; a pin holds points together.
+            // A hinge between bodies creates a coordinate; a pin holds points together.
             "pin" if between_bodies(cursor) => "revolute",
             keyword => keyword,
         };
@@ -228,7 +228,7 @@ impl Parser<'_> {
     }
 }
 
-/// The word in `= Leg { … }`.
+/// Returns the word in `= Leg { … }`.
 fn placed_part(cursor: &Cursor) -> Option<String> {
     let part = cursor.peek_past(1).filter(|_| cursor.equals_past(0))?;
     let is_braced = as_group(cursor.peek_past(2), Delimiter::Brace).is_some();
@@ -242,8 +242,8 @@ fn is_equation(cursor: &Cursor) -> bool {
     statement.iter().any(is_rate) && (0..statement.len()).any(|count| cursor.equals_past(count))
 }
 
-/// True if `a to b`, perhaps with a name and `=` in front, is the rest of the statement or stands
-/// before braces.
+/// True if `a to b`, possibly after a name and `=`, is the rest of the statement or precedes
+/// braces.
 fn between_bodies(cursor: &Cursor) -> bool {
     let first = if cursor.equals_past(1) { 2 } else { 0 };
     let is_word = |count: usize| matches!(cursor.peek_past(first + count), Some(TokenTree::Ident(_)));

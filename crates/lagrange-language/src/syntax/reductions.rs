@@ -15,7 +15,7 @@ const WORDS: [(&str, ReductionKind); 3] =
     [("freeze", ReductionKind::Frozen), ("small", ReductionKind::Small), ("ignore", ReductionKind::Ignored)];
 
 impl Parser<'_> {
-    /// `Name { freeze x = e; small theta, phi = e; ignore psi; }`.
+    /// Reads `Name { freeze x = e; small theta, phi = e; ignore psi; }`.
     pub(super) fn reduction(&mut self, cursor: &mut Cursor) -> Parsed<Reduction> {
         let name = self.type_name(cursor)?;
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {

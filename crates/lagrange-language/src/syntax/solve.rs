@@ -14,16 +14,16 @@ use super::units::at_unit;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_COUPLED;
 
-/// Labels of what is said behind the equation.
+/// Labels of the options after the equation.
 const LABELS: [&str; 2] = ["start", "iterations"];
 const OPTIONS: StatementOptions =
     StatementOptions { keyword: "solve", labels: LABELS, unknown: words::unknown_option };
 
-/// A value, its label and where that stands.
+/// A value, its label and the place of the label.
 type LabelledOption = (&'static str, AstId, Origin);
 
 impl Parser<'_> {
-    /// `y: unit: 0 = e, start: e, iterations: n`, where the unit may be missing, or
+    /// Reads `y: unit: 0 = e, start: e, iterations: n`, where the unit may be missing, or
     /// `(y: unit, z: unit): 0 = e, 0 = f, start: (e, f), iterations: n`.
     pub(super) fn unknowns(&mut self, cursor: &mut Cursor) -> Parsed<UnknownDefinition> {
         let here = cursor.here();
@@ -52,7 +52,7 @@ impl Parser<'_> {
         Ok(UnknownDefinition { names, residuals, starts, iterations: said(LABELS[1]) })
     }
 
-    /// `y: unit`
+    /// Reads `y: unit`.
     fn single_unknown(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let mut name = self.declared_name(cursor)?;
         if at_unit(cursor) && has_unit(cursor) {
@@ -61,7 +61,7 @@ impl Parser<'_> {
         Ok(name)
     }
 
-    /// `: 0 = e, 0 = f`.
+    /// Reads `: 0 = e, 0 = f`.
     fn equations(&mut self, names: &[Name], cursor: &mut Cursor) -> Parsed<Vec<AstId>> {
         if cursor.eat(':').is_none() {
             let message = messages::expected("`:`", cursor.peek());
@@ -80,7 +80,7 @@ impl Parser<'_> {
         Ok(residuals)
     }
 
-    /// `0 = e`.
+    /// Reads `0 = e`.
     fn equation(&mut self, names: &[Name], cursor: &mut Cursor) -> Parsed<AstId> {
         if !is_zero(cursor.peek()) || !cursor.equals_past(1) {
             let help = words::zero_on_the_left(names);
@@ -91,7 +91,7 @@ impl Parser<'_> {
         Ok(self.item_value(cursor))
     }
 
-    /// The parts of `(s, t)`, one for each name.
+    /// Returns the parts of `(s, t)`, one for each name.
     fn starts_of(&mut self, names: &[Name], start: AstId) -> Parsed<Vec<AstId>> {
         match self.expressions.get(start) {
             _ if names.len() == 1 => Ok(vec![start]),
@@ -104,7 +104,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `, start: e, iterations: n`.
+    /// Reads `, start: e, iterations: n`.
     fn options_of_unknowns(&mut self, cursor: &mut Cursor) -> Parsed<Vec<LabelledOption>> {
         let mut options: Vec<LabelledOption> = Vec::new();
         self.labelled_options(&OPTIONS, cursor, |parser, label, here, cursor| {
@@ -121,7 +121,7 @@ fn is_zero(token: Option<&TokenTree>) -> bool {
     matches!(token, Some(TokenTree::Literal(zero)) if zero.to_string() == "0")
 }
 
-/// True if what stands behind the colon ends in another one, in front of the equation.
+/// True if another colon follows before the equation.
 fn has_unit(cursor: &Cursor) -> bool {
     let is = |token: &TokenTree, signs: &[char]| matches!(token, TokenTree::Punct(sign) if signs.contains(&sign.as_char()));
     let mut behind = cursor.rest().iter().skip(1);

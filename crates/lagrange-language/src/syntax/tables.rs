@@ -20,13 +20,13 @@ struct TableOptions {
     outside: Option<(Outside, Span)>,
 }
 
-/// Labels of what is said behind the points.
+/// Labels of the options after the points.
 const LABELS: [&str; 2] = ["interpolation", "outside"];
 const OPTIONS: StatementOptions =
     StatementOptions { keyword: "table", labels: LABELS, unknown: words::unknown_option };
 
 impl Parser<'_> {
-    /// `f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend`.
+    /// Reads `f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend`.
     pub(super) fn table(&mut self, cursor: &mut Cursor) -> Parsed<TableDefinition> {
         let (name, parameters) = self.function_head("table", cursor)?;
         if let [_, _, third, ..] = &parameters[..] {
@@ -88,7 +88,7 @@ impl Parser<'_> {
         Ok(points)
     }
 
-    /// `a, b` between parentheses.
+    /// Reads `a, b` between parentheses.
     fn point(&mut self, components: usize, group: &Group) -> Parsed<Vec<AstId>> {
         let point = self.inside(group, |parser, cursor| {
             let mut point = Vec::new();
@@ -108,7 +108,7 @@ impl Parser<'_> {
         Err(self.fail_with_help(group_origin(group), message, words::point_help(components)))
     }
 
-    /// `, interpolation: natural, outside: extend`.
+    /// Reads `, interpolation: natural, outside: extend`.
     fn options(&mut self, cursor: &mut Cursor) -> Parsed<TableOptions> {
         let mut options = TableOptions::default();
         self.labelled_options(&OPTIONS, cursor, |parser, label, here, cursor| {
@@ -142,7 +142,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// One of several ways, by name.
+    /// Reads one of several variants, by name.
     fn way<T>(&mut self, label: &str, ways: [(&'static str, T); 3], cursor: &mut Cursor) -> Parsed<T> {
         let names = ways.each_ref().map(|(name, _)| *name);
         let (here, word) = (cursor.here(), cursor.ident().map(ToString::to_string));
@@ -160,7 +160,7 @@ impl Parser<'_> {
     }
 }
 
-/// The contents of a string literal, if it is one.
+/// Returns the contents of a string literal, if it is one.
 pub(super) fn string(literal: &Literal) -> Option<Name> {
     let string = syn::parse2::<syn::LitStr>(TokenTree::Literal(literal.clone()).into()).ok()?;
     Some(Name::new(string.value(), literal.span()))

@@ -6,7 +6,7 @@ use super::ast::Name;
 use super::messages;
 use lagrange_expr::diagnostics::Report;
 
-/// Splits a text into tokens; what is no token is reported.
+/// Splits a text into tokens; invalid characters are reported.
 pub(super) fn tokens(text: &str, report: &mut Report) -> Option<TokenStream> {
     match text.parse::<TokenStream>() {
         Ok(tokens) => Some(tokens),
@@ -19,7 +19,7 @@ pub(super) fn tokens(text: &str, report: &mut Report) -> Option<TokenStream> {
     }
 }
 
-/// Reports what is no token in a file, where the file is named.
+/// Reports invalid characters in a file at the place where the file is named.
 pub(super) fn report_at(path: &Name, text: &str, mistakes: &Report, report: &mut Report) {
     for mistake in mistakes.diagnostics() {
         let before = text.get(..mistake.origin.start.byte_range().start).unwrap_or(text);

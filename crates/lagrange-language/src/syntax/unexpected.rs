@@ -1,4 +1,4 @@
-//! Tokens that cannot stand where they do in an expression: what to call the mistake.
+//! Messages for unexpected tokens in expressions.
 
 use proc_macro2::{Delimiter, TokenTree};
 
@@ -11,16 +11,16 @@ use super::messages::units;
 use super::parser::{Parser, Reported};
 use lagrange_expr::units::{meaning, meant};
 
-/// A message and what to do.
+/// A message and help.
 type Mistake = (String, String);
 
 impl Parser<'_> {
-    /// Reports a range behind the default of a parameter.
+    /// Reports a range after the default of a parameter.
     pub(super) fn range_behind_value(&mut self, cursor: &Cursor) -> Reported {
         self.fail_with_help(cursor.here_to_pair(), ranges::BEHIND_VALUE, ranges::BEHIND_VALUE_HELP)
     }
 
-    /// Reports the next token, which should begin an operand and does not.
+    /// Reports the next token, which should begin an operand but does not.
     pub(super) fn no_operand(&mut self, cursor: &Cursor) -> Reported {
         if let (Some(TokenTree::Punct(operator)), true) = (cursor.previous(), cursor.equals_past(0))
             && "+-*/^".contains(operator.as_char())
@@ -34,8 +34,8 @@ impl Parser<'_> {
         self.fail_with_help(cursor.here(), message, help)
     }
 
-    /// Reports the next token, which should continue the expression before it or be what is wanted
-    /// there.
+    /// Reports the next token, which should continue the previous expression or be the expected
+    /// token.
     pub(super) fn no_operator(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
         if let Some((origin, number)) = cursor.decimal_comma(0) {
             return self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number));
@@ -47,8 +47,8 @@ impl Parser<'_> {
         self.fail_with_help(cursor.here_to_pair(), message, help)
     }
 
-    /// A word behind a number that is the name of something declared and of a unit, or no unit by
-    /// that name.
+    /// Returns the error for a word after a number that is the name of both a unit and something
+    /// declared, or of no unit.
     fn unit_mistake(&self, cursor: &Cursor, wanted: &str) -> Option<Mistake> {
         let (Some(TokenTree::Literal(number)), Some(word)) = (cursor.previous(), cursor.ident()) else {
             return None;
@@ -81,7 +81,7 @@ fn operand_mistake(cursor: &Cursor) -> Option<Mistake> {
     }
 }
 
-/// True at the end of a statement behind a second plus sign.
+/// True at the end of a statement after a second plus sign.
 fn is_doubled(cursor: &Cursor) -> bool {
     let is_plus = matches!(cursor.previous(), Some(TokenTree::Punct(plus)) if plus.as_char() == '+');
     let is_end = |token: &TokenTree| matches!(token, TokenTree::Punct(end) if end.as_char() == ';');
@@ -103,7 +103,7 @@ fn operand_help(cursor: &Cursor) -> String {
     help.to_owned()
 }
 
-/// Advice for what should have an operand behind it.
+/// Returns advice for a token that should be followed by an operand.
 fn missing_operand_help(cursor: &Cursor) -> String {
     match cursor.previous() {
         Some(TokenTree::Punct(punct)) if "+-*/^.".contains(punct.as_char()) => {

@@ -8,19 +8,19 @@ use super::parser::Parser;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::units::{meaning, meant};
 
-/// Names of units that have a meaning in expressions, too.
+/// Names of units that also have a meaning in expressions.
 const BUILT_IN: [&str; 1] = ["t"];
 
 impl Parser<'_> {
-    /// True if a word is the name of a unit and of nothing that was declared.
+    /// True if a word is the name of a unit and not of anything declared.
     pub(super) fn is_free_unit(&self, word: &str) -> bool {
         let is_unit = meaning(word).is_some() || meant(word).is_some();
         is_unit && self.declared(word).is_none() && !BUILT_IN.contains(&word)
     }
 
-    /// Returns the place of a unit of several factors that stands here behind a number, and how it
-    /// is written in brackets. Names of the declaration may stand between its factors: in
-    /// `9.81 kg*m/s^2`, a parameter `m` would leave the second alone.
+    /// Returns the place of a unit with several factors after a number, and its spelling in
+    /// brackets. Its factors may include names of the declaration: in `9.81 kg*m/s^2`, a parameter
+    /// `m` would isolate the second.
     pub(super) fn several_factors(&self, cursor: &Cursor) -> Option<(Origin, String)> {
         let text = |from: usize, to: usize| {
             (from..to).filter_map(|at| cursor.peek_past(at)).map(ToString::to_string)
@@ -41,7 +41,7 @@ impl Parser<'_> {
         Some((cursor.reaching(end), words::in_brackets(&number, &unit, &rest)))
     }
 
-    /// Returns true if the unit that follows the next tokens behind `*` or `/` is no name of the
+    /// Returns true if the unit that follows the next tokens after `*` or `/` is not a name of the
     /// declaration, and `None` if no unit follows.
     fn following_unit(&self, cursor: &Cursor, count: usize) -> Option<bool> {
         let Some(TokenTree::Ident(word)) = cursor.peek_past(count + 1) else { return None };
@@ -51,7 +51,7 @@ impl Parser<'_> {
     }
 }
 
-/// Number of tokens of the unit with its exponent that stands behind the next ones.
+/// Returns the number of tokens of the unit and its exponent after the next ones.
 fn factor_length(cursor: &Cursor, count: usize) -> Option<usize> {
     let is_here = |at: usize, character: char| matches!(cursor.peek_past(count + at), Some(TokenTree::Punct(punct)) if punct.as_char() == character);
     let exponent = if is_here(2, '-') { 3 } else { 2 };
@@ -64,7 +64,7 @@ fn factor_length(cursor: &Cursor, count: usize) -> Option<usize> {
     }
 }
 
-/// True if `*` or `/` and a word or a number stand behind the next tokens.
+/// True if `*` or `/` and a word or a number follow the next tokens.
 fn at_product(cursor: &Cursor, count: usize) -> bool {
     let is_sign =
         matches!(cursor.peek_past(count), Some(TokenTree::Punct(sign)) if "*/".contains(sign.as_char()));

@@ -1,4 +1,4 @@
-//! Units of measurement behind names and numbers.
+//! Units of measurement after names and numbers.
 
 use lagrange_expr::keywords::is_rust_keyword;
 use proc_macro2::{Delimiter, TokenTree};
@@ -18,7 +18,7 @@ use lagrange_expr::number::Number;
 use lagrange_expr::units::{Unit, UnitFactor, meaning, meant, names};
 
 impl Parser<'_> {
-    /// Reads a colon and the unit behind it. What cannot be read is skipped up to the value or the
+    /// Reads a colon and the unit after it. Unreadable tokens are skipped up to the value or the
     /// next name.
     pub(super) fn unit_behind_colon(&mut self, cursor: &mut Cursor) -> Option<Box<Unit>> {
         cursor.skip_one();
@@ -32,7 +32,7 @@ impl Parser<'_> {
         unit
     }
 
-    /// Reads what stands behind a number: a named unit, perhaps with an exponent, or any unit in
+    /// Reads the unit after a number: a named unit, possibly with an exponent, or any unit in
     /// square brackets.
     pub(super) fn quantity(&mut self, number: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let unit = match cursor.peek() {
@@ -59,7 +59,7 @@ impl Parser<'_> {
         Ok(self.add(Expression::Quantity(number.id, unit), origin))
     }
 
-    /// True if the sign here is the unit of a percentage, rather than that of a remainder.
+    /// True if the sign here is a percent unit rather than the remainder operator.
     fn is_percent_here(&self, cursor: &Cursor) -> bool {
         let is_operand = matches!(
             cursor.peek_past(1),
@@ -68,8 +68,7 @@ impl Parser<'_> {
         !self.counts && !is_operand
     }
 
-    /// True if the word here is a unit, rather than a name that is defined or a function that is
-    /// called.
+    /// True if the word here is a unit rather than a defined name or a called function.
     fn is_unit_here(&self, word: &str, cursor: &Cursor) -> bool {
         let is_call = matches!(cursor.peek_past(1), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis);
         let is_word = is_rust_keyword(word) || keywords::is_connective(word);
@@ -81,8 +80,8 @@ impl Parser<'_> {
             && !cursor.at_statement()
     }
 
-    /// `deg` or `m^2` behind a number. Several factors are reported: what follows `*` and `/` are
-    /// names of the declaration.
+    /// Reads `deg` or `m^2` after a number. Several factors are reported, since names of the
+    /// declaration follow `*` and `/`.
     fn short_unit(&mut self, cursor: &mut Cursor) -> Parsed<Box<Unit>> {
         if let Some(quotation) = self.several_factors(cursor) {
             let (place, help) = quotation;
@@ -93,7 +92,7 @@ impl Parser<'_> {
         self.unit_of(factors, cursor.since(start))
     }
 
-    /// Reads a unit up to what cannot go on with it.
+    /// Reads a unit up to the first token that cannot continue it.
     pub(super) fn unit(&mut self, cursor: &mut Cursor) -> Parsed<Box<Unit>> {
         let (start, mut factors) = (cursor.position(), Vec::new());
         self.unit_factors(&Number::ONE, &mut factors, cursor)?;
@@ -115,7 +114,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `a*b/c` to a power.
+    /// Reads `a*b/c` to a power.
     fn unit_factors(
         &mut self,
         power: &Number,
@@ -133,7 +132,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `m`, `1` or `(…)`, with an exponent or without.
+    /// Reads `m`, `1` or `(…)`, with an exponent or without.
     fn unit_factor(
         &mut self,
         power: &Number,
@@ -180,7 +179,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// `2`, `-1`, `(1/2)` or `(-1/2)` behind `^`.
+    /// Reads `2`, `-1`, `(1/2)` or `(-1/2)` after `^`.
     fn unit_exponent(&mut self, cursor: &mut Cursor) -> Parsed<Number> {
         let here = cursor.here();
         let exponent = match cursor.eat_group(Delimiter::Parenthesis) {
@@ -213,7 +212,7 @@ impl Parser<'_> {
         Ok(if is_negative { -&number } else { number })
     }
 
-    /// Reports what stands in a unit and is no part of one.
+    /// Reports a token that is invalid in a unit.
     fn no_unit_sign(&mut self, cursor: &Cursor) -> Reported {
         let message = messages::expected(words::UNIT, cursor.peek());
         self.fail_with_help(cursor.here(), message, words::UNIT_HELP)
@@ -229,8 +228,8 @@ impl Parser<'_> {
         self.fail_with_help(place, words::unknown(word), help)
     }
 
-    /// Reports units of the parameters of a function that `let` names, which has the units of what
-    /// it is called with.
+    /// Reports units of the parameters of a function defined by `let`, which adopts the units of
+    /// its arguments.
     pub(super) fn refuse_units(&mut self, names: &[Name]) {
         if let Some(unit) = names.iter().find_map(|name| name.unit.as_ref()) {
             self.fail_with_help(unit.origin, words::ON_LET_FUNCTION, words::ON_LET_FUNCTION_HELP);
@@ -242,7 +241,7 @@ fn has_offset(unit: &str) -> bool {
     meaning(unit).is_some_and(|meaning| !meaning.offset.is_zero())
 }
 
-/// True if a colon and a unit follow, not the name of a type of Rust.
+/// True if a colon and a unit follow, but not the name of a Rust type.
 pub(super) fn at_unit(cursor: &Cursor) -> bool {
     let begins_unit = match cursor.peek_past(1) {
         Some(TokenTree::Ident(word)) => !TYPES.contains(&word.to_string().as_str()),

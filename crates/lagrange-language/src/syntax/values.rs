@@ -1,4 +1,4 @@
-//! Values with which statements end, and words between them.
+//! Values at the end of statements, and words between them.
 
 use super::ast::AstId;
 use super::cursor::Cursor;
@@ -6,14 +6,14 @@ use super::messages;
 use super::parser::{Parsed, Parser};
 
 impl Parser<'_> {
-    /// `= e`, up to the end of the statement.
+    /// Reads `= e`, up to the end of the statement.
     pub(super) fn assigned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<AstId> {
         self.equals(help, cursor)?;
         Ok(self.value(cursor))
     }
 
-    /// Reads the expression that ends the statement. What is unreadable is still a value, so that a
-    /// name stays declared although its value is wrong.
+    /// Reads the expression that ends the statement. An unreadable one still counts as a value, so
+    /// that the name remains declared.
     pub(super) fn value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {

@@ -1,4 +1,4 @@
-//! Files of parts: read where a declaration includes them, and named in messages about them.
+//! Files of parts: reading of included files, and their names in messages.
 
 use super::messages;
 use super::{FileText, Reader};
@@ -8,18 +8,18 @@ use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::limits::{MAX_PART_BYTES, MAX_PARTS_NESTED};
 
-/// Files that are read, one including the next.
+/// State of reading files that include each other.
 struct Includer<'a> {
     read: Reader<'a>,
-    /// Paths that were read, so that each is read once.
+    /// Paths that have been read, so that each is read only once.
     known: HashSet<String>,
-    /// Paths of the files around what is read.
+    /// Paths of the files that include the current one.
     around: Vec<String>,
     bytes: u64,
 }
 
-/// Puts the parts of included files before the statements of a declaration. What is wrong with a
-/// file is reported.
+/// Inserts the parts of included files before the statements of a declaration. Errors in files are
+/// reported.
 pub(super) fn include_parts(declaration: &mut Declaration, read: Reader<'_>, report: &mut Report) {
     let paths = paths(&declaration.statements);
     if paths.is_empty() {
@@ -34,7 +34,7 @@ pub(super) fn include_parts(declaration: &mut Declaration, read: Reader<'_>, rep
     declaration.statements = parts;
 }
 
-/// The paths that statements include.
+/// Returns the paths that statements include.
 fn paths(statements: &[Statement]) -> Vec<Name> {
     let paths = statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Block(Block::Include(path)) => Some(path.clone()),
@@ -44,7 +44,7 @@ fn paths(statements: &[Statement]) -> Vec<Name> {
 }
 
 impl Includer<'_> {
-    /// Reads a file and those that it includes. `root` is the place in the declaration.
+    /// Reads a file and the files that it includes. `root` is the place in the declaration.
     fn include(
         &mut self,
         path: &Name,
@@ -91,7 +91,7 @@ impl Includer<'_> {
     }
 }
 
-/// A part of a file; anything else is reported.
+/// Returns a part of a file; anything else is reported.
 fn part(mut statement: Statement, report: &mut Report) -> Option<Statement> {
     match &mut statement.kind {
         StatementKind::Block(Block::Part(part)) => {
@@ -107,8 +107,8 @@ fn part(mut statement: Statement, report: &mut Report) -> Option<Statement> {
     }
 }
 
-/// Names the file, the line and the column in messages about included files, and places these where
-/// the declaration includes the file.
+/// Adds the file, line and column to messages about included files, and locates these where the
+/// declaration includes the file.
 pub fn name_files(declaration: &Declaration, report: &mut Report) {
     if declaration.included.is_empty() {
         return;

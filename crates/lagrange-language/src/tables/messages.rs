@@ -30,7 +30,7 @@ messages! {
     wrong_columns(found, needed) = "the point has {found} numbers, not {needed}";
 }
 
-/// Characters of a field that a message repeats at most.
+/// Maximum number of characters of a field in a message.
 const MAX_SHOWN: usize = 40;
 
 pub(super) fn no_number(field: &str) -> String {
@@ -41,7 +41,7 @@ pub(super) fn too_large(field: &str) -> String {
     format!("`{}` is too large for `f64`", shown(field))
 }
 
-/// The beginning of a field, with escapes for what cannot be seen.
+/// Returns the beginning of a field, with escapes for invisible characters.
 fn shown(field: &str) -> String {
     field.chars().take(MAX_SHOWN).flat_map(char::escape_debug).collect()
 }

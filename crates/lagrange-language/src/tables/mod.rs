@@ -1,8 +1,8 @@
-//! Files that a declaration names: tables, taken apart into numbers, and parts.
+//! Files named in a declaration: tables, split into numbers, and parts.
 //!
-//! Nothing here touches a file system: the caller of the parser provides a reader of files. A file
-//! of a table has a point on each line, its numbers separated by commas, semicolons, tabs or
-//! blanks. The first line may name the columns, and text behind `#` is a comment.
+//! This module does not access the file system: the caller of the parser provides a reader of
+//! files. A table file has one point on each line, with numbers separated by commas, semicolons,
+//! tabs or blanks. The first line may name the columns, and text after `#` is a comment.
 
 mod includes;
 mod messages;
@@ -16,24 +16,24 @@ pub use includes::name_files;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::MAX_FILE_BYTES;
 
-/// A file as it was read.
+/// The content of a file.
 #[derive(Clone, Debug)]
 pub struct FileText {
-    /// Path under which the compiler finds it, so that emitted code is compiled again when it
-    /// changes; empty if it need not.
+    /// Path under which the compiler finds it, so that emitted code is recompiled when it changes;
+    /// empty if this is not needed.
     pub path: String,
     /// Content.
     pub text: String,
 }
 
-/// Mark with which some programs begin a text in UTF-8.
+/// Mark that some programs write at the beginning of UTF-8 text.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// Returns the text of a file in UTF-8, of at most [`MAX_FILE_BYTES`].
 ///
 /// # Errors
-/// If there are too many bytes, or they are not UTF-8. The error is worded to follow the name of
-/// the file.
+/// If there are too many bytes, or they are not UTF-8. The error text is meant to follow the name
+/// of the file.
 pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(messages::file_too_large(MAX_FILE_BYTES));
@@ -50,10 +50,11 @@ pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     })
 }
 
-/// Reads files: from the path in a declaration to the text, or to the reason why there is none.
+/// Function that reads files: it maps the path in a declaration to the text, or to the reason for
+/// failure.
 pub type Reader<'a> = &'a dyn Fn(&str) -> Result<FileText, String>;
 
-/// Reads no files: every one is an error.
+/// Reads no files: every file is an error.
 ///
 /// # Errors
 /// Always.
@@ -61,8 +62,8 @@ pub fn no_files(_: &str) -> Result<FileText, String> {
     Err(messages::NO_FILES.to_owned())
 }
 
-/// Reads the files that a declaration includes, then those that tables name. What is wrong with
-/// them is reported where they are named.
+/// Reads the files that a declaration includes, then those that tables name. Errors in them are
+/// reported where they are named.
 pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut Report) {
     include_parts(declaration, read, report);
     let mut pending = declaration.statements.iter_mut().collect::<Vec<_>>();
@@ -94,8 +95,8 @@ fn read_table(table: &mut TableDefinition, read: Reader<'_>, report: &mut Report
     };
 }
 
-/// Returns the points in a text, each behind the number of its line; nothing but a report if one of
-/// them is invalid.
+/// Returns the points in a text, each with its line number; `None` if one of them is invalid, which
+/// is reported.
 fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Option<Vec<(usize, Vec<f64>)>> {
     let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let lines = text.lines().enumerate().map(|(number, line)| (number + 1, uncommented(line)));
@@ -122,14 +123,14 @@ fn uncommented(line: &str) -> &str {
     line.split('#').next().unwrap_or_default().trim()
 }
 
-/// True if a line names columns: what begins as a number does is a point, however it goes on.
+/// True if a line names columns; a line that begins like a number is a point.
 fn are_names(fields: &[&str]) -> bool {
     let begins_number = |field: &str| field.starts_with(|c: char| c.is_numeric() || "+-−.,".contains(c));
     fields.iter().any(|field| !field.is_empty())
         && fields.iter().all(|field| !begins_number(field) && field.parse::<f64>().is_err())
 }
 
-/// The numbers of a point, or what is wrong with them and what helps.
+/// Returns the numbers of a point, or the error and its help.
 fn point(fields: &[&str], columns: usize) -> Result<Vec<f64>, (String, &'static str)> {
     let mut numbers = Vec::with_capacity(columns);
     for field in fields {
@@ -144,7 +145,7 @@ fn point(fields: &[&str], columns: usize) -> Result<Vec<f64>, (String, &'static 
     }
     match numbers.len() {
         found if found == columns => Ok(numbers),
-        // In `1,5, 2,5` every number seems to be two.
+        // In `1,5, 2,5`, every number looks like two.
         found if found == 2 * columns => {
             Err((messages::wrong_columns(found, columns), messages::DECIMAL_COMMA_HELP))
         }

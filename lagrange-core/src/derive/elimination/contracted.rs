@@ -1,7 +1,7 @@
-//! Factorisation of a mass matrix whose entries, pivots and right-hand sides have as little to
-//! cancel as is found.
+//! Factorisation of a mass matrix in which as many terms as possible cancel symbolically in
+//! entries, pivots and right-hand sides.
 //!
-//! It is for kinetic energies that are no sum of squares of velocities, under the level of accuracy
+//! It serves kinetic energies that are not sums of squares of velocities, at the accuracy level
 //! `strict`. Without it the accelerations of a written-out double pendulum have relative errors up
 //! to 1e-4 in `tests/extremes`, with it 1e-16. Eliminating x with the pivot D leaves W − a b / D of
 //! an entry W. If W D − a b has fewer terms when multiplied out, it is divided by D instead. For a
@@ -16,18 +16,18 @@ use lagrange_algebra::simplify;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// More coordinates are factorised without looking for what cancels: the search in each entry would
-/// take too long.
+/// Maximum number of coordinates for the search for terms that cancel, which would take too long in
+/// the entries of a larger matrix.
 pub(in crate::derive) const MAX_CONTRACTED: usize = 8;
-/// Number of parts up to which an expression is searched for what cancels; each round of the search
-/// opens every sum in it once.
+/// Maximum number of parts of an expression that is searched for terms that cancel. Each round of
+/// the search expands every sum in it once.
 const LARGEST_OPENED: usize = 300;
-/// Number of sums opened one after the other in one expression. Each makes it shorter, so this
-/// bounds the time and nothing else.
+/// Maximum number of sums expanded in one expression. Each expansion shortens it, so the limit only
+/// bounds the time.
 const MAX_ROUNDS: usize = 8;
 
-/// Returns the form over the generalised velocities with its coefficients contracted. Without that,
-/// one acceleration of a spherical pendulum loses half of its digits near the pole.
+/// Returns the form over the generalised velocities with its coefficients contracted. Without
+/// contraction, one acceleration of a spherical pendulum loses half of its digits near the pole.
 pub(in crate::derive) fn contracted(
     graph: &mut Graph,
     pushed: QuadraticForm,
@@ -51,8 +51,8 @@ pub(in crate::derive) fn contracted(
     form
 }
 
-/// The accelerations from a form over the generalised velocities. `None` if a pivot vanishes, or if
-/// there are too many coordinates.
+/// Solves a form over the generalised velocities for the accelerations. `None` if a pivot vanishes,
+/// or if there are too many coordinates.
 pub(in crate::derive) fn solve_contracted(
     graph: &mut Graph,
     form: &QuadraticForm,
@@ -108,8 +108,8 @@ impl<'g> LinearSystem<'g> {
         (0..self.rows.len()).filter(|&i| !self.rows[i].is_done).collect()
     }
 
-    /// The remaining one that the fewest others depend on and whose pivot is made of the fewest
-    /// sums.
+    /// Returns the remaining equation whose acceleration occurs in the fewest others and whose
+    /// pivot contains the fewest sums.
     fn next(&self) -> Option<usize> {
         let remaining = self.remaining();
         let cost = |i: usize| {
@@ -123,7 +123,7 @@ impl<'g> LinearSystem<'g> {
     }
 
     /// Eliminates an acceleration from all other equations (Gauss and Jordan), including the
-    /// finished ones. In these as well, cancellation is found while the terms are written down.
+    /// finished ones. Terms in these also cancel as they are formed.
     fn eliminate(&mut self, p: usize) {
         self.rows[p].is_done = true;
         let (pivot, linear) = (self.rows[p].entries[p], self.rows[p].linear);
@@ -152,7 +152,7 @@ impl<'g> LinearSystem<'g> {
     }
 }
 
-/// value − a b / pivot
+/// Returns value − a b / pivot.
 fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: ExprId) -> ExprId {
     let product = algebra.graph.multiply(a, b);
     if algebra.graph.is_zero(product) {
@@ -160,8 +160,8 @@ fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: 
     }
     let terms = [(algebra.graph.multiply(value, pivot), Number::ONE), (product, Number::MINUS_ONE)];
     let numerator = algebra.graph.sum(Number::ZERO, terms);
-    // Over the pivot only if something cancels: otherwise the fill-in keeps its own, shared
-    // quotient.
+    // Put the entry over the pivot only if something cancels. Otherwise the fill-in keeps its own,
+    // shared quotient.
     if let Some(numerator) = shorter(algebra, numerator, simplify::is_no_difference) {
         return simplify::quotient(algebra.graph, numerator, pivot);
     }
@@ -170,9 +170,9 @@ fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: 
     shortest(algebra, rest)
 }
 
-/// Returns an expression with those sums opened in which terms then cancel, or can be contracted.
-/// They are opened one after the other if that is enough. Otherwise all are opened that are not
-/// differences, and one that is.
+/// Returns an expression in which sums are expanded if terms then cancel or can be contracted. Sums
+/// are expanded one at a time if this suffices. Otherwise all sums that are not differences are
+/// expanded, together with one difference.
 fn shortest(algebra: &mut Algebra<'_>, sum: ExprId) -> ExprId {
     let mut best = algebra.total(vec![(sum, Number::ONE)]);
     for _ in 0..MAX_ROUNDS {
@@ -204,7 +204,7 @@ fn shorter_by_some(algebra: &mut Algebra<'_>, sum: ExprId) -> Option<ExprId> {
     })
 }
 
-/// An expression with the chosen sums opened, if something cancels then or can be contracted.
+/// Expands the chosen sums of an expression; `None` unless terms then cancel or can be contracted.
 fn shorter(
     algebra: &mut Algebra<'_>,
     sum: ExprId,

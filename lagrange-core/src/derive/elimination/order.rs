@@ -10,7 +10,7 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph};
 use lagrange_expr::functions;
 
-/// Time at which multipliers are eliminated.
+/// Point at which multipliers are eliminated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Multipliers {
     /// Once their squares are complete.
@@ -19,15 +19,15 @@ enum Multipliers {
     Late,
 }
 
-/// Number of unknowns up to which both orders of elimination are written down; beyond it the trial
-/// would dominate the time of expansion.
+/// Maximum number of unknowns for which both orders of elimination are tried. For more, the trial
+/// would dominate the expansion time.
 const LARGEST_TRIAL: usize = 40;
 
-/// Eliminates all unknowns from a form that has been pushed down. It is a left-looking LDLᵀ
-/// factorisation of the mass matrix, bordered by the constraints, since every coefficient is summed
-/// only when its row is taken. Multipliers are eliminated as soon as their squares, −A M⁻¹ Aᵀ, are
-/// complete, which keeps chains of constrained bodies linear, or after all velocities. The cheaper
-/// way is kept. `None` if the matrix is structurally singular.
+/// Eliminates all unknowns from a form that has been pushed down. This is an LDLᵀ factorisation of
+/// the mass matrix, bordered by the constraints. It is left-looking, since a coefficient is only
+/// summed when its row is taken. Multipliers are eliminated either as soon as their squares, −A M⁻¹
+/// Aᵀ, are complete, or after all velocities. The first order keeps the cost linear for chains of
+/// constrained bodies. The cheaper order is kept. `None` if the matrix is structurally singular.
 pub(in crate::derive) fn eliminate_dense(
     graph: &mut Graph,
     form: QuadraticForm,
@@ -44,7 +44,7 @@ pub(in crate::derive) fn eliminate_dense(
         Some(cost(graph, &values))
     });
     match costs {
-        // Of equal costs the early one: it keeps chains of any length linear.
+        // Early elimination wins a tie: its cost is linear for chains of any length.
         [Some(early), Some(late)] if late < early => {}
         [None, _] => {}
         _ => return early,
@@ -63,7 +63,7 @@ fn eliminate_in_order(
     let mut waiting = Waiting { unknowns, partners };
     let mut elimination = Elimination::default();
     eliminate_massless(&mut elimination, graph, &mut form, &mut waiting)?;
-    // A multiplier may still share terms with velocities that its constraint does not hold.
+    // Later a multiplier may also share terms with velocities that do not occur in its constraint.
     let constrained = waiting.partners.ids().map(|id| (id, form.near(id).collect::<Vec<_>>()));
     let constrained = constrained.collect::<HashMap<_, _>>();
     while !waiting.unknowns.is_empty() {
@@ -92,7 +92,7 @@ pub(in crate::derive) fn eliminate_recursive(
     rotations: Rotations,
 ) -> Option<Elimination> {
     let (multipliers, velocities) = separated(graph, unknowns);
-    // Variables without products couple nothing, and no velocity need wait for them. The first is
+    // Variables without products couple nothing, so no velocity has to wait for them. The first is
     // the potential, which often depends on all bodies.
     let (heads, first): (Vec<_>, Vec<_>) = form.variables().into_iter().partition(|&id| form.is_coupled(id));
     let mut sweep = Sweep::new(graph, [&heads, &first], &velocities, Multiples::Merged, rotations);
@@ -123,7 +123,7 @@ pub(in crate::derive) fn eliminate_recursive(
     Some(elimination)
 }
 
-/// Eliminates velocities without any inertia, each together with a multiplier whose constraint
+/// Eliminates velocities without inertia, each together with a multiplier whose constraint
 /// determines it.
 fn eliminate_massless(
     elimination: &mut Elimination,
@@ -160,8 +160,8 @@ fn push_constrained(
     Some(())
 }
 
-/// Eliminates the partners, multipliers, to whose squares the velocities have added all that they
-/// can.
+/// Eliminates multipliers among the partners whose squares have received all contributions of
+/// velocities.
 fn eliminate_complete(
     elimination: &mut Elimination,
     graph: &mut Graph,
@@ -169,7 +169,7 @@ fn eliminate_complete(
     waiting: &mut Waiting,
     is_complete: impl Fn(&Graph, &QuadraticForm, &Queue, ExprId) -> bool,
 ) -> Option<()> {
-    // What was not complete is not until something happens to it.
+    // An incomplete multiplier can only become complete when its terms change.
     let mut candidates = waiting.partners.take_touched();
     loop {
         let is_ready = |id: ExprId| form.has_square(id) && is_complete(graph, form, &waiting.unknowns, id);
@@ -200,10 +200,10 @@ fn eliminate_all(
     Some(())
 }
 
-/// Eliminates one of the unknowns; rows with the fewest neighbours go first, which makes little
-/// fill-in (minimum degree; Tinney, Walker, Proc. IEEE 55 (1967) 1801–1809). What has no square of
-/// its own goes with another, or with one of the partners. A constraint of which nothing is left
-/// follows from others.
+/// Eliminates one of the unknowns. The row with the fewest neighbours is first, which limits
+/// fill-in (minimum degree; Tinney, Walker, Proc. IEEE 55 (1967) 1801–1809). An unknown without a
+/// square is eliminated with another one, or with one of the partners. A constraint that retains no
+/// terms follows from others.
 fn eliminate_next(
     elimination: &mut Elimination,
     graph: &mut Graph,
@@ -211,7 +211,8 @@ fn eliminate_next(
     waiting: &mut Waiting,
 ) -> Option<()> {
     match waiting.unknowns.least_coupled() {
-        // What was left of the square may have cancelled; another row, or a pair, goes first then.
+        // The remaining square may have cancelled; then another row, or a pair, is eliminated
+        // first.
         Some(v) if form.drop_vanished_square(graph, v) => {}
         Some(v) => {
             waiting.unknowns.remove(v);
@@ -224,7 +225,7 @@ fn eliminate_next(
     Some(())
 }
 
-/// Eliminates an unknown if none has a square.
+/// Eliminates an unknown when none has a square.
 fn eliminate_squareless(
     elimination: &mut Elimination,
     graph: &mut Graph,
@@ -248,14 +249,14 @@ fn eliminate_squareless(
     if !form.has_square(partner) {
         return push_constrained(elimination, graph, form, first, partner);
     }
-    // What holds the velocity, which lost its square on the way, gives it another.
+    // The elimination of a partner restores the square of the velocity, which has cancelled.
     let step = eliminate(graph, form, partner)?;
     waiting.unknowns.push(form, first);
     elimination.push(graph, step);
     Some(())
 }
 
-/// Multipliers and velocities.
+/// Separates multipliers from velocities.
 fn separated(graph: &Graph, unknowns: &[ExprId]) -> (Vec<ExprId>, Vec<ExprId>) {
     unknowns.iter().partition(|&&id| is_multiplier(graph, id))
 }

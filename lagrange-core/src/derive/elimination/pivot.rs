@@ -14,11 +14,11 @@ pub(in crate::derive) struct Eliminated {
     pub(in crate::derive) free: ExprId,
     pub(in crate::derive) factors: Vec<(ExprId, ExprId)>,
     pub(in crate::derive) pivot: ExprId,
-    /// Minus the right-hand side that is left when this velocity is eliminated.
+    /// Negative right-hand side that remains when this velocity is eliminated.
     pub(in crate::derive) bias: ExprId,
 }
 
-/// −value/pivot
+/// Returns −value/pivot.
 pub(in crate::derive) fn freed(graph: &mut Graph, step: &Eliminated, value: ExprId) -> ExprId {
     let inverse = graph.reciprocal(step.pivot);
     let quotient = graph.multiply(value, inverse);
@@ -106,15 +106,15 @@ pub(in crate::derive) fn eliminate(
     }
     let free = match row.pairs.is_empty() {
         true => simplify::quotient(graph, row.linear, row.own),
-        // What is divided by the pivot is shared with other rows.
+        // Other rows share the quotients by the pivot.
         false => graph.multiply(row.linear, inverse),
     };
     Some(Eliminated { velocity, free: graph.negate(free), factors, pivot: row.own, bias: row.linear })
 }
 
 /// Eliminates two velocities without squares, whose product is their only term. A form like ẋ·ẏ is
-/// no kinetic energy, but may stand in a Lagrangian. Each acceleration follows from the row of the
-/// other.
+/// no kinetic energy but may occur in a Lagrangian. Each acceleration follows from the row of the
+/// other velocity.
 pub(in crate::derive) fn eliminate_pair(
     graph: &mut Graph,
     form: &mut QuadraticForm,

@@ -1,8 +1,8 @@
-//! Unknowns that wait to be eliminated from a quadratic form, in the order in which they go.
+//! Unknowns still to be eliminated from a quadratic form, in the order of elimination.
 //!
-//! The next one depends on the number of others with which it shares terms, and an elimination
-//! changes that for its neighbours only. Only these are evaluated again, so the cost of an
-//! elimination does not grow with the number of those that wait.
+//! The choice of the next one depends on the number of unknowns that it shares terms with. An
+//! elimination changes this number only for its neighbours. Only these are re-evaluated, so the
+//! cost of an elimination does not grow with the length of the queue.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,29 +10,29 @@ use crate::derive::quadratic_form::QuadraticForm;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::ExprId;
 
-/// Unknowns in the order of their places, with what a form says of them.
+/// Unknowns in the order of their places, with their degrees in a form.
 #[derive(Default)]
 pub(in crate::derive) struct Queue {
     places: HashMap<ExprId, usize>,
     by_place: BTreeMap<usize, ExprId>,
-    /// Degree and place of those that have squares.
+    /// Degree and place of each unknown with a square.
     by_degree: BTreeSet<(usize, usize)>,
     degrees: HashMap<ExprId, usize>,
-    /// Places of the others.
+    /// Places of the unknowns without squares.
     squareless: BTreeSet<usize>,
-    /// Unknowns whose terms have changed since this was last asked for.
+    /// Unknowns whose terms have changed since the last call of `take_touched`.
     touched: BTreeSet<ExprId>,
 }
 
 impl Queue {
-    /// The unknowns in this order.
+    /// Creates a queue with the unknowns in this order.
     pub(in crate::derive) fn new(form: &QuadraticForm, unknowns: &[ExprId]) -> Queue {
         let mut queue = Queue::default();
         unknowns.iter().for_each(|&id| queue.push(form, id));
         queue
     }
 
-    /// Adds an unknown in the last place.
+    /// Adds an unknown at the end.
     pub(in crate::derive) fn push(&mut self, form: &QuadraticForm, id: ExprId) {
         let place = self.by_place.last_key_value().map_or(0, |(last, _)| last + 1);
         self.places.insert(id, place);
@@ -44,7 +44,7 @@ impl Queue {
         self.places.contains(&id)
     }
 
-    /// Unknowns that wait, in the order of places.
+    /// Returns the queued unknowns in the order of their places.
     pub(in crate::derive) fn ids(&self) -> impl Iterator<Item = ExprId> {
         self.by_place.values().copied()
     }
@@ -53,7 +53,8 @@ impl Queue {
         self.by_place.is_empty()
     }
 
-    /// The first place is zero; what does not wait comes last.
+    /// Returns the place of an unknown, counted from zero. A variable that is not queued comes
+    /// last.
     pub(in crate::derive) fn place(&self, id: ExprId) -> usize {
         self.places.get(&id).copied().unwrap_or(usize::MAX)
     }
@@ -66,18 +67,19 @@ impl Queue {
         }
     }
 
-    /// First unknown with a square that shares terms with the fewest others.
+    /// Returns the unknown that shares terms with the fewest others; the first one in case of a
+    /// tie. Only unknowns with a square are considered.
     pub(in crate::derive) fn least_coupled(&self) -> Option<ExprId> {
         let (_, place) = self.by_degree.first()?;
         self.by_place.get(place).copied()
     }
 
-    /// The first unknown without a square.
+    /// Returns the first unknown without a square.
     pub(in crate::derive) fn first_squareless(&self) -> Option<ExprId> {
         self.by_place.get(self.squareless.first()?).copied()
     }
 
-    /// The first unknown that shares a term with this variable and that `accepts`.
+    /// Returns the first unknown that shares a term with this variable and satisfies `accepts`.
     pub(in crate::derive) fn first_near(
         &self,
         form: &QuadraticForm,
@@ -88,7 +90,7 @@ impl Queue {
         near.min_by_key(|&other| self.place(other))
     }
 
-    /// Looks at an unknown again; variables that do not wait are no business of the queue.
+    /// Updates the degree of an unknown; variables that are not queued are ignored.
     pub(in crate::derive) fn refresh(&mut self, form: &QuadraticForm, id: ExprId) {
         let Some(&place) = self.places.get(&id) else { return };
         self.forget(id);
@@ -102,7 +104,7 @@ impl Queue {
         self.touched.insert(id);
     }
 
-    /// The unknowns that have been looked at since this was last called.
+    /// Takes the unknowns that have been updated since the last call.
     pub(in crate::derive) fn take_touched(&mut self) -> BTreeSet<ExprId> {
         std::mem::take(&mut self.touched)
     }
@@ -116,7 +118,7 @@ impl Queue {
     }
 }
 
-/// Unknowns that are eliminated next, and others that may go with them.
+/// Unknowns that are eliminated next, and partners that may be eliminated with them.
 #[derive(Default)]
 pub(in crate::derive) struct Waiting {
     pub(in crate::derive) unknowns: Queue,
@@ -124,7 +126,7 @@ pub(in crate::derive) struct Waiting {
 }
 
 impl Waiting {
-    /// Follows what has happened to a form.
+    /// Updates both queues after changes of a form.
     pub(in crate::derive) fn follow(&mut self, form: &mut QuadraticForm) {
         for id in form.take_changed() {
             self.unknowns.refresh(form, id);

@@ -1,4 +1,4 @@
-//! Record of an elimination, for substitution back and for other right-hand sides.
+//! Record of an elimination, for back substitution and for further right-hand sides.
 
 use super::pivot::{Eliminated, Rest, freed};
 use crate::derive::sweep::{Step, Sweep};
@@ -7,11 +7,11 @@ use lagrange_expr::expr::{Dependencies, ExprId, Function, Graph};
 use lagrange_expr::functions;
 use lagrange_expr::number::Number;
 
-/// Step of an elimination as the linear part of a form sees it, in the order in which steps happen.
+/// Step of an elimination and its effect on the linear part of a form, in chronological order.
 pub(in crate::derive) enum Move {
     /// The step with this index.
     Eliminate(usize),
-    /// Two steps, this one and the next.
+    /// The step with this index and the next one, together.
     EliminatePair(usize),
     Substitute(Step),
 }
@@ -21,26 +21,26 @@ pub(in crate::derive) enum Move {
 pub(in crate::derive) struct Elimination {
     pub(in crate::derive) eliminated: Vec<Eliminated>,
     pub(in crate::derive) moves: Vec<Move>,
-    /// Composition of the variables that remained at an elimination, if they were not generalised
-    /// velocities themselves.
+    /// Composition of the variables that remained at an elimination, unless they were generalised
+    /// velocities.
     pub(in crate::derive) sweep: Option<Sweep>,
     /// Multipliers of constraints that follow from others wherever they hold.
     pub(in crate::derive) redundant: Vec<ExprId>,
-    /// Contributions of eliminated velocities to the squares of multipliers, but for the sign.
+    /// Contributions of eliminated velocities to the squares of multipliers, up to sign.
     gained: HashMap<ExprId, Vec<ExprId>>,
-    /// Ratios of a multiplier's square, or of the row of a constraint, to what is divided by.
+    /// Ratios of a multiplier's square, or of the row of a constraint, to the divisor.
     pub(in crate::derive) ratios: Vec<ExprId>,
 }
 
 impl Elimination {
-    /// The stationary point of the form.
+    /// Returns the stationary point of the form.
     pub(in crate::derive) fn values(&self, graph: &mut Graph, unknowns: &[ExprId]) -> Vec<ExprId> {
         let free = self.eliminated.iter().map(|step| step.free).collect::<Vec<_>>();
         self.substitute_back(graph, &free, unknowns)
     }
 
-    /// The largest of the factors by which rounding grows where constraints are nearly dependent;
-    /// infinite where they are. `None` if it is one everywhere.
+    /// Returns the largest factor by which rounding errors grow where constraints are nearly
+    /// dependent; infinite where they are dependent. `None` if it is one everywhere.
     pub(in crate::derive) fn condition(&self, graph: &mut Graph) -> Option<ExprId> {
         let mut ratios =
             self.ratios.iter().copied().filter(|&ratio| !graph.is_one(ratio)).collect::<Vec<_>>();
@@ -104,8 +104,8 @@ impl Elimination {
         unknowns.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect()
     }
 
-    /// Keeps a step, and its evidence of the independence of constraints. All that velocities add
-    /// to the square of a multiplier has one sign, and other multipliers reduce it.
+    /// Records a step, and its evidence of the independence of constraints. All contributions of
+    /// velocities to the square of a multiplier have one sign, and other multipliers reduce it.
     pub(in crate::derive) fn push(&mut self, graph: &mut Graph, step: Eliminated) {
         if is_multiplier(graph, step.velocity) {
             let gained = self.gained.remove(&step.velocity).unwrap_or_default();
@@ -135,7 +135,7 @@ pub(in crate::derive) fn is_multiplier(graph: &Graph, id: ExprId) -> bool {
     graph.dependencies(id).intersects(Dependencies::MULTIPLIER)
 }
 
-/// |whole/part|, one magnitude: nothing will be differentiated that holds it.
+/// Returns |whole/part| as one magnitude, since no expression that contains it is differentiated.
 pub(in crate::derive) fn ratio(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprId {
     let inverse = graph.reciprocal(part);
     let ratio = graph.multiply(whole, inverse);
@@ -145,7 +145,7 @@ pub(in crate::derive) fn ratio(graph: &mut Graph, whole: ExprId, part: ExprId) -
     }
 }
 
-/// Σ slope · acceleration over the parts of a variable, without recursion.
+/// Returns Σ slope · acceleration over the parts of a variable, without recursion.
 fn acceleration_of(
     graph: &mut Graph,
     known: &mut HashMap<ExprId, ExprId>,

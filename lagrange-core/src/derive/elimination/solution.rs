@@ -24,23 +24,24 @@ pub(in crate::derive) fn push_down(
     form
 }
 
-/// The stationary point of a form, and names for what was computed on the way.
+/// The stationary point of a form, with names for the intermediate results.
 pub(in crate::derive) struct Solution {
     /// The accelerations in the order of the velocities, then the multipliers.
     pub(in crate::derive) values: Vec<ExprId>,
     /// Names for pivots, factors and biases.
     pub(in crate::derive) labels: Vec<(ExprId, String)>,
-    /// Pivots at whose zeros the accelerations are computed another way, to the same values.
+    /// Pivots at whose zeros the accelerations are computed in another way, with the same values.
     pub(in crate::derive) guards: Vec<ExprId>,
-    /// Growth of rounding through constraints, as [`Elimination::condition`] says; `None` if they
-    /// are always independent.
+    /// Growth of rounding errors through constraints, see [`Elimination::condition`]; `None` if
+    /// they are always independent.
     pub(in crate::derive) condition: Option<ExprId>,
-    /// The steps that led there, for other right-hand sides; `None` if the strategy takes none.
+    /// The steps of the elimination, for other right-hand sides; `None` if the strategy does not
+    /// eliminate.
     pub(in crate::derive) elimination: Option<Elimination>,
 }
 
 impl Solution {
-    /// Writes the values without products of inertias, as far as they are divided by some.
+    /// Removes products of inertias from the values where these are also divided by inertias.
     pub(in crate::derive) fn balance(&mut self, graph: &mut Graph) {
         let roots = [&self.values[..], &self.guards].concat();
         let image = balanced(graph, &roots, self.divisor());
@@ -49,14 +50,14 @@ impl Solution {
         ids.for_each(|id| *id = image.get(id).copied().unwrap_or(*id));
     }
 
-    /// Returns derivatives of the values without products of inertias, as far as they are divided
-    /// by some.
+    /// Returns derivatives of the values without products of inertias where these are also divided
+    /// by inertias.
     pub(in crate::derive) fn balanced(&self, graph: &mut Graph, slopes: &[ExprId]) -> Vec<ExprId> {
         let image = balanced(graph, slopes, self.divisor());
         slopes.iter().map(|id| image.get(id).copied().unwrap_or(*id)).collect()
     }
 
-    /// Returns a pivot, which is divided by anyway.
+    /// Returns a pivot, which is a divisor anyway.
     fn divisor(&self) -> Option<ExprId> {
         self.labels.iter().find(|(_, label)| label.starts_with("pivot")).map(|(id, _)| *id)
     }
@@ -72,9 +73,9 @@ pub(in crate::derive) fn solve_dense(
 }
 
 /// Solves a form body by body; `None` if a pivot is missing. Where joints turn bodies, velocities
-/// are eliminated in the axes of their bodies. Alternatively they are eliminated later, when
-/// rotations and the carrier of the body have been substituted as far as possible. The cheaper way
-/// is kept: on parallel axes the latter.
+/// are eliminated in the axes of their bodies. Alternatively they are eliminated later, after
+/// rotations and the carrier of the body have been substituted as far as possible. The cheaper
+/// alternative is kept; for parallel axes this is the latter.
 pub(in crate::derive) fn solve_recursive(
     graph: &mut Graph,
     form: QuadraticForm,

@@ -8,9 +8,9 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Coefficients of the variables of pairs, with the signs that make them turned ones.
+/// Coefficients of the variables of pairs, with the signs of the turned components.
 struct TurnedRows {
-    /// Wᵢⱼ between these variables.
+    /// Wᵢⱼ between the variables of pairs.
     among: HashMap<(ExprId, ExprId), ExprId>,
     /// cᵢ of each pair.
     linear: Vec<[ExprId; 2]>,
@@ -19,7 +19,7 @@ struct TurnedRows {
 }
 
 impl QuadraticForm {
-    /// Performs the substitution.
+    /// Substitutes pairs that are turned by the same angle.
     pub(super) fn turn(&mut self, graph: &mut Graph, pairs: &[TurnedPair]) {
         let Some(TurnedPair { cosine, sine, .. }) = pairs.first() else { return };
         let angle = [*cosine, *sine];
@@ -74,7 +74,7 @@ impl QuadraticForm {
         rows
     }
 
-    /// Adds what products of the variables of two pairs, or of one, become.
+    /// Adds the terms that replace products of variables of two pairs, or of one pair.
     fn turn_products(
         &mut self,
         graph: &mut Graph,
@@ -91,7 +91,7 @@ impl QuadraticForm {
         let is_same = one.turned[0].0 == other.turned[0].0;
         let block = turned_block(graph, angle, block);
         for (i, row) in block.into_iter().enumerate() {
-            // Of one pair, the products stand on both sides of the diagonal.
+            // For a single pair, the products are on both sides of the diagonal.
             for (j, terms) in row.into_iter().enumerate().skip(if is_same { i } else { 0 }) {
                 let [(x, sign), (y, other_sign)] = [&one.parts[i], &other.parts[j]];
                 for term in terms {

@@ -1,4 +1,4 @@
-//! Substitution back: the accelerations, last eliminated first.
+//! Back substitution: the accelerations in reverse order of elimination.
 
 use std::collections::BTreeMap;
 
@@ -14,13 +14,13 @@ pub(super) struct EliminatedUnknown {
     pub(super) velocity: ExprId,
     /// The variable whose acceleration was eliminated.
     pub(super) unknown: ExprId,
-    /// Ways from the velocity to the unknown.
+    /// Links from the velocity up to the unknown.
     pub(super) ways: Vec<Way>,
-    /// The unknown is its acceleration times this.
+    /// Ratio of the unknown to the acceleration of its variable.
     pub(super) scale: ExprId,
     pub(super) pivot: ExprId,
     pub(super) rule: Substitution,
-    /// Variables that are known with the unknown.
+    /// Variables that become known together with the unknown.
     pub(super) expansions: OrderedMap<ExprId, AffineExpansion>,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Way {
     pub(super) inverse: Number,
 }
 
-/// Rule by which an unknown follows from accelerations that are known before it.
+/// Rule by which an unknown follows from accelerations that are already known.
 pub(super) enum Substitution {
     /// −Σ factor · variable − free
     Plain { factors: LinearForm, free: ExprId },
@@ -39,8 +39,8 @@ pub(super) enum Substitution {
     InFrame { carriers: [(ExprId, AffineExpansion); 2], bend: ExprId, offset: ExprId },
 }
 
-/// An acceleration as `Σ coefficient · component + constant`: the components are computed, the sum
-/// is not before it is needed, and then often as a part of another.
+/// An acceleration as `Σ coefficient · component + constant`. The components are computed; the sum
+/// is only formed when it is needed, often as part of another sum.
 #[derive(Clone)]
 struct AffineValue {
     components: LinearForm,
@@ -111,8 +111,8 @@ impl Back<'_> {
         }
     }
 
-    /// Two carriers in the frame of the direction in which the unknown moves them; returns the
-    /// unknown.
+    /// Computes two carriers in the frame of the direction in which the unknown moves them; returns
+    /// the unknown.
     fn take_in_frame(
         &mut self,
         step: &EliminatedUnknown,
@@ -143,7 +143,7 @@ impl Back<'_> {
         graph.negate(value)
     }
 
-    /// Σ coefficient · y′ over expansions, y′ being what they are without the unknown.
+    /// Returns Σ coefficient · y′ over expansions, where y′ is the part without the unknown.
     fn combine_rest(&mut self, expansions: &[(ExprId, &AffineExpansion)]) -> AffineValue {
         let mut terms = Vec::new();
         let mut drifts = Vec::new();
@@ -158,7 +158,7 @@ impl Back<'_> {
         self.combine(&terms, drift)
     }
 
-    /// A variable that the unknown moves.
+    /// Returns the acceleration of a variable that the unknown moves.
     fn moved(&mut self, expansion: &AffineExpansion, unknown: ExprId) -> AffineValue {
         let one = self.algebra.graph.number(1);
         let rest = self.combine_rest(&[(one, expansion)]);
@@ -169,7 +169,7 @@ impl Back<'_> {
         self.component(value)
     }
 
-    /// The acceleration of a part from that of the whole.
+    /// Computes the acceleration of a part from that of the whole.
     fn go_down(&mut self, Way { part, whole, inverse }: &Way) {
         let drift = self.composition.drift(&mut self.algebra, *whole);
         let graph = &mut *self.algebra.graph;
@@ -185,7 +185,7 @@ impl Back<'_> {
         self.known.insert(*part, value);
     }
 
-    /// Σ coefficient · variable + constant
+    /// Returns Σ coefficient · variable + constant.
     fn combine(&mut self, terms: &[(ExprId, ExprId)], constant: ExprId) -> AffineValue {
         let mut components: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
         let mut constants = vec![(constant, Number::ONE)];

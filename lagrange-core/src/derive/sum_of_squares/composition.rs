@@ -1,4 +1,4 @@
-//! Composition: how velocities consist of each other.
+//! Composition of velocities from each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// An acceleration as `slope·x + Σ rest + drift`, where x is the one to be eliminated.
+/// An acceleration as `slope·x + Σ rest + drift`, where x is the unknown to be eliminated.
 #[derive(Clone, Debug)]
 pub(super) struct AffineExpansion {
     pub(super) slope: ExprId,
@@ -20,8 +20,8 @@ pub(super) struct AffineExpansion {
 
 /// The composition of each variable: y = Σ slope·part, hence ÿ = Σ slope·p̈ + drift.
 ///
-/// Variables may be measured from an offset: what is called the acceleration of y is then ÿ plus
-/// the offset. Gravity as the offset of all points leaves no force behind.
+/// Variables may be measured from an offset: the acceleration of y then means ÿ plus the offset.
+/// With gravity as the offset of all points, no force of gravity remains.
 pub(super) struct Composition {
     parts: HashMap<ExprId, LinearForm>,
     /// Variables made of this one that are still in use.
@@ -31,7 +31,7 @@ pub(super) struct Composition {
 }
 
 impl Composition {
-    /// Composition of everything that `heads` are made of.
+    /// Collects the composition of everything that `heads` depend on.
     pub(super) fn new(sweep: &Sweep, heads: impl IntoIterator<Item = ExprId>) -> Composition {
         let mut parts: HashMap<ExprId, LinearForm> = HashMap::default();
         let mut users: HashMap<ExprId, BTreeSet<ExprId>> = HashMap::default();
@@ -63,12 +63,12 @@ impl Composition {
         self.offsets.insert(id, offset);
     }
 
-    /// Offset that a variable is measured from.
+    /// Returns the offset from which a variable is measured.
     pub(super) fn offset(&self, graph: &mut Graph, id: ExprId) -> ExprId {
         self.offsets.get(&id).copied().unwrap_or_else(|| graph.number(0))
     }
 
-    /// The acceleration of a variable when its parts do not accelerate.
+    /// Returns the acceleration of a variable if its parts do not accelerate.
     pub(super) fn drift(&mut self, algebra: &mut Algebra<'_>, id: ExprId) -> ExprId {
         let parts = self.parts(id).to_vec();
         let graph = &mut *algebra.graph;
@@ -84,15 +84,15 @@ impl Composition {
             rates.push((rate, Number::MINUS_ONE));
             offsets.push((offset, Number::MINUS_ONE));
         }
-        // The rates of parts stand in that of the whole as they are; opened, they might not be
-        // found.
+        // The rate of the whole contains those of its parts unchanged. If they were expanded, they
+        // might not be found.
         let own = graph.sum(Number::ZERO, rates);
         offsets.push((own, Number::ONE));
         algebra.total(offsets)
     }
 
-    /// The one variable through which alone `x` enters others, if it does so with a number for a
-    /// slope. To choose its acceleration is to choose that of `x`, and it depends on fewer others.
+    /// Returns the only variable that contains `x` directly, if the slope is a number. Its
+    /// acceleration can then replace that of `x` as the unknown, and fewer variables depend on it.
     pub(super) fn only_user(&self, graph: &Graph, x: ExprId) -> Option<(ExprId, Number)> {
         let users = self.users.get(&x)?;
         let user = *users.first().filter(|_| users.len() == 1)?;
@@ -101,7 +101,8 @@ impl Composition {
         Some((user, graph.as_number(*slope)?.clone()))
     }
 
-    /// Every variable that `x` is a part of, written in `x` and others that it is no part of.
+    /// Writes every variable that contains `x` in terms of `x` and of variables that do not contain
+    /// it.
     pub(super) fn expand(
         &mut self,
         algebra: &mut Algebra<'_>,
@@ -121,7 +122,7 @@ impl Composition {
         expansions
     }
 
-    /// Every variable that `x` is a part of, itself included, parts before wholes.
+    /// Returns every variable that contains `x`, including itself, parts before wholes.
     pub(super) fn made_of(&self, x: ExprId) -> Vec<ExprId> {
         let mut seen: HashSet<ExprId> = HashSet::default();
         let mut found = Vec::new();
@@ -164,7 +165,7 @@ impl Composition {
         }
     }
 
-    /// Forgets variables that have been eliminated or written in others.
+    /// Removes variables that have been eliminated or expressed by others.
     pub(super) fn retire(&mut self, retired: &[ExprId]) {
         for id in retired {
             for (part, _) in self.parts(*id).to_vec() {

@@ -1,4 +1,4 @@
-//! Substitution back in the frame of the direction in which a rod moves its end.
+//! Back substitution in the frame of the direction in which a rod moves its end.
 
 use std::collections::BTreeMap;
 
@@ -9,20 +9,20 @@ use lagrange_algebra::simplify;
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::number::Number;
 
-/// Two carriers that the unknown moves along a unit vector t, as the end of a rod.
+/// Two carriers that the unknown moves along a unit vector t, such as the end of a rod.
 ///
-/// Written in the frame of t, y = tangential·t + normal·(−t₁, t₀), only the tangential component is
+/// In the frame of t, y = tangential·t + normal·(−t₁, t₀), and only the tangential component is
 /// free. It follows from D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients
-/// of the squares along the normal. No component is a small difference of large ones, as the
-/// Cartesian ones may be.
+/// of the squares along the normal. Unlike Cartesian components, neither is a small difference of
+/// large numbers.
 pub(super) struct Frame {
     pub(super) carriers: [(ExprId, AffineExpansion); 2],
     /// Σ wᵢ aᵢ eᵢ / D
     pub(super) bend: ExprId,
 }
 
-/// The frame in which to write the accelerations of two carriers, if the unknown moves them by a
-/// unit vector.
+/// Finds the frame in which to write the accelerations of two carriers, if the unknown moves them
+/// along a unit vector.
 pub(super) fn frame(
     carriers: &Carriers,
     algebra: &mut Algebra<'_>,
@@ -32,8 +32,8 @@ pub(super) fn frame(
     let ([x, y], [a, b]) = (carriers.ids.as_slice(), carriers.expansions.as_slice()) else { return None };
     let length = [a, b].map(|e| (e.slope, e.slope, Number::ONE));
     let length = algebra.products(&length);
-    // Without a unit vector there is no frame to turn into, and variables beside the carriers have
-    // no component in it.
+    // Without a unit vector there is no frame to rotate into, and variables other than the carriers
+    // have no components in it.
     if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
         return None;
     }
@@ -51,8 +51,8 @@ pub(super) fn frame(
 }
 
 impl Frame {
-    /// The unknown as −Σ factor · variable, but for drift and load: the tangential component less
-    /// t·y′.
+    /// Returns the unknown as −Σ factor · variable, without drift and load: the tangential
+    /// component less t·y′.
     pub(super) fn factors(&self, algebra: &mut Algebra<'_>) -> LinearForm {
         let [(_, a), (_, b)] = &self.carriers;
         let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();

@@ -1,15 +1,17 @@
 //! Rotations of squares that may both lose the unknown in some configurations.
 //!
-//! Two of three squares may not depend on the unknown somewhere, such as the horizontal velocities
-//! of a point that moves straight up. A rotation of these two divides by their pivot, which is zero
-//! there, though the pivot of all three is not. Where it is zero nothing has to be rotated: the one
-//! square stays as it is, without the unknown, and the other is left.
+//! In some configurations two of three squares may not depend on the unknown, such as the
+//! horizontal velocities of a point that moves straight up. A rotation of these two divides by
+//! their pivot, which is zero there although the pivot of all three is not. If it is zero, no
+//! rotation is needed: one square is kept as it is, without the unknown, and the other is left
+//! over.
 
 use super::square::{Carried, Carriers, Square};
 use crate::derive::algebra::{Algebra, LinearForm};
 use lagrange_expr::expr::{ExprId, Graph, Relation};
 
-/// `found` where the pivot of a rotation is positive, and what there was before where it is zero.
+/// Choice between the rotated squares if the pivot is positive, and the original ones if it is
+/// zero.
 pub(super) struct Guard {
     pub(super) pivot: ExprId,
 }
@@ -20,7 +22,7 @@ impl Guard {
         graph.choose(Relation::LessEqual, self.pivot, zero, before, found)
     }
 
-    /// The square that keeps the unknown.
+    /// Returns the square that keeps the unknown.
     pub(super) fn kept(&self, graph: &mut Graph, before: &Carried, found: &Carried) -> Carried {
         let zero = graph.number(0);
         let pairs = before.carriers.iter().zip(&found.carriers);
@@ -33,7 +35,7 @@ impl Guard {
         }
     }
 
-    /// The square that loses it.
+    /// Returns the square that loses the unknown.
     pub(super) fn left(
         &self,
         algebra: &mut Algebra<'_>,

@@ -11,7 +11,7 @@ use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Writes loads along other variables as loads along the variables of squares and generalised
+/// Rewrites loads along other variables as loads along the variables of squares and generalised
 /// velocities.
 pub(super) fn push_loads(
     graph: &mut Graph,
@@ -20,7 +20,7 @@ pub(super) fn push_loads(
     mut loads: QuadraticForm,
 ) -> QuadraticForm {
     let mut pending = loads.variables().into_iter().collect::<BTreeSet<_>>();
-    // Wholes come after their parts.
+    // Wholes have larger ids than their parts.
     while let Some(id) = pending.pop_last() {
         let parts = sweep.parts(id);
         if !squares.contains(&id) && !parts.is_empty() {
@@ -32,7 +32,7 @@ pub(super) fn push_loads(
 }
 
 impl SquareElimination<'_> {
-    /// The part of a load that what is left has to bear.
+    /// Passes on the part of a load that acts on the remaining variables.
     pub(super) fn pass_on(&mut self, factors: &LinearForm, load: ExprId) {
         let graph = &mut *self.algebra.graph;
         for &(id, factor) in factors {
@@ -57,8 +57,8 @@ impl SquareElimination<'_> {
         }
     }
 
-    /// The load along the unknown; what loads along its carriers mean for other variables is moved
-    /// there.
+    /// Returns the load along the unknown, and moves the other effects of loads along its carriers
+    /// to the remaining variables.
     pub(super) fn applied_load(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> ExprId {
         let mut along = Vec::new();
         for (&id, expansion) in expansions.iter() {

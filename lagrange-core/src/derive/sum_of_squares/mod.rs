@@ -1,16 +1,16 @@
 //! Elimination that keeps the form a sum of squares.
 //!
-//! The mass matrix is never formed, nor are its Schur complements. The remainder of an elimination
-//! is again a sum of squares, found by [`rotation`]. That keeps the digits that differences of
-//! large entries lose. On chains and trees of points it is also the shortest way: between two
-//! points a single number stands for a subtree.
+//! Neither the mass matrix nor its Schur complements are formed. The remainder of an elimination is
+//! again a sum of squares, found by [`rotation`]. This preserves the digits that differences of
+//! large entries lose. On chains and trees of points it is also the shortest way, since a single
+//! number represents a subtree between two points.
 //!
 //! # The double pendulum in numbers
 //!
-//! Take unit lengths and masses and g = 10. The upper rod is horizontal (θ₁ = 90°) with θ̇₁ = 1,
-//! the lower one hangs from its end (θ₂ = 0) with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the
-//! accelerations of the points, measured from an offset: y is ÿ + 10, so gravity is nowhere else.
-//! Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be minimised.
+//! Take unit lengths and masses and g = 10. The upper rod is horizontal (θ₁ = 90°) with θ̇₁ = 1.
+//! The lower one hangs from its end (θ₂ = 0) with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the
+//! accelerations of the points, measured from an offset: y is ÿ + 10, so gravity occurs nowhere
+//! else. Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be minimised.
 //!
 //! **θ̈₂ first.** It moves the second point along t = (cos θ₂, sin θ₂) = (1, 0). Then x₂ = 1 θ̈₂ +
 //! x₁ and y₂ = 0 θ̈₂ + y₁ + 4, with the centripetal θ̇₂² = 4 as *drift*.
@@ -23,7 +23,7 @@
 //! | left by Lagrange's identity | ½ · (1 · 1 / 1) · (y₁ + 4)² |
 //!
 //! The remainder of the two squares of the second point is a single square, that of the
-//! acceleration along the lower rod. The upper rod feels nothing else of it. **θ̈₁ next.** In ½
+//! acceleration along the lower rod. It is the only effect on the upper rod. **θ̈₁ next.** In ½
 //! (x₁² + y₁² + (y₁ + 4)²) the arms of θ̈₁ are 0, 1, 1:
 //!
 //! | | |
@@ -88,19 +88,19 @@ use loads::push_loads;
 use rotation::{Pull, eliminate};
 use square::{Carried, Carriers, Square};
 
-/// Why no accelerations are found among squares.
+/// Reason for a failed elimination among squares.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Obstacle {
-    /// Some motion moves none of them, so that the mass matrix is singular whatever the weights.
+    /// Some motion changes no square, so the mass matrix is singular for any weights.
     NothingMoves,
     /// Weights of both signs leave no pivot.
     Pivot,
-    /// They fill in too much.
+    /// The squares fill in too much.
     Size,
 }
 
-/// Accelerations from the squares of a Lagrangian without other terms quadratic in the velocities,
-/// in the order of the velocities. `loads` are the linear part of the form without the rates of the
+/// Computes the accelerations, in the order of the velocities, from the squares of a Lagrangian
+/// without other quadratic terms. `loads` is the linear part of the form without the rates of the
 /// squares.
 pub(super) fn solve_sum_of_squares(
     graph: &mut Graph,
@@ -123,7 +123,7 @@ pub(super) fn solve_sum_of_squares(
     Ok(substitute_back(algebra, composition, &steps, velocities))
 }
 
-/// The generalised velocities, each after all that are made of it by way of others.
+/// Returns the generalised velocities in the order in which the sweep frees them.
 fn leaves(sweep: &mut Sweep) -> Vec<ExprId> {
     let mut order = Vec::new();
     loop {
@@ -134,7 +134,7 @@ fn leaves(sweep: &mut Sweep) -> Vec<ExprId> {
     }
 }
 
-/// The variables of the squares that are made of the unknown.
+/// Returns the variables of the squares that depend on the unknown.
 fn carrier_ids(expansions: &OrderedMap<ExprId, AffineExpansion>, squares: &[Square]) -> Vec<ExprId> {
     let mut ids = squares.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
     ids.retain(|id| expansions.contains(id));
@@ -172,7 +172,7 @@ impl<'g> SquareElimination<'g> {
         elimination
     }
 
-    /// The square of a variable, with the load that acts along it.
+    /// Adds the square of a variable, with the load that acts along it.
     fn add_square_of(&mut self, u: ExprId, weights: &[(ExprId, Number)]) {
         let graph = &mut *self.algebra.graph;
         let weight = simplify::collect(graph, weights.to_vec());
@@ -181,8 +181,8 @@ impl<'g> SquareElimination<'g> {
         let is_steady = graph.dependencies(offset).is_constant_in_motion();
         let one = graph.number(1);
         let mut square = Square { weight, linear: load, form: vec![(u, one)] };
-        // Gravity is such an offset, the same for all points, so that it drops out of their
-        // differences. What changes in motion stays a load, and so does a load on a generalised
+        // Gravity is such an offset, the same for all points, so it cancels in their differences. A
+        // load that changes in motion remains a load. The same is true of a load on a generalised
         // velocity itself, which no other variable shares.
         if is_steady && !self.composition.parts(u).is_empty() {
             self.composition.set_offset(u, offset);
@@ -192,8 +192,8 @@ impl<'g> SquareElimination<'g> {
     }
 
     /// Returns the number of inertias and the number of squares that a velocity moves. The velocity
-    /// that moves the fewest is eliminated first, the pole before its cart: its remainder then adds
-    /// to the inertia of its carrier.
+    /// that moves the fewest is eliminated first, such as the pole before its cart. Its remainder
+    /// then adds to the inertia of its carrier.
     fn moved_by(&self, velocity: ExprId) -> (usize, usize) {
         let made_of = self.composition.made_of(velocity);
         let touches = |square: &&Square| square.form.iter().any(|(id, _)| made_of.binary_search(id).is_ok());
@@ -241,7 +241,7 @@ impl<'g> SquareElimination<'g> {
         Ok(())
     }
 
-    /// Takes the squares that hold any of the variables.
+    /// Takes the squares that contain any of the variables.
     fn take_touched(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> Vec<Square> {
         let is_touched = |square: &Square| square.form.iter().any(|(id, _)| expansions.contains(id));
         let (touched, kept) = std::mem::take(&mut self.squares).into_iter().partition(is_touched);
@@ -249,7 +249,8 @@ impl<'g> SquareElimination<'g> {
         touched
     }
 
-    /// Rule by which the unknown follows from what is left. A load along it is passed on.
+    /// Returns the rule by which the unknown follows from the remaining variables. A load along it
+    /// is passed on.
     fn rule(
         &mut self,
         carriers: &Carriers,
@@ -277,8 +278,8 @@ impl<'g> SquareElimination<'g> {
         simplify::quotient(self.algebra.graph, total, pivot)
     }
 
-    /// The way to the variable to eliminate for a velocity, which is one through which alone it
-    /// enters.
+    /// Returns the links from a velocity up to the variable to eliminate. The velocity only enters
+    /// through this variable.
     fn ways_up(&mut self, velocity: ExprId) -> Vec<Way> {
         let mut ways = Vec::new();
         let mut part = velocity;
@@ -303,7 +304,8 @@ impl<'g> SquareElimination<'g> {
         let slopes = carriers.iter().filter_map(|id| Some(expansions.get(id)?.slope)).collect::<Vec<_>>();
         let graph = &mut *self.algebra.graph;
         let (scale, _) = simplify::content(graph, &slopes);
-        // What moves may vanish and is no unit of measure; a single slope would be all scale.
+        // A factor that changes in motion may vanish and is not a valid unit; a single slope would
+        // be all scale.
         if slopes.len() < 2 || !graph.dependencies(scale).is_constant_in_motion() {
             return graph.number(1);
         }
@@ -316,8 +318,8 @@ impl<'g> SquareElimination<'g> {
         scale
     }
 
-    /// Writes the drifts of the carriers as multiples of what they have in common, such as the rate
-    /// of a rod squared.
+    /// Writes the drifts of the carriers as multiples of their common factor, such as the squared
+    /// rate of a rod.
     fn draw_out_of_drifts(
         &mut self,
         expansions: &mut OrderedMap<ExprId, AffineExpansion>,
@@ -336,7 +338,7 @@ impl<'g> SquareElimination<'g> {
         }
     }
 
-    /// Adds squares, those of the same form as one.
+    /// Adds squares, and merges squares of the same form.
     fn add_squares(&mut self, squares: Vec<Square>) {
         for square in squares {
             let square = self.primitive(&square);
@@ -354,7 +356,7 @@ impl<'g> SquareElimination<'g> {
         }
     }
 
-    /// The square with what its coefficients have in common moved into the weight.
+    /// Moves the common factor of the coefficients of a square into its weight.
     fn primitive(&mut self, square: &Square) -> Square {
         let (content, form) = self.algebra.primitive(&square.form);
         let graph = &mut *self.algebra.graph;

@@ -11,10 +11,11 @@
 //! minimum is at x = −(3 + 12)/3 = −5. The remainder is ½ · (1 · 2/3) · (1 · 6 − 1 · 3)² = 3.
 //! Inserting −5 in the squares gives the same: ½ · 4 + ½ · 2 · 1.
 //!
-//! Two at a time, that is a Givens rotation without square roots (Gentleman, "Least squares
-//! computations by Givens transformations without square roots", J. Inst. Math. Appl. 12 (1973),
-//! 329–336): one square keeps x and the other loses it. No difference of squares occurs, as in a
-//! Schur complement, and the condition of the mass matrix enters by its square root.
+//! Applied to two squares at a time, this is a Givens rotation without square roots: one square
+//! keeps x and the other loses it. See Gentleman, "Least squares computations by Givens
+//! transformations without square roots", J. Inst. Math. Appl. 12 (1973), 329–336. Unlike in a
+//! Schur complement, no difference of squares occurs, and only the square root of the condition
+//! number of the mass matrix enters.
 //!
 //! Often x enters through variables y_k = t_k x + y′_k, as the angle of a rod does through the
 //! velocity of its end. With rᵢ = Σ Jᵢₖ y_k, then
@@ -35,15 +36,15 @@ use lagrange_algebra::simplify::{self, never_vanishes};
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Squares times variables up to which they are rotated one after the other. Every rotation may
-/// fill in all variables. Many squares of many variables therefore cost far more than the mass
-/// matrix that they add up to.
+/// Maximum product of the numbers of squares and variables for pairwise rotations. Every rotation
+/// may fill in all variables. Many squares of many variables therefore cost far more than the mass
+/// matrix that they represent.
 const LARGEST_ROTATION: usize = 1000;
 
 /// Dependence of the unknown on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.
 #[derive(Debug)]
 pub(super) struct Pull {
-    /// D
+    /// The pivot D.
     pub(super) pivot: ExprId,
     /// Σ wᵢ aᵢ Jᵢₖ for the carriers.
     carriers: Vec<ExprId>,
@@ -55,19 +56,19 @@ pub(super) struct Pull {
     pub(super) applied: ExprId,
 }
 
-/// Eliminates the unknown; returns what it depends on and the squares that are left. `None` if
-/// those would be too many.
+/// Eliminates the unknown; returns its dependence on the rest and the remaining squares. `None` if
+/// these would be too many.
 pub(super) fn eliminate(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,
     squares: &[Carried],
 ) -> Option<(Pull, Vec<Square>)> {
     let is_single_minor = carriers.minors.len() < 2 && squares.iter().all(|square| square.others.is_empty());
-    // All pairs of squares are then multiples of one form and add up to a single square, without
+    // All pairs of squares are then multiples of one form and add up to a single square without
     // rotations.
     if is_single_minor {
         let pull = pull(algebra, carriers, squares);
-        // What depends on no acceleration cannot be made smaller.
+        // A minor that depends on no acceleration does not affect the minimum.
         let minor = carriers.minors.iter().find(|minor| !minor.form.is_empty());
         let left = minor.map(|minor| across(algebra, minor, squares, pull.pivot));
         return Some((pull, left.into_iter().collect()));
@@ -88,21 +89,21 @@ fn rotate(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -
     let mut is_certain = false;
     for square in &before[1..] {
         let pair = [kept, square.clone()];
-        // Once a pivot cannot vanish, no later one can: every rotation adds to it.
+        // If a pivot cannot vanish, no later one can, since every rotation adds to it.
         is_certain |= pair.iter().any(|square| always_holds_unknown(algebra.graph, square));
         let (lost, found) = rotate_pair(algebra, carriers, &pair, &mut is_certain);
         left.extend(lost);
         kept = found;
     }
-    // That the last pivot vanishes means that the unknown has no inertia.
+    // The last pivot only vanishes if the unknown has no inertia.
     let pair = [kept, last.clone()];
     let pull = pull(algebra, carriers, &pair);
     left.extend(residual(algebra, carriers, &pair, pull.pivot));
     (pull, left)
 }
 
-/// The square that loses the unknown and the one that keeps it, with a guard unless the pivot is
-/// certain not to vanish.
+/// Returns the square that loses the unknown and the one that keeps it, with a guard unless the
+/// pivot cannot vanish.
 fn rotate_pair(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,
@@ -122,7 +123,7 @@ fn rotate_pair(
     (Some(lost), guard.kept(algebra.graph, &pair[0], &kept))
 }
 
-/// True if a square holds the unknown in every configuration.
+/// True if a square contains the unknown in every configuration.
 fn always_holds_unknown(graph: &Graph, square: &Carried) -> bool {
     never_vanishes(graph, square.weight) && never_vanishes(graph, square.arm)
 }
@@ -161,7 +162,7 @@ fn drifting(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried])
     algebra.weighted(&drifts)
 }
 
-/// The square across the only minor, from all pairs of squares.
+/// Returns the square of the only minor, from all pairs of squares.
 fn across(algebra: &mut Algebra<'_>, minor: &Minor, squares: &[Carried], pivot: ExprId) -> Square {
     let (mut weights, mut loads) = (Vec::new(), Vec::new());
     for (j, b) in squares.iter().enumerate() {
@@ -190,7 +191,7 @@ fn across(algebra: &mut Algebra<'_>, minor: &Minor, squares: &[Carried], pivot: 
     Square { weight, linear, form: minor.form.clone() }
 }
 
-/// Jᵢₖ Jⱼₗ − Jᵢₗ Jⱼₖ
+/// Returns Jᵢₖ Jⱼₗ − Jᵢₗ Jⱼₖ.
 fn row_minor(algebra: &mut Algebra<'_>, (k, l): (usize, usize), a: &Carried, b: &Carried) -> ExprId {
     algebra.products(&[
         (a.carriers[k], b.carriers[l], Number::ONE),
@@ -198,7 +199,7 @@ fn row_minor(algebra: &mut Algebra<'_>, (k, l): (usize, usize), a: &Carried, b: 
     ])
 }
 
-/// The square of a rotation that has lost the unknown; `None` if nothing is left.
+/// Returns the square of a rotation that has lost the unknown; `None` if nothing is left.
 fn residual(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,
@@ -220,7 +221,7 @@ fn residual(
     Some(Square { weight, linear, form })
 }
 
-/// a₁ p₂ − a₂ p₁ by way of the minors: the form and its drift.
+/// Computes a₁ p₂ − a₂ p₁ from the minors: the form and its drift.
 fn difference(algebra: &mut Algebra<'_>, carriers: &Carriers, [a, b]: &[Carried; 2]) -> (LinearForm, ExprId) {
     let mut coefficients: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
     let mut drifts = Vec::new();
@@ -243,7 +244,7 @@ fn difference(algebra: &mut Algebra<'_>, carriers: &Carriers, [a, b]: &[Carried;
     (algebra.form_of_products(coefficients), algebra.products(&drifts))
 }
 
-/// The square of a rotation that has kept the unknown, with the coefficient one.
+/// Returns the square of a rotation that has kept the unknown, with the coefficient one.
 fn normalised(algebra: &mut Algebra<'_>, pair: &[Carried; 2], pull: &Pull) -> Carried {
     let mut divided = |value: ExprId| simplify::quotient(algebra.graph, value, pull.pivot);
     let carriers = pull.carriers.iter().map(|&value| divided(value)).collect();
@@ -254,7 +255,8 @@ fn normalised(algebra: &mut Algebra<'_>, pair: &[Carried; 2], pull: &Pull) -> Ca
 }
 
 impl Pull {
-    /// (Σ numerator · y′ + Σ others) / D as a form in what is left, without drift.
+    /// Returns (Σ numerator · y′ + Σ others) / D as a form in the remaining variables, without
+    /// drift.
     pub(super) fn factors(&self, algebra: &mut Algebra<'_>, carriers: &Carriers) -> LinearForm {
         let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
         let one = algebra.graph.number(1);

@@ -1,5 +1,5 @@
-//! Squares that hold an unknown by way of variables, and the minors that are left of them without
-//! it.
+//! Squares that contain an unknown through variables, and the minors that remain when it is
+//! eliminated.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ pub(super) struct Square {
     pub(super) form: LinearForm,
 }
 
-/// A square that holds the unknown, by way of its carriers.
+/// A square that contains the unknown through its carriers.
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
     pub(super) weight: ExprId,
@@ -30,7 +30,7 @@ pub(super) struct Carried {
     pub(super) others: LinearForm,
 }
 
-/// The variables through which squares hold the unknown: y_k = t_k x + y′_k.
+/// The variables through which squares contain the unknown: y_k = t_k x + y′_k.
 #[derive(Debug)]
 pub(super) struct Carriers {
     pub(super) ids: Vec<ExprId>,
@@ -84,7 +84,7 @@ impl Carriers {
         Carried { weight: square.weight, linear: square.linear, arm, carriers, others }
     }
 
-    /// The square written in what is left when the unknown is gone.
+    /// Writes a square in the variables that remain without the unknown.
     pub(super) fn without_unknown(&self, algebra: &mut Algebra<'_>, square: &Carried) -> Square {
         let one = algebra.graph.number(1);
         let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
@@ -105,7 +105,7 @@ impl Carriers {
     }
 }
 
-/// t_k y′_l − t_l y′_k
+/// Computes t_k y′_l − t_l y′_k.
 fn minor(algebra: &mut Algebra<'_>, pair: (usize, usize), a: &AffineExpansion, b: &AffineExpansion) -> Minor {
     let mut slopes: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
     for &(part, slope) in &b.rest {

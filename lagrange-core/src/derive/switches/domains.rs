@@ -1,10 +1,10 @@
 //! Domains of expressions on fixed sides of switches.
 //!
-//! A step looks at states beyond a surface before the surface is located in it. |x|^(3/2) written
-//! as (s x)^(3/2) would have no value there, nor would the first branch of
-//! `if x > 0 { sqrt(x) } else { 0 }`. An argument that a function restricts is therefore brought
-//! back into its domain. This is done beyond the surfaces that it depends on or is chosen by, and
-//! nowhere else:
+//! A step evaluates states beyond a surface before the surface is located within it. |x|^(3/2)
+//! written as (s x)^(3/2) would be undefined there, and so would the first branch of
+//! `if x > 0 { sqrt(x) } else { 0 }`. An argument with a restricted domain is therefore brought
+//! back into it. This is only done beyond the surfaces that the argument depends on or that choose
+//! its branch:
 //!
 //! | argument | beyond one of its surfaces |
 //! |---|---|
@@ -13,11 +13,11 @@
 //! | of tables with `outside: error` | the nearest number between their ends |
 //! | of functions of the user's crate | as much before the surface as it would be beyond |
 //!
-//! On the sides themselves the values are those of the declaration, NaN included, and they are
-//! continuous across the surfaces. What is singular at its surface, as |x|^(−1/2) is, has no value
-//! beyond: no step leads across. Where max(a, x)^(−1/2) becomes a^(−1/2), nothing is singular, and
-//! the base is kept as that of roots is. x |x|^(−1/2) is not singular, as s |x|^(1/2) shows, nor is
-//! x |x|^(p − 1) for positive p.
+//! On the sides themselves the values are those of the declaration, including NaN, and they are
+//! continuous across the surfaces. An expression that is singular at its surface, such as |x|^(−1/2),
+//! has no value beyond: no step crosses it. Where max(a, x)^(−1/2) becomes a^(−1/2), nothing is
+//! singular, and the base is treated like that of a root. x |x|^(−1/2) is not singular, as s |x|^(1/2)
+//! shows, and neither is x |x|^(p − 1) for positive p.
 
 use super::Side;
 use super::poles::{vanishes, without_removable_poles};
@@ -31,12 +31,13 @@ use lagrange_expr::opaque::{Opaque, Outside};
 /// Surfaces beyond which arguments are brought back into domains.
 pub(super) struct Domains<'a> {
     sides: &'a HashMap<ExprId, Side>,
-    /// Surfaces by which restricted nodes are chosen.
+    /// Surfaces that choose between restricted nodes.
     chosen_by: HashMap<ExprId, Vec<Side>>,
 }
 
 impl<'a> Domains<'a> {
-    /// Finds the surfaces by which nodes are chosen. `sides` are those of the nodes that switch.
+    /// Finds the surfaces that choose between nodes. `sides` are the sides of the nodes that
+    /// switch.
     pub(super) fn new(graph: &Graph, ids: &[ExprId], sides: &'a HashMap<ExprId, Side>) -> Self {
         let mut chosen_by: HashMap<ExprId, Vec<Side>> = HashMap::default();
         if ids.iter().any(|&id| has_domain(graph, id)) {
@@ -99,9 +100,9 @@ impl<'a> Domains<'a> {
         }
     }
 
-    /// Returns an argument of a function without a formula, whose domain nobody knows. Beyond a
-    /// surface it has values of its side. They are reflected if the argument is a multiple of the
-    /// distance. They are as declared if it turns back there, as |x| does.
+    /// Returns an argument of a function without a formula, whose domain is unknown. Beyond a
+    /// surface the argument retains values of its side. It is reflected if it is affine in the
+    /// distance. It is as declared if it turns back at the surface, as |x| does.
     fn kept_on_side(
         &self,
         graph: &mut Graph,
@@ -124,7 +125,7 @@ impl<'a> Domains<'a> {
         kept
     }
 
-    /// True if an expression depends on a surface as magnitudes, minima and maxima do.
+    /// True if an expression depends on a surface only through magnitudes, minima and maxima.
     fn turns_back(&self, graph: &Graph, id: ExprId, side: Side) -> bool {
         let of_side = |part: &ExprId| self.sides.get(part).is_some_and(|own| own.value == side.value);
         let mut parts = graph.reachable(&[id]).into_iter().filter(of_side).peekable();
@@ -134,7 +135,7 @@ impl<'a> Domains<'a> {
             })
     }
 
-    /// Rebuilds a call of a table that ends; `None` for other tables.
+    /// Rebuilds a call of a table with `outside: error`; `None` for other tables.
     fn within_table(
         &self,
         graph: &mut Graph,
@@ -158,7 +159,7 @@ impl<'a> Domains<'a> {
         Some(graph.opaque(function.clone(), &inside))
     }
 
-    /// Returns an argument of a node on its sides, and beyond them within the domain.
+    /// Returns an argument of a node as declared on its sides, and within the domain beyond them.
     fn kept(
         &self,
         graph: &mut Graph,
@@ -186,8 +187,8 @@ impl<'a> Domains<'a> {
         surfaces.into_iter().fold(mapped, |rest, side| beyond(graph, side, inside, rest))
     }
 
-    /// Returns the base of a negative power on its sides, and positive beyond surfaces where it
-    /// does not vanish. There it is as declared if that is never negative, else its magnitude.
+    /// Returns the base of a negative power, made positive beyond surfaces where it does not
+    /// vanish. There it is as declared if that is never negative, else its magnitude.
     fn kept_off_poles(
         &self,
         graph: &mut Graph,
@@ -208,7 +209,7 @@ impl<'a> Domains<'a> {
         surfaces.into_iter().fold(mapped, |rest, side| beyond(graph, side, inside, rest))
     }
 
-    /// Returns the surfaces that an argument of a node is made of, and those that choose the node.
+    /// Returns the surfaces that an argument of a node depends on, and those that choose the node.
     fn surfaces(&self, graph: &Graph, id: ExprId, argument: ExprId) -> Vec<Side> {
         let mut surfaces = self.chosen_by.get(&id).cloned().unwrap_or_default();
         for part in graph.reachable(&[argument]) {
@@ -246,7 +247,7 @@ fn has_domain(graph: &Graph, id: ExprId) -> bool {
     is_restricted(graph, id) || matches!(graph.node(id), Node::Opaque(function, _) if !function.is_solution())
 }
 
-/// Chooses `inside` beyond a surface.
+/// Chooses `inside` beyond a surface and `rest` elsewhere.
 fn beyond(graph: &mut Graph, side: Side, inside: ExprId, rest: ExprId) -> ExprId {
     let (zero, distance) = (graph.number(0), graph.multiply(side.sign, side.value));
     graph.choose(Relation::Less, distance, zero, inside, rest)
@@ -258,7 +259,7 @@ fn exact(graph: &mut Graph, number: f64) -> Option<ExprId> {
     Some(graph.number(if number < 0.0 { -&magnitude } else { magnitude }))
 }
 
-/// Returns the expressions of which a node chooses one.
+/// Returns the expressions that a node chooses from.
 fn branches(graph: &Graph, id: ExprId) -> Vec<ExprId> {
     match graph.node(id) {
         Node::Choose { then, otherwise, .. } => vec![*then, *otherwise],
@@ -279,7 +280,7 @@ fn within(graph: &mut Graph, argument: ExprId, domain: Domain) -> ExprId {
     }
 }
 
-/// Adds a surface that is not there yet.
+/// Adds a surface unless it is already included.
 fn include(surfaces: &mut Vec<Side>, side: Side) {
     if surfaces.iter().all(|known| known.value != side.value) {
         surfaces.push(side);

@@ -24,7 +24,7 @@ pub fn one_sided(graph: &mut Graph, switches: &[Switch], roots: &[ExprId]) -> Ha
     image
 }
 
-/// Returns the side of each node that is not smooth on one of the switches.
+/// Returns the side of each node that is not smooth at one of the switches.
 fn sides(graph: &mut Graph, switches: &[Switch], ids: &[ExprId]) -> HashMap<ExprId, Side> {
     let signs = switches.iter().map(|switch| (switch.value, switch.side)).collect::<HashMap<_, _>>();
     let mut sides = HashMap::default();

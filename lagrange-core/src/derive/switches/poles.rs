@@ -1,5 +1,5 @@
-//! Negative powers on fixed sides of switches: poles that a factor beside them removes, and those
-//! that are on no surface.
+//! Negative powers on fixed sides of switches: poles that another factor removes, and poles that
+//! are not on a surface.
 
 use super::Side;
 use lagrange_algebra::calculus::substitute;
@@ -116,7 +116,7 @@ fn join_power(
     }
 }
 
-/// True if an expression is seen to be zero on a surface, as |x| is where x is.
+/// True if an expression is recognised as zero on a surface, such as |x| where x is zero.
 pub(super) fn vanishes(graph: &mut Graph, sides: &HashMap<ExprId, Side>, id: ExprId, side: Side) -> bool {
     let zero = graph.number(0);
     let mut values = HashMap::default();
@@ -139,7 +139,7 @@ pub(super) fn vanishes(graph: &mut Graph, sides: &HashMap<ExprId, Side>, id: Exp
     graph.is_zero(there) || multiple(graph, id, side.value).is_some()
 }
 
-/// Returns the number r with e = r f; `None` if there is none.
+/// Returns the number r with e = r f; `None` if it does not exist.
 fn multiple(graph: &Graph, e: ExprId, f: ExprId) -> Option<Number> {
     if e == f {
         return Some(Number::ONE);

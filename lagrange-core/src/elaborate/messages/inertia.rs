@@ -1,5 +1,4 @@
-//! Diagnostics for mass geometry: calls of its functions, and obligations about masses and moments
-//! of inertia.
+//! Diagnostics for mass geometry: function calls, and obligations on masses and moments of inertia.
 
 use lagrange_expr::diagnostics::messages;
 
@@ -22,7 +21,7 @@ messages! {
     HOLES_BELONG_IN_A_COMPOUND =
         "where mass is missing, write `compound { …; hole disk(r), mass: m, at: (X, Y); }`, where m is positive and less than the mass of the other parts";
 
-    /// `condition` says for which values of symbols the numbers hold.
+    /// `condition` gives the values of symbols for which the numbers hold.
     other_inertia(body, stated, of_shape, condition) =
         "{condition}the stated moment of inertia of `{body}` is {stated}, but that of its shape is {of_shape}";
     WITH_DEFAULTS = "with the defaults of the parameters ";
@@ -69,7 +68,7 @@ pub(in crate::elaborate) fn inertia_negative(body: &str, value: &str, is_constan
     format!("{condition}the moment of inertia of `{body}` is {value}, but must not be negative")
 }
 
-/// `for m = 2, r = 3 `
+/// Writes `for m = 2, r = 3 `.
 pub(in crate::elaborate) fn for_values(values: &[(String, f64)]) -> String {
     let values = values.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>();
     format!("for {} ", values.join(", "))

@@ -1,5 +1,5 @@
-//! Diagnostics for names and functions: declared twice, too late, not at all, or spelt as they are
-//! elsewhere.
+//! Diagnostics for names and functions: declared twice, too late or not at all, or spelt as in
+//! other languages.
 
 use lagrange_expr::diagnostics::messages;
 
@@ -64,7 +64,7 @@ pub(in crate::elaborate) fn first_declared(name: &str, kind: &str) -> String {
     format!("`{name}` is first declared here, as {article} {kind}")
 }
 
-/// Behind what is said of a name that has no meaning in several places.
+/// Returns the end of the message for a name that is undefined in several places.
 pub(in crate::elaborate) fn and_elsewhere(others: usize) -> String {
     match others {
         1 => ", here and in one other place".to_owned(),
@@ -72,7 +72,7 @@ pub(in crate::elaborate) fn and_elsewhere(others: usize) -> String {
     }
 }
 
-/// Advice for a function that the language does not have.
+/// Returns advice for a function that does not exist in the language.
 pub(in crate::elaborate) fn declare_function(name: &str, count: usize) -> String {
     let parameters = match count {
         0 | 1 => "x".to_owned(),

@@ -16,7 +16,7 @@ messages! {
     PART_OF_QUATERNION = "an initial orientation needs all components of its unit quaternion";
 }
 
-/// Advice that lists the components of a quaternion.
+/// Returns advice that lists the components of a quaternion.
 pub(in crate::elaborate) fn whole_quaternion(components: [&str; 4]) -> String {
     let values = ["cos(a/2)", "x*sin(a/2)", "y*sin(a/2)", "z*sin(a/2)"];
     let starts = components.iter().zip(values).map(|(name, value)| format!("{name} = {value}"));

@@ -48,7 +48,7 @@ pub(in crate::elaborate) fn missing_point(name: &str, [x, y]: [f64; 2]) -> Strin
     format!("the grid of the table `{name}` lacks the point ({x}, {y})")
 }
 
-/// Help where a table is evaluated beyond its ends.
+/// Returns help for a table that is evaluated beyond its ends.
 pub(in crate::elaborate) fn reaches(name: &str, axes: &[[f64; 2]]) -> String {
     let reach = axes.iter().map(|[first, last]| format!("from {first} to {last}")).collect::<Vec<_>>();
     format!("the table `{name}` reaches {}", reach.join(" and "))

@@ -1,7 +1,7 @@
 //! Attributes of the head, and their effect on everything else that is emitted.
 //!
-//! The struct keeps them. Conditions hold for every item. Lint levels hold for the warnings about
-//! the declaration, too. An `#[expect]` of these warnings applies to them alone, since the struct
+//! The struct keeps them. Conditions apply to every item. Lint levels also apply to the warnings
+//! about the declaration. An `#[expect]` of these warnings applies only to them, since the struct
 //! itself never causes them.
 
 use proc_macro2::{Group, TokenStream, TokenTree};
@@ -10,9 +10,9 @@ use quote::quote;
 use lagrange_expr::diagnostics::{Diagnostic, Severity};
 use lagrange_language::syntax::ast::{Declaration, Name};
 
-/// The lint of what is expensive or doubtful.
+/// The lint for expensive or doubtful declarations.
 pub(in crate::emit) const NOTICE: &[&str] = &["deprecated"];
-/// The lint of names that are never used, and the group that it belongs to.
+/// The lint for unused names, and its group.
 pub(in crate::emit) const UNUSED: &[&str] = &["unused_variables", "unused"];
 
 /// An attribute: a number sign and a group in brackets.
@@ -31,7 +31,7 @@ impl Attribute<'_> {
         self.tokens.iter().cloned().collect()
     }
 
-    /// The list in its parentheses: lints, and perhaps a reason.
+    /// Returns the arguments in its parentheses: lints, and an optional reason.
     fn arguments(&self) -> Vec<TokenStream> {
         let Some(TokenTree::Group(list)) = self.group.stream().into_iter().nth(1) else { return Vec::new() };
         let tokens = list.stream().into_iter().collect::<Vec<_>>();
@@ -40,7 +40,7 @@ impl Attribute<'_> {
         arguments.map(|argument| argument.iter().cloned().collect()).collect()
     }
 
-    /// Attribute without those of its arguments that end in one of these words.
+    /// Returns the attribute without arguments that end in one of these words.
     fn without(&self, words: &[&Name]) -> Option<TokenStream> {
         let ends_in = |argument: &TokenStream| match argument.clone().into_iter().last() {
             Some(TokenTree::Ident(word)) => words.iter().any(|other| word == other.text.as_str()),
@@ -54,8 +54,7 @@ impl Attribute<'_> {
         Some(quote!(#[derive(#(#kept),*)]))
     }
 
-    /// Attribute with those of its lints that are `chosen`, and the reason; `None` without such a
-    /// lint.
+    /// Returns the attribute with its `chosen` lints and the reason; `None` without such a lint.
     fn with(&self, level: &str, chosen: impl Fn(&str) -> bool) -> Option<TokenStream> {
         let is_reason = |argument: &TokenStream| argument.to_string().starts_with("reason =");
         let (reasons, lints): (Vec<_>, Vec<_>) = self.arguments().into_iter().partition(is_reason);
@@ -65,7 +64,7 @@ impl Attribute<'_> {
     }
 }
 
-/// Attributes as `write` changes each.
+/// Applies `write` to each attribute.
 fn mapped(attributes: &TokenStream, write: impl Fn(&Attribute<'_>) -> Option<TokenStream>) -> TokenStream {
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     let attributes = tokens.chunks(2).filter_map(|tokens| match tokens {
@@ -75,12 +74,13 @@ fn mapped(attributes: &TokenStream, write: impl Fn(&Attribute<'_>) -> Option<Tok
     attributes.filter_map(|attribute| write(&attribute)).collect()
 }
 
-/// The conditions of the struct, `#[cfg(…)]`.
+/// Returns the conditions of the struct, `#[cfg(…)]`.
 pub(in crate::emit) fn conditions(attributes: &TokenStream) -> TokenStream {
     mapped(attributes, |attribute| attribute.is("cfg").then(|| attribute.tokens()))
 }
 
-/// Attributes for warnings of one of these lints: the conditions of the struct and its lint levels.
+/// Returns the attributes for warnings of one of these lints: the conditions of the struct and its
+/// lint levels.
 pub(in crate::emit) fn of_warnings(attributes: &TokenStream, lints: &[&str]) -> TokenStream {
     mapped(attributes, |attribute| {
         match ["cfg", "allow", "warn", "deny"].iter().any(|name| attribute.is(name)) {
@@ -91,8 +91,8 @@ pub(in crate::emit) fn of_warnings(attributes: &TokenStream, lints: &[&str]) -> 
     })
 }
 
-/// Expectations of one of these lints, with the conditions of the struct; nothing if there are
-/// none.
+/// Returns the expectations of one of these lints, with the conditions of the struct; empty if
+/// there are no expectations.
 pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) -> TokenStream {
     let expected = mapped(attributes, |attribute| match attribute.is("expect") {
         true => attribute.with("expect", |lint| lints.contains(&lint)),
@@ -102,12 +102,12 @@ pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) ->
     if expected.is_empty() { expected } else { quote!(#conditions #expected) }
 }
 
-/// Returns the attributes that the struct keeps. Lints about the declaration that are expected are
-/// only allowed there, and traits that were reported as not derivable are omitted.
+/// Returns the attributes that the struct keeps. Expected lints about the declaration become
+/// allowed there. Traits that have been reported as not derivable are omitted.
 pub fn attributes_of_struct(declaration: &Declaration, diagnostics: &[Diagnostic]) -> TokenStream {
     let underivable = declaration.underivable();
     let warns_of_unused = diagnostics.iter().any(|one| matches!(one.severity, Severity::Unused(_)));
-    // The struct itself may be unused, but it is no variable and nothing deprecated.
+    // The struct itself may be unused, but it is neither a variable nor deprecated.
     let is_of_warnings =
         |lint: &str| NOTICE.contains(&lint) || lint == UNUSED[0] || warns_of_unused && UNUSED.contains(&lint);
     mapped(&declaration.attributes, |attribute| match attribute.is("expect") {
@@ -121,7 +121,7 @@ pub fn attributes_of_struct(declaration: &Declaration, diagnostics: &[Diagnostic
     })
 }
 
-/// Lets emitted items use a struct that is deprecated.
+/// Lets emitted items use a deprecated struct.
 pub(in crate::emit) fn deprecated_exception(attributes: &TokenStream) -> Option<TokenStream> {
     let exception =
         quote!(#[allow(deprecated, reason = "what is deprecated is the type, not what makes it one")]);
@@ -129,7 +129,7 @@ pub(in crate::emit) fn deprecated_exception(attributes: &TokenStream) -> Option<
     (!found.is_empty()).then_some(exception)
 }
 
-/// The lines of documentation and the other attributes.
+/// Splits attributes into the lines of documentation and the others.
 pub(in crate::emit) fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     // An attribute is a number sign and a group in brackets.
@@ -140,7 +140,7 @@ pub(in crate::emit) fn split_attributes(attributes: &TokenStream) -> (Vec<TokenS
     (attributes(docs), attributes(others))
 }
 
-/// `#[doc = …]`, which is also what comments become, but not `#[doc(hidden)]`.
+/// True for `#[doc = …]`, the form of documentation comments, but not for `#[doc(hidden)]`.
 fn is_documentation(attribute: &[TokenTree]) -> bool {
     let Some(TokenTree::Group(group)) = attribute.get(1) else { return false };
     let mut tokens = group.stream().into_iter();

@@ -1,4 +1,4 @@
-//! Variables of method bodies: parameters, coordinates and the rest that they compute with.
+//! Variables of method bodies: parameters, coordinates and other symbols.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -10,7 +10,7 @@ use lagrange_algebra::code::Names;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::symbol::Role;
 
-/// Variables that the bodies of one system find their symbols in.
+/// Variables for the symbols in the bodies of one system.
 pub(super) struct Bindings<'a> {
     pub(super) shape: &'a Shape<'a>,
     pub(super) model: &'a Model,
@@ -18,19 +18,19 @@ pub(super) struct Bindings<'a> {
     pub(super) emitted_type: EmittedType<'a>,
 }
 
-/// Type whose method a body is.
+/// Type that a method body belongs to.
 #[derive(Clone, Copy)]
 pub(super) enum EmittedType<'a> {
     /// The system.
     System,
     /// The prepared type, with these fields.
     Prepared(&'a [Ident]),
-    /// The type for numbers side by side.
+    /// The type for numbers in lanes.
     Lanes,
 }
 
 impl Bindings<'_> {
-    /// Parameters, coordinates and rates under the names that the body uses.
+    /// Binds parameters, coordinates and rates to the names that the body uses.
     pub(super) fn of(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
         let ArgumentNames { time, positions, velocities, accelerations, state, residuals, .. } =
             self.arguments;
@@ -71,7 +71,7 @@ impl Bindings<'_> {
         quote!(#fields #q #v #a #multipliers #reactions)
     }
 
-    /// Parameters and inputs of the system that is prepared, and what was prepared.
+    /// Binds parameters and inputs of the underlying system, and the prepared values.
     fn prepared_bindings(&self, fields: &[Ident], used: &[Role], names: &mut Names) -> TokenStream {
         let system = self.shape.name();
         let own = bound_fields(self.shape, self.model, used, names);
@@ -88,14 +88,14 @@ impl Bindings<'_> {
         quote!(#own #prepared)
     }
 
-    /// Parameters and inputs of numbers side by side, which have no other fields.
+    /// Binds parameters and inputs in lanes; the type has no other fields.
     fn lanes_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
         let bound = bound_fields(self.shape, self.model, used, names);
         let has_others = bound.len() < self.shape.number_fields().len();
         destructured(&bound, has_others, (&quote!(Self), &quote!(*self)))
     }
 
-    /// The sides of switches that a body uses.
+    /// Binds the sides of switches that a body uses.
     fn side_bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> Option<TokenStream> {
         let ArgumentNames { time, positions, velocities, state, .. } = self.arguments;
         let pattern = self.pattern((0..self.shape.switches.len() as u32).map(Role::Side), used, names)?;
@@ -110,7 +110,7 @@ impl Bindings<'_> {
                     self.sides(#time, &positions, &velocities)
                 };
             },
-            // What does not depend on velocities may be given any.
+            // The result does not depend on velocities, so any values are valid.
             Arguments::Positions => {
                 let scalar = self.shape.scalar();
                 quote!(let #pattern = self.sides(#time, #positions, &[<#scalar as #krate::Number>::ZERO; #n]);)
@@ -119,7 +119,7 @@ impl Bindings<'_> {
         })
     }
 
-    /// An array of the names of those roles that are used, if any is.
+    /// Returns an array pattern with the names of the used roles, if any are used.
     fn pattern(
         &self,
         roles: impl Iterator<Item = Role> + Clone,
@@ -138,7 +138,7 @@ impl Bindings<'_> {
     }
 }
 
-/// Parameters and inputs under the names that a body uses.
+/// Binds parameters and inputs to the names that a body uses.
 pub(in crate::emit) fn field_bindings(
     shape: &Shape<'_>,
     model: &Model,
@@ -149,7 +149,7 @@ pub(in crate::emit) fn field_bindings(
     destructured(&bound, has_others(shape, &bound), (&quote!(Self), &quote!(*self)))
 }
 
-/// The fields that are used, each with the names that the body uses.
+/// Returns the used fields, each with the names that the body uses.
 fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Names) -> Vec<TokenStream> {
     let symbols = model.graph.symbols();
     let used = used.iter().copied().collect::<HashSet<_>>();
@@ -158,8 +158,8 @@ fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Nam
     let bound = shape.number_fields().into_iter().filter_map(|field| {
         let own = roles.by_ref().take(field.names.len()).collect::<Vec<_>>();
         own.iter().any(|role| used.contains(role)).then(|| {
-            // A field can be named from the macro's side, and must be, for the local to be the
-            // macro's.
+            // A field can be named with the span of the macro, and must be, so that the local
+            // belongs to the macro.
             let locals = own.into_iter().map(|role| match used.contains(&role) {
                 true => names.role(symbols, role).into_token_stream(),
                 false => quote!(_),
@@ -170,7 +170,7 @@ fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Nam
     bound.collect()
 }
 
-/// True if the system has fields beside these.
+/// True if the system has fields other than these.
 fn has_others(shape: &Shape<'_>, bound: &[TokenStream]) -> bool {
     !shape.switches.is_empty()
         || shape.fields_of_modes().next().is_some()

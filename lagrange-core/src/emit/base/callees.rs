@@ -1,5 +1,5 @@
-//! Functions of the user's crate: where they are named, and derivatives that are called and not
-//! named.
+//! Functions of the user's crate: the places of their names, and derivatives that are called but
+//! not declared.
 
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::opaque::Opaque;
@@ -7,16 +7,16 @@ use lagrange_language::syntax::ast::{AstId, Declaration, Expression, ExternalFun
 
 use super::messages;
 
-/// A derivative that is called, and not among those that the declaration lists.
+/// A derivative that is called but not listed in the declaration.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(in crate::emit) struct MissingDerivative {
     pub(in crate::emit) derivative: Opaque,
-    /// The caller, in words, and whether it can be omitted.
+    /// Description of the caller; `product` is its name if it can be omitted.
     pub(in crate::emit) needed_by: String,
     pub(in crate::emit) product: Option<&'static str>,
 }
 
-/// The names of functions without a formula, where the user says them.
+/// Returns the names of functions without a formula, at the places where the user wrote them.
 pub(in crate::emit) fn callees(declaration: &Declaration) -> Vec<Name> {
     let functions = externals(declaration);
     let names = functions.flat_map(|function| {
@@ -37,8 +37,8 @@ fn externals(declaration: &Declaration) -> impl Iterator<Item = &ExternalFunctio
     })
 }
 
-/// Reports at the declaration of each function which of its derivatives is missing, and where that
-/// comes from.
+/// Reports missing derivatives at the declaration of each function, with the reason why they are
+/// needed.
 pub(in crate::emit) fn report_missing(
     declaration: &Declaration,
     missing: &[MissingDerivative],

@@ -12,7 +12,7 @@ use lagrange_language::syntax::print;
 #[derive(Clone)]
 pub(in crate::emit) struct Field {
     pub(in crate::emit) identifier: Ident,
-    /// Numbers of elements in each direction; none for a number.
+    /// Numbers of elements in each dimension; empty for a number.
     pub(in crate::emit) sizes: Vec<usize>,
     /// Its names, the last index changing fastest.
     pub(in crate::emit) names: Vec<Name>,
@@ -23,12 +23,12 @@ impl Field {
         Field { identifier: identifier(name), sizes: Vec::new(), names: vec![name.clone()] }
     }
 
-    /// True of an array.
+    /// True for an array.
     pub(in crate::emit) fn is_array(&self) -> bool {
         !self.sizes.is_empty()
     }
 
-    /// Its type.
+    /// Returns the type of the field.
     pub(in crate::emit) fn type_of(&self, scalar: &TokenStream) -> TokenStream {
         let arrays = self.sizes.iter().rev();
         arrays.fold(scalar.clone(), |element, size| {
@@ -37,8 +37,8 @@ impl Field {
         })
     }
 
-    /// The field with values or patterns for its names, as it stands in a literal or a pattern of
-    /// the struct.
+    /// Writes the field in a literal or a pattern of the struct, with values or patterns for its
+    /// names.
     pub(in crate::emit) fn with(&self, values: &[TokenStream]) -> TokenStream {
         let field = &self.identifier;
         let value = self.nested(values);
@@ -53,7 +53,7 @@ impl Field {
         quote!(#(#level)*)
     }
 
-    /// Returns the names as written, `theta[2]` for an element of an array.
+    /// Returns the names as they are written, such as `theta[2]` for an element of an array.
     pub(in crate::emit) fn written(&self) -> Vec<String> {
         self.places().iter().map(|place| place.to_string().replace(' ', "")).collect()
     }
@@ -76,8 +76,8 @@ impl Field {
     }
 }
 
-/// Fields for names in their order: arrays where all names of one follow each other, numbers
-/// elsewhere. No two have the same name.
+/// Returns fields for names in this order: arrays if all names of an array are consecutive, numbers
+/// otherwise. No two fields have the same name.
 pub(in crate::emit) fn fields(names: &[&Name], arrays: &[DeclaredArray]) -> Vec<Field> {
     let firsts = arrays.iter().filter_map(|array| Some((array.elements.first()?.name.clone(), array)));
     let firsts = firsts.collect::<HashMap<_, _>>();
@@ -92,7 +92,7 @@ pub(in crate::emit) fn fields(names: &[&Name], arrays: &[DeclaredArray]) -> Vec<
     without_clashes(fields)
 }
 
-/// The field for an array whose elements come first among these names.
+/// Returns the field for an array, if its elements come first among these names.
 fn as_field(array: &DeclaredArray, names: &[&Name]) -> Option<Field> {
     let sizes = array.sizes.clone()?;
     let own = names.get(..array.elements.len())?;
@@ -101,7 +101,7 @@ fn as_field(array: &DeclaredArray, names: &[&Name]) -> Option<Field> {
     are_elements.then(|| Field { identifier: identifier(&array.name), sizes, names: names() })
 }
 
-/// Takes arrays apart that have the name of something else.
+/// Splits arrays whose name clashes with another field.
 fn without_clashes(fields: Vec<Field>) -> Vec<Field> {
     let mut counts: HashMap<String, usize> = HashMap::default();
     for field in &fields {
@@ -115,8 +115,8 @@ fn without_clashes(fields: Vec<Field>) -> Vec<Field> {
     fields.into_iter().flat_map(apart).collect()
 }
 
-/// A literal or a pattern of a struct with these fields, of values or patterns for all names in
-/// their order.
+/// Writes the entries of a literal or a pattern of a struct with these fields, from values or
+/// patterns for all names in order.
 pub(in crate::emit) fn entries(fields: &[Field], values: &[TokenStream]) -> Vec<TokenStream> {
     let mut rest = values;
     let entries = fields.iter().map(|field| {
@@ -133,17 +133,17 @@ pub(in crate::emit) fn places(fields: &[Field]) -> Vec<TokenStream> {
 }
 
 impl Shape<'_> {
-    /// Fields for these parameters and inputs.
+    /// Returns the fields for these parameters and inputs.
     pub(in crate::emit) fn fields_of(&self, names: &[&Name]) -> Vec<Field> {
         fields(names, &self.declaration.arrays)
     }
 
-    /// Fields of parameters and inputs.
+    /// Returns the fields of all parameters and inputs.
     pub(in crate::emit) fn number_fields(&self) -> Vec<Field> {
         self.fields_of(&self.fields)
     }
 
-    /// Fields for these parameters and inputs as they are declared, with documentation.
+    /// Writes the declarations of the fields for these parameters and inputs, with documentation.
     pub(in crate::emit) fn declared_fields(&self, names: &[&Name], number: &TokenStream) -> TokenStream {
         let declared = self.fields_of(names).into_iter().filter_map(|field| {
             let (name, first) = (&field.identifier, field.names.first()?);
@@ -157,20 +157,20 @@ impl Shape<'_> {
         declared.collect()
     }
 
-    /// The range of a parameter in documentation; empty if it has none.
+    /// Returns the range of a parameter for documentation; empty if it has none.
     fn in_range(&self, name: &Name) -> String {
         let range = self.ranges.get(&name.text.as_str());
         let printed = range.map(|range| print::range(&self.declaration.expressions, range));
         printed.map_or_else(String::new, |range| format!(", `{range}`"))
     }
 
-    /// Identifiers of the fields of parameters and inputs.
+    /// Returns the identifiers of the fields of parameters and inputs.
     pub(in crate::emit) fn number_identifiers(&self) -> Vec<Ident> {
         self.number_fields().into_iter().map(|field| field.identifier).collect()
     }
 
-    /// These fields, those of modes among them, in a literal of the struct, as they are in `self`;
-    /// with the marker, if there is one.
+    /// Writes the selected fields in a literal of the struct with their values in `self`. This
+    /// includes fields of modes, and the marker if there is one.
     pub(in crate::emit) fn kept_fields(&self, keeps: impl Fn(&Name) -> bool) -> TokenStream {
         let kept = self.fields.iter().copied().filter(|name| keeps(name)).collect::<Vec<_>>();
         let modes = self.fields_of_modes().filter(|name| keeps(name)).map(identifier);

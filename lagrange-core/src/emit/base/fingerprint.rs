@@ -6,7 +6,7 @@ use lagrange_language::syntax::print;
 /// Returns a number that distinguishes declarations by their statements with the numbers of tables,
 /// and by their accuracy.
 ///
-/// Comments, documentation, pictures and the layout of the source are no part of it.
+/// Comments, documentation, pictures and the layout of the source do not affect it.
 pub fn fingerprint(declaration: &Declaration) -> u64 {
     let mut said = declaration.clone();
     said.statements.retain(|statement| !matches!(statement.kind, StatementKind::Scene(_)));
@@ -14,7 +14,8 @@ pub fn fingerprint(declaration: &Declaration) -> u64 {
     fnv1a(&[declaration.accuracy.name(), &print::statements(&said)].join("\n"))
 }
 
-/// The hash FNV-1a of 64 bits, which is the same on every platform and in every version of Rust.
+/// Returns the 64-bit FNV-1a hash, which is the same on every platform and in every version of
+/// Rust.
 ///
 /// Source: Fowler, Noll, Vo, Eastlake, Hansen, *The FNV Non-Cryptographic Hash Algorithm*,
 /// draft-eastlake-fnv, §2.

@@ -8,13 +8,13 @@ use lagrange_algebra::code::Scalar;
 use lagrange_language::syntax::ast::ScalarType;
 
 impl Shape<'_> {
-    /// The name of the type for numbers side by side.
+    /// Returns the name of the type for numbers in lanes.
     pub(in crate::emit) fn lanes_name(&self) -> Ident {
         let name = &self.declaration.name;
         format_ident!("{}Lanes", name.text, span = name.span)
     }
 
-    /// Its type parameter: that of the system, if it has one.
+    /// Returns its type parameter: that of the system, if it has one.
     pub(in crate::emit) fn lanes_number(&self) -> Ident {
         match &self.declaration.scalar {
             ScalarType::Generic(name) => identifier(name),
@@ -22,13 +22,13 @@ impl Shape<'_> {
         }
     }
 
-    /// The number type that bodies of its methods compute with.
+    /// Returns the number type in the bodies of its methods.
     pub(in crate::emit) fn lanes_computed_with(&self) -> Scalar {
         let is_single = matches!(self.declaration.scalar, ScalarType::F32);
         Scalar::SideBySide { number: self.lanes_number(), is_single }
     }
 
-    /// A type parameter that is not that of the system.
+    /// Returns a type parameter that differs from that of the system.
     pub(in crate::emit) fn other_type_parameter(&self, wish: &str) -> Ident {
         match &self.declaration.scalar {
             ScalarType::Generic(name) if name.text == wish => local(&format!("{wish}_")),

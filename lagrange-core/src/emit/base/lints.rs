@@ -8,7 +8,7 @@ use quote::quote;
 use super::shape::Shape;
 use lagrange_algebra::program::Op;
 
-/// Constants of the standard library that numbers can be taken for.
+/// Constants of the standard library that numbers can be mistaken for.
 const NAMED: [f64; 10] = [
     consts::PI,
     consts::E,
@@ -21,11 +21,11 @@ const NAMED: [f64; 10] = [
     consts::LOG2_10,
     consts::LOG10_2,
 ];
-/// Distance, relative to a constant, from which on nothing is taken for it or for its multiples by
+/// Relative distance beyond which a number is not mistaken for a constant or its multiples by
 /// powers of two.
 const UNLIKE: f64 = 1e-3;
 
-/// True of constants that are rounded, or look like those of the standard library.
+/// True for constants that are rounded or resemble those of the standard library.
 pub(in crate::emit) fn looks_rounded(op: &Op) -> bool {
     let is_near = |number: f64| {
         let is_like = |named: f64| (number.abs() / named - 1.0).abs() < UNLIKE;
@@ -38,14 +38,14 @@ pub(in crate::emit) fn looks_rounded(op: &Op) -> bool {
     }
 }
 
-/// Lets rounded constants look like those of the standard library.
+/// Lets rounded constants resemble those of the standard library.
 pub(in crate::emit) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
     is_needed.then(
         || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
     )
 }
 
-/// Lets the names of types go with that of the struct, which alone is warned of.
+/// Lets type names follow the name of the struct, so that only the latter causes a warning.
 pub(in crate::emit) fn type_name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
     let name = shape.declaration.name.text.trim_matches('_');
     let is_camel_case = !name.starts_with(char::is_lowercase) && !name.contains('_');
@@ -53,14 +53,14 @@ pub(in crate::emit) fn type_name_exception(shape: &Shape<'_>) -> Option<TokenStr
     (!is_camel_case).then_some(exception)
 }
 
-/// Lets names keep the letters that they have in formulas.
+/// Lets names keep their letters from formulas.
 pub(in crate::emit) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
     let touching = shape.touching.iter().map(|(name, _)| name);
     let outputs = shape.outputs.iter().map(|(name, _)| name);
     let velocities = shape.velocities.iter().map(|velocity| &velocity.name);
     let names = shape.fields.iter().chain(&shape.coordinates).copied().chain(velocities);
     let names = names.chain(touching.copied()).chain(outputs);
-    // In names of their methods an underscore follows.
+    // The names of their methods continue with an underscore.
     let bodies = shape.bodies.iter().chain(&shape.frames).chain(&shape.frames_with_jacobian);
     let names = names.map(|name| name.text.clone()).chain(bodies.map(|name| format!("{}_", name.text)));
     let names = names.chain(shape.callees.iter().map(|name| name.text.clone()));

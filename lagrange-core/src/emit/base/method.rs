@@ -6,7 +6,7 @@ use quote::quote;
 use super::shape::{Shape, length};
 use lagrange_algebra::code::Names;
 
-/// The arguments of a method, beside the parameters.
+/// The arguments of a method, in addition to the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(in crate::emit) enum Arguments {
     /// None.
@@ -21,7 +21,7 @@ pub(in crate::emit) enum Arguments {
     Whole,
     /// `t, q, v, residuals`
     Residuals,
-    /// `t, q, shares`, of which there is one for each velocity
+    /// `t, q, shares`, with one share for each velocity
     Shares,
 }
 
@@ -32,11 +32,11 @@ pub(in crate::emit) enum Returns {
     Vector(usize),
     /// With this many rows and columns.
     Matrix(usize, usize),
-    /// A rotation in rows and a place.
+    /// A rotation in rows and a position.
     Frame,
 }
 
-/// The names of the arguments, chosen so that they hide no name of the user.
+/// The names of the arguments, chosen so that they do not shadow names of the user.
 #[derive(Clone, Debug)]
 pub(in crate::emit) struct ArgumentNames {
     pub(in crate::emit) time: Ident,
@@ -60,7 +60,7 @@ pub(in crate::emit) struct Method {
 }
 
 impl ArgumentNames {
-    /// Distinct names beside those of the user.
+    /// Chooses distinct names that differ from those of the user.
     pub(in crate::emit) fn beside(user_names: &[String]) -> ArgumentNames {
         let mut names = Names::new(user_names.iter().map(String::as_str));
         let mut allocate = |wish: &str| names.fresh(wish);
@@ -163,7 +163,7 @@ impl Returns {
         }
     }
 
-    /// The expression that puts results into that form.
+    /// Writes the expression that arranges results in this form.
     pub(in crate::emit) fn collect(self, results: &[TokenStream]) -> TokenStream {
         match self {
             Returns::Scalar => quote!(#(#results)*),

@@ -1,5 +1,5 @@
-//! Common ground of features: the shape of the emitted type, methods and their arguments,
-//! documentation, limits of size.
+//! Common basis of features: the shape of the emitted type, methods and their arguments,
+//! documentation, size limits.
 
 pub(super) mod attributes;
 pub(super) mod bindings;

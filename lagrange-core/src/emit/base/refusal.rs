@@ -1,4 +1,4 @@
-//! Why a derived system cannot be written.
+//! Reasons why a derived system cannot be written.
 
 use proc_macro2::Span;
 
@@ -12,26 +12,26 @@ use lagrange_algebra::series::NoSeries;
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
 
-/// Why a system cannot be written.
+/// Reason why a system cannot be written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(in crate::emit) enum Refusal {
-    /// These constants, in words, cannot be represented by the scalar.
+    /// These constants, as text, cannot be represented by the scalar.
     Constants(Vec<String>),
-    /// These derivatives of functions of the user's crate are called and not named.
+    /// These derivatives of functions of the user's crate are called but not declared.
     Derivatives(Vec<MissingDerivative>),
-    /// No compiler would get through it.
+    /// The code is too large for the compiler.
     Size,
-    /// This product does not go with that of the system.
+    /// This product is incompatible with a property of the system.
     Exclusion(Product, Exclusion),
     /// The motion has no Taylor series.
     Series(NoSeries),
     /// No parameter multiplies the inverse dynamics.
     NothingLinear,
-    /// A kernel in this precision cannot hold these constants, in words.
+    /// A kernel in this precision cannot represent these constants, given as text.
     KernelConstants(Precision, Vec<String>),
 }
 
-/// Reports why a system cannot be written.
+/// Reports the reason why a system cannot be written.
 pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refusal, report: &mut Report) {
     match refusal {
         Refusal::Constants(constants) => report_too_large(declaration, constants, report),
@@ -66,8 +66,8 @@ fn demand(declaration: &Declaration, product: Product) -> Span {
     items.flatten().rfind(is_demand).map_or(declaration.name.span, |item| item.product.span)
 }
 
-/// Reports constants that the scalar cannot represent and that only derivation makes: what the user
-/// wrote has been checked.
+/// Reports constants from the derivation that the scalar cannot represent; constants in the
+/// declaration have already been checked.
 fn report_too_large(declaration: &Declaration, constants: &[String], report: &mut Report) {
     let (scalar, largest) = match &declaration.scalar {
         ScalarType::F32 => ("f32", f64::from(f32::MAX)),

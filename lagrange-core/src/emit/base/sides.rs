@@ -1,4 +1,4 @@
-//! Expressions on the sides of the switches that a system is on.
+//! Expressions on the current sides of the switches.
 
 use crate::derive::{Switch, one_sided};
 use lagrange_algebra::program::Labels;
@@ -8,8 +8,8 @@ use lagrange_expr::expr::{ExprId, Graph};
 pub struct NamedRoots {
     /// The expressions.
     pub roots: Vec<ExprId>,
-    /// Names of parts of these expressions alone: a name may stand for different expressions in
-    /// different methods, as each keeps its own domains.
+    /// Names of parts of only these expressions. A name may denote different expressions in
+    /// different methods, since each keeps its own domains.
     pub labels: Labels,
 }
 

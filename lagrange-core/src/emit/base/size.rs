@@ -1,8 +1,8 @@
-//! Cost of emitted code to the compiler, and from where on it is worth a warning or too much.
+//! Cost of emitted code to the compiler, and the limits for warnings and errors.
 //!
-//! Emitted methods are straight-line code, so that the compiler's time and memory are proportional
-//! to their size. The rates were measured with `tools/compile_time.py --large`;
-//! `docs/performance.md` shows from what.
+//! Emitted methods are straight-line code, so the compiler's time and memory are proportional to
+//! their size. The rates were measured with `tools/compile_time.py --large`; `docs/performance.md`
+//! shows the measurements.
 
 use super::messages;
 use crate::derive::most_coupled;
@@ -15,11 +15,11 @@ use lagrange_expr::limits::{
 };
 use lagrange_language::syntax::ast::{Declaration, Name, Statement, StatementKind};
 
-/// Seconds of an unoptimised `cargo check` for a unit of size.
+/// Seconds that `cargo check` takes for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;
-/// Seconds that an optimised build takes in addition if every method is called.
+/// Additional seconds of an optimised build in which every method is called.
 const SECONDS_TO_OPTIMISE: f64 = 200e-6;
-/// Bytes that the compiler needs.
+/// Bytes that the compiler needs for a unit of size.
 const BYTES: f64 = 3500.0;
 
 /// Size of emitted code: the operations of all methods, and the numbers that they return.
@@ -31,13 +31,13 @@ impl Size {
         self.0 += counts.total() + results;
     }
 
-    /// True if the compiler could not be expected to finish.
+    /// True if the compiler cannot be expected to finish.
     pub(in crate::emit) fn is_hopeless(self) -> bool {
         self.0 > MAX_OPERATIONS
     }
 }
 
-/// Warns of a system that takes long to compile.
+/// Warns about a system that takes long to compile.
 pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Report) {
     if size <= MANY_OPERATIONS {
         return;
@@ -48,7 +48,7 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
     report.expensive(declaration.name.span, message).help(messages::expensive_help());
 }
 
-/// A kind of declared names, of which there are limits.
+/// A kind of declared names whose number is limited.
 struct Kind {
     plural: &'static str,
     /// The names of the kind that a statement declares.
@@ -65,8 +65,8 @@ const KINDS: [Kind; 5] = [
     Kind { plural: "events", names: events, most: MAX_EVENTS, help: messages::FEWER_EVENTS_HELP },
 ];
 
-/// Reports more of a kind than can be derived, at the first one too many, before anything is found
-/// out about them.
+/// Reports an excessive number of names of a kind, at the first one beyond the limit, before any
+/// further processing.
 pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option<()> {
     for Kind { plural, names, most, help } in KINDS {
         let names = declaration.statements.iter().flat_map(|statement| names(&statement.kind));
@@ -82,8 +82,8 @@ pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option
     Some(())
 }
 
-/// Drops statements behind those that declare as much as can be derived. A refused declaration may
-/// have many more, for each of which its skeleton would have members.
+/// Drops statements beyond the limits. A rejected declaration may have many more names, and its
+/// skeleton would have members for each of them.
 pub(in crate::emit) fn drop_excess(statements: &mut Vec<Statement>) {
     let mut counts = KINDS.map(|_| 0);
     statements.retain(|statement| {
@@ -126,7 +126,7 @@ fn outputs(kind: &StatementKind) -> Vec<&Name> {
     }
 }
 
-/// Friction that sticks and slips is an event, too.
+/// Returns the names of events; friction that sticks and slips also counts as an event.
 fn events(kind: &StatementKind) -> Vec<&Name> {
     match kind {
         StatementKind::Event(event) => vec![&event.name],
@@ -136,7 +136,7 @@ fn events(kind: &StatementKind) -> Vec<&Name> {
 }
 
 /// Reports a model that requires more code than can be emitted, before anything is derived from it.
-/// `None` if there is no point in deriving. Estimates are:
+/// `None` if derivation would be pointless. Estimates are:
 /// - for methods, about as many operations as energies have expressions;
 /// - for Jacobians, an entry for each row and column;
 /// - for mass matrices, an entry for every two velocities that move the same part.
@@ -168,7 +168,7 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
     Some(())
 }
 
-/// A lower bound of the entries of the mass matrix.
+/// Returns a lower bound on the number of entries of the mass matrix.
 fn coupled_by_one_square(model: &Model) -> usize {
     most_coupled(model, MAX_OPERATIONS.isqrt() + 1).pow(2)
 }

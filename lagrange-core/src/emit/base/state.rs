@@ -21,7 +21,7 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
         let (name, line) = entries.by_ref().take(field.names.len()).collect::<Vec<_>>().into_iter().next()?;
         let Line { text, is_component } = line.of(&field);
         let (users, blank, own) = (shape.docs(name, &text), doc(""), doc(&text));
-        // What is said of an orientation does not tell its components apart.
+        // The documentation of an orientation does not distinguish its components.
         let docs = if is_component && shape.is_documented(name) { quote!(#users #blank #own) } else { users };
         let (identifier, of_type) = (&field.identifier, field.type_of(&scalar));
         Some(quote!(#docs pub #identifier: #of_type,))
@@ -45,7 +45,7 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
 
 pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     let (state, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar());
-    // Not `Scalar`: a state can be converted whatever its numbers can do.
+    // No `Scalar` bound: a state can be converted for any number type.
     let fields = shape.state_fields();
     let (places, copied) = (places(&fields), shape.copied_generics(&fields));
     let (positions, velocities) = places.split_at(shape.coordinates.len());
@@ -94,7 +94,7 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
 /// The documentation of an entry of the state.
 struct Line {
     text: String,
-    /// True of components of quaternions and of angular velocities.
+    /// True for components of quaternions and of angular velocities.
     is_component: bool,
 }
 
@@ -112,7 +112,7 @@ impl Line {
     }
 }
 
-/// A line about each entry of the state.
+/// Returns a line about each entry of the state.
 fn lines(shape: &Shape<'_>) -> Vec<Line> {
     let positions = shape.coordinates.iter().enumerate().map(|(index, name)| {
         let first = shape.quaternions.iter().find(|first| (**first..**first + 4).contains(&index));
@@ -137,13 +137,13 @@ fn lines(shape: &Shape<'_>) -> Vec<Line> {
     positions.chain(velocities).collect()
 }
 
-/// Local variables for the entries of a state.
+/// Returns local variables for the entries of a state.
 pub(in crate::emit) fn state_variables(shape: &Shape<'_>) -> Vec<Ident> {
     let mut names = Names::default();
     shape.state_names().iter().map(|name| names.fresh(&name.text)).collect()
 }
 
-/// A struct around a table, so that the columns can be methods of it.
+/// Writes a struct around a table, so that its columns can be methods.
 pub(in crate::emit) fn columns_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, visibility) = (shape.columns_name(), &shape.declaration.visibility);
     let title = doc(&format!("Columns of a table of states of [`{}`].", shape.declaration.name.text));
@@ -179,15 +179,15 @@ pub(in crate::emit) fn columns_impls(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// A method for each field of the state; for an array it takes indices.
+/// Writes a method for each field of the state; for an array it takes indices.
 fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
     let (mut lines, mut first) = (lines(shape).into_iter(), 0);
     let columns = shape.state_fields().into_iter().filter_map(|field| {
         let line = lines.by_ref().take(field.names.len()).collect::<Vec<_>>().into_iter().next()?.of(&field);
         let number = first;
         first += field.names.len();
-        // At the user's place but the macro's own, so that nobody is told about columns that are
-        // never used.
+        // The location is the user's but the hygiene is the macro's, so that unused columns cause
+        // no warnings.
         let name =
             Ident::new(&field.identifier.to_string(), Span::mixed_site().located_at(field.identifier.span()));
         let docs = doc(&line.text);
@@ -210,8 +210,8 @@ fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
     columns.collect()
 }
 
-/// Arguments for the indices of an array, and the number of the column of that element. An array of
-/// units panics at the column of something else.
+/// Returns arguments for the indices of an array, and the number of the element's column. The
+/// emitted code panics if an index is out of range.
 fn indexed(field: &Field, first: usize) -> (TokenStream, TokenStream) {
     let mut names = Names::default();
     let indices = field.sizes.iter().map(|_| names.fresh("index")).collect::<Vec<_>>();
@@ -229,7 +229,7 @@ fn indexed(field: &Field, first: usize) -> (TokenStream, TokenStream) {
     (arguments, quote!({ ::core::assert!(#(#indices < #sizes)&&*, #message); #first + #index }))
 }
 
-/// ẏ = [v, a], the rates of the positions being those that `system` says.
+/// Writes ẏ = [v, a], where `system` gives the rates of the positions.
 pub(in crate::emit) fn rhs(shape: &Shape<'_>, names: &ArgumentNames, system: &TokenStream) -> TokenStream {
     let (scalar, n) = (shape.scalar(), shape.coordinates.len());
     let (all, variables) = (shape.state_length(), state_variables(shape));

@@ -1,5 +1,4 @@
-//! Shape of the state of an emitted system: the number of its positions and velocities, and their
-//! names.
+//! Shape of the state of an emitted system: the numbers and names of its positions and velocities.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -10,17 +9,17 @@ use lagrange_expr::collections::HashSet;
 use lagrange_language::syntax::ast::{ArrayElement, DeclaredArray, Name, ScalarType, StateVelocity};
 
 impl Shape<'_> {
-    /// Number of positions, as the length of an array.
+    /// Returns the number of positions as an array length.
     pub(in crate::emit) fn positions_length(&self) -> Literal {
         length(self.coordinates.len())
     }
 
-    /// Number of velocities, as the length of an array.
+    /// Returns the number of velocities as an array length.
     pub(in crate::emit) fn velocities_length(&self) -> Literal {
         length(self.velocities.len())
     }
 
-    /// Number of entries of the state, as the length of an array.
+    /// Returns the number of entries of the state as an array length.
     pub(in crate::emit) fn state_length(&self) -> Literal {
         length(self.coordinates.len() + self.velocities.len())
     }
@@ -35,7 +34,7 @@ impl Shape<'_> {
         position + self.states >= self.coordinates.len()
     }
 
-    /// True if names of velocities must be said, since they do not follow from those of the
+    /// True if velocities need explicit names, since these do not follow from those of the
     /// positions.
     pub(in crate::emit) fn names_velocities(&self) -> bool {
         let has_states = self.states > 0;
@@ -46,19 +45,20 @@ impl Shape<'_> {
             })
     }
 
-    /// Index of the coordinate that a velocity is the rate of.
+    /// Returns the index of the coordinate that a velocity is the rate of.
     pub(in crate::emit) fn position_of(&self, velocity: &StateVelocity<'_>) -> Option<usize> {
         let coordinate = velocity.coordinate?;
         self.coordinates.iter().position(|name| std::ptr::eq(*name, coordinate))
     }
 
-    /// Names of the entries of the state: positions, then velocities.
+    /// Returns the names of the entries of the state: positions, then velocities.
     pub(in crate::emit) fn state_names(&self) -> Vec<Name> {
         let positions = self.coordinates.iter().map(|name| (*name).clone());
         let taken = self.coordinates.iter().map(|name| name.text.as_str()).collect::<HashSet<_>>();
         let velocities = self.velocities.iter().map(|velocity| {
             let mut name = velocity.name.clone();
-            // Where that is a coordinate, which is a mistake, the skeleton has another field.
+            // If it is also the name of a coordinate, which is an error, the skeleton has a
+            // different field.
             while taken.contains(name.text.as_str()) {
                 name.text.push('_');
             }
@@ -67,7 +67,7 @@ impl Shape<'_> {
         positions.chain(velocities).collect()
     }
 
-    /// Fields of the state.
+    /// Returns the fields of the state.
     pub(in crate::emit) fn state_fields(&self) -> Vec<Field> {
         let names = self.state_names();
         let arrays = &self.declaration.arrays;
@@ -75,8 +75,8 @@ impl Shape<'_> {
         fields(&names.iter().collect::<Vec<_>>(), &arrays)
     }
 
-    /// `<S: Copy>` or nothing, for conversions of states and inputs: what is in an array is copied
-    /// out of it.
+    /// Returns `<S: Copy>` or nothing, for conversions of states and inputs: numbers in arrays are
+    /// copied.
     pub(in crate::emit) fn copied_generics(&self, fields: &[Field]) -> TokenStream {
         match &self.declaration.scalar {
             ScalarType::Generic(name) if fields.iter().any(Field::is_array) => {
@@ -88,7 +88,7 @@ impl Shape<'_> {
     }
 }
 
-/// The array of the rates of another one.
+/// Returns the array of the rates of another one.
 fn rates(array: &DeclaredArray) -> DeclaredArray {
     let rate =
         |element: &ArrayElement| ArrayElement { name: format!("{}_dot", element.name), ..element.clone() };

@@ -7,17 +7,17 @@ use super::shape::{Shape, doc};
 use lagrange_expr::units::{NamedUnit, component_name};
 use lagrange_language::syntax::ast::Name;
 
-/// The unit of plain numbers, of which documentation says nothing.
+/// The unit of plain numbers, which documentation omits.
 pub(in crate::emit) const PLAIN: &str = "1";
 
 impl Shape<'_> {
-    /// The unit of a declared name or of a velocity, if it is known.
+    /// Returns the unit of a declared name or of a velocity, if it is known.
     pub(in crate::emit) fn unit(&self, name: &str) -> Option<&str> {
         self.units.get(name).map(|named| named.unit.as_str())
     }
 
-    /// ` in m`, as it follows a name, with a default that is written in another unit; nothing for
-    /// plain numbers and where no unit is known.
+    /// Writes ` in m` after a name, with its default if this is written in another unit. Empty for
+    /// plain numbers and unknown units.
     pub(in crate::emit) fn in_unit(&self, name: &str) -> String {
         match self.units.get(name) {
             Some(NamedUnit { unit, default: Some(default) }) if self.is_alike(name) => {
@@ -28,8 +28,7 @@ impl Shape<'_> {
         }
     }
 
-    /// True if all elements of the array that a name is an element of have its unit and its
-    /// default.
+    /// True if all elements of the array that a name belongs to have the same unit and default.
     fn is_alike(&self, name: &str) -> bool {
         let mut arrays = self.declaration.arrays.iter().map(|array| &array.elements);
         let array = arrays.find(|elements| elements.iter().any(|element| element.name == name));
@@ -37,12 +36,12 @@ impl Shape<'_> {
         array.is_none_or(|elements| elements.iter().all(|element| self.units.get(&element.name) == own))
     }
 
-    /// The unit of a component of an output: that of the whole, or its own.
+    /// Returns the unit of a component of an output: that of the whole, or its own.
     pub(in crate::emit) fn unit_of_component(&self, output: &str, index: usize) -> Option<&str> {
         self.unit(output).or_else(|| self.unit(&component_name(output, index)))
     }
 
-    /// The user's documentation of a declared name, with its unit, or else `line`.
+    /// Returns the user's documentation of a declared name, with its unit, or else `line`.
     pub(in crate::emit) fn docs(&self, name: &Name, line: &str) -> TokenStream {
         match self.users_docs(name) {
             Some(docs) => self.with_unit(docs, name),
@@ -50,7 +49,7 @@ impl Shape<'_> {
         }
     }
 
-    /// The user's documentation of a name with its unit behind it.
+    /// Appends the unit of a name to the user's documentation.
     fn with_unit(&self, docs: &TokenStream, name: &Name) -> TokenStream {
         let unit = self.in_unit(&name.text);
         if unit.is_empty() {

@@ -27,9 +27,9 @@ pub(in crate::emit) struct MethodWriter<'a> {
     pub(in crate::emit) equations: &'a Equations,
     pub(in crate::emit) members: Members,
     labels: Labels,
-    /// All methods so far.
+    /// Size of all methods so far.
     size: Size,
-    /// Constants that are too large, in words.
+    /// Constants that are too large, as text.
     unrepresentable: BTreeSet<String>,
 }
 
@@ -48,8 +48,8 @@ impl<'a> MethodWriter<'a> {
         MethodWriter { shape, model, equations, members, labels, size, unrepresentable }
     }
 
-    /// The members with their size, if the compiler could get through them and the scalar has all
-    /// their constants.
+    /// Returns the members with their size, if the compiler can process them and the scalar can
+    /// represent their constants.
     pub(in crate::emit) fn finish(self) -> Result<(Members, Size), Refusal> {
         if self.size.is_hopeless() {
             return Err(Refusal::Size);
@@ -60,12 +60,12 @@ impl<'a> MethodWriter<'a> {
         Ok((self.members, self.size))
     }
 
-    /// True if no compiler would get through the methods so far.
+    /// True if the methods so far are too large for the compiler.
     pub(in crate::emit) fn is_hopeless(&self) -> bool {
         self.size.is_hopeless()
     }
 
-    /// Keeps a method of the state that returns a vector.
+    /// Adds a method of the state that returns a vector.
     pub(in crate::emit) fn push_method(
         &mut self,
         name: &str,
@@ -80,7 +80,7 @@ impl<'a> MethodWriter<'a> {
         self.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
     }
 
-    /// Keeps a method of `ConstrainedSystem`.
+    /// Adds a method of `ConstrainedSystem`.
     pub(in crate::emit) fn push_constrained(
         &mut self,
         name: &str,
@@ -92,7 +92,7 @@ impl<'a> MethodWriter<'a> {
         self.members.constrained.push(Method { name, docs: TokenStream::new(), arguments, returns, body });
     }
 
-    /// Keeps a method of the state that only others call.
+    /// Adds a method of the state that only other methods call.
     pub(in crate::emit) fn push_hidden(&mut self, name: &str, returns: Returns, body: &TokenStream) {
         let (name, scalar) = (format_ident!("{name}"), self.shape.scalar());
         let (nq, nv) = (self.shape.positions_length(), self.shape.velocities_length());
@@ -111,8 +111,8 @@ impl<'a> MethodWriter<'a> {
         });
     }
 
-    /// Returns a body that computes `roots` on the present sides of the switches, and makes its
-    /// result of them. `None` if those before it are too large already.
+    /// Returns a body that computes `roots` on the current sides of the switches, and forms its
+    /// result from them. `None` if the methods before it are already too large.
     pub(in crate::emit) fn lowered(
         &mut self,
         roots: &[ExprId],
@@ -123,18 +123,18 @@ impl<'a> MethodWriter<'a> {
         self.lowered_for(EmittedType::System, &roots, arguments, collect)
     }
 
-    /// Expressions on the sides of the switches that the system is on.
+    /// Returns expressions on the current sides of the switches.
     pub(in crate::emit) fn on_sides(&mut self, roots: &[ExprId]) -> NamedRoots {
         let switches = &self.equations.switches[..self.shape.switches.len()];
         on_sides(&mut self.model.graph, &self.labels, switches, roots)
     }
 
-    /// Expressions with conditions, kinks and jumps as they are declared.
+    /// Returns expressions with conditions, kinks and jumps as declared.
     pub(in crate::emit) fn as_declared(&self, roots: &[ExprId]) -> NamedRoots {
         NamedRoots { roots: roots.to_vec(), labels: self.labels.clone() }
     }
 
-    /// Program with conditions, kinks and jumps as they are declared.
+    /// Lowers expressions with conditions, kinks and jumps as declared.
     pub(in crate::emit) fn lowered_as_declared(
         &mut self,
         roots: &[ExprId],
@@ -144,7 +144,7 @@ impl<'a> MethodWriter<'a> {
         self.lowered_for(EmittedType::System, &self.as_declared(roots), arguments, collect)
     }
 
-    /// Lowers to a body of the type for numbers side by side.
+    /// Lowers to a body of the type for numbers in lanes.
     pub(in crate::emit) fn lowered_in_lanes(
         &mut self,
         roots: &NamedRoots,
@@ -169,7 +169,7 @@ impl<'a> MethodWriter<'a> {
         (self.body(&program, arguments, emitted_type, collect), counts)
     }
 
-    /// Lowers to a body of the prepared type, which gets a field for each new value.
+    /// Lowers to a body of the prepared type, which obtains a field for each new value.
     pub(in crate::emit) fn lowered_prepared(
         &mut self,
         roots: &[ExprId],
@@ -191,7 +191,7 @@ impl<'a> MethodWriter<'a> {
         (self.body(&program, arguments, EmittedType::Prepared(&fields.names), collect), counts)
     }
 
-    /// Statements and values of what is prepared.
+    /// Returns the statements and values of the preparation.
     pub(in crate::emit) fn prepared_values(
         &mut self,
         preparation: Preparation,
@@ -230,7 +230,7 @@ impl<'a> MethodWriter<'a> {
         quote!(#bindings #statements #result)
     }
 
-    /// A program as the body of a method.
+    /// Writes a program as the body of a method.
     pub(in crate::emit) fn lowered_program(
         &mut self,
         program: &Program,
@@ -241,7 +241,7 @@ impl<'a> MethodWriter<'a> {
         self.body(program, arguments, EmittedType::System, collect)
     }
 
-    /// A program in a function of its own.
+    /// Writes a program as a separate function.
     pub(in crate::emit) fn lowered_apart(
         &mut self,
         program: &Program,
@@ -252,8 +252,8 @@ impl<'a> MethodWriter<'a> {
         self.written(program, scalar, names)
     }
 
-    /// A program as statements and results; `None` if it holds constants that are too large, which
-    /// is kept in mind.
+    /// Writes a program as statements and results; `None` if it contains constants that are too
+    /// large, which are recorded.
     fn written(&mut self, program: &Program, scalar: &Scalar, names: &mut Names) -> Option<FunctionBody> {
         self.members.has_rounded_constants |= program.values().any(|(_, op)| looks_rounded(op));
         self.shape.callees.iter().for_each(|callee| names.place_callee(&callee.text, callee.span));
@@ -270,20 +270,20 @@ impl<'a> MethodWriter<'a> {
         }
     }
 
-    /// Keeps in mind which functions without a formula are called.
+    /// Records the functions without a formula that are called.
     fn note_callees(&mut self, program: &Program) {
         for (_, op) in program.values() {
             if let Op::Opaque(function, _) = op
                 && !self.members.callees.contains(function)
             {
-                // Among the coefficients of a table any number may be.
+                // The coefficients of a table may contain any number.
                 self.members.has_rounded_constants |= function.table().is_some();
                 self.members.callees.push(function.clone());
             }
         }
     }
 
-    /// Statements and values of constant expressions under names of their own.
+    /// Writes statements and values of constant expressions with separate names.
     pub(in crate::emit) fn constants(&mut self, values: &[ExprId]) -> Option<FunctionBody> {
         let program = optimise(&lower(&self.model.graph, values, &Labels::default()), self.model.accuracy);
         self.written(&program, &self.shape.computed_with(), &mut Names::default())

@@ -1,4 +1,4 @@
-//! Members for declared clocks: their periods, and the states after their ticks.
+//! Members for declared clocks: periods, and states after ticks.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -9,7 +9,7 @@ use crate::emit::base::method::{ArgumentNames, Arguments};
 use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::writer::MethodWriter;
 
-/// Writes the periods, and the states that assignments lead to.
+/// Writes the periods, and the states after assignments.
 pub(in crate::emit) fn write_clocks(writer: &mut MethodWriter<'_>) {
     let clocks = writer.model.clocks.clone();
     if clocks.is_empty() {
@@ -34,8 +34,8 @@ fn method(clock: usize) -> String {
     format!("after_tick_{clock}")
 }
 
-/// The members of `OdeSystem` by which runs let clocks tick. Those that tick together do so in the
-/// order of their declaration.
+/// Writes the members of `OdeSystem` for ticks of clocks. Simultaneous ticks occur in the order of
+/// declaration.
 pub(in crate::emit) fn clock_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     if members.clocks == 0 {
         return None;
@@ -66,7 +66,7 @@ pub(in crate::emit) fn clock_members(shape: &Shape<'_>, members: &Members) -> Op
     })
 }
 
-/// The time at which clocks tick next.
+/// Writes the time of the next tick.
 pub(in crate::emit) fn next_tick(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, time, end) = (shape.krate, &members.names.time, local("end"));
     (members.clocks > 0).then(|| quote!(#krate::event::next_tick(#time, #end, self.clock_periods())))

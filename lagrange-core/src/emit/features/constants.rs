@@ -6,7 +6,7 @@ use quote::quote;
 use super::units::units_of_parameters;
 use crate::emit::base::shape::{Shape, length};
 
-/// The constant that holds the equations.
+/// Writes the constant with the equations.
 pub(in crate::emit) fn equations_latex(equations: &str) -> TokenStream {
     quote! {
         /// The equations of motion in LaTeX, one line for each coordinate after the definitions of
@@ -15,7 +15,7 @@ pub(in crate::emit) fn equations_latex(equations: &str) -> TokenStream {
     }
 }
 
-/// The constant that says in which order the fields are differentiated by.
+/// Writes the constant with the order of the fields in derivatives.
 pub(in crate::emit) fn parameter_names(shape: &Shape<'_>) -> TokenStream {
     let (names, count) = (shape.fields.iter().map(|name| shape.written(name)), length(shape.fields.len()));
     let units = units_of_parameters(shape);
@@ -26,7 +26,7 @@ pub(in crate::emit) fn parameter_names(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// The constant that holds the plain statements.
+/// Writes the constant with the plain statements.
 pub(in crate::emit) fn statements_constant(statements: &str) -> TokenStream {
     quote! {
         /// The statements that those about rigid bodies stand for.

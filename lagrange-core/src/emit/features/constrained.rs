@@ -13,8 +13,8 @@ use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::ExprId;
 
-/// Number of coordinates up to which dependent constraints are made good; a matrix of more is too
-/// large for the stack.
+/// Maximum number of coordinates for which dependent constraints are supported; a larger matrix
+/// does not fit on the stack.
 const LARGEST_REDUNDANT: usize = 100;
 
 const MULTIPLIERS: [&str; 2] = [
@@ -22,8 +22,8 @@ const MULTIPLIERS: [&str; 2] = [
     "constraint on a length is the force along it.",
 ];
 
-/// `acceleration` and `multipliers`, and the methods of `ConstrainedSystem`; the operations of the
-/// first.
+/// Writes `acceleration`, `multipliers` and the methods of `ConstrainedSystem`; returns the
+/// operations of the first.
 pub(in crate::emit) fn write_constrained(writer: &mut MethodWriter<'_>, docs: &[&str]) -> OperationCounts {
     write_hooks(writer);
     if is_guarded(writer) {
@@ -36,7 +36,7 @@ pub(in crate::emit) fn write_constrained(writer: &mut MethodWriter<'_>, docs: &[
     counts
 }
 
-/// The methods of `ConstrainedSystem` that need bodies of their own.
+/// Writes the methods of `ConstrainedSystem` with their own bodies.
 pub(in crate::emit) fn write_hooks(writer: &mut MethodWriter<'_>) {
     write_correction(writer);
     write_position_residuals(writer);
@@ -57,8 +57,8 @@ fn write_free_momentum_rates(writer: &mut MethodWriter<'_>) {
     writer.members.canonical.push(Method { name, docs, arguments: Arguments::State, returns, body });
 }
 
-/// A method that returns `roots`, or where constraints depend on each other this field of what
-/// `redundant_motion` returns.
+/// Writes a method that returns `roots`, or this field of the result of `redundant_motion` if
+/// constraints are dependent.
 fn write_guarded(
     writer: &mut MethodWriter<'_>,
     name: &str,
@@ -74,7 +74,7 @@ fn write_guarded(
     counts
 }
 
-/// A body that computes `roots`, but does something else where constraints depend on each other.
+/// Writes a body that computes `roots`, with an alternative for dependent constraints.
 fn guarded(
     writer: &mut MethodWriter<'_>,
     roots: &[ExprId],
@@ -118,8 +118,8 @@ fn write_correction(writer: &mut MethodWriter<'_>) {
     writer.push_constrained("correction", Arguments::Residuals, Returns::Vector(roots.len()), body);
 }
 
-/// Writes `ConstrainedSystem::mass_times`: M a is the gradient of a · ∂L/∂v by the velocities,
-/// which takes as long as the momenta.
+/// Writes `ConstrainedSystem::mass_times`: M a is the gradient of a · ∂L/∂v with respect to the
+/// velocities, which costs as much as the momenta.
 fn write_mass_times(writer: &mut MethodWriter<'_>) {
     let (lagrangian, velocities) = (writer.model.lagrangian, writer.model.velocities());
     let changes = writer.model.speeds.iter().map(|speed| speed.acceleration).collect::<Vec<_>>();
@@ -145,7 +145,7 @@ fn write_position_residuals(writer: &mut MethodWriter<'_>) {
     writer.push_constrained("position_residuals", Arguments::Positions, returns, body);
 }
 
-/// The methods by which users get back onto the constraints.
+/// Writes the methods that return states to the constraints.
 pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> TokenStream {
     if members.constrained.is_empty() {
         return TokenStream::new();
@@ -186,7 +186,7 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
     }
 }
 
-/// The implementation of `ConstrainedSystem`.
+/// Writes the implementation of `ConstrainedSystem`.
 pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     if members.constrained.is_empty() {
         return TokenStream::new();
@@ -219,7 +219,7 @@ pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) ->
     }
 }
 
-/// `residual_scales` by way of the Jacobian of the constraints.
+/// Writes `residual_scales` by means of the Jacobian of the constraints.
 fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, shares) = (shape.krate, shape.scalar(), local("shares"));
     let (nq, nv, m) = (shape.positions_length(), shape.velocities_length(), length(shape.constraints.len()));
@@ -237,8 +237,9 @@ fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// Members for methods that are symplectic for any mass matrix, about the constraints. Of more
-/// constraints than coordinates, some depend on others: states are then corrected after steps.
+/// Writes the members about constraints for methods that are symplectic for any mass matrix. If
+/// there are more constraints than coordinates, some are dependent, and states are corrected after
+/// steps.
 pub(in crate::emit) fn canonical_constraints(
     shape: &Shape<'_>,
     members: &Members,
@@ -262,7 +263,7 @@ pub(in crate::emit) fn canonical_constraints(
         let system = quote!(#krate::constraint::ConstrainedSystem);
         quote!(let #residuals = #system::position_residuals(self, #time, #positions);)
     });
-    // Contacts and friction hold states, too.
+    // Contacts and friction also constrain states.
     let is_all = shape.touching.is_empty();
     quote! {
         const SAYS_CONSTRAINTS: ::core::primitive::bool = #is_all;
@@ -279,7 +280,7 @@ pub(in crate::emit) fn canonical_constraints(
     }
 }
 
-/// Implementation that leapfrog methods need to stay on the constraints.
+/// Writes the implementation that leapfrog methods need to satisfy the constraints.
 pub(in crate::emit) fn leapfrog_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
@@ -299,7 +300,7 @@ pub(in crate::emit) fn leapfrog_impl(shape: &Shape<'_>, members: &Members) -> To
                 #to: &[#scalar; #n],
             ) -> [#scalar; #n] {
                 let residuals = #system::position_residuals(self, #later, #to);
-                // The mass matrix does not depend on velocities, which anything may stand for.
+                // The mass matrix does not depend on velocities, so any values are valid.
                 #system::correction(self, #time, #positions, #positions, &residuals)
             }
             #[inline]

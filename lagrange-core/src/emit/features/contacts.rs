@@ -1,5 +1,5 @@
-//! Members for contacts and friction: fields for their modes, and what run-time code must know of
-//! their forces.
+//! Members for contacts and friction: fields for their modes, and the data that run-time code needs
+//! for their forces.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -25,7 +25,8 @@ const MULTIPLIERS: [&str; 2] = [
     "act in the present modes: M q̈ = f + Aᵀλ + Dᵀr.",
 ];
 
-/// `acceleration`, `multipliers` and `reactions`; the operations of the first without reactions.
+/// Writes `acceleration`, `multipliers` and `reactions`; returns the operations of the first
+/// without reactions.
 pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&str]) -> OperationCounts {
     if !writer.model.constraints.is_empty() {
         write_hooks(writer);
@@ -59,8 +60,7 @@ pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&st
     counts
 }
 
-/// The accelerations as they are without reactions where none acts, and otherwise what `otherwise`
-/// computes.
+/// Writes the accelerations: without reactions if none acts, and otherwise by `otherwise`.
 fn write_acceleration(
     writer: &mut MethodWriter<'_>,
     docs: &[&str],
@@ -82,7 +82,8 @@ fn write_acceleration(
     counts
 }
 
-/// Reactions with a coefficient of restitution that depends on time or the state.
+/// Returns true for each reaction with a coefficient of restitution that depends on time or the
+/// state.
 fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
     let graph = &writer.model.graph;
     let varies = |kind: &ReactionKind| match kind {
@@ -106,7 +107,7 @@ fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
     writer.model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
 }
 
-/// The body of `ContactSystem::terms`, or of `damped_terms` if there are dampers without
+/// Returns the body of `ContactSystem::terms`, or of `damped_terms` if there are dampers without
 /// constraints.
 fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     let (n, k) = (writer.model.speeds.len(), writer.model.reactions.len());
@@ -176,7 +177,7 @@ fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     body
 }
 
-/// The mass matrix and, if there is dissipation, the matrix of its second derivatives.
+/// Returns the mass matrix and, if there is dissipation, the matrix of its second derivatives.
 fn inertia(writer: &mut MethodWriter<'_>) -> Vec<Vec<ExprId>> {
     let mass = writer.equations.mass_matrix.concat();
     let (velocities, dissipation) = (writer.model.velocities(), writer.model.dissipation);
@@ -188,7 +189,7 @@ fn inertia(writer: &mut MethodWriter<'_>) -> Vec<Vec<ExprId>> {
     if damping.iter().all(|&entry| entry == zero) { vec![mass] } else { vec![mass, damping] }
 }
 
-/// The fields that keep modes, as they are declared.
+/// Writes the declarations of the fields that store modes.
 pub(in crate::emit) fn mode_fields(shape: &Shape<'_>) -> TokenStream {
     let krate = shape.krate;
     let fields = shape.touching.iter().filter_map(|(name, touch)| {
@@ -199,7 +200,7 @@ pub(in crate::emit) fn mode_fields(shape: &Shape<'_>) -> TokenStream {
     fields.collect()
 }
 
-/// The fields that keep modes, with their defaults.
+/// Writes the fields that store modes, with their defaults.
 pub(in crate::emit) fn default_modes(shape: &Shape<'_>) -> TokenStream {
     shape
         .fields_of_modes()
@@ -210,7 +211,7 @@ pub(in crate::emit) fn default_modes(shape: &Shape<'_>) -> TokenStream {
         .collect()
 }
 
-/// The implementation of `ContactSystem`.
+/// Writes the implementation of `ContactSystem`.
 pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     if shape.touching.is_empty() {
         return TokenStream::new();
@@ -249,7 +250,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
     }
 }
 
-/// `terms`, and `damped_terms` if there are dampers, of which they are a case then.
+/// Writes `terms`, and `damped_terms` if there are dampers; `terms` is then a special case.
 fn terms_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, k) = (shape.krate, shape.scalar(), length(shape.reactions().len()));
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
@@ -273,7 +274,7 @@ fn terms_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// Members that read modes from the fields, and a copy with others.
+/// Writes the members that read modes from the fields, and copy a system with other modes.
 fn mode_members(shape: &Shape<'_>) -> TokenStream {
     let reactions = shape.reactions();
     let (krate, other, k) = (shape.krate, local("modes"), length(reactions.len()));
@@ -313,7 +314,7 @@ fn mode_members(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// Member that tells which event switches the mode of a reaction.
+/// Writes the member that returns the event that switches the mode of a reaction.
 fn event_of(shape: &Shape<'_>) -> TokenStream {
     let events = shape.events_of_reactions();
     let reactions = shape.reactions().into_iter().enumerate();
@@ -332,7 +333,7 @@ fn event_of(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// The name of the type that keeps a mode.
+/// Returns the name of the type that stores a mode.
 fn mode_type(touch: Touch) -> Option<Ident> {
     match touch {
         Touch::Contact => Some(local("Contact")),

@@ -12,12 +12,12 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::{Action, Assignment};
 use lagrange_language::syntax::ast::{self, Direction};
 
-/// The functions of the events, and the states that assignments lead to.
+/// Writes the functions of the events, and the states after assignments.
 pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
     if writer.model.events.is_empty() {
         return;
     }
-    // Of contacts the function depends on the mode; its place is filled by run-time code.
+    // The function of a contact depends on its mode; run-time code supplies its value.
     let one = writer.model.graph.number(1);
     let value = |event: &crate::model::Event| match event.action {
         Action::Impact(_) => one,
@@ -42,7 +42,7 @@ pub(super) fn write_assignments(writer: &mut MethodWriter<'_>, method: &str, ass
     writer.push_hidden(method, returns, &body);
 }
 
-/// The members of `OdeSystem` that belong to events.
+/// Writes the members of `OdeSystem` for events.
 pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let names = shape.event_names();
     if names.is_empty() && shape.switches.is_empty() {
@@ -71,7 +71,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
         .then(|| quote!(#krate::contact::event_values(self, #time, #state, #values);));
     let switches = (!shape.switches.is_empty())
         .then(|| quote!(#krate::event::side_values(self, #time, #state, #values);));
-    // Only what touches may come to rest meanwhile.
+    // Only contacts and friction depend on the elapsed time.
     let name = local("elapsed");
     let elapsed = if shape.touching.is_empty() { quote!(_) } else { quote!(#name) };
     let (reactions, begin) = (reactions(shape, members, &event, &elapsed), begin(shape, members));
@@ -98,7 +98,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
     }
 }
 
-/// An arm for each event that does more than go on, and one for all others.
+/// Writes an arm for each event that requires an action, and one for all others.
 fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident, elapsed: &TokenStream) -> TokenStream {
     let (krate, state) = (shape.krate, &members.names.state);
     let time = &members.names.time;
@@ -174,7 +174,7 @@ fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     })
 }
 
-/// A call of a hidden method with the halves of the state.
+/// Writes a call of a hidden method with the halves of the state.
 pub(super) fn call(shape: &Shape<'_>, members: &Members, method: &str) -> TokenStream {
     let ArgumentNames { time, state, .. } = &members.names;
     let variables = state_variables(shape);

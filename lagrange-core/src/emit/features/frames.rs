@@ -1,4 +1,4 @@
-//! Methods of bodies and frames in space: where frames are, and their Jacobians.
+//! Methods of bodies and frames in space: poses of frames, and their Jacobians.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,7 +13,7 @@ use crate::model::Product;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::Name;
 
-/// A method for each body or frame and each product that is asked for.
+/// Writes a method for each body or frame and each requested product.
 pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {
     let scene = writer.model.scene.clone();
     scene.frames.iter().for_each(|frame| write_frame(writer, frame));
@@ -44,7 +44,7 @@ fn write_jacobian(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId])
     push(writer, (name, Product::FrameJacobians), &lines, returns, values);
 }
 
-/// Lowers and keeps a method of time and positions.
+/// Lowers and adds a method of time and positions.
 fn push(
     writer: &mut MethodWriter<'_>,
     (name, product): (&Name, Product),
@@ -62,7 +62,7 @@ fn push(
     writer.members.methods.push(Method { name: method_of(name, product), docs, arguments, returns, body });
 }
 
-/// Documentation with the user's behind it.
+/// Appends the user's documentation.
 fn described(shape: &Shape<'_>, name: &Name, own: TokenStream) -> TokenStream {
     let Some(users) = shape.user_docs(name) else { return own };
     let blank = doc("");

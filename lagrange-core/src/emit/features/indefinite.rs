@@ -1,4 +1,4 @@
-//! Accelerations of systems without constraints whose mass matrix is not definite.
+//! Accelerations of systems without constraints and with an indefinite mass matrix.
 
 use quote::quote;
 
@@ -8,8 +8,9 @@ use crate::emit::base::writer::MethodWriter;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::ExprId;
 
-/// `acceleration`, which goes a second way where a pivot vanishes or is small; its operations. Mass
-/// matrix and forcing are there for it: most of them was computed anyway.
+/// Writes `acceleration`, which uses a second method where a pivot vanishes or is small; returns
+/// its operations. The mass matrix and the forcing are always available for it, since most of them
+/// is computed anyway.
 pub(in crate::emit) fn write_indefinite(
     writer: &mut MethodWriter<'_>,
     docs: &[&str],

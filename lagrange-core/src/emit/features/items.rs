@@ -15,13 +15,13 @@ use lagrange_language::bodies::LoadOrigin;
 use lagrange_language::bodies::SpatialJointForm;
 use lagrange_language::syntax::ast::ConnectorKind;
 
-/// The name of the body that an item draws, and how it moves.
+/// Returns the name of the body that an item draws, and its motion.
 pub(super) fn body_of<'a>(scene: &'a Scene, item: &DrawnItem) -> Option<(&'a str, &'a [ExprId])> {
     let DrawnKind::Body { body, .. } = item.kind else { return None };
     scene.motions.get(body).map(|motion| (motion.body.text.as_str(), &motion.values[..]))
 }
 
-/// Results of a program, taken one after another.
+/// Results of a program, consumed one after another.
 pub(super) struct Values<'a> {
     rest: Iter<'a, TokenStream>,
     /// Number of components of vectors: 3 in space.
@@ -51,17 +51,17 @@ impl<'a> Values<'a> {
         quote!([#(#components),*])
     }
 
-    /// Three rows.
+    /// Takes three rows.
     fn matrix(&mut self) -> TokenStream {
         Returns::Matrix(3, 3).collect(&self.scalars(9))
     }
 
-    /// A number, in space a matrix in rows: a rotation, or the inertia of a body.
+    /// Takes a number, or in space a matrix in rows: a rotation, or the inertia of a body.
     fn rotation(&mut self) -> TokenStream {
         if self.is_in_space() { self.matrix() } else { self.scalar() }
     }
 
-    /// A number, in space a vector.
+    /// Takes a number, or in space a vector.
     fn moment(&mut self) -> TokenStream {
         if self.is_in_space() { self.vector() } else { self.scalar() }
     }
@@ -89,7 +89,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// An item to draw.
+    /// Emits an item to draw.
     pub(super) fn item(&mut self, krate: &TokenStream, scene: &Scene, item: &DrawnItem) -> TokenStream {
         let content = match &item.kind {
             DrawnKind::Body { .. } => {
@@ -117,7 +117,7 @@ impl<'a> Values<'a> {
                 let (at, force) = (self.vector(), self.vector());
                 quote!(Force { #acts at: #at, force: #force })
             }
-            // Torques have become moments.
+            // Torques have already become moments.
             DrawnKind::Omitted { name } | DrawnKind::Torque { name } => quote!(Omitted { name: #name }),
             DrawnKind::Moment { name, cause: from, body } => {
                 let acts = acts(krate, name, *from, body.as_deref());
@@ -194,7 +194,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// Members that forces and moments have in common.
+/// Writes the common members of forces and moments.
 fn acts(krate: &TokenStream, name: &str, from: LoadOrigin, body: Option<&str>) -> TokenStream {
     let (cause, body) = (variant(from), option(body));
     quote!(name: #name, cause: #krate::scene::LoadOrigin::#cause, body: #body,)
@@ -207,7 +207,7 @@ fn option(name: Option<&str>) -> TokenStream {
     }
 }
 
-/// The variant of `lagrange::scene` by which an enumeration of the same variants is emitted.
+/// Returns the variant of `lagrange::scene` for an enumeration with the same variants.
 fn variant(kind: impl Debug) -> Ident {
     local(&format!("{kind:?}"))
 }

@@ -1,7 +1,7 @@
 //! Jacobians of the right-hand side ẏ = [q̇, a], as methods.
 //!
 //! Positions q are displaced to q + N(q) δ, and with them velocities to v + ε. Where velocities are
-//! rates of coordinates, δ̇ = ε. Of a unit quaternion δ is a small turn along the turned axes,
+//! rates of coordinates, δ̇ = ε. For a unit quaternion, δ is a small turn along the turned axes,
 //! which turn with ω: δ̇ = ε − ω × δ. Accelerations follow by the chain rule, ε̇ = ∂a/∂q N δ +
 //! ∂a/∂z z + ∂a/∂v ε, and so do the rates of first-order states z.
 //!
@@ -12,7 +12,7 @@ use crate::model::Model;
 use lagrange_algebra::calculus::jacobian;
 use lagrange_expr::expr::ExprId;
 
-/// ∂ẏ/∂y from the rows of the accelerations.
+/// Returns ∂ẏ/∂y from the rows of the accelerations.
 pub fn by_state(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
     let rates = model.position_rates();
     let state = [model.positions(), model.velocities()].concat();
@@ -21,13 +21,13 @@ pub fn by_state(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
     entries
 }
 
-/// The matrix that [δ, z, ε] changes with, from the rows ∂a/∂y of the accelerations.
+/// Returns the system matrix for [δ, z, ε], from the rows ∂a/∂y of the accelerations.
 pub(in crate::emit) fn by_displacements(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
     linearised(model, accelerations, &[])
 }
 
-/// That matrix with a column for each input, from the rows of the accelerations by the state and
-/// the inputs.
+/// Returns the same matrix with a column for each input, from the derivatives of the accelerations
+/// with respect to the state and the inputs.
 pub(super) fn linearised(model: &mut Model, accelerations: &[ExprId], inputs: &[ExprId]) -> Vec<ExprId> {
     let zeros = vec![model.graph.number(0); inputs.len()];
     let mut entries = Vec::new();
@@ -43,8 +43,8 @@ pub(super) fn linearised(model: &mut Model, accelerations: &[ExprId], inputs: &[
     entries
 }
 
-/// Turns derivatives by positions into those by displacements: ∂f/∂q N replaces ∂f/∂q in each row,
-/// and the entries behind it stay.
+/// Converts derivatives with respect to positions to those with respect to displacements: ∂f/∂q N
+/// replaces ∂f/∂q in each row, and the other entries stay.
 pub(super) fn along_displacements(model: &mut Model, rows: &[ExprId], columns: usize) -> Vec<ExprId> {
     let n = model.speeds.len();
     let positions = model.coordinates.iter().filter(|coordinate| !coordinate.is_state);
@@ -66,7 +66,7 @@ pub(super) fn along_displacements(model: &mut Model, rows: &[ExprId], columns: u
     entries
 }
 
-/// The rows of δ̇.
+/// Returns the rows of δ̇.
 fn rates_of_displacements(model: &mut Model) -> Vec<Vec<ExprId>> {
     let (velocities, n, states) = (model.velocities(), model.speeds.len(), model.states().count());
     let graph = &mut model.graph;
@@ -82,7 +82,8 @@ fn rates_of_displacements(model: &mut Model) -> Vec<Vec<ExprId>> {
     rows
 }
 
-/// Returns the derivatives of ẏ by parameters and inputs from the rows of the accelerations.
+/// Returns the derivatives of ẏ with respect to parameters and inputs, from the rows of the
+/// accelerations.
 pub fn by_fields(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
     let fields = model.parameters.iter().chain(&model.inputs).map(|field| field.symbol);
     let (rates, fields) = (model.position_rates(), fields.collect::<Vec<_>>());

@@ -1,4 +1,4 @@
-//! Laws as tests: the trait that they are checked by, and a module of tests beside the type.
+//! Laws as tests: the trait for checking them, and a module of tests next to the type.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -16,7 +16,7 @@ use lagrange_language::syntax::ast::ScalarType;
 /// Systems that are not tested.
 const EXCLUSIONS: [Exclusion; 1] = [Exclusion::Defaults];
 
-/// Marks a system that is tested, unless it has no values to be tested with.
+/// Marks a system as tested, unless it has no values for tests.
 pub(in crate::emit) fn write_tests(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
     if !writer.model.products.contains(&Product::Tests) {
         return Ok(());
@@ -30,7 +30,7 @@ pub(in crate::emit) fn write_tests(writer: &mut MethodWriter<'_>) -> Result<(), 
     }
 }
 
-/// `LagrangianSystem`, if there are the methods for it.
+/// Writes `LagrangianSystem`, if its methods exist.
 pub(in crate::emit) fn lagrangian_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let has = |product: Product| members.methods.iter().any(|method| method.name == product.name());
     let is_there = [Product::Energy, Product::Lagrangian, Product::GeneralisedForces].into_iter().all(has);
@@ -53,7 +53,7 @@ pub(in crate::emit) fn lagrangian_impl(shape: &Shape<'_>, members: &Members) -> 
     })
 }
 
-/// A module of tests, which only the tests of the user's crate compile.
+/// Writes a module of tests, which is only compiled for tests of the user's crate.
 pub(in crate::emit) fn laws_module(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, name, all) = (shape.krate, &shape.declaration.name, shape.state_length());
     let conditions = conditions(&shape.declaration.attributes);
@@ -85,7 +85,7 @@ pub(in crate::emit) fn laws_module(shape: &Shape<'_>, members: &Members) -> Opti
     })
 }
 
-/// The name of a module for that of a type: `four_bar` for `FourBar`.
+/// Returns the name of the module for a type: `four_bar` for `FourBar`.
 fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     let mut was_lower = false;

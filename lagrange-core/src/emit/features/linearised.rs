@@ -1,4 +1,4 @@
-//! The linearised system: its system matrix as expressions, and the trait by which it is found.
+//! The linearised system: its system matrix as expressions, and the trait that provides it.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,8 +13,9 @@ use crate::model::{Model, Product};
 use lagrange_algebra::calculus::{jacobian, substitute_all};
 use lagrange_expr::expr::ExprId;
 
-/// The system matrix [A B; C D; G 0] in rows, where G differentiates the constraint velocities. It
-/// follows from the derivatives of the accelerations by the state and the inputs.
+/// Returns the system matrix [A B; C D; G 0] in rows, where G differentiates the constraint
+/// velocities. It follows from the derivatives of the accelerations with respect to the state and
+/// the inputs.
 pub fn system_matrix(model: &mut Model, equations: &Equations, accelerations: &[ExprId]) -> Vec<ExprId> {
     let inputs = model.inputs.iter().map(|input| input.symbol).collect::<Vec<_>>();
     let arguments = [model.positions(), model.velocities(), inputs.clone()].concat();
@@ -26,8 +27,8 @@ pub fn system_matrix(model: &mut Model, equations: &Equations, accelerations: &[
     entries
 }
 
-/// Derivatives of the rates and of the outputs by the state and the inputs, in rows, from those of
-/// the accelerations.
+/// Returns derivatives of the rates and of the outputs with respect to the state and the inputs, in
+/// rows, from those of the accelerations.
 pub fn by_state_and_inputs(
     model: &mut Model,
     equations: &Equations,
@@ -42,8 +43,8 @@ pub fn by_state_and_inputs(
     entries
 }
 
-/// The rows of the outputs. Where these contain accelerations or multipliers, the chain rule leads
-/// through them.
+/// Returns the rows of the outputs. If these contain accelerations or multipliers, the chain rule
+/// is applied.
 fn outputs(
     model: &mut Model,
     equations: &Equations,
@@ -82,7 +83,7 @@ fn outputs(
     substitute_all(graph, &entries, &unknowns.into_iter().zip(values).collect())
 }
 
-/// `LinearisedSystem`, if the system matrix is requested.
+/// Writes `LinearisedSystem`, if the system matrix is requested.
 pub(in crate::emit) fn linearised_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let is_matrix = |method: &&Method| method.name == Product::SystemMatrix.name();
     let Returns::Matrix(rows, columns) = members.methods.iter().find(is_matrix)?.returns else { return None };
@@ -106,7 +107,7 @@ pub(in crate::emit) fn linearised_impl(shape: &Shape<'_>, members: &Members) -> 
     })
 }
 
-/// Names of the columns for inputs, and of the rows for outputs and constraints.
+/// Writes the names of the columns for inputs, and of the rows for outputs and constraints.
 fn layout(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let krate = shape.krate;
     let inputs = match shape.inputs.is_empty() {
@@ -132,7 +133,7 @@ fn layout(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// `LinearisedSystem::residuals`, if there are constraints.
+/// Writes `LinearisedSystem::residuals`, if there are constraints.
 fn residuals(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());

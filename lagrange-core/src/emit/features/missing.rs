@@ -9,8 +9,8 @@ use lagrange_expr::opaque::Opaque;
 /// Description of the equations of motion as a caller.
 const EQUATIONS: &str = "the equations of motion";
 
-/// The derivatives that are called by what was written and that nobody named, each with what calls
-/// it.
+/// Returns the derivatives that the written methods call but the user has not declared, each with
+/// its caller.
 pub(in crate::emit) fn missing_derivatives(writer: &mut MethodWriter<'_>) -> Vec<MissingDerivative> {
     let called = writer.members.callees.clone();
     called.into_iter().filter(Opaque::is_missing).map(|derivative| because(writer, derivative)).collect()

@@ -1,4 +1,4 @@
-//! Members of systems whose velocities are not all rates of positions, or have separate names.
+//! Members of systems with velocities that are not rates of positions or have separate names.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -27,7 +27,7 @@ pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
     writer.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
 }
 
-/// `MechanicalSystem::position_rates`.
+/// Writes `MechanicalSystem::position_rates`.
 pub(in crate::emit) fn position_rates(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let scalar = shape.scalar();
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
@@ -75,7 +75,7 @@ pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members)
     })
 }
 
-/// `MechanicalSystem::position_change`: states stay what they are.
+/// Writes `MechanicalSystem::position_change`, which leaves first-order states unchanged.
 fn position_change(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
@@ -125,7 +125,7 @@ fn normalise(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     })
 }
 
-/// Differences of coordinates, and turns between quaternions.
+/// Writes differences of coordinates, and turns between quaternions.
 fn displacement(shape: &Shape<'_>) -> TokenStream {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());

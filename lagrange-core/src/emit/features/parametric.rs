@@ -1,4 +1,4 @@
-//! `ParametricSystem`: parameters and inputs by their places, and derivatives by them.
+//! `ParametricSystem`: parameters and inputs by index, and derivatives with respect to them.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -10,7 +10,7 @@ use crate::emit::base::method::ArgumentNames;
 use crate::emit::base::shape::{Shape, length, local};
 use crate::model::Product;
 
-/// The implementation of `ParametricSystem`.
+/// Writes the implementation of `ParametricSystem`.
 pub(in crate::emit) fn parametric_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let krate = shape.krate;
@@ -61,7 +61,7 @@ pub(in crate::emit) fn parametric_impl(shape: &Shape<'_>, members: &Members) -> 
     }
 }
 
-/// The member that gives columns of `parameter_jacobian`, if that is emitted.
+/// Writes the member that returns columns of `parameter_jacobian`, if this method is emitted.
 fn derivatives(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;

@@ -1,4 +1,4 @@
-//! Members for inputs and outputs: a struct of the inputs, and the traits by which runs set and
+//! Members for inputs and outputs: a struct of the inputs, and the traits with which runs set and
 //! record them.
 
 use proc_macro2::{Ident, TokenStream};
@@ -17,7 +17,7 @@ use lagrange_language::syntax::ast::Name;
 /// Names of the first components of a vector; further ones have their index.
 const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
-/// The struct of the inputs, if there are any.
+/// Writes the struct of the inputs, if there are any.
 pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
     let inputs = inputs(shape);
     let (name, generics, scalar) = (inputs_name(shape), shape.generics(), shape.scalar_path());
@@ -41,7 +41,7 @@ pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
     (!inputs.is_empty()).then_some(item)
 }
 
-/// Conversions of the inputs from and into arrays, and `ControlledSystem`.
+/// Writes conversions between inputs and arrays, and `ControlledSystem`.
 pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
     let inputs = inputs(shape);
     let (system, name, krate) = (shape.name(), inputs_name(shape), shape.krate);
@@ -90,25 +90,25 @@ pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
     (!inputs.is_empty()).then_some(impls)
 }
 
-/// The inputs in declaration order.
+/// Returns the inputs in the order of declaration.
 fn inputs<'a>(shape: &Shape<'a>) -> Vec<&'a Name> {
     shape.fields.iter().copied().filter(|name| shape.is_input(name)).collect()
 }
 
-/// The name of the struct of inputs.
+/// Returns the name of the struct of inputs.
 pub(in crate::emit) fn inputs_name(shape: &Shape<'_>) -> Ident {
     let name = &shape.declaration.name;
     format_ident!("{}Inputs", name.text, span = name.span)
 }
 
-/// The outputs that there are methods for.
+/// Returns the outputs with methods.
 fn outputs<'s>(shape: &'s Shape<'_>, members: &Members) -> Vec<(&'s Name, Returns)> {
-    // In a declaration with errors something else may have the name of an output.
+    // In a declaration with errors, another item may have the name of an output.
     let is_output = |method: &Method| {
         method.arguments == Arguments::State && !matches!(method.returns, Returns::Matrix(..))
     };
     let methods = members.methods.iter().filter(|method| is_output(method));
-    // Of two methods of one name the first counts.
+    // The first of two methods with the same name is used.
     let written = methods.rev().map(|method| (method.name.to_string(), method.returns));
     let written = written.collect::<HashMap<_, _>>();
     let of_output = |name: &'s Name| Some((name, *written.get(&name.text)?));
@@ -120,7 +120,7 @@ pub(in crate::emit) fn has_outputs(shape: &Shape<'_>, members: &Members) -> bool
     outputs(shape, members).iter().any(|(_, returns)| returns.count() > 0)
 }
 
-/// `OutputSystem`, if there are outputs.
+/// Writes `OutputSystem`, if there are outputs.
 pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
@@ -159,7 +159,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
     (!all.is_empty()).then_some(item)
 }
 
-/// Units of the columns of outputs, as far as they are known.
+/// Returns the known units of the columns of outputs.
 pub(in crate::emit) fn units_of_outputs<'s>(
     shape: &'s Shape<'_>,
     members: &Members,
@@ -171,7 +171,7 @@ pub(in crate::emit) fn units_of_outputs<'s>(
     columns.collect()
 }
 
-/// Names of the columns of an output.
+/// Returns the names of the columns of an output.
 pub(in crate::emit) fn column_names(
     shape: &Shape<'_>,
     output: &Name,
@@ -180,7 +180,7 @@ pub(in crate::emit) fn column_names(
     (0..count).map(move |index| column_name(shape.written(output), index, count))
 }
 
-/// Name of the column of a component of an output, such as `tip.x`.
+/// Returns the name of the column of a component of an output, such as `tip.x`.
 fn column_name(output: &str, index: usize, count: usize) -> String {
     match (count, COMPONENTS.get(index)) {
         (1, _) => output.to_owned(),

@@ -1,4 +1,4 @@
-//! Emission of each product: arguments and result for a system, from its row.
+//! Emission of each product: its arguments and result for a system, from its row.
 
 use super::jacobian::{by_displacements, by_fields, by_state};
 use super::linearised::system_matrix;
@@ -8,7 +8,7 @@ use crate::emit::base::shape::Shape;
 use crate::model::{Extent, Model, Product, ProductArguments, ProductMethod, ProductShape};
 use lagrange_expr::expr::ExprId;
 
-/// A method that is yet to be lowered.
+/// A method to be lowered.
 pub(in crate::emit) struct Plan {
     pub(in crate::emit) docs: &'static [&'static str],
     pub(in crate::emit) arguments: Arguments,
@@ -16,7 +16,8 @@ pub(in crate::emit) struct Plan {
     pub(in crate::emit) roots: Vec<ExprId>,
 }
 
-/// The method of a product; `None` for one that is no method, or that the system does not have.
+/// Plans the method of a product; `None` if the product is not a method or does not exist for the
+/// system.
 pub(in crate::emit) fn plan(
     product: Product,
     model: &mut Model,
@@ -35,7 +36,7 @@ pub(in crate::emit) fn plan(
         _ => found,
     };
     match (product, &mut returns) {
-        // How an output is written tells the number of its components nearly always.
+        // The number of components of an output usually follows from its syntax, but not always.
         (Product::SystemMatrix, Returns::Matrix(rows, columns)) => *rows = roots.len() / *columns,
         // The derivation finds the columns.
         (Product::Regressor, Returns::Matrix(rows, columns)) => *columns = roots.len() / *rows,
@@ -44,8 +45,8 @@ pub(in crate::emit) fn plan(
     Some(Plan { docs, arguments, returns, roots })
 }
 
-/// Arguments and result of a product's method, if it has one; `is_moving` says whether the mass
-/// matrix depends on velocities.
+/// Returns the arguments and the result of a product's method, if it has one. `is_moving` is true
+/// if the mass matrix depends on velocities.
 pub(in crate::emit) fn signature(
     product: Product,
     shape: &Shape<'_>,
@@ -69,7 +70,7 @@ pub(in crate::emit) fn signature(
         Extent::LinearColumns => tangent + shape.inputs.len(),
         Extent::Constraints => shape.constraints.len(),
         Extent::Fields => shape.fields.len(),
-        // Ten for each body at most, and those of parameters.
+        // At most ten for each body, and one for each parameter.
         Extent::Regressed => 0,
     };
     let returns = match method.returns {

@@ -1,4 +1,4 @@
-//! The check that parameters are in their declared ranges.
+//! Check that parameters are in their declared ranges.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,7 +9,7 @@ use crate::emit::base::shape::{Shape, doc};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Bound;
 
-/// The body of `check_parameters`, if any parameter has a range.
+/// Writes the body of `check_parameters`, if any parameter has a range.
 pub(in crate::emit) fn write_ranges(writer: &mut MethodWriter<'_>) {
     let parameters = writer.model.parameters.clone();
     let limits = parameters.iter().flat_map(|parameter| &parameter.range).flatten();
@@ -44,7 +44,7 @@ pub(in crate::emit) fn write_ranges(writer: &mut MethodWriter<'_>) {
     writer.members.ranges = Some(quote!(#statements #checks ::core::result::Result::Ok(())));
 }
 
-/// The method `check_parameters`.
+/// Writes the method `check_parameters`.
 pub(in crate::emit) fn check_method(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, scalar, body) = (shape.krate, shape.scalar(), members.ranges.as_ref()?);
     let docs = [

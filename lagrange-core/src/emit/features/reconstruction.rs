@@ -16,12 +16,12 @@ pub(super) struct Ignored {
     momentum: Name,
     /// Index of its velocity in the whole system.
     velocity: usize,
-    /// Index of the state that it is in the reduced type.
+    /// Index of its state in the reduced type.
     state: usize,
 }
 
 impl Ignored {
-    /// Returns those of a reduced type.
+    /// Returns the ignored coordinates of a reduced type.
     pub(super) fn of(full: &Shape<'_>, part: &Shape<'_>) -> Vec<Ignored> {
         let is_ignored = |name: &Name| match part.declaration.reduction.as_ref().map(|of| &of.kind) {
             Some(StatementKind::Reduce(reduction)) => {
@@ -39,7 +39,8 @@ impl Ignored {
     }
 }
 
-/// The reconstructed velocity at an entry of the state, if an ignored coordinate has it.
+/// Returns the reconstructed velocity for an entry of the state, if it belongs to an ignored
+/// coordinate.
 pub(super) fn rate_of(ignored: &[Ignored], entry: usize, full: &Shape<'_>) -> Option<TokenStream> {
     let velocity = entry.checked_sub(full.coordinates.len())?;
     let Ignored { state, .. } = ignored.iter().find(|of| of.velocity == velocity)?;
@@ -47,8 +48,8 @@ pub(super) fn rate_of(ignored: &[Ignored], entry: usize, full: &Shape<'_>) -> Op
     Some(quote!(#rates[#state]))
 }
 
-/// The statement that reconstructs velocities of ignored coordinates at a state of the reduced
-/// type.
+/// Writes the statement that reconstructs velocities of ignored coordinates from a state of the
+/// reduced type.
 pub(super) fn rates_at(ignored: &[Ignored], state: &TokenStream) -> Option<TokenStream> {
     let [rates, reduced, time] = ["rates", "reduced", "t"].map(local);
     (!ignored.is_empty()).then(|| {
@@ -59,8 +60,8 @@ pub(super) fn rates_at(ignored: &[Ignored], state: &TokenStream) -> Option<Token
     })
 }
 
-/// The constructor that takes momenta from a state of the whole system; nothing if no coordinate is
-/// ignored. In that state, frozen coordinates rest at their values.
+/// Writes the constructor that computes momenta from a state of the whole system, or nothing if no
+/// coordinate is ignored. In this state, frozen coordinates rest at their values.
 pub(super) fn constructor(full: &Shape<'_>, part: &Shape<'_>, is_derived: bool) -> Option<TokenStream> {
     let ignored = Ignored::of(full, part);
     let [system, state, time, momenta] = ["system", "state", "t", "momenta"].map(local);
@@ -98,7 +99,7 @@ pub(super) fn constructor(full: &Shape<'_>, part: &Shape<'_>, is_derived: bool) 
     })
 }
 
-/// A statement that lets what is frozen rest at its value, if anything is.
+/// Writes a statement that sets frozen coordinates to rest at their values, if there are any.
 fn held_state(full: &Shape<'_>, part: &Shape<'_>, ignored: &[Ignored]) -> Option<TokenStream> {
     let [held, state, time] = ["held", "state", "t"].map(local);
     let (whole, reduced) = (full.state_name(), part.state_name());
@@ -124,7 +125,7 @@ fn held_state(full: &Shape<'_>, part: &Shape<'_>, ignored: &[Ignored]) -> Option
     })
 }
 
-/// A system with the fields of `system` and with momenta.
+/// Writes a system with the fields of `system` and with momenta.
 fn literal(part: &Shape<'_>, ignored: &[Ignored], momentum: impl Fn(&Ignored) -> TokenStream) -> TokenStream {
     let system = local("system");
     let own = ignored.iter().map(|of| (identifier(&of.momentum), momentum(of))).collect::<Vec<_>>();
@@ -136,8 +137,8 @@ fn literal(part: &Shape<'_>, ignored: &[Ignored], momentum: impl Fn(&Ignored) ->
     quote!(Self { #(#kept)* #(#own)* #switches })
 }
 
-/// For each entry of the state of one shape, the same entry in the state of another; nothing where
-/// that has none.
+/// Returns, for each entry of the state of one shape, the same entry in the state of another;
+/// `None` if it does not exist.
 pub(super) fn values_of(
     of: &Shape<'_>,
     (other, fields): (&Shape<'_>, &[Field]),

@@ -1,5 +1,4 @@
-//! Reduced types: their documentation, and the conversion of them and their states to the whole
-//! system and back.
+//! Reduced types: documentation, and conversion of systems and states to the whole system and back.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -20,11 +19,10 @@ use lagrange_algebra::program::{Labels, lower, optimise};
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::Declaration;
 
-/// Values with longer texts are not written out in documentation.
+/// Maximum length of a value that documentation writes out.
 const LONGEST_VALUE: usize = 60;
 
-/// Returns the declarations of reduced types, documented, in the order of their `reduce`
-/// statements.
+/// Returns the documented declarations of reduced types, in the order of their `reduce` statements.
 pub fn reduced_declarations(declaration: &Declaration, reduced: &[Reduced]) -> Vec<Declaration> {
     let pairs = declaration.reductions().zip(reduced);
     let documented = pairs.map(|((syntax, docs), reduced)| {
@@ -34,7 +32,7 @@ pub fn reduced_declarations(declaration: &Declaration, reduced: &[Reduced]) -> V
     documented.collect()
 }
 
-/// The attributes of the whole system with other documentation.
+/// Returns the attributes of the whole system with different documentation.
 pub(in crate::emit) fn reduced_attributes(
     declaration: &Declaration,
     docs: &TokenStream,
@@ -85,7 +83,7 @@ const IGNORED: [&str; 2] = [
     "Routhian; energies are those of the whole system.",
 ];
 
-/// Conversions between a system and a reduced type of it; `None` if a value is too large for the
+/// Writes conversions between a system and a reduced type; `None` if a value is too large for the
 /// scalar, which is reported.
 pub fn conversions(
     (full, model, equations): (&Declaration, &Model, &Equations),
@@ -100,14 +98,14 @@ pub fn conversions(
     Some(items(&full, &shape, &state_methods))
 }
 
-/// Conversions without values, for a declaration with errors.
+/// Writes conversions without values, for a declaration with errors.
 pub(in crate::emit) fn placeholder_conversions(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
     let nothing = StateBody { statements: TokenStream::new(), fields: TokenStream::new(), is_rounded: false };
     items(full, part, &inherent_impl(full, part, &nothing, &nothing))
 }
 
 fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> TokenStream {
-    // Nothing but a state says which momenta ignored coordinates have.
+    // The momenta of ignored coordinates only follow from a state.
     let of_whole = Ignored::of(full, part).is_empty().then(|| system_conversion(full, part));
     let systems = [of_whole, Some(system_conversion(part, full))].into_iter().flatten();
     let states = state_conversion(full, part);
@@ -127,7 +125,7 @@ fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> Tok
     }
 }
 
-/// Parameters, inputs and what contacts and friction do are the same.
+/// Writes a conversion that keeps parameters, inputs and the modes of contacts and friction.
 fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
     let (source, target, generics, bounds) = (from.name(), to.name(), to.generics(), to.bounds());
     let system = local("system");
@@ -146,7 +144,7 @@ fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// Conversion of states that leaves out frozen coordinates.
+/// Writes a conversion of states that omits frozen coordinates.
 fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
     let (source, target, generics) = (full.state_name(), part.state_name(), part.generics());
     let (state, full_fields, fields) = (local("state"), full.state_fields(), part.state_fields());
@@ -164,7 +162,7 @@ fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// The methods that need the values of coordinates, which may depend on parameters.
+/// Writes the methods that need the values of coordinates, which may depend on parameters.
 fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Result<TokenStream, Refusal> {
     let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
     let ignored = Ignored::of(full, part);
@@ -196,8 +194,8 @@ fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Resul
     Ok(inherent_impl(full, part, &expand, &deviation))
 }
 
-/// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a
-/// value of zero.
+/// Returns the value of an entry of the state, if the entry belongs to one of `all`; `Some(None)`
+/// is a value of zero.
 fn pinned<'v>(
     all: &[Pinned],
     values: &'v [Option<TokenStream>],
@@ -212,7 +210,7 @@ fn pinned<'v>(
 }
 
 /// Returns a body that computes values and puts them into a state of the whole system. `fields`
-/// gets the state, the values that are not zero, and zero.
+/// receives the state, the nonzero values, and zero.
 fn with_values(
     part: &Shape<'_>,
     reduced: &Reduced,
@@ -241,16 +239,16 @@ fn with_values(
     Ok(StateBody { statements: quote!(#functions #bindings #statements), fields, is_rounded })
 }
 
-/// Statements and the fields of the state that is returned behind them.
+/// Statements, and the fields of the returned state.
 struct StateBody {
     statements: TokenStream,
     fields: TokenStream,
-    /// True if it holds rounded values of irrational constants.
+    /// True if the body contains rounded values of irrational constants.
     is_rounded: bool,
 }
 
 impl StateBody {
-    /// Puts a statement in front.
+    /// Prepends a statement.
     fn after(mut self, statement: Option<TokenStream>) -> StateBody {
         self.statements = statement.into_iter().chain([self.statements]).collect();
         self

@@ -1,4 +1,4 @@
-//! Members for constraints that depend on each other: matrices that are formed at run time.
+//! Members for dependent constraints: matrices that are formed at run time.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,7 +8,7 @@ use crate::emit::base::shape::length;
 use crate::emit::base::writer::MethodWriter;
 use lagrange_expr::expr::ExprId;
 
-/// The whole system of M a = f + Aᵀλ and A a + b = 0, solved at run time.
+/// Writes the solution of the whole system M a = f + Aᵀλ and A a + b = 0 at run time.
 pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
     let (n, m) = (writer.model.speeds.len(), writer.model.constraints.len());
     let equations = writer.equations;
@@ -45,7 +45,7 @@ pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
     });
 }
 
-/// The correction, found in the same way.
+/// Writes the correction, computed in the same way.
 pub(in crate::emit) fn write_redundant_correction(writer: &mut MethodWriter<'_>) {
     let (n, m) = (writer.model.speeds.len(), writer.model.constraints.len());
     let (krate, residuals) = (writer.shape.krate, writer.members.names.residuals.clone());
@@ -72,12 +72,12 @@ pub(in crate::emit) fn write_redundant_correction(writer: &mut MethodWriter<'_>)
     });
 }
 
-/// The entries of M, then those of A.
+/// Returns the entries of M, then those of A.
 fn entries(writer: &MethodWriter<'_>) -> Vec<ExprId> {
     [writer.equations.mass_matrix.concat(), writer.equations.constraints.jacobian.concat()].concat()
 }
 
-/// M and A of their entries.
+/// Assembles M and A from their entries.
 fn matrices(entries: &[TokenStream], n: usize, m: usize) -> [TokenStream; 2] {
     let (mass_matrix, jacobian) = entries.split_at(n * n);
     [Returns::Matrix(n, n).collect(mass_matrix), Returns::Matrix(m, n).collect(jacobian)]

@@ -1,4 +1,4 @@
-//! The regressor beside its method: the names and values of the parameters, and the trait.
+//! Members for the regressor, except its method: names and values of the parameters, and the trait.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -12,7 +12,7 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 use lagrange_language::syntax::ast::Name;
 
-/// Names and values of the parameters, if the regressor is asked for.
+/// Writes the names and values of the parameters, if the regressor is requested.
 pub(in crate::emit) fn write_regressor(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
     if !writer.model.products.contains(&Product::Regressor) {
         return Ok(());
@@ -29,7 +29,7 @@ pub(in crate::emit) fn write_regressor(writer: &mut MethodWriter<'_>) -> Result<
     Ok(())
 }
 
-/// The names of the parameters, as they are written.
+/// Returns the names of the parameters, as they are written.
 pub(in crate::emit) fn regressor_names(shape: &Shape<'_>, equations: &Equations) -> Vec<String> {
     let named = equations.regressor.columns.iter().map(|column| {
         let owner = Name::new(column.owner.clone(), shape.declaration.name.span);
@@ -41,7 +41,7 @@ pub(in crate::emit) fn regressor_names(shape: &Shape<'_>, equations: &Equations)
     named.collect()
 }
 
-/// The constant and the method for the parameters.
+/// Writes the constant and the method for the parameters.
 pub(in crate::emit) fn regressor_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let Regressed { names, body } = members.regressor.as_ref()?;
     let (count, scalar) = (length(names.len()), shape.scalar());
@@ -56,7 +56,7 @@ pub(in crate::emit) fn regressor_members(shape: &Shape<'_>, members: &Members) -
     })
 }
 
-/// `RegressorSystem`, if there are the methods for it.
+/// Writes `RegressorSystem`, if its methods exist.
 pub(in crate::emit) fn regressor_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let Regressed { names, .. } = members.regressor.as_ref()?;
     let mut methods = members.methods.iter();

@@ -1,4 +1,4 @@
-//! Members for rigid bodies: how each moves, and what there is to draw.
+//! Members for rigid bodies: their motions, and the items to draw.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,7 +13,7 @@ use crate::model::{BodyMotion, DrawnItem, Product, Scene};
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::Name;
 
-/// A method for each body, and the body of `items`.
+/// Writes a method for each body, and the function body of `items`.
 pub(in crate::emit) fn write_scene(writer: &mut MethodWriter<'_>) {
     let wants = |product| writer.model.products.contains(&product);
     let (moves, is_drawn) = (wants(Product::Motion), wants(Product::Drawing));
@@ -58,7 +58,7 @@ fn dimension(writer: &MethodWriter<'_>) -> usize {
     if writer.shape.declaration.is_in_space { 3 } else { 2 }
 }
 
-/// The numbers of an item: for a body how it moves, then its shape.
+/// Returns the numbers of an item: for a body its motion, then its shape.
 fn roots(scene: &Scene, item: &DrawnItem) -> Vec<ExprId> {
     let mut roots = body_of(scene, item).map_or_else(Vec::new, |(_, values)| values.to_vec());
     roots.extend(&item.values);
@@ -66,7 +66,7 @@ fn roots(scene: &Scene, item: &DrawnItem) -> Vec<ExprId> {
     roots
 }
 
-/// The method that says how a body moves, with this content.
+/// Writes the method for the motion of a body, with this content.
 pub(in crate::emit) fn motion_method(
     shape: &Shape<'_>,
     names: &ArgumentNames,

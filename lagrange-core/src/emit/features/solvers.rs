@@ -13,11 +13,10 @@ use lagrange_expr::expr::Node;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
-/// Equations that take more names, numbers and signs than this are not written out in
-/// documentation.
+/// Maximum number of names, numbers and signs of an equation that documentation writes out.
 const LONGEST_EQUATION: u64 = 60;
 
-/// Writes the unknowns that accelerations and rates of states are made of, so that errors name the
+/// Writes the unknowns on which accelerations and rates of states depend, so that errors name the
 /// one without a value.
 pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
     let rates = [&writer.equations.accelerations[..], &writer.model.position_rates()].concat();
@@ -38,8 +37,7 @@ pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
     writer.members.unknowns = Some(body);
 }
 
-/// Writes a function for each unknown that methods mention, or for those that are solved for
-/// together.
+/// Writes a function for each unknown that methods use, or for each set of coupled unknowns.
 pub(in crate::emit) fn write_solvers(writer: &mut MethodWriter<'_>) {
     let mut written = Vec::new();
     for function in writer.members.callees.clone().iter().filter(|function| function.is_solution()) {
@@ -72,8 +70,8 @@ fn solver(writer: &mut MethodWriter<'_>, function: &Opaque) -> Option<TokenStrea
         count => (local("coupled"), array(&number, count)),
     };
     let iterations = length(program.iterations as usize);
-    // Numbers side by side are computed in functions for what the processor has, and only what is
-    // inlined there is.
+    // Numbers in lanes are computed in functions that are compiled for the processor's features;
+    // this only extends to inlined code.
     let inline = match scalar {
         Scalar::SideBySide { .. } => quote!(#[inline(always)]),
         _ => quote!(#[inline]),
@@ -96,7 +94,7 @@ fn array(number: &TokenStream, count: usize) -> TokenStream {
     quote!([#number; #count])
 }
 
-/// A value, or an array of several.
+/// Writes a value, or an array of several.
 fn together(items: &[impl ToTokens]) -> TokenStream {
     match items {
         [single] => single.to_token_stream(),
@@ -104,7 +102,7 @@ fn together(items: &[impl ToTokens]) -> TokenStream {
     }
 }
 
-/// Residuals, their Jacobian and their rounding errors.
+/// Writes residuals, their Jacobian and their rounding errors.
 fn results(outputs: &[TokenStream], unknowns: usize) -> TokenStream {
     if unknowns == 1 {
         return quote!([#(#outputs),*]);
@@ -115,7 +113,8 @@ fn results(outputs: &[TokenStream], unknowns: usize) -> TokenStream {
     quote!(([#(#residuals),*], [#(#rows),*], [#(#rounding),*]))
 }
 
-/// Type parameters of a function, the numbers that it takes, and what its body computes with.
+/// Returns the type parameters of a function, the type of its arguments, and the number type of its
+/// body.
 fn number_type(writer: &MethodWriter<'_>) -> (TokenStream, TokenStream, Scalar) {
     let (shape, krate) = (writer.shape, writer.shape.krate);
     if writer.members.lanes.is_some() {

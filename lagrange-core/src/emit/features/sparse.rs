@@ -1,4 +1,4 @@
-//! Large matrices of which most entries are zero: only the others are written.
+//! Large sparse matrices: only nonzero entries are written.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,21 +9,21 @@ use crate::emit::base::writer::MethodWriter;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Matrices with no more entries than this are written in rows, zeros included, since they are
-/// easier to read that way.
+/// Maximum number of entries of a matrix that is always written in rows, including zeros, since
+/// this is easier to read.
 const LARGEST_IN_ROWS: usize = 10_000;
-/// A larger matrix is listed if at most one in this many entries differs from zero. In a fuller
-/// one, rows are shorter than entries with their indices.
+/// A larger matrix is listed if at most one in this many entries is nonzero. For a fuller one, rows
+/// are shorter than entries with their indices.
 const FEWEST_ZEROS: usize = 4;
 
-/// The entries of a matrix that are not zero, with their rows and columns.
+/// The nonzero entries of a matrix, with their rows and columns.
 pub(in crate::emit) struct Sparse {
     places: Vec<(usize, usize)>,
     roots: Vec<ExprId>,
 }
 
 impl Sparse {
-    /// `None` if the matrix had better be written in rows.
+    /// Collects the nonzero entries; `None` if the matrix should be written in rows.
     pub(in crate::emit) fn of(graph: &Graph, returns: Returns, roots: &[ExprId]) -> Option<Sparse> {
         let Returns::Matrix(_, columns) = returns else { return None };
         if roots.len() <= LARGEST_IN_ROWS {
@@ -35,7 +35,7 @@ impl Sparse {
         (entries.len() * FEWEST_ZEROS <= roots.len()).then_some(Sparse { places, roots: entries })
     }
 
-    /// A list of rows, columns and entries.
+    /// Writes a list of rows, columns and entries.
     fn list(&self, entries: &[TokenStream]) -> TokenStream {
         let entries = self.places.iter().zip(entries).map(|(&(row, column), entry)| {
             let (row, column) = (length(row), length(column));
@@ -45,7 +45,7 @@ impl Sparse {
     }
 }
 
-/// A body that computes a matrix.
+/// Writes a body that computes a matrix.
 pub(in crate::emit) fn lowered_sparse(
     writer: &mut MethodWriter<'_>,
     sparse: &Sparse,
@@ -58,8 +58,8 @@ pub(in crate::emit) fn lowered_sparse(
     })
 }
 
-/// `ConstrainedSystem::residual_scales`, if the Jacobian of the constraints is not worth forming
-/// for it.
+/// Writes `ConstrainedSystem::residual_scales`, if the Jacobian of the constraints is too sparse to
+/// be formed for it.
 pub(in crate::emit) fn write_sparse_scales(writer: &mut MethodWriter<'_>) {
     let (n, m) = (writer.model.speeds.len(), writer.model.constraints.len());
     let roots = writer.equations.constraints.jacobian.concat();

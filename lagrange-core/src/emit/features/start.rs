@@ -1,4 +1,4 @@
-//! The state at the start, as far as its values are declared.
+//! The declared initial state.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,7 +9,7 @@ use crate::emit::base::method::Arguments;
 use crate::emit::base::shape::Shape;
 use crate::emit::base::writer::MethodWriter;
 
-/// The body of `start`, a literal of the state.
+/// Writes the body of `start`, a literal of the state.
 pub(in crate::emit) fn write_start(writer: &mut MethodWriter<'_>) {
     let (values, shape) = (writer.model.start.clone(), writer.shape);
     if values.is_empty() {
@@ -22,7 +22,7 @@ pub(in crate::emit) fn write_start(writer: &mut MethodWriter<'_>) {
     writer.members.start = Some(body);
 }
 
-/// The method `start`.
+/// Writes the method `start`.
 pub(in crate::emit) fn start_method(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (name, generics) = (shape.state_name(), shape.generics());
     let body = members.start.as_ref()?;

@@ -1,5 +1,5 @@
-//! Members for switches: a field that fixes their sides, the functions that vanish on them, and
-//! what runs ask.
+//! Members for switches: a field that fixes their sides, the functions that vanish on them, and the
+//! queries of runs.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -18,10 +18,10 @@ use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::limits::MAX_LOCATED;
 use lagrange_language::syntax::ast::{Declaration, Name};
 
-/// Surfaces with longer texts are not written out in messages.
+/// Maximum length of a surface that messages write out.
 const LONGEST_SURFACE: usize = 60;
 
-/// Warns of switches beyond those that runs can look for.
+/// Warns about switches beyond the number that runs can locate.
 pub(in crate::emit) fn report_unlocated(
     declaration: &Declaration,
     equations: &Equations,
@@ -35,8 +35,8 @@ pub(in crate::emit) fn report_unlocated(
     }
 }
 
-/// The shape of a derived system, with the switches whose sides runs can fix, units, and derived
-/// outputs.
+/// Returns the shape of a derived system, with the switches whose sides runs can fix, units, and
+/// derived outputs.
 pub(in crate::emit) fn derived_shape<'a>(
     declaration: &'a Declaration,
     krate: &'a TokenStream,
@@ -55,12 +55,12 @@ pub(in crate::emit) fn derived_shape<'a>(
     shape
 }
 
-/// Number of switches that runs can look for beside the events of the declaration.
+/// Returns the number of switches that runs can locate in addition to the declared events.
 fn room_for_switches(shape: &Shape<'_>) -> usize {
     MAX_LOCATED.saturating_sub(shape.event_names().len())
 }
 
-/// Name of the surface of a switch in messages.
+/// Returns the name of the surface of a switch in messages.
 fn surface_name(graph: &Graph, switch: &Switch) -> String {
     let surface = match text::definitions(graph, &[switch.value], LONGEST_SURFACE) {
         (abbreviations, texts) if abbreviations.is_empty() => format!("`{}`", texts.concat()),
@@ -72,8 +72,8 @@ fn surface_name(graph: &Graph, switch: &Switch) -> String {
     }
 }
 
-/// The functions that vanish on the switches, the sides that follow from them, and times at which
-/// switches are passed.
+/// Writes the functions that vanish on the switches, the sides that follow from them, and the times
+/// at which switches are crossed.
 pub(in crate::emit) fn write_switches(writer: &mut MethodWriter<'_>) {
     let switches = &writer.equations.switches[..writer.shape.switches.len()];
     if switches.is_empty() {
@@ -92,7 +92,7 @@ pub(in crate::emit) fn write_switches(writer: &mut MethodWriter<'_>) {
     write_switch_times(writer, &times);
 }
 
-/// The body of `SwitchedSystem::switch_times`.
+/// Writes the body of `SwitchedSystem::switch_times`.
 fn write_switch_times(writer: &mut MethodWriter<'_>, times: &[Option<ExprId>]) {
     let known = times.iter().flatten().copied().collect::<Vec<_>>();
     if known.is_empty() {
@@ -109,7 +109,7 @@ fn write_switch_times(writer: &mut MethodWriter<'_>, times: &[Option<ExprId>]) {
     writer.members.switch_times = Some(body);
 }
 
-/// The field that fixes sides.
+/// Returns the name of the field that fixes sides.
 fn switches_field(shape: &Shape<'_>) -> Ident {
     let mut name = "switches".to_owned();
     let touching = shape.touching.iter().map(|(name, _)| *name);
@@ -121,7 +121,7 @@ fn switches_field(shape: &Shape<'_>) -> Ident {
     format_ident!("{name}")
 }
 
-/// The field that fixes the sides of switches, as it is declared.
+/// Writes the declaration of the field that fixes the sides of switches.
 pub(in crate::emit) fn switches_declaration(shape: &Shape<'_>) -> Option<TokenStream> {
     let (krate, field) = (shape.krate, switches_field(shape));
     let field = quote! {
@@ -131,26 +131,26 @@ pub(in crate::emit) fn switches_declaration(shape: &Shape<'_>) -> Option<TokenSt
     (!shape.switches.is_empty()).then_some(field)
 }
 
-/// Field in a literal of the struct, free.
+/// Writes the field in a literal of the struct, with free sides.
 pub(in crate::emit) fn free_switches(shape: &Shape<'_>) -> Option<TokenStream> {
     let field = switches_field(shape);
     (!shape.switches.is_empty()).then(|| quote!(#field: ::core::default::Default::default(),))
 }
 
-/// Field in a literal of the struct, as it is in `self`.
+/// Writes the field in a literal of the struct, with its value in `self`.
 pub(in crate::emit) fn kept_switches(shape: &Shape<'_>) -> Option<TokenStream> {
     let field = switches_field(shape);
     (!shape.switches.is_empty()).then(|| quote!(#field: self.#field,))
 }
 
-/// The events by which sides change.
+/// Writes the events at which sides change.
 pub(in crate::emit) fn switch_events(shape: &Shape<'_>) -> impl Iterator<Item = TokenStream> {
     let krate = shape.krate;
     shape.switches.iter().map(move |name| quote!(#krate::event::DeclaredEvent::side(#name)))
 }
 
-/// The members of `OdeSystem` by which runs end steps at known times: where switches are passed and
-/// clocks tick.
+/// Writes the members of `OdeSystem` with which runs end steps at known times, when switches are
+/// crossed and clocks tick.
 pub(in crate::emit) fn timed_members(
     shape: &Shape<'_>,
     members: &Members,
@@ -180,7 +180,7 @@ pub(in crate::emit) fn timed_members(
     })
 }
 
-/// The implementation of `SwitchedSystem`.
+/// Writes the implementation of `SwitchedSystem`.
 pub(in crate::emit) fn switched_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     if shape.switches.is_empty() {
         return TokenStream::new();

@@ -9,7 +9,7 @@ use lagrange_algebra::code::float;
 use lagrange_expr::opaque::{Axis, Opaque, OpaqueFunction, Table};
 use lagrange_language::syntax::ast::{StatementKind, TableSource};
 
-/// The items of all tables that methods call.
+/// Writes the items of all tables that methods call.
 pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let called = members.callees.iter().filter_map(|function| Some((function, function.table()?)));
     let mut called = called.collect::<Vec<_>>();
@@ -27,7 +27,7 @@ pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStre
         items.extend(constant.map(|constant| method(shape, function, constant)));
     }
     let mut pieces: Vec<Ident> = Vec::new();
-    // Series of values and of derivatives follow the same pieces.
+    // Series of values and series of derivatives use the same pieces.
     for (function, argument) in members.taylor.iter().flat_map(|taylor| &taylor.followed) {
         let name = piece_name(function, *argument);
         let constant = known.iter().find(|(known, _)| *known == function.function().name);
@@ -39,13 +39,13 @@ pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStre
     items
 }
 
-/// The name of the function that finds the piece along an argument.
+/// Returns the name of the function that finds the piece along an argument.
 pub(in crate::emit) fn piece_name(table: &Opaque, argument: usize) -> Ident {
     let OpaqueFunction { name, parameters, .. } = table.function();
     local(&format!("{name}_piece_of_{}", parameters[argument]))
 }
 
-/// A function for the ends of the piece that an argument is in.
+/// Writes a function that returns the ends of the piece that contains an argument.
 fn piece(shape: &Shape<'_>, table: &Opaque, argument: usize, constant: &Ident) -> TokenStream {
     let (krate, name, parameter) =
         (shape.krate, piece_name(table, argument), local(&table.function().parameters[argument]));
@@ -66,8 +66,8 @@ fn piece(shape: &Shape<'_>, table: &Opaque, argument: usize, constant: &Ident) -
     }
 }
 
-/// The name of a table in capital letters; with underscores behind it where two names differ in
-/// nothing else.
+/// Returns the name of a table in capital letters, with trailing underscores if two names differ
+/// only in case.
 fn constant_name(name: &str, known: &[(String, Ident)]) -> Ident {
     let mut constant = name.to_uppercase();
     while known.iter().any(|(_, other)| *other == constant) {
@@ -76,7 +76,7 @@ fn constant_name(name: &str, known: &[(String, Ident)]) -> Ident {
     Ident::new(&constant, Span::mixed_site())
 }
 
-/// The points in the form that they are evaluated in.
+/// Writes the points in the form used for evaluation.
 fn points(shape: &Shape<'_>, constant: &Ident, table: &Table) -> TokenStream {
     let krate = shape.krate;
     let size = length(table.interpolation.coefficients());
@@ -120,7 +120,7 @@ fn axis_tokens(shape: &Shape<'_>, axis: &Axis) -> TokenStream {
     quote!(#krate::table::Axis { knots: &[#(#knots),*], density: #density })
 }
 
-/// A function for a value or a derivative.
+/// Writes a function for a value or a derivative.
 fn method(shape: &Shape<'_>, function: &Opaque, constant: &Ident) -> TokenStream {
     let (krate, name) = (shape.krate, local(&function.rust_name()));
     let parameters =
@@ -141,8 +141,8 @@ fn method(shape: &Shape<'_>, function: &Opaque, constant: &Ident) -> TokenStream
     }
 }
 
-/// Files that tables and parts were read from, so that the crate is compiled again when one of them
-/// changes.
+/// Writes references to the files of tables and parts, so that the crate is recompiled when one of
+/// them changes.
 fn watched_files(shape: &Shape<'_>) -> TokenStream {
     let files = shape.declaration.statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Table(table) => match &table.source {

@@ -11,7 +11,7 @@ use lagrange_language::syntax::ast::{Name, acceleration_name};
 
 /// Returns `MechanicalSystem::UNITS`, if any unit is known. It has the units of the state, of
 /// accelerations, of parameters and inputs, of the given outputs, and of momenta if there are any.
-/// Momenta come last, so that a declared unit is found for a name that is declared, too.
+/// Momenta come last, so that the unit of a declared name takes precedence.
 pub(in crate::emit) fn units_constant(
     shape: &Shape<'_>,
     outputs: Vec<(String, &str)>,
@@ -23,8 +23,7 @@ pub(in crate::emit) fn units_constant(
     (!entries.is_empty()).then(|| quote!(const UNITS: &'static [(#text, #text)] = &[#(#entries),*];))
 }
 
-/// Units of state, accelerations, momenta, parameters, inputs and outputs, as far as they are
-/// known.
+/// Returns the known units of the state, accelerations, momenta, parameters, inputs and outputs.
 pub(in crate::emit) fn units_by_name<'s>(
     shape: &'s Shape<'_>,
     outputs: Vec<(String, &'s str)>,
@@ -38,8 +37,8 @@ pub(in crate::emit) fn units_by_name<'s>(
     named.chain(momenta.iter().flat_map(|field| units_of(shape, field))).collect()
 }
 
-/// Returns documentation of the units of parameters and inputs, as `` `m` in kg, `l` in m ``. It
-/// exists if any known ones are not those of plain numbers.
+/// Returns documentation of the units of parameters and inputs, such as `` `m` in kg, `l` in m ``.
+/// `None` if all known units are those of plain numbers.
 pub(in crate::emit) fn units_of_parameters(shape: &Shape<'_>) -> Option<TokenStream> {
     let fields = shape.number_fields();
     let units = fields.iter().flat_map(|field| units_of(shape, field)).filter(|(_, unit)| *unit != PLAIN);
@@ -48,7 +47,7 @@ pub(in crate::emit) fn units_of_parameters(shape: &Shape<'_>) -> Option<TokenStr
     (!units.is_empty()).then(|| quote!(#blank #line))
 }
 
-/// Fields as there would be for accelerations, behind those of velocities.
+/// Returns fields for accelerations, derived from those of velocities.
 fn accelerations(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
     let mut positions = shape.coordinates.len();
     let velocities = state.iter().skip_while(|field| {
@@ -65,7 +64,7 @@ fn accelerations(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
     accelerations.collect()
 }
 
-/// Fields as there would be for the momenta of coordinates.
+/// Returns fields for the momenta of coordinates.
 fn momenta(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
     let mut coordinates = shape.coordinates.len();
     let of_coordinates = state.iter().take_while(|field| {
@@ -81,7 +80,8 @@ fn momenta(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
     momenta.collect()
 }
 
-/// The unit of a field by its name, or those of its elements by theirs where they differ.
+/// Returns the unit of a field under its name, or the units of its elements under their names if
+/// these differ.
 fn units_of<'s>(shape: &'s Shape<'_>, field: &Field) -> Vec<(String, &'s str)> {
     let units = field.names.iter().map(|name| shape.unit(&name.text)).collect::<Vec<_>>();
     match units.split_first() {

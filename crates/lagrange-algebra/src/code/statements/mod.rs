@@ -1,10 +1,8 @@
-//! Programs as the body of a function of C or JavaScript, for machines that rustc does not compile
-//! for.
+//! Programs as the body of a function in C or JavaScript, for targets that rustc does not support.
 //!
-//! The text of C is C99, OpenCL C 1.2 and CUDA C++ at once. Where their names differ, it uses a
-//! macro of the [`prelude`], of which there is one for all. A value is a statement with a numbered
-//! variable, since every language has its own reserved words. The name in the declaration stands in
-//! a comment.
+//! The C text is valid C99, OpenCL C 1.2 and CUDA C++. Where their names differ, it uses a macro
+//! from their common [`prelude`]. Each value is a statement with a numbered variable, since every
+//! language has its own reserved words. The name in the declaration is in a comment.
 
 mod target;
 
@@ -19,7 +17,7 @@ use lagrange_expr::symbol::Role;
 
 pub use target::{Precision, Target};
 
-/// The functions that bodies in JavaScript call, beside those of `Math`.
+/// The functions that bodies in JavaScript call, in addition to those of `Math`.
 pub const SCRIPT_PRELUDE: &str = include_str!("prelude.js");
 
 /// Returns the definition of a C macro for each row of the list of elementary functions.
@@ -50,22 +48,22 @@ pub fn prelude(precision: Precision) -> String {
 
 /// The names that a body refers to.
 pub trait Surroundings {
-    /// Returns the expression under which the body finds a symbol.
+    /// Returns the expression that the body uses for a symbol.
     fn place(&self, role: Role) -> String;
 
     /// Returns the name of a symbol in the declaration.
     fn name(&self, role: Role) -> Option<String>;
 
-    /// Returns a call of a function without a formula, for these arguments. The last argument of
-    /// one that solves for several unknowns is the array of their values.
+    /// Returns a call of a function without a formula, for these arguments. For a function that
+    /// solves for several unknowns, the last argument is the array of their values.
     fn call(&self, function: &Opaque, arguments: &[&str]) -> String;
 }
 
 /// Writes the statements of a function that computes a program, each on a separate line, indented
 /// once.
 ///
-/// `surroundings` is where the body finds symbols and functions without a formula. The results are
-/// stored to the elements of `results`.
+/// `surroundings` provides symbols and functions without a formula. The results are stored in the
+/// elements of `results`.
 ///
 /// # Errors
 /// If a constant of the program is out of the range of the numbers.
@@ -104,7 +102,7 @@ struct ValueNames {
     values: ValueTable<String>,
     /// The sine and the cosine at a place of a pair or a batch.
     pairs: HashMap<(ValueId, u32), [String; 2]>,
-    /// The arrays of unknowns that are solved for together.
+    /// The arrays of coupled unknowns.
     solutions: HashMap<SolutionKey, String>,
     next: usize,
 }
@@ -125,7 +123,7 @@ impl ValueNames {
     }
 }
 
-/// A body as far as it is written.
+/// A body under construction.
 struct StatementWriter<'a> {
     program: &'a Program,
     target: Target,
@@ -148,10 +146,10 @@ impl StatementWriter<'_> {
         self.names.values.push(if is_negative { format!("({text})") } else { text });
     }
 
-    /// Writes a variable for a value, and beside it what the declaration calls it.
+    /// Writes a variable for a value, with its name in the declaration as a comment.
     fn define(&mut self, expression: &str, name: Option<&str>) {
         let variable = self.names.fresh();
-        // Not every compiler of C takes other letters, even in comments.
+        // Some C compilers reject other letters, even in comments.
         let comment = name.map_or_else(String::new, |name| format!(" // {}", name.escape_default()));
         let definition = self.target.define(&variable, expression);
         self.out += &format!("    {definition}{comment}\n");
@@ -175,7 +173,7 @@ impl StatementWriter<'_> {
         }
     }
 
-    /// Writes an unknown that is solved for together with others, where the first of them stands.
+    /// Writes coupled unknowns at the first of them.
     fn solved(&mut self, id: ValueId, op: &Op, function: &Opaque) {
         let Some(key) = solution_key(op) else { unreachable!("{op:?} has several unknowns") };
         let values = match self.names.solutions.get(&key) {
@@ -202,11 +200,11 @@ impl StatementWriter<'_> {
             self.out += &self.target.sine_and_cosine(angle, [&sine, &cosine]);
             self.names.pairs.insert((id, place as u32), [sine, cosine]);
         }
-        // The pair itself is no number.
+        // The pair itself is not a number.
         self.names.values.push(String::new());
     }
 
-    /// A sine or a cosine, which is in a variable already.
+    /// Refers to a sine or a cosine, which is already in a variable.
     fn part(&mut self, pairs: ValueId, place: u32, part: usize) {
         let name = self.names.pairs.get(&(pairs, place)).map(|names| names[part].clone());
         self.names.values.push(name.unwrap_or_else(|| unreachable!("{pairs:?} is a pair")));
@@ -234,8 +232,7 @@ impl StatementWriter<'_> {
             Op::Select { relation, left, right, then, otherwise } => {
                 let (holds, fails) = relations(*relation);
                 let [left, right, then, otherwise] = [left, right, then, otherwise].map(at);
-                // Where both comparisons fail one of the sides is not a number, and so is their
-                // sum.
+                // If both comparisons fail, one of the sides is NaN, and so is their sum.
                 format!(
                     "{left} {holds} {right} ? {then} : {left} {fails} {right} ? {otherwise} : {left} + {right}"
                 )
@@ -245,7 +242,7 @@ impl StatementWriter<'_> {
     }
 }
 
-/// A relation and its opposite.
+/// Returns a relation and its opposite.
 fn relations(relation: Relation) -> (&'static str, &'static str) {
     match relation {
         Relation::Less => ("<", ">="),

@@ -1,4 +1,4 @@
-//! The languages of statements, as far as they differ.
+//! The target languages of statements, and their differences.
 
 use crate::code::literal::Constant;
 
@@ -14,9 +14,9 @@ pub enum Precision {
 /// The language of statements.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Target {
-    /// C99, OpenCL C 1.2 and CUDA C++ at once.
+    /// The common subset of C99, OpenCL C 1.2 and CUDA C++.
     C(Precision),
-    /// JavaScript of 2015, whose numbers are `f64`.
+    /// ECMAScript 2015, whose numbers are `f64`.
     JavaScript,
 }
 
@@ -35,7 +35,7 @@ impl Target {
         format!("for ({kind} i = 0; i < {count}; i++)")
     }
 
-    /// Writes a number that is none.
+    /// Writes NaN.
     pub fn nan(self) -> &'static str {
         if self == Target::JavaScript { "NaN" } else { "NAN" }
     }
@@ -44,7 +44,7 @@ impl Target {
     pub fn call(self, rust: &str, arguments: &str) -> String {
         let name = match (self, rust) {
             (Target::C(_), _) => format!("LAGRANGE_{}", rust.to_uppercase()),
-            // Of what is not a number, JavaScript knows a power.
+            // In JavaScript, some powers of NaN are numbers.
             (Target::JavaScript, "powf") => "powf".to_owned(),
             (Target::JavaScript, "ln") => "Math.log".to_owned(),
             (Target::JavaScript, name) => format!("Math.{name}"),
@@ -52,7 +52,7 @@ impl Target {
         format!("{name}({arguments})")
     }
 
-    /// The shortest literal of a constant; `None` if it is out of the range of the numbers.
+    /// Returns the shortest literal of a constant; `None` if it is out of the range of the numbers.
     pub(super) fn constant(self, constant: Constant<'_>) -> Option<String> {
         match self {
             Target::C(Precision::Single) => constant.single().map(|text| format!("{text}f")),

@@ -7,8 +7,8 @@ const GREEK: [&str; 34] = [
     "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega",
 ];
 
-/// Writes a name with Greek letters, and with subscripts for digits at the end and for the part
-/// behind an underscore. The command `accent` goes over the letter.
+/// Writes a name with Greek letters, and with subscripts for trailing digits and for the part after
+/// an underscore. The command `accent` is applied to the letter.
 pub(super) fn latex_name(name: &str, accent: Option<&str>) -> String {
     let mut parts = name.split('_').filter(|part| !part.is_empty());
     let first = parts.next().unwrap_or(name);

@@ -1,8 +1,8 @@
-//! Products of several masses and their quotients, multiplied and divided in turn.
+//! Products of several masses and their quotients, with interleaved multiplications and divisions.
 //!
-//! m₁ m₂/D is a mass, as each of the three is. However, m₁ m₂ leaves the range of floating-point
-//! numbers if the exponents of very small or very large masses add up to too much. If
-//! [grades](crate::calculus::Grades) are known, (m₁/D) m₂ is therefore computed.
+//! m₁ m₂/D is a mass, as each of the three is. However, m₁ m₂ may leave the range of floating-point
+//! numbers for very small or very large masses. If [grades](crate::calculus::Grades) are known,
+//! (m₁/D) m₂ is therefore computed.
 
 use super::lowering::{Lowering, Signed};
 use super::power::lower_power;
@@ -11,14 +11,14 @@ use crate::program::ValueId;
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::number::Number;
 
-/// Powers above this are not taken apart.
+/// Maximum power that is split into factors.
 const MAX_UNITS: i32 = 8;
 
 /// A value with its grade.
 type Graded = (ValueId, Number);
 
-/// True if the usual way of a product of masses meets an intermediate value that is not a mass:
-/// numerators first, then one division.
+/// True if an intermediate value is not a mass when numerators are multiplied first and divided
+/// once.
 pub(super) fn needs_interleaving(lowering: &Lowering<'_>, factors: &[(ExprId, Number)]) -> bool {
     if !lowering.graph.is_graded() {
         return false;
@@ -34,7 +34,8 @@ pub(super) fn needs_interleaving(lowering: &Lowering<'_>, factors: &[(ExprId, Nu
     has_both && parts.iter().any(|part| part.abs() > largest)
 }
 
-/// `coefficient · Π base ^ exponent`, no part of which is a higher power of masses than all of it.
+/// Lowers `coefficient · Π base ^ exponent` so that no intermediate value is a higher power of
+/// masses than the result.
 pub(super) fn lower_interleaved(
     lowering: &mut Lowering<'_>,
     coefficient: &Number,
@@ -55,14 +56,14 @@ pub(super) fn lower_interleaved(
     Signed { value, negative: is_sign && negative != coefficient.is_negative() }
 }
 
-/// Multiplies and divides so that the grade on the way stays as near to zero as it can.
+/// Multiplies and divides in an order that keeps intermediate grades as close to zero as possible.
 fn in_turn(
     lowering: &mut Lowering<'_>,
     scale: ValueId,
     mut above: Vec<Graded>,
     mut below: Vec<Graded>,
 ) -> ValueId {
-    // What has no grade is more likely to occur elsewhere.
+    // Factors without a grade are more likely to occur elsewhere.
     above.sort_by_key(|(_, grade)| !grade.is_zero());
     let (mut value, mut grade) = (scale, Number::ZERO);
     while !(above.is_empty() && below.is_empty()) {
@@ -83,7 +84,7 @@ fn in_turn(
     value
 }
 
-/// Adds a power as so many factors and returns whether it leaves a minus sign behind.
+/// Adds a power as repeated factors; true if a minus sign remains.
 fn push_units(
     lowering: &mut Lowering<'_>,
     (above, below): (&mut Vec<Graded>, &mut Vec<Graded>),

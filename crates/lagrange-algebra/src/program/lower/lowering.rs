@@ -8,7 +8,7 @@ use crate::program::labels::Labels;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// A value that represents an expression or its negative: signs are propagated until an operation
+/// A value that represents an expression or its negative. Signs are propagated until an operation
 /// absorbs them, which saves negations.
 #[derive(Clone, Copy)]
 pub(super) struct Signed {
@@ -34,12 +34,12 @@ pub(super) struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// Returns the value to which an expression was lowered before.
+    /// Returns the value of an expression that has been lowered.
     pub(super) fn signed(&self, id: ExprId) -> Signed {
         *self.values.get(&id).expect("children come before parents and are merged only where expected")
     }
 
-    /// Returns the value of an expression that was lowered before, negated if necessary.
+    /// Returns the value of an expression that has been lowered, negated if necessary.
     pub(super) fn plain(&mut self, id: ExprId) -> ValueId {
         let signed = self.signed(id);
         self.with_sign(signed)

@@ -1,9 +1,10 @@
 //! Lowering of expressions to a program.
 //!
-//! The walk over ascending ids, children before parents, gives each expression a value. The form of
-//! the code is decided per sum ([`sum`]) and per product ([`product`]). Before the walk,
-//! [`sharing`] finds the expressions that get no separate value because their only user takes them
-//! apart, and the reciprocals worth sharing. The cost is proportional to the size of the outputs.
+//! A traversal in ascending order of ids, children before parents, assigns a value to each
+//! expression. The form of the code is chosen for each sum ([`sum`]) and each product
+//! ([`product`]). Before the traversal, [`sharing`] finds the reciprocals worth sharing. It also
+//! finds expressions without a separate value, because their only user splits them. The cost is
+//! proportional to the size of the outputs.
 
 mod interleaved;
 mod lowering;
@@ -45,7 +46,8 @@ pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
     lowering.builder.finish(&outputs)
 }
 
-/// Names of the opposites of sums, so that a sum can be computed with the sign that has a name.
+/// Returns the names of opposites of sums, so that a sum can be computed with the sign that has a
+/// name.
 fn opposite_labels<'a>(graph: &Graph, labels: &'a Labels) -> HashMap<ExprId, &'a str> {
     let opposite = |(id, name): (ExprId, &'a str)| match graph.split_coefficient(id) {
         (sign, sum) if sign == Number::MINUS_ONE && labels.get(sum).is_none() => Some((sum, name)),

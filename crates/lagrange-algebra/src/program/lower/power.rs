@@ -1,4 +1,4 @@
-//! Powers of factors, above and below the line of a fraction.
+//! Powers of factors in the numerator and denominator of a fraction.
 
 use super::lowering::{Lowering, Signed};
 use super::sharing::Reciprocal;
@@ -6,29 +6,29 @@ use crate::program::{Op, ValueId, Variability};
 use lagrange_expr::expr::{ExprId, Function};
 use lagrange_expr::number::Number;
 
-/// Powers above this are left to a loop: written out they would be long and no faster.
+/// Largest unrolled power. Larger ones use a loop: unrolled code would be long and no faster.
 const LARGEST_UNROLLED_POWER: i32 = 64;
 
-/// True if a power is a product of the base and its square root, not a call.
+/// True if a power is written as a product of the base and its square root instead of a call.
 pub fn is_written_out(exponent: &Number) -> bool {
     halves(exponent).is_some() || exponent.is_integer()
 }
 
-/// Twice the exponent of a power that is written out.
+/// Returns twice the exponent of a power that is written out.
 fn halves(exponent: &Number) -> Option<i32> {
     (exponent * &Number::TWO).to_i32().filter(|twice| twice.abs() / 2 <= LARGEST_UNROLLED_POWER)
 }
 
-/// The factors of a product above and below the line.
+/// The factors of a product in the numerator and denominator.
 #[derive(Default)]
 pub(super) struct Fraction {
     pub(super) above: Vec<(Variability, ValueId)>,
     pub(super) below: Vec<ValueId>,
-    /// True if something below changes in the motion.
+    /// True if part of the denominator changes in the motion.
     pub(super) divides_by_moving: bool,
 }
 
-/// `base ^ exponent`
+/// Lowers `base ^ exponent`.
 pub(super) fn lower_power(lowering: &mut Lowering<'_>, base: ExprId, exponent: &Number) -> Signed {
     let mut fraction = Fraction::default();
     let negative = push_factor(lowering, &mut fraction, base, exponent);
@@ -39,7 +39,7 @@ pub(super) fn lower_power(lowering: &mut Lowering<'_>, base: ExprId, exponent: &
     Signed { value, negative }
 }
 
-/// Adds a factor and returns whether it leaves a minus sign behind.
+/// Adds a factor; true if a minus sign remains.
 pub(super) fn push_factor(
     lowering: &mut Lowering<'_>,
     fraction: &mut Fraction,
@@ -72,14 +72,14 @@ pub(super) fn push_factor(
     negative
 }
 
-/// Factors of `base ^ (twice / 2)`: an integer power and a square root, or one of them.
+/// Returns the factors of `base ^ (twice / 2)`: an integer power and a square root, or one of them.
 fn powers(lowering: &mut Lowering<'_>, base: ValueId, twice: i32) -> impl Iterator<Item = ValueId> + use<> {
     let whole = (twice >= 2).then(|| integer_power(lowering, base, twice / 2));
     let root = (twice % 2 != 0).then(|| lowering.builder.call(Function::Sqrt, &[base]));
     whole.into_iter().chain(root)
 }
 
-/// `base ^ (-twice / 2)` made of `1 / base` or, for an odd number, of `1 / √base`.
+/// Lowers `base ^ (-twice / 2)` to a power of `1 / base` or, for an odd number, of `1 / √base`.
 fn power_of_reciprocal(lowering: &mut Lowering<'_>, base: ValueId, twice: i32) -> ValueId {
     let one = lowering.builder.constant(Number::ONE);
     if twice % 2 == 0 {
@@ -91,7 +91,7 @@ fn power_of_reciprocal(lowering: &mut Lowering<'_>, base: ValueId, twice: i32) -
     integer_power(lowering, reciprocal, twice)
 }
 
-/// Repeated squaring, so that powers of the same base share its squares.
+/// Lowers a power by repeated squaring, so that powers of the same base share its squares.
 fn integer_power(lowering: &mut Lowering<'_>, base: ValueId, exponent: i32) -> ValueId {
     let mut square = base;
     let mut power = None;

@@ -1,4 +1,4 @@
-//! Products: numerators multiplied, divided once by the product of the denominators.
+//! Products: numerators are multiplied, then divided once by the product of the denominators.
 
 use super::interleaved::{lower_interleaved, needs_interleaving};
 use super::lowering::{Lowering, Signed};
@@ -7,7 +7,7 @@ use crate::program::{ValueId, Variability};
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::number::Number;
 
-/// `coefficient · product`
+/// Lowers `coefficient · product`.
 pub(super) fn lower_product(lowering: &mut Lowering<'_>, coefficient: &Number, product: ExprId) -> Signed {
     let mut fraction = Fraction::default();
     let mut negative = false;
@@ -18,7 +18,8 @@ pub(super) fn lower_product(lowering: &mut Lowering<'_>, coefficient: &Number, p
     for (base, exponent) in factors {
         negative ^= push_factor(lowering, &mut fraction, base, &exponent);
     }
-    // What changes less often is multiplied first: its product is more likely to occur elsewhere.
+    // Factors that change less often are multiplied first, since their product is more likely to
+    // occur elsewhere.
     fraction.above.sort_by_key(|(variability, _)| *variability);
     let is_sign = coefficient.abs().is_one();
     let scale = match (is_sign, negative) {
@@ -29,12 +30,12 @@ pub(super) fn lower_product(lowering: &mut Lowering<'_>, coefficient: &Number, p
     let scale = lowering.builder.constant(scale);
     let (constants, others): (Vec<_>, Vec<_>) =
         fraction.above.into_iter().partition(|(_, value)| lowering.builder.op(*value).is_constant());
-    // What moves need not wait for a division by what does not.
+    // Moving factors need not wait for a division by constant ones.
     let moves = |(variability, _): &(Variability, ValueId)| *variability > Variability::Input;
     let late = others.iter().position(moves).filter(|_| !fraction.divides_by_moving);
     let (early, late) = others.split_at(late.unwrap_or(others.len()));
     let value_of = |(_, value): &(Variability, ValueId)| *value;
-    // One folds away as soon as anything is multiplied by it.
+    // A factor of one folds away in the first multiplication.
     let above = multiply_all(lowering, scale, constants.iter().chain(early).map(value_of));
     let value = match fraction.below.split_first() {
         Some((&first, rest)) => {

@@ -1,4 +1,4 @@
-//! Expressions that get a separate value, and reciprocals that are shared.
+//! Expressions with a separate value, and shared reciprocals.
 
 use crate::program::Labels;
 use lagrange_expr::collections::{HashMap, OrderedMap};
@@ -9,12 +9,12 @@ use lagrange_expr::number::Number;
 #[derive(Default)]
 pub(super) struct Sharing {
     merged: HashMap<ExprId, Host>,
-    /// Number of products that hold a square or a higher power of an expression.
+    /// Number of products that contain a square or a higher power of an expression.
     squares: HashMap<ExprId, usize>,
     reciprocals: HashMap<Reciprocal, usize>,
 }
 
-/// Kind of node that an expression used once dissolves in.
+/// Kind of node into which an expression with a single use is merged.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Host {
     Sum,
@@ -29,7 +29,7 @@ pub(super) struct Reciprocal {
 }
 
 impl Sharing {
-    /// `reachable` is everything that `outputs` are made of.
+    /// Counts the uses of expressions; `reachable` contains all parts of `outputs`.
     pub(super) fn of(graph: &Graph, reachable: &[ExprId], outputs: &[ExprId], labels: &Labels) -> Sharing {
         let mut uses: HashMap<ExprId, usize> = HashMap::default();
         let mut count = |id| *uses.get_or_insert_with(id, || 0) += 1;
@@ -46,8 +46,8 @@ impl Sharing {
         sharing
     }
 
-    /// A sum takes in products with any coefficient, other sums only where it need not multiply
-    /// them out.
+    /// Merges children: a sum absorbs products with any coefficient, and other sums only without
+    /// expanding them.
     fn merge_children(&mut self, graph: &Graph, id: ExprId, alone: impl Fn(ExprId) -> bool) {
         let is_product = |child| matches!(graph.node(child), Node::Product(_));
         let is_sum = |child| matches!(graph.node(child), Node::Sum { .. });
@@ -90,19 +90,19 @@ impl Sharing {
         }
     }
 
-    /// True if an expression gets no value of its own.
+    /// True if an expression has no separate value.
     pub(super) fn is_merged(&self, id: ExprId) -> bool {
         self.merged.contains(&id)
     }
 
-    /// True if several products divide by the same thing: then a division and several
-    /// multiplications are cheaper than several divisions.
+    /// True if several products have this divisor. One division and several multiplications are
+    /// then cheaper than several divisions.
     pub(super) fn shares_reciprocal(&self, reciprocal: Reciprocal) -> bool {
         self.reciprocals.get(&reciprocal).is_some_and(|&count| count > 1)
     }
 
-    /// The factors of a product and of those merged into it, in the order in which they stand.
-    /// Those whose square is needed elsewhere too are put together.
+    /// Returns the factors of a product and of the products merged into it, in their order. Factors
+    /// whose square is also needed elsewhere are grouped.
     pub(super) fn factors(&self, graph: &Graph, product: ExprId) -> Vec<(ExprId, Number)> {
         let mut factors: Vec<(ExprId, Number)> = Vec::new();
         for (base, exponent) in self.flat_factors(graph, product) {
@@ -132,8 +132,7 @@ impl Sharing {
         found
     }
 
-    /// The constant and the terms of a sum and of those merged into it, in the order in which they
-    /// stand.
+    /// Returns the constant and the terms of a sum and of the sums merged into it, in their order.
     pub(super) fn terms(
         &self,
         graph: &Graph,

@@ -1,5 +1,5 @@
-//! Newton's method for several equations, by the operations of `root::coupled` of the run time,
-//! whose reasons stand there.
+//! Newton's method for several equations, by the operations of `root::coupled` in the runtime
+//! library. The reasons are explained there.
 
 use super::{MAX_BEND, TOLERANCE};
 
@@ -94,7 +94,7 @@ pub(super) fn coupled(start: Vector, iterations: u32, equations: impl Fn(&[f64])
     }
 }
 
-/// The point one step further; `None` if it is no zero.
+/// Returns the point after one more step; `None` if it is not a zero.
 fn certified(base: &Base, jacobian: impl Fn(&[f64]) -> Matrix) -> Option<Vector> {
     let root = after(&base.point, 1.0, &base.step);
     for (row, value) in base.inverse.iter().zip(&root) {
@@ -146,7 +146,7 @@ fn after(x: &[f64], part: f64, step: &[f64]) -> Vector {
     x.iter().zip(step).map(|(x, step)| x - part * step).collect()
 }
 
-/// The inverse of a matrix, and its determinant.
+/// Returns the inverse of a matrix, and its determinant.
 fn inverted(matrix: &[Vector]) -> (Matrix, f64) {
     let unit = |i: usize| (0..matrix.len()).map(move |j| if i == j { 1.0 } else { 0.0 });
     let rows = matrix.iter().enumerate().map(|(i, row)| row.iter().copied().chain(unit(i)).collect());

@@ -1,28 +1,30 @@
-//! Sines and cosines of several values are computed together, for the level of accuracy `fast`.
+//! Joint computation of sines and cosines of several values, for the accuracy level `fast`.
 
 use crate::program::{Builder, Op, Program, ValueId, ValueTable};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::Function;
 
-/// Most angles that are computed together. With 8 to 32, chains take the same time, with 4 longer.
-/// More would only keep sines and cosines waiting in memory.
+/// Maximum number of angles that are computed together. With 8 to 32, chains take the same time;
+/// with 4, they take longer. More would only keep sines and cosines in memory.
 const MAX_ANGLES: usize = 32;
 
-/// Batches sines and cosines: one operation computes those whose arguments depend on no other sine
-/// or cosine. Another one computes those whose arguments depend on these, and so on.
+/// Batches sines and cosines. One operation computes those whose arguments depend on no other sine
+/// or cosine. The next one computes those whose arguments depend on these, and so on.
 ///
-/// The values are those of the passes for other levels up to an ulp: another function computes
-/// them.
+/// The values agree with those of other accuracy levels up to an ulp, since they are computed by a
+/// different function.
 pub fn batch_sines_and_cosines(program: &Program) -> Program {
     let rounds = rounds(program);
     let batches = Batches::of(program, &rounds);
     let mut order = program.values().map(|(id, _)| id).collect::<Vec<_>>();
-    // Stable: operands still come first, and all arguments of a round before what is made of them.
+    // The sort is stable: operands still come first, and all arguments of a round come before their
+    // sines and cosines.
     order.sort_by_key(|id| rounds[*id]);
     Rebuilding::new(program, &batches).run(&order)
 }
 
-/// Number of sines and cosines that must be known, one after the other, before a value can be.
+/// Returns, for each value, the length of the longest chain of sines and cosines that it depends
+/// on.
 fn rounds(program: &Program) -> ValueTable<usize> {
     let mut rounds: ValueTable<usize> = ValueTable::with_capacity(program.len());
     for (_, op) in program.values() {
@@ -35,7 +37,7 @@ fn rounds(program: &Program) -> ValueTable<usize> {
 
 type BatchPart = fn(ValueId, u32) -> Op;
 
-/// The argument of a sine or a cosine, and how to take it from a batch.
+/// Returns the argument of a sine or a cosine, and the operation that extracts it from a batch.
 fn wave(op: &Op) -> Option<(ValueId, BatchPart)> {
     match op {
         Op::Call(Function::Sin, argument) => Some((argument[0], Op::SinIn)),
@@ -47,7 +49,7 @@ fn wave(op: &Op) -> Option<(ValueId, BatchPart)> {
 /// Arguments of sines and cosines.
 struct Batches {
     arguments: Vec<Vec<ValueId>>,
-    /// The batch of each argument, and its place in there.
+    /// The batch of each argument, and its place in it.
     places: HashMap<ValueId, (usize, u32)>,
 }
 
@@ -75,7 +77,7 @@ struct Rebuilding<'a> {
     program: &'a Program,
     batches: &'a Batches,
     builder: Builder,
-    /// The new value for each old one, as far as there is one.
+    /// The new values of old ones, so far.
     image: HashMap<ValueId, ValueId>,
     /// The new value of each batch.
     made: HashMap<usize, ValueId>,

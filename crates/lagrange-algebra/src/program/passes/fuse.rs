@@ -1,4 +1,4 @@
-//! Fusion of products that are used once, in a sum, into multiply-adds.
+//! Fusion of products whose only use is a sum into multiply-adds.
 
 use super::rewrite::rewrite;
 use crate::program::{Op, Program, ValueId};

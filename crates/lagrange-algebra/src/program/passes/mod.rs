@@ -1,4 +1,4 @@
-//! Passes: each returns a program that computes the same.
+//! Passes: each returns an equivalent program.
 
 mod batch;
 mod fuse;
@@ -14,7 +14,7 @@ pub use trigonometry::pair_sines_and_cosines;
 use super::ir::Program;
 use lagrange_expr::accuracy::Accuracy;
 
-/// A pass, with the name that tests and tools know it by.
+/// A pass, with its name for tests and tools.
 #[derive(Clone, Copy, Debug)]
 pub struct Pass {
     /// The name.

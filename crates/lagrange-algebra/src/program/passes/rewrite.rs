@@ -3,8 +3,8 @@
 use crate::program::builder::Builder;
 use crate::program::ir::{Op, Program, ValueId, ValueTable};
 
-/// The program in which each operation is replaced by what `replace` makes of it. `replace` gets
-/// the value in the old program and the operation with operands in the new one.
+/// Returns the program in which each operation is replaced by the result of `replace`. Its
+/// arguments are the value in the old program and the operation on operands of the new one.
 pub(super) fn rewrite(
     program: &Program,
     mut replace: impl FnMut(&mut Builder, ValueId, Op) -> ValueId,

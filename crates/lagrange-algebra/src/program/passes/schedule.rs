@@ -1,12 +1,12 @@
-//! The order of values: each close to its first use.
+//! Order of values that places each close to its first use.
 
 use crate::program::{Builder, Program, ValueId};
 use lagrange_expr::collections::HashMap;
 
 /// Orders values depth-first from the outputs, which is also the order in which they are printed.
-/// The operand with the longest dependency chain comes first. Short work then stands where it is
-/// needed, and calls of functions, which compilers do not move, are spread over the long chain
-/// beside them.
+/// The operand with the longest dependency chain comes first. Short computations are then placed
+/// where they are needed. Function calls, which compilers do not move, are spread along the long
+/// chain.
 pub fn schedule(program: &Program) -> Program {
     let heights = heights(program);
     let mut order = Order { program, heights, builder: Builder::new(), image: HashMap::default() };
@@ -14,7 +14,7 @@ pub fn schedule(program: &Program) -> Program {
     order.builder.finish(&outputs)
 }
 
-/// The longest chain of values that each one waits for.
+/// Returns the length of the longest dependency chain of each value.
 fn heights(program: &Program) -> HashMap<ValueId, u32> {
     let mut heights: HashMap<ValueId, u32> = HashMap::default();
     for (id, op) in program.values() {
@@ -35,7 +35,7 @@ struct Order<'a> {
 }
 
 impl Order<'_> {
-    /// Places everything a value needs, then the value.
+    /// Places everything that a value depends on, then the value.
     fn place(&mut self, root: ValueId) -> ValueId {
         let mut pending = vec![root];
         while let Some(&id) = pending.last() {
@@ -46,7 +46,7 @@ impl Order<'_> {
                         pending.push(operand);
                     }
                 });
-                // The one that waits for the longest chain is placed first.
+                // The operand with the longest dependency chain is placed first.
                 pending[before..].sort_by_key(|&operand| self.height(operand));
             }
             if pending.len() == before {

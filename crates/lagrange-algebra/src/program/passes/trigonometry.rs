@@ -1,10 +1,10 @@
-//! Sines and cosines of the same argument are computed together.
+//! Joint computation of the sine and cosine of the same argument.
 
 use super::rewrite::rewrite;
 use crate::program::{Op, Program, ValueTable};
 use lagrange_expr::expr::Function;
 
-/// Computes the sine and the cosine of a value by one operation where both are wanted.
+/// Computes the sine and the cosine of a value by one operation if both are needed.
 pub fn pair_sines_and_cosines(program: &Program) -> Program {
     let mut sine_of = ValueTable::filled(program.len(), false);
     let mut cosine_of = sine_of.clone();

@@ -1,8 +1,8 @@
-//! Products with a choice between something and zero.
+//! Products with a choice between an expression and zero.
 //!
 //! The derivative of `if x > 0 { x^(3/2) } else { 0 }` is an indicator, one where x > 0 and zero
-//! elsewhere, times that of x^(3/2). Zero times NaN is no zero. So factors that may be undefined
-//! are moved into the branch that is not zero.
+//! elsewhere, times that of x^(3/2). Zero times NaN is not zero. Factors that may be undefined are
+//! therefore moved into the nonzero branch.
 
 use crate::expr::weighted::Weighted;
 use crate::expr::{ExprId, Graph, Node};
@@ -37,7 +37,7 @@ impl Graph {
         }
     }
 
-    /// True if a power of this may be undefined.
+    /// True if a power of this base may be undefined.
     fn is_undefined_power(&self, base: ExprId, power: &Number) -> bool {
         self.is_partial(base) || !power.is_integer() && !self.is_nonnegative(base)
     }

@@ -1,8 +1,8 @@
 //! Powers of magnitudes in products: |x|, √x², hypot, and the slope of |x|.
 //!
-//! Even powers of a magnitude are polynomials: |x|² = x², (√x²)⁴ = x⁴, hypot(x, y)² = x² + y².
-//! Written with the magnitude they would have the wrong second derivative where it vanishes,
-//! because the sign of zero is zero. The general remainder f(|x|) is differentiated by
+//! Even powers of a magnitude are polynomials: |x|² = x², (√x²)⁴ = x⁴, hypot(x, y)² = x² + y². In
+//! terms of the magnitude, they would have the wrong second derivative where it vanishes, because
+//! the sign of zero is zero. The general remainder f(|x|) is differentiated by
 //! [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
 
 use std::collections::BinaryHeap;
@@ -13,7 +13,8 @@ use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
 impl Graph {
-    /// Every x for which the slope of |x| is a factor of the expression with an odd exponent.
+    /// Returns every x for which the slope of |x| is a factor of the expression with an odd
+    /// exponent.
     pub(in crate::expr) fn slope_factors(&self, id: ExprId) -> &[ExprId] {
         &self.facts[id.index()].slopes
     }
@@ -22,7 +23,7 @@ impl Graph {
         self.slope_factors(id).contains(&of)
     }
 
-    /// Takes out factors that are magnitudes in disguise; what they are.
+    /// Removes factors that are equivalent to magnitudes; returns their replacements.
     pub(in crate::expr) fn opened_magnitude(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         self.opened_root(factors)
             .or_else(|| self.opened_power(factors))
@@ -30,7 +31,7 @@ impl Graph {
             .or_else(|| self.paired_slopes(factors))
     }
 
-    /// (c Π xᵖ)ᵉ = cᵉ Π |x|ᵖᵉ for even p and positive c.
+    /// Applies (c Π xᵖ)ᵉ = cᵉ Π |x|ᵖᵉ for even p and positive c.
     fn opened_root(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let is_root_of_even = |(base, exponent): &Weighted| {
             if exponent.is_integer() {
@@ -50,8 +51,8 @@ impl Graph {
         Some(opened)
     }
 
-    /// (Π b)ᵉ = Π bᵉ where a root of what is not negative, a hypotenuse or a division vanishes
-    /// thereby.
+    /// Applies (Π b)ᵉ = Π bᵉ if this removes a root of a nonnegative expression, a hypotenuse or a
+    /// division.
     fn opened_power(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let hides_root = |(base, exponent): &Weighted| {
             let Node::Product(inner) = self.node(*base) else { return false };
@@ -70,7 +71,8 @@ impl Graph {
         Some(inner.iter().map(|(part, power)| (*part, power * &exponent)).collect())
     }
 
-    /// |x|, factor by factor: |−2 k (2 x + 4 y) z²| = 4 |k| |x + 2 y| z². So every magnitude of x is the same expression.
+    /// Returns |x|, factor by factor: |−2 k (2 x + 4 y) z²| = 4 |k| |x + 2 y| z². Every magnitude of x
+    /// is therefore the same expression.
     pub fn magnitude(&mut self, id: ExprId) -> ExprId {
         if self.is_nonnegative(id) {
             return id;
@@ -116,7 +118,7 @@ impl Graph {
         (common, self.sum(&constant * &inverse, terms))
     }
 
-    /// hypot(a, b)ᵉ = (a² + b²)^(e/2) for even e.
+    /// Applies hypot(a, b)ᵉ = (a² + b²)^(e/2) for even e.
     fn opened_hypotenuse(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let is_even_power = |(base, exponent): &Weighted| {
             exponent.is_even() && matches!(self.node(*base), Node::Call(Function::Hypot, _))
@@ -127,13 +129,12 @@ impl Graph {
         Some(vec![(self.total(squares), exponent * Number::HALF)])
     }
 
-    /// True if a power of this with an odd exponent is a factor.
+    /// True if an odd power of `of` is a factor.
     pub(in crate::expr) fn has_odd_power(&self, id: ExprId, of: ExprId) -> bool {
         self.whole_powers(id, LONGEST_OPENED).iter().any(|(base, exponent)| *base == of && exponent.is_odd())
     }
 
-    /// True if the slope of |x| itself is a factor with an odd exponent, beside which no power of x
-    /// has one.
+    /// True if the slope of |x| itself is a factor with an odd exponent, without an odd power of x.
     pub(in crate::expr) fn has_bare_slope(&self, id: ExprId, of: ExprId) -> bool {
         let is_slope = |base: ExprId| match self.node(base) {
             Node::Call(Function::MagnitudeSlope, arguments) => arguments[0] == of,
@@ -144,11 +145,12 @@ impl Graph {
             && !self.has_odd_power(id, of)
     }
 
-    /// The factors of an expression and of products among them, without its coefficient. Products
-    /// are opened while there are fewer factors than `longest`.
+    /// Returns the factors of an expression and of nested products, without its coefficient.
+    /// Products are expanded as long as there are fewer factors than `longest`.
     ///
-    /// Factors have smaller identifiers than their product. So the greatest is opened first, when
-    /// all its occurrences have been met: a product in many others is opened once.
+    /// Factors have smaller identifiers than their product. The greatest is therefore expanded
+    /// first, after all its occurrences have been found: a product in many others is expanded only
+    /// once.
     fn whole_powers(&self, id: ExprId, longest: usize) -> Vec<Weighted> {
         let (mut found, mut pending) = (Vec::new(), BinaryHeap::new());
         pending.push((self.split_coefficient(id).1, Number::ONE));
@@ -171,8 +173,8 @@ impl Graph {
         found
     }
 
-    /// Takes out the slopes of |x| that stand in several factors, or in a factor with an even
-    /// exponent: s² = 1.
+    /// Removes slopes of |x| that occur in several factors, or in a factor with an even exponent:
+    /// s² = 1.
     fn paired_slopes(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let mut odd: Vec<ExprId> = Vec::new();
         let whole = factors.iter().filter(|(_, exponent)| exponent.is_integer());
@@ -191,7 +193,7 @@ impl Graph {
         let mut replacement = Vec::with_capacity(with.len() + 1);
         for (base, exponent) in with {
             let rest = self.without_slope(base, of);
-            // Opened, so that equal factors meet.
+            // Expanded, so that equal factors are combined.
             match self.node(rest) {
                 Node::Product(_) => {
                     let inner = self.whole_powers(rest, LONGEST_OPENED).into_iter();
@@ -206,7 +208,7 @@ impl Graph {
         Some(replacement)
     }
 
-    /// An expression divided by the slope of |x|, which is a factor of it.
+    /// Divides an expression by the slope of |x|, which is one of its factors.
     fn without_slope(&mut self, root: ExprId, of: ExprId) -> ExprId {
         let mut image: HashMap<ExprId, ExprId> = HashMap::default();
         for id in self.reachable_until(&[root], |id| !self.has_slope_factor(id, of)) {
@@ -240,7 +242,7 @@ impl Graph {
         }
     }
 
-    /// A product with a factor x in which |x| has its place.
+    /// Replaces a factor x of a product by |x|.
     fn with_magnitude(&mut self, term: ExprId, of: ExprId) -> ExprId {
         let mut factors = self.whole_powers(term, LONGEST_OPENED);
         factors.extend([(of, Number::MINUS_ONE), (self.magnitude(of), Number::ONE)]);

@@ -1,7 +1,7 @@
 //! The constructors of sums and products.
 //!
 //! Both combine a list of operands with numeric weights: coefficients in a sum, exponents in a
-//! product. Equal operands are collected. A nested operand of the same kind is opened only if a
+//! product. Equal operands are collected. A nested operand of the same kind is only expanded if a
 //! term then vanishes: `(x + y) - x = y` or `(x·y)/x = y`. Otherwise it is more useful as a shared
 //! part.
 
@@ -13,14 +13,15 @@ use crate::expr::weighted::{LONGEST_OPENED, Weighted};
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
-/// Products of more factors than this are nested, so that derivatives of long products stay short.
+/// Maximum number of factors of a product; longer products are nested, so that their derivatives
+/// stay short.
 const LONGEST_PRODUCT: usize = 16;
 
 impl Graph {
     /// Returns `constant + Σ coefficient · term`.
     ///
-    /// Numbers are folded, equal terms collected, cancelling nested sums opened. A sum whose
-    /// coefficients all have the same magnitude is written as that magnitude times a sum with
+    /// Numbers are folded, equal terms collected, and nested sums expanded if terms cancel. A sum
+    /// whose coefficients all have the same magnitude is written as that magnitude times a sum with
     /// coefficients ±1. The first coefficient of a sum is positive, so `a - b`, `b - a` and
     /// `2·a - 2·b` share one node.
     pub fn sum(&mut self, constant: Number, terms: impl IntoIterator<Item = Weighted>) -> ExprId {
@@ -32,8 +33,8 @@ impl Graph {
         self.sum_of(constant, collected)
     }
 
-    /// The sum of terms that are no numbers. It is compiled once, whatever the iterator they came
-    /// from.
+    /// Returns the sum of terms that are not numbers. This function is compiled only once for all
+    /// iterator types.
     fn sum_of(&mut self, mut constant: Number, mut collected: Vec<Weighted>) -> ExprId {
         merge(&mut collected, |_, _, _| true);
         while let Some(position) = self.cancelling_sum(&constant, &collected) {
@@ -63,7 +64,7 @@ impl Graph {
         }
     }
 
-    /// A nested sum one of whose terms cancels against the rest.
+    /// Finds a nested sum with a term that cancels against the rest.
     fn cancelling_sum(&self, constant: &Number, terms: &[Weighted]) -> Option<usize> {
         let opened = |id: ExprId| match self.node(id) {
             Node::Sum { constant, terms } if terms.len() <= LONGEST_OPENED => Some((constant, &**terms)),
@@ -101,7 +102,7 @@ impl Graph {
         self.scaled(content, primitive)
     }
 
-    /// `coefficient · term` for a term that is no number and has no coefficient of its own.
+    /// Returns `coefficient · term` for a term that is not a number and has no coefficient.
     fn scaled(&mut self, coefficient: Number, term: ExprId) -> ExprId {
         if coefficient.is_one() {
             return term;
@@ -111,10 +112,10 @@ impl Graph {
 
     /// Returns `Π base ^ exponent`.
     ///
-    /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of
-    /// powers are combined where both sides have the same domain: `(x³)^⅓` stays and `x^½ · x^½`
-    /// does unless `x` is known not to be negative. Magnitudes have none but odd powers: `(x²)^½`
-    /// is `|x|` and `|x|²` is `x²`, which has a second derivative at 0.
+    /// Numbers are folded, equal bases collected, and nested products expanded if factors cancel.
+    /// Powers of powers are combined if both sides have the same domain. `(x³)^⅓` is kept, and so
+    /// is `x^½ · x^½` unless `x` is known to be nonnegative. Magnitudes only have odd powers:
+    /// `(x²)^½` is `|x|` and `|x|²` is `x²`, which has a second derivative at 0.
     pub fn product(&mut self, factors: impl IntoIterator<Item = Weighted>) -> ExprId {
         let mut coefficient = Number::ONE;
         let mut collected = Vec::new();
@@ -124,8 +125,8 @@ impl Graph {
         self.product_of(coefficient, collected)
     }
 
-    /// The product of factors that are no numbers. It is compiled once, whatever the iterator they
-    /// came from.
+    /// Returns the product of factors that are not numbers. This function is compiled only once for
+    /// all iterator types.
     fn product_of(&mut self, mut coefficient: Number, mut collected: Vec<Weighted>) -> ExprId {
         if coefficient.is_zero() {
             return self.number(Number::ZERO);
@@ -162,7 +163,7 @@ impl Graph {
         factors.push(factor);
     }
 
-    /// A number taken out of a factor and what is left of it, if anything can be taken out or
+    /// Splits a factor into a number and the rest, if a number can be extracted or a power
     /// flattened.
     fn reduce_factor(&self, (base, exponent): &Weighted) -> Option<(Number, Option<Weighted>)> {
         if let Some(value) = self.as_number(*base) {
@@ -174,7 +175,8 @@ impl Graph {
         (rest.0 != *base).then_some((number, Some(rest)))
     }
 
-    /// `(base^p)^e = base^(p·e)` where both have the same domain; `|base|^e = base^e` for even e.
+    /// Applies `(base^p)^e = base^(p·e)` if both have the same domain, and `|base|^e = base^e` for
+    /// even e.
     fn flatten_power(&self, base: ExprId, exponent: Number) -> Weighted {
         if let Node::Product(factors) = self.node(base)
             && let [(inner, power)] = &**factors
@@ -192,7 +194,7 @@ impl Graph {
         (base, exponent)
     }
 
-    /// Adds up exponents of equal bases, until nothing more can be taken out of a factor.
+    /// Adds up exponents of equal bases, until no number can be extracted from a factor.
     fn merge_factors(&self, coefficient: &mut Number, factors: &mut Vec<Weighted>) {
         loop {
             merge(factors, |base, equal, total| {
@@ -206,7 +208,7 @@ impl Graph {
         }
     }
 
-    /// Takes out a nested product one of whose factors cancels against the rest; its factors.
+    /// Removes a nested product with a factor that cancels against the rest; returns its factors.
     fn opened_product(&self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let (nested, exponent) = factors.swap_remove(self.cancelling_product(factors)?);
         let Node::Product(inner) = self.node(nested) else { return None };
@@ -234,7 +236,7 @@ impl Graph {
     }
 }
 
-/// `value ^ exponent`, if it is a number that can be written exactly.
+/// Returns `value ^ exponent`, if it is a number with an exact representation.
 fn fold_power(value: &Number, exponent: &Number) -> Option<Number> {
     if value.is_one() {
         return Some(Number::ONE);
@@ -247,8 +249,8 @@ fn fold_power(value: &Number, exponent: &Number) -> Option<Number> {
 
 /// Sorts by operand and adds up the weights of equal ones. Operands of weight zero are dropped.
 ///
-/// If `adds_up` declines a total, one half stays beside the rest: `x^¼ · x^¾` becomes
-/// `x^½ · x^½`. So the result does not depend on the order of operands.
+/// If `adds_up` rejects a total, one half is split off: `x^¼ · x^¾` becomes `x^½ · x^½`. The result
+/// thus does not depend on the order of operands.
 fn merge(operands: &mut Vec<Weighted>, adds_up: impl Fn(ExprId, &[Weighted], &Number) -> bool) {
     operands.sort_unstable_by(|(a, m), (b, n)| (a, m).cmp(&(b, n)));
     let mut merged: Vec<Weighted> = Vec::with_capacity(operands.len());
@@ -266,8 +268,8 @@ fn merge(operands: &mut Vec<Weighted>, adds_up: impl Fn(ExprId, &[Weighted], &Nu
     *operands = merged;
 }
 
-/// The position of an operand with parts (according to `parts`) of which one has total weight zero
-/// when all operands with parts are opened.
+/// Returns the position of an operand whose `parts` include one with total weight zero when all
+/// operands with parts are expanded.
 fn vanishing<'a>(
     operands: &'a [Weighted],
     parts: impl Fn(ExprId) -> Option<&'a [Weighted]>,
@@ -283,8 +285,7 @@ fn vanishing<'a>(
             }
             None => opened.push((*id, weight.clone(), None)),
         }
-        // A part may also stand beside the operand that contains it as an operand with parts
-        // itself.
+        // A part may itself be an operand with parts, next to the operand that contains it.
         if parts(*id).is_some() {
             opened.push((*id, weight.clone(), None));
         }

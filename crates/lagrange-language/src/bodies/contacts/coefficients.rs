@@ -8,14 +8,14 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId};
 
-/// A coefficient as it is written, and in plain words.
+/// A coefficient as written, and in the plain language.
 #[derive(Clone, Copy)]
 pub(super) struct Coefficient {
     pub(super) written: AstId,
     pub(super) value: AstId,
 }
 
-/// The kinetic and the static coefficient; none without friction. `None` after a mistake.
+/// Returns the kinetic and the static coefficient; none without friction. `None` after an error.
 pub(super) fn coefficients(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -43,7 +43,7 @@ pub(super) fn coefficients(
     None
 }
 
-/// The coefficient of restitution, 0 if none is given.
+/// Returns the coefficient of restitution, 0 by default.
 pub(super) fn restitution(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<AstId> {
     let Some(written) = statement.restitution else { return Some(translation.terms().number(0)) };
     let value = mention(translation, written);
@@ -56,7 +56,7 @@ pub(super) fn restitution(translation: &mut Translation<'_>, statement: &ast::Co
     None
 }
 
-/// The radius, if it is given; `None` after a mistake.
+/// Returns the radius, if it is given; `None` after an error.
 pub(super) fn radius(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Option<AstId>> {
     let Some(written) = statement.radius else { return Some(None) };
     let value = property(translation, written, &words::radius_of(&statement.name.text));
@@ -73,7 +73,7 @@ fn size_of(translation: &Translation<'_>, value: AstId) -> Option<f64> {
     number(&translation.expressions, translation.names.constants(), value)
 }
 
-/// μ N, blamed on the coefficient.
+/// Returns μ N, located at the coefficient.
 pub(super) fn limit(translation: &mut Translation<'_>, coefficient: Coefficient, normal: AstId) -> AstId {
     let origin = translation.expressions.origin(coefficient.written);
     TermWriter::new(&mut translation.expressions, origin).times(coefficient.value, normal)
@@ -86,7 +86,7 @@ pub(super) struct Compliance {
     pub(super) stiction: Option<AstId>,
 }
 
-/// The compliance, if there is a stiffness; `None` after a mistake.
+/// Returns the compliance, if there is a stiffness; `None` after an error.
 pub(super) fn compliance(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,

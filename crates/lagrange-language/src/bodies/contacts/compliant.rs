@@ -1,13 +1,13 @@
 //! Contacts with a stiffness: forces that are continuous in the state.
 //!
-//! At the gap g the depth is δ = max(0, −g). The normal force of Hunt and Crossley is
-//! N = k δ max(0, 1 + d δ̇). Its elastic part k δ follows from the potential ½ k δ². The rest,
-//! k δ max(d δ̇, −1), acts along ġ, by virtual work on the body and on what carries the surface.
-//! As δ̇ is zero where the gap is open, its kink is passed only by what is pulled out faster than
-//! it springs back.
+//! At the gap g the depth is δ = max(0, −g). The normal force of Hunt and Crossley is N = k δ
+//! max(0, 1 + d δ̇). Its elastic part k δ follows from the potential ½ k δ². The rest, k δ max(d
+//! δ̇, −1), acts along ġ, by virtual work on the body and on the carrier of the surface. Since δ̇
+//! is zero where the gap is open, its kink is only crossed by a body pulled out faster than the
+//! contact springs back.
 //!
-//! Friction is −μ N s / √(|s|² + v²) against the slip velocity s, in space in both directions. What
-//! Coulomb's law would hold with the force f creeps with v f / √((μ N)² − f²).
+//! Friction is −μ N s / √(|s|² + v²) against the slip velocity s, in space in both directions. A
+//! body that Coulomb's law would hold with the force f creeps at the velocity v f / √((μ N)² − f²).
 //!
 //! For k = 1000 N/m, d = 0.5 s/m, δ = 0.01 m and δ̇ = 0.2 m/s the normal force is 11 N.
 //!
@@ -49,7 +49,7 @@ pub(super) fn press(
     translation.push(StatementKind::Let(name.clone(), normal));
 }
 
-/// Adds the part of the normal force that loses energy; the whole of the force.
+/// Adds the dissipative part of the normal force; returns the whole force.
 fn dissipate(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -67,7 +67,7 @@ fn dissipate(
     translation.terms().plus(elastic, force)
 }
 
-/// Adds the friction against a slip velocity; the name of this.
+/// Adds the friction against a slip velocity; returns the name of the slip velocity.
 pub(super) fn rub_smoothly(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -96,7 +96,7 @@ pub(super) fn rub_smoothly(
     slip
 }
 
-/// A force divided by the length of a vector of speeds.
+/// Divides a force by the length of a vector of speeds.
 fn over_speed(terms: &mut TermWriter<'_>, force: AstId, speeds: Vec<AstId>) -> AstId {
     let squares = speeds.into_iter().map(|speed| terms.square(speed)).collect::<Vec<_>>();
     let zero = terms.number(0);

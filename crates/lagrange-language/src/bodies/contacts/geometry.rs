@@ -1,8 +1,9 @@
 //! Gaps and slip velocities.
 //!
 //! A body touches with a point at c, around which it has the radius r. The surface has the normal n
-//! on its free side, and perpendicular tangents t₁ × t₂ = n. The gap is n·(c − p) − r for a plane
-//! through p. For a circle or sphere of radius R about p, it is |c − p| − R − r outside and R − r −
+//! on its free side, and perpendicular tangents with t₁ × t₂ = n. The gap is n·(c − p) − r for a
+//! plane through p. For a circle or sphere of radius R about p, it is |c − p| − R − r outside and R
+//! − r −
 //! |c − p| inside, with n along ±(c − p). For a cylinder, c − p is taken across its axis.
 //!
 //! The slip velocity is that of the material points at c − r n. Let u be the velocity at c and ω
@@ -10,10 +11,10 @@
 //! and t₂·u + r t₁·ω, because t·(ω × n) = ω·(n × t). In the plane, t₂ = −e_z, and the slip velocity
 //! is t₁·u + r ω.
 //!
-//! Terrain has its own file.
+//! Terrain is in a separate file.
 //!
-//! A disk of radius 0.2 that turns with −3 rad/s and moves at 1 m/s along the ground slips with
-//! 1 + 0.2 · (−3) = 0.4 m/s.
+//! A disk of radius 0.2 that turns at −3 rad/s and moves at 1 m/s along the ground slips at 1 + 0.2
+//! · (−3) = 0.4 m/s.
 //!
 //! Source: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, ch. 4.
 
@@ -32,11 +33,11 @@ pub(super) struct ContactGeometry {
     pub(super) gap: AstId,
     pub(super) normal: Triple,
     pub(super) tangents: [Triple; 2],
-    /// Velocity of what is touched beside that of its carrier.
+    /// Velocity of the touched surface, in addition to that of its carrier.
     pub(super) rising: Option<Triple>,
 }
 
-/// Gap, normal and tangents at a point with a radius.
+/// Computes gap, normal and tangents at a point with a radius.
 pub(super) fn geometry(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -73,7 +74,7 @@ pub(super) fn geometry(
     ContactGeometry { center, radius, gap, normal, tangents, rising }
 }
 
-/// Distance from the centre or axis of what is round, and the direction away from it.
+/// Returns the distance from the centre or axis of a round surface, and the direction away from it.
 fn away_from(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -98,7 +99,7 @@ fn away_from(
     (distance, arm.map(|component| terms.divide(component, distance)))
 }
 
-/// Tangents of what is curved where it has this normal.
+/// Returns the tangents of a curved surface where it has this normal.
 pub(super) fn tangents_at(terms: &mut TermWriter<'_>, is_spatial: bool, normal: Triple) -> [Triple; 2] {
     if is_spatial {
         return tangents_of(terms, normal);
@@ -108,7 +109,7 @@ pub(super) fn tangents_at(terms: &mut TermWriter<'_>, is_spatial: bool, normal: 
     [[y, terms.negative(x), zero], down]
 }
 
-/// The slip velocity, in space along both tangents.
+/// Computes the slip velocity, in space along both tangents.
 pub(super) fn slip_of(
     translation: &mut Translation<'_>,
     surface: &Surface,
@@ -137,8 +138,8 @@ pub(super) fn slip_of(
     terms.tuple([slip, across])
 }
 
-/// Velocity at a place of a surface that no body carries, and its angular velocity. Its place or
-/// angle may be functions of time or coordinates.
+/// Returns the velocity at a place of a surface that no body carries, and its angular velocity. Its
+/// place or angle may depend on time or coordinates.
 fn motion_of_surface(
     translation: &mut Translation<'_>,
     surface: &Surface,
@@ -153,13 +154,13 @@ fn motion_of_surface(
     (plus(&mut terms, rates, turning), spin)
 }
 
-/// r t·ω
+/// Returns r t·ω.
 fn rolling_part(terms: &mut TermWriter<'_>, radius: AstId, tangent: Triple, spin: Triple) -> AstId {
     let rate = inner(terms, tangent, spin);
     terms.times(radius, rate)
 }
 
-/// A vector with as many components as the scene has dimensions.
+/// Returns a vector with the dimension of the scene.
 pub(super) fn scene_vector(translation: &mut Translation<'_>, vector: Triple) -> AstId {
     match translation.space {
         Some(_) => translation.terms().vector(&vector),

@@ -4,12 +4,13 @@
 //! − R d with d = a × (n × a)/s. Here s = |n × a| is the sine of its inclination. A tube of radius
 //! r around the circle makes it a torus. The gap is n·(c − p) − R s − r.
 //!
-//! A circle that lies flat has no lowest point. Here √(s² + ε²) with ε = 10⁻⁹ takes the place of s.
-//! As the circle becomes parallel, it touches below its centre, at the height R ε. At the
-//! inclination s the gap is too small by R ε²/2 s, less than rounding for s above 0.01.
+//! A circle that is flat on the plane has no lowest point. Therefore, √(s² + ε²) with ε = 10⁻⁹
+//! replaces s. As the circle becomes parallel, it touches below its centre, at the height R ε. At
+//! the inclination s, the gap is too small by R ε²/2 s, which is less than rounding for s above
+//! 0.01.
 //!
-//! As the axis passes through the normal, d turns round at once. Without events there, the motion
-//! continues as under a smooth constraint, which does no work. No restitution acts on it.
+//! When the axis passes through the normal, d reverses instantly. Since there are no events, the
+//! motion continues as under a smooth constraint, which does no work. No restitution occurs.
 //!
 //! For R = 0.5 and an axis that is inclined by 30°, the centre is 0.25 above the plane.
 
@@ -25,10 +26,10 @@ use crate::bodies::touching::{Touching, motion_at};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, SurfaceKind};
 
-/// 1/ε²
+/// The number 1/ε².
 const FLATNESS: i64 = 1_000_000_000_000_000_000;
 
-/// The lowest point of a rim, and the geometry of its contact; `None` after a mistake.
+/// Computes the lowest point of a rim, and the geometry of its contact; `None` after an error.
 pub(super) fn on_rim(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -61,7 +62,7 @@ struct Rim {
     axis: Triple,
 }
 
-/// The lowest point over a plane, and its depth R √(s² + ε²) below the centre.
+/// Returns the lowest point over a plane, and its depth R √(s² + ε²) below the centre.
 fn lowest(translation: &mut Translation<'_>, name: &str, rim: &Rim, surface: &Surface) -> (Triple, AstId) {
     let axis = bind_vector(translation, &format!("{name}_axis"), rim.axis);
     let across = cross(&mut translation.terms(), surface.direction, axis);

@@ -1,8 +1,8 @@
-//! Contacts on terrain z = h(x, y), in the plane y = h(x), in coordinates of what carries it.
+//! Contacts on terrain z = h(x, y), in the plane y = h(x), in coordinates of its carrier.
 //!
 //! Terrain has the normal n = (−∇h, 1)/w with w = √(1 + |∇h|²). A ball of radius r about c touches
-//! at the foot f, over which c = f + r n. In x and y, this is the equation f − r ∇h/w = c of the
-//! foot of any c, near and far. Without a radius, the foot is under c. The gap is the height of c
+//! at the foot f with c = f + r n. In x and y, this is the equation f − r ∇h/w = c of the foot of
+//! any c, near and far. Without a radius, the foot is directly below c. The gap is the height of c
 //! over that of a touching ball, (c_z − h − r/w)/w. It is exact to first order in the gap, and so
 //! is its gradient, which is n where the ball touches.
 //!
@@ -10,9 +10,9 @@
 //! Jacobian of the equation. A ball that is too large for a hollow would touch at two points.
 //! There, one of the equations has no solution, and the gap is NaN.
 //!
-//! In the plane, Newton's method takes full steps from under c. Each brings it closer to the foot
-//! if the values of 1 − r κ on the way differ by less than a factor of two. They do on ridges that
-//! are blunter than the ball. On sharper ones, it may not reach the foot, and the gap is NaN
+//! In the plane, Newton's method takes full steps, starting below c. Each step approaches the foot
+//! if the values of 1 − r κ on the way differ by less than a factor of two. This is true on ridges
+//! that are blunter than the ball. On sharper ones, the method may fail, and the gap is NaN
 //! although the foot is unique. In space, steps are damped.
 //!
 //! On h = x²/2, a ball of radius √2 touches at the foot x = 1 where its centre is (0, 3/2).
@@ -28,7 +28,7 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, StatementKind, UnknownDefinition};
 
-/// The foot of a ball, by names of its coordinates, with the slopes there.
+/// The foot of a ball, given by names of its coordinates, with the slopes there.
 struct Foot {
     coordinates: Vec<AstId>,
     slopes: Vec<AstId>,
@@ -36,7 +36,7 @@ struct Foot {
     steepness: AstId,
 }
 
-/// Gap, normal and tangents at a point with a radius over terrain.
+/// Computes gap, normal and tangents at a point with a radius over terrain.
 pub(super) fn over_terrain(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -66,7 +66,7 @@ pub(super) fn over_terrain(
     ContactGeometry { center, radius, gap, normal, tangents, rising }
 }
 
-/// (c_z − h − r/w)/w
+/// Returns (c_z − h − r/w)/w.
 fn gap_over(
     translation: &mut Translation<'_>,
     height: &Height,
@@ -81,7 +81,7 @@ fn gap_over(
     terms.divide(above, foot.steepness)
 }
 
-/// (−∇h, 1)/w in the world.
+/// Returns (−∇h, 1)/w in the world.
 fn normal_at(terms: &mut TermWriter<'_>, foot: &Foot, (up, axes): (Triple, &[Triple])) -> Triple {
     let mut normal = up;
     for (&slope, &axis) in foot.slopes.iter().zip(axes) {
@@ -91,7 +91,7 @@ fn normal_at(terms: &mut TermWriter<'_>, foot: &Foot, (up, axes): (Triple, &[Tri
     normal.map(|component| terms.divide(component, foot.steepness))
 }
 
-/// Adds the equation of the foot of a ball; the names of its coordinates.
+/// Adds the equation of the foot of a ball; returns the names of its coordinates.
 fn foot_of_ball(
     translation: &mut Translation<'_>,
     name: &str,
@@ -101,7 +101,7 @@ fn foot_of_ball(
     let names = ["foot_x", "foot_y"].iter().take(over.len());
     let names = names.map(|part| translation.new_name(&format!("{name}_{part}"))).collect::<Vec<_>>();
     let mut mentioned = || names.iter().map(|name| translation.terms().name(&name.text)).collect::<Vec<_>>();
-    // The unknowns in their equations, and what they are behind these.
+    // The unknowns in their equations, and their values after these.
     let (foot, solved) = (mentioned(), mentioned());
     let slopes = slopes_at(translation, height, &foot);
     let steepness = steepness(translation, &slopes);
@@ -172,7 +172,7 @@ fn steepness(translation: &mut Translation<'_>, slopes: &[AstId]) -> AstId {
     terms.call("sqrt", &[sum])
 }
 
-/// The velocity at which terrain rises that changes with time: ∂h/∂t, which is ḣ − ∇h·ḟ.
+/// Returns the velocity at which time-dependent terrain rises: ∂h/∂t, which is ḣ − ∇h·ḟ.
 fn rising(
     translation: &mut Translation<'_>,
     surface: &Surface,

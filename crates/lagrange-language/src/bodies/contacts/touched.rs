@@ -1,4 +1,4 @@
-//! Surfaces that contacts name.
+//! Surfaces named in contacts.
 
 use crate::bodies::expressions::{is_ground, report_early};
 use crate::bodies::messages;
@@ -10,7 +10,7 @@ use crate::bodies::touching::{rate_of, surface_of};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, SurfaceKind};
 
-/// The surface of a contact; anything else is reported.
+/// Returns the surface of a contact; other names are reported.
 pub(super) fn surface_named(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Surface> {
     let name = &statement.surface;
     let surface = match translation.names.find(&name.text).cloned() {
@@ -40,7 +40,7 @@ pub(super) fn surface_named(translation: &mut Translation<'_>, statement: &ast::
     Some(surface)
 }
 
-/// The line y = 0, or the plane z = 0 in space.
+/// Returns the line y = 0, or the plane z = 0 in space; other names are reported.
 fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Surface> {
     let name = &statement.surface;
     let ground = translation.terms().name(&name.text);

@@ -11,7 +11,7 @@
 //! | move by s along e | α | a + s A e + 2 ṡ ω × e + s̈ e |
 //! | axes R that turn with w in themselves | Rᵀ α + ẇ + ω × w | Rᵀ a |
 //!
-//! The ground accelerates by −g, which is what weight does to all that it carries.
+//! The ground accelerates by −g, which has the effect of weight on everything that it carries.
 //!
 //! Source: Luh, Walker, Paul, "On-line computational scheme for mechanical manipulators", ASME J.
 //! Dyn. Syst. Meas. Control 102 (1980); Featherstone, *Rigid Body Dynamics Algorithms*, §5.3.
@@ -24,7 +24,8 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
 
-/// Accelerations of the frames on the way to a link, itself being the last. They are written once.
+/// Returns the accelerations of the frames on the path to a link; the last is that of the link.
+/// They are written only once.
 pub(super) fn accelerations_on_path(
     translation: &mut Translation<'_>,
     link: usize,
@@ -67,13 +68,13 @@ fn written_on_path(
         found.push((pose, acceleration));
     }
     if found.is_empty() {
-        // A weld at the place of its carrier.
+        // A weld at the origin of its carrier.
         found.push((before, acceleration));
     }
     Some(found)
 }
 
-/// Returns the acceleration of a frame whose motion the user wrote: ω̇, and Rᵀ (r̈ − g).
+/// Returns the acceleration of a frame with a user-defined motion: ω̇, and Rᵀ (r̈ − g).
 fn acceleration_by_hand(
     translation: &mut Translation<'_>,
     name: &str,
@@ -88,7 +89,7 @@ fn acceleration_by_hand(
     named(translation, name, Acceleration { spin, origin })
 }
 
-/// The acceleration behind a step, from the frame before it and the pose behind it.
+/// Returns the acceleration after a step, from the frame before it and the pose after it.
 fn acceleration_behind(
     translation: &mut Translation<'_>,
     name: &str,
@@ -149,7 +150,7 @@ fn turned(
     let (carried, origin) = (seen(terms, acceleration.spin), seen(terms, acceleration.origin));
     let (rate, second) = (terms.rate(angle), terms.second_rate(angle));
     let (rate, second) = (about.times(terms, rate), about.times(terms, second));
-    // ω behind the turn holds θ̇ e, which has no part in ω × e.
+    // After the turn, ω contains θ̇ e, which does not contribute to ω × e.
     let convected = cross(terms, spin, rate);
     let own = plus(terms, second, convected);
     Acceleration { spin: plus(terms, carried, own), origin }
@@ -177,7 +178,7 @@ fn slid(
     Acceleration { origin: plus(&mut terms, sum, own), ..acceleration }
 }
 
-/// Relative accelerations in a frame, under names that are made once.
+/// Returns relative accelerations in a frame, under names that are created once.
 pub(super) fn relative(
     translation: &mut Translation<'_>,
     name: &str,

@@ -3,25 +3,26 @@
 //!
 //! Consider a joint that turns about z. It places a body with its mass on the axis and the same
 //! moment of inertia J about x and y. The body moves as if it belonged to the carrier: m, the first
-//! moment along the axis and J may be counted there. For a sliding joint the whole tensor may,
-//! since it never turns against its carrier; for a ball joint only the mass. Equations of motion
-//! stay the same, with fewer parameters that are not zero. Energies do not, and are written with
-//! the declared parameters. Known values are computed as numbers, unknown ones are written in terms
-//! of parameters ([`super::quantities`]); orientations must consist of numbers.
+//! moment along the axis and J may be counted there. For a sliding joint, the whole tensor may be
+//! moved, since it never turns relative to its carrier; for a ball joint, only the mass. The
+//! equations of motion remain the same, with fewer nonzero parameters. Energies change, and are
+//! therefore written with the declared parameters. Known values are computed as numbers, unknown
+//! ones are written in terms of parameters ([`super::quantities`]); orientations must consist of
+//! numbers.
 //!
 //! Source: Khalil, Dombre, *Modeling, Identification and Control of Robots*, §9.4.
 //!
 //! # In numbers
 //!
 //! A disk, m = 2, with the moments 3, 3 and 6 about its centre, turns about z through that centre.
-//! It keeps only the moment 6 about its axis. Its carrier gets the mass 2 at the joint and the
+//! It keeps only the moment 6 about its axis. Its carrier receives the mass 2 at the joint and the
 //! moments 3 about x and y. At p = (0, 0, 1) in the carrier's axes, these are the first moment (0,
 //! 0, 2). The moments are 5, 5 and 0, where 5 = 3 + 2.
 
 use super::quantities::{Quantity, difference, inner, product, sum};
 use crate::bodies::terms::TermWriter;
 
-/// Numbers below this fraction of the largest moment are what is left of numbers that cancel.
+/// Numbers below this fraction of the largest moment are rounding errors of numbers that cancel.
 const NEGLIGIBLE: f64 = 1e-15;
 
 /// Mass, first moment and tensor of inertia about the origin of a frame, in its axes.
@@ -42,9 +43,9 @@ pub(super) enum JointStep {
     Slide,
     /// A turn in any direction.
     Orientation,
-    /// Axes that are fixed in the frame before, in the columns of a matrix of numbers.
+    /// Axes that are fixed in the previous frame, in the columns of a matrix of numbers.
     Reorientation([[f64; 3]; 3]),
-    /// An origin that is fixed in the frame before.
+    /// An origin that is fixed in the previous frame.
     Shift([Quantity; 3]),
 }
 
@@ -55,7 +56,7 @@ impl InertialParameters {
         tensor: [[Quantity::ZERO; 3]; 3],
     };
 
-    /// Returns the parameters of a body from known facts about its centre of mass.
+    /// Returns the parameters of a body from those about its centre of mass.
     pub(super) fn of_body(
         terms: &mut TermWriter<'_>,
         mass: Quantity,
@@ -77,7 +78,7 @@ impl InertialParameters {
         self.entries().all(Quantity::is_zero)
     }
 
-    /// True if there are numbers only.
+    /// True if there are only numbers.
     pub(super) fn is_known(&self) -> bool {
         self.entries().all(|entry| entry.term.is_none())
     }
@@ -89,7 +90,7 @@ impl InertialParameters {
         InertialParameters { mass, moment, tensor: symmetric(|row, column| whole(self.tensor[row][column])) }
     }
 
-    /// False if numbers are too large for what is computed of them.
+    /// True if all numbers are finite.
     pub(super) fn is_finite(&self) -> bool {
         self.entries().all(|entry| entry.number.is_finite())
     }
@@ -102,7 +103,7 @@ impl InertialParameters {
         }
     }
 
-    /// Removes the parameters that a step makes indistinguishable and returns them in the frame
+    /// Removes the parameters that a step makes indistinguishable, and returns them in the frame
     /// before the step.
     pub(super) fn take_hidden(&mut self, terms: &mut TermWriter<'_>, step: JointStep) -> InertialParameters {
         match step {
@@ -124,7 +125,7 @@ impl InertialParameters {
         std::mem::replace(self, InertialParameters::NONE)
     }
 
-    /// The part that turning about a coordinate axis does not change.
+    /// Removes the part that turning about a coordinate axis does not change.
     fn take_symmetric(&mut self, terms: &mut TermWriter<'_>, axis: usize) -> InertialParameters {
         let [next, last] = self.kept_and_hidden(axis);
         let mut hidden = InertialParameters { mass: self.mass, ..InertialParameters::NONE };
@@ -141,8 +142,8 @@ impl InertialParameters {
         hidden
     }
 
-    /// The axes across one whose moment is kept as what it is more than the other's, and whose
-    /// moment is hidden: of terms the simpler.
+    /// Returns the two axes perpendicular to one. The excess of the moment about the first is kept,
+    /// and the moment about the second is hidden; the latter is the simpler term.
     fn kept_and_hidden(&self, axis: usize) -> [usize; 2] {
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         match self.tensor[next][next].is_zero() && self.tensor[last][last].term.is_some() {
@@ -151,7 +152,8 @@ impl InertialParameters {
         }
     }
 
-    /// Components in axes in which those here are the columns of a rotation.
+    /// Returns the components in axes with respect to which the current axes are the columns of a
+    /// rotation.
     fn turned(self, terms: &mut TermWriter<'_>, rotation: [[f64; 3]; 3]) -> InertialParameters {
         let rotation = rotation.map(|row| row.map(Quantity::known));
         let mut times = |vector: [Quantity; 3]| each(|row| inner(terms, rotation[row], vector));
@@ -162,8 +164,8 @@ impl InertialParameters {
         InertialParameters { mass: self.mass, moment, tensor: symmetric(|row, column| tensor[row][column]) }
     }
 
-    /// Returns the parameters about the origin of a frame with the same axes, in which the origin
-    /// here is at a place p. They are h′ = h + m p, and J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
+    /// Returns the parameters about the origin of a frame with the same axes, in which the current
+    /// origin is at p. They are h′ = h + m p, and J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
     fn seen_from(self, terms: &mut TermWriter<'_>, place: [Quantity; 3]) -> InertialParameters {
         let InertialParameters { mass, moment: h, tensor } = self;
         let moment = each(|axis| {
@@ -189,14 +191,14 @@ impl InertialParameters {
         InertialParameters { mass, moment, tensor }
     }
 
-    /// Numbers that are rounding errors of larger ones are zero.
+    /// Sets numbers that are rounding errors of larger ones to zero.
     pub(super) fn without_rounding(self) -> InertialParameters {
         let scale = self.scale();
         let tensor = self.tensor.map(|row| row.map(|entry| without_rounding(entry, scale)));
         InertialParameters { tensor, ..self }
     }
 
-    /// The largest moment that is a number.
+    /// Returns the largest numeric moment.
     fn scale(&self) -> f64 {
         self.tensor.iter().flatten().fold(0.0_f64, |scale, entry| scale.max(entry.number.abs()))
     }
@@ -211,7 +213,7 @@ fn each<T>(entry: impl FnMut(usize) -> T) -> [T; 3] {
     [0, 1, 2].map(entry)
 }
 
-/// A matrix that is equal to its transpose to the last bit and term.
+/// Returns a matrix that is equal to its transpose to the last bit and term.
 fn symmetric(mut entry: impl FnMut(usize, usize) -> Quantity) -> [[Quantity; 3]; 3] {
     let [xx, yy, zz] = each(|axis| entry(axis, axis));
     let (xy, xz, yz) = (entry(0, 1), entry(0, 2), entry(1, 2));

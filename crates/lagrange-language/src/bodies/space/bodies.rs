@@ -1,5 +1,5 @@
-//! Bodies and frames in space: declared first, then placed by a joint or by hand, which is when
-//! their energies are written.
+//! Bodies and frames in space: declared first, then placed by a joint or by hand; their energies
+//! are written when they are placed.
 
 use super::compound::{compound_properties, visual_outlines};
 use super::frames::{FrameStep, JointAxis, Pose};
@@ -16,7 +16,7 @@ use crate::bodies::plain::{LoadOrigin, Obligation, Outline};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
 
-/// `frame name;`
+/// Translates `frame name;`.
 pub(in crate::bodies) fn translate_frame(translation: &mut Translation<'_>, name: &Name) {
     declare(translation, name, None, (None, Vec::new()));
 }
@@ -52,8 +52,8 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
     }
 }
 
-/// True if the user says where the body is; a place that could not be read does not count if a
-/// joint places the body.
+/// True if the user specifies the place of a body; an unreadable place does not count if a joint
+/// places the body.
 fn is_placed_by_hand(translation: &Translation<'_>, statement: &ast::Body) -> bool {
     let is_read = |place: AstId| !matches!(translation.expressions.get(place), Expression::Invalid);
     let is_jointed = translation.names.is_placed_by_joint(&statement.name.text);
@@ -118,7 +118,7 @@ fn pose_by_hand(
     (Pose { velocity, origin, ..oriented }, Some(center_velocity))
 }
 
-/// The axes that `angles` and `sequence` give, at the origin.
+/// Returns the axes according to `angles` and `sequence`, at the origin.
 fn oriented(translation: &mut Translation<'_>, statement: &ast::Body) -> Pose {
     let name = &statement.name;
     let mut pose = Pose::at_rest(&mut translation.terms());
@@ -146,7 +146,7 @@ fn oriented(translation: &mut Translation<'_>, statement: &ast::Body) -> Pose {
     pose
 }
 
-/// Gives a link its place, and with it its energies.
+/// Sets the place of a link, and writes its energies.
 pub(super) fn settle(
     translation: &mut Translation<'_>,
     link: usize,
@@ -168,7 +168,7 @@ pub(super) fn settle(
     weigh(translation, link);
 }
 
-/// ½ m v_S², under a name.
+/// Adds ½ m v_S², under a name.
 fn push_translation(
     translation: &mut Translation<'_>,
     name: &Name,
@@ -189,7 +189,7 @@ fn push_translation(
     Some(energy)
 }
 
-/// ½ ω·J ω, under a name.
+/// Adds ½ ω·J ω, under a name.
 fn push_rotation(
     translation: &mut Translation<'_>,
     name: &Name,
@@ -214,7 +214,7 @@ fn push_rotation(
     Some(energy)
 }
 
-/// `gravity = (gx, gy, gz);`
+/// Translates `gravity = (gx, gy, gz);`.
 pub(in crate::bodies) fn translate_spatial_gravity(translation: &mut Translation<'_>, value: AstId) {
     let gravity = triple_of(translation, value, words::GRAVITY);
     let (origin, plain) = (translation.origin, plain_expression(translation, value));
@@ -232,7 +232,7 @@ pub(in crate::bodies) fn translate_spatial_gravity(translation: &mut Translation
     }
 }
 
-/// The potential −m g·r_S of a body that has its place, if there is gravity.
+/// Adds the potential −m g·r_S of a placed body, if there is gravity.
 fn weigh(translation: &mut Translation<'_>, link: usize) {
     let Some(space) = &translation.space else { return };
     let Some((gravity, _)) = space.gravity else { return };
@@ -271,7 +271,7 @@ pub(in crate::bodies) fn report_unplaced(translation: &mut Translation<'_>) {
     if let Some(origin) = idle.filter(|_| !translation.report.has_errors()) {
         translation.report.error(origin, messages::IDLE_GRAVITY).help(messages::IDLE_GRAVITY_HELP);
     }
-    // After a mistake it may be the joint that could not be read.
+    // After an error, the joint itself may have been unreadable.
     let are_certain = !translation.report.has_errors();
     for (what, name) in unplaced.into_iter().filter(|_| are_certain) {
         let message = joints::unplaced(what, &name.text);

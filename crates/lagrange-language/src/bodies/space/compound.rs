@@ -20,18 +20,18 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, Part};
 
-/// A part with what is known of it in the axes of the body.
+/// A part, and its known properties in the axes of the body.
 struct SpatialPart {
     is_hole: bool,
     mass: AstId,
     centroid: Triple,
-    /// About its own centre of mass.
+    /// Tensor about its own centre of mass.
     tensor: Tensor,
     outline: Outline,
 }
 
-/// The common mass, centre of mass and tensor, and the parts as they are drawn; `None` after a
-/// mistake.
+/// Returns the common mass, centre of mass and tensor, and the parts to draw; `None` after an
+/// error.
 pub(super) fn compound_properties(
     translation: &mut Translation<'_>,
     statement: &ast::Body,
@@ -53,7 +53,7 @@ pub(super) fn compound_properties(
     Some((MassProperties { mass, centroid, tensor: Some(tensor) }, outlines))
 }
 
-/// Σ ±mᵢ and Σ ±mᵢ rᵢ
+/// Returns Σ ±mᵢ and Σ ±mᵢ rᵢ.
 fn common_mass(terms: &mut TermWriter<'_>, parts: &[SpatialPart]) -> (AstId, Triple) {
     let mut mass = terms.number(0);
     let mut moment = zero_triple(terms);
@@ -66,7 +66,7 @@ fn common_mass(terms: &mut TermWriter<'_>, parts: &[SpatialPart]) -> (AstId, Tri
     (mass, moment)
 }
 
-/// Σ ±(Jᵢ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ))
+/// Returns Σ ±(Jᵢ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ)).
 fn common_tensor(terms: &mut TermWriter<'_>, parts: &[SpatialPart], centroid: Triple) -> Tensor {
     let mut tensor = [terms.number(0); 6];
     for part in parts {
@@ -94,7 +94,7 @@ fn named_tensor(translation: &mut Translation<'_>, name: &str, tensor: Tensor) -
     [moments[0], moments[1], moments[2], products[0], products[1], products[2]]
 }
 
-/// Returns the outlines with which a body is shown.
+/// Returns the outlines of a body for display.
 pub(super) fn visual_outlines(translation: &mut Translation<'_>, visuals: &[Part]) -> Vec<Outline> {
     report_masses(translation, visuals);
     let placed = visuals.iter().map(|part| placed_solid(translation, part)).collect::<Vec<_>>();
@@ -106,7 +106,7 @@ struct PlacedSolid {
     solid: &'static SolidInSpace,
     dimensions: Vec<AstId>,
     at: Triple,
-    /// None where it is not turned.
+    /// `None` if it is not turned.
     rotation: Option<Matrix>,
     outline: Outline,
 }

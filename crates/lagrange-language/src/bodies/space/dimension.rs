@@ -11,7 +11,7 @@ use crate::syntax::ast::SurfaceKind;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 
-/// True if the bodies of a declaration move in space. Their vectors then have three components, or
+/// True if the bodies of a declaration move in space: their vectors have three components, or
 /// something leads out of the plane.
 pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
     let mut lets = HashMap::default();
@@ -27,7 +27,7 @@ pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
     if scene.clone().any(leads_out_of_the_plane) {
         return true;
     }
-    // Of a scene that is at odds with itself, what most vectors say is meant.
+    // In an inconsistent scene, the majority of vectors decides.
     let mut votes = 0;
     for scene in scene {
         let weight = if matches!(scene, SceneStatement::Gravity(_)) { 2 } else { 1 };
@@ -79,10 +79,10 @@ fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
     given.into_iter().flatten().collect()
 }
 
-/// Number of components of a vector, where its form shows it.
+/// Returns the number of components of a vector, if its form shows it.
 fn component_count(expressions: &Expressions, lets: &HashMap<String, AstId>, root: AstId) -> Option<usize> {
     let mut pending = vec![root];
-    // A name that stands for itself is a mistake that is reported elsewhere.
+    // A name defined by itself is an error that is reported elsewhere.
     let mut followed: HashSet<String> = HashSet::default();
     while let Some(id) = pending.pop() {
         match expressions.get(id) {

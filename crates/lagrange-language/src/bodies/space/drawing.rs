@@ -8,8 +8,8 @@ use crate::bodies::plain::{Drawn, DrawnKind, SpatialJointForm};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, ElementaryMotion, JointLine, Mobilizer};
 
-/// Bodies and frames in the order of their declaration, and loads on coordinates in their places
-/// among the others; nothing unless somebody asks for it.
+/// Draws bodies and frames in the order of their declaration, and loads on coordinates in their
+/// places among the others. Nothing is drawn unless requested.
 pub(in crate::bodies) fn draw_scene(translation: &mut Translation<'_>) {
     if translation.space.is_none() {
         return;
@@ -42,7 +42,7 @@ fn draw_links(translation: &mut Translation<'_>) {
     }
 }
 
-/// A joint that makes coordinates, at its frame on what carries it.
+/// Draws a joint that creates coordinates, at its frame on the carrier.
 pub(super) fn draw_mobilizer(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -75,7 +75,7 @@ pub(super) fn draw_mobilizer(
     translation.drawing.push(Drawn { kind, values: vec![at, axis], needs: Vec::new() });
 }
 
-/// Two points that are held together.
+/// Draws two points that are held together.
 pub(in crate::bodies) fn draw_pin(
     translation: &mut Translation<'_>,
     name: &str,
@@ -90,8 +90,8 @@ pub(in crate::bodies) fn draw_pin(
     translation.drawing.push(Drawn { kind, values: vec![at, axis], needs: Vec::new() });
 }
 
-/// Returns the body of a load on a link, with its centre. It is the link itself or, for a frame,
-/// the body in which it is fixed.
+/// Returns the body of a load on a link, with its centre. The body is the link itself or, for a
+/// frame, the body in which it is fixed.
 pub(super) fn loaded_body(translation: &mut Translation<'_>, link: usize) -> Option<(String, AstId)> {
     let space = translation.space.as_ref()?;
     let Link { name, inertia, placed, .. } = space.links[space.loaded_link(link)?].clone();

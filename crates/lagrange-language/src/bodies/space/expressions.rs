@@ -1,8 +1,7 @@
-//! Bodies and frames of a scene in space in expressions: their parts, points, vectors, rates and
-//! momenta.
+//! Bodies and frames in space in expressions: their parts, points, vectors, rates and momenta.
 //!
 //! Vectors are in world axes. `v in name` gives the components in the axes of a body or frame. If v
-//! belongs to that body itself, they are found without a detour through the world.
+//! belongs to that body itself, they are computed without a detour through world axes.
 
 use super::frames::Pose;
 use super::links::{Link, MassProperties};
@@ -15,7 +14,7 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Name};
 
-/// `arm.center`, `arm.origin`, `arm.mass`.
+/// Translates `arm.center`, `arm.origin`, `arm.mass`.
 pub(in crate::bodies) fn part_of_link(
     translation: &mut Translation<'_>,
     link: usize,
@@ -31,7 +30,7 @@ pub(in crate::bodies) fn part_of_link(
     Some(world_place(translation, &pose, point))
 }
 
-/// The place that the name of a link stands for: the centre of mass of a body, the origin of a
+/// Returns the point denoted by the name of a link: the centre of mass of a body, the origin of a
 /// frame.
 pub(in crate::bodies) fn place_of_link(translation: &mut Translation<'_>, link: usize) -> AstId {
     let (inertia, pose) = link_in_place(translation, link);
@@ -49,8 +48,8 @@ fn world_place(translation: &mut Translation<'_>, pose: &Pose, point: Triple) ->
     terms.vector(&place)
 }
 
-/// Returns the pose and properties of a link. A link without a place is reported, and everything
-/// about it is invalid.
+/// Returns the pose and properties of a link. A link without a place is reported, and all of its
+/// properties are invalid.
 fn link_in_place(translation: &mut Translation<'_>, link: usize) -> (Option<MassProperties>, Pose) {
     let pose = has_place(translation, link, translation.origin);
     let pose = pose.unwrap_or_else(|| Pose::invalid(&mut translation.terms()));
@@ -58,7 +57,7 @@ fn link_in_place(translation: &mut Translation<'_>, link: usize) -> (Option<Mass
     (links.and_then(|link| link.inertia), pose)
 }
 
-/// Functions of links, with the numbers of arguments behind the link that they take.
+/// Functions of links, with the minimum and maximum number of arguments after the link.
 const OF_LINKS: [(&str, [usize; 2]); 7] = [
     ("point", [3, 3]),
     ("corner", [1, 1]),
@@ -69,7 +68,7 @@ const OF_LINKS: [(&str, [usize; 2]); 7] = [
     ("angular_momentum", [0, 1]),
 ];
 
-/// A function of a link: `arm.point(X, Y, Z)`.
+/// Translates a function of a link: `arm.point(X, Y, Z)`.
 pub(in crate::bodies) fn call_of_link(
     translation: &mut Translation<'_>,
     link: usize,
@@ -112,7 +111,7 @@ pub(in crate::bodies) fn call_of_link(
     terms.vector(&vector)
 }
 
-/// `linear_momentum(arm)`, or `angular_momentum(arm, P)` with or without the point.
+/// Translates `linear_momentum(arm)`, or `angular_momentum(arm, P)` with or without the point.
 fn momentum_of_link(
     translation: &mut Translation<'_>,
     link: usize,
@@ -134,7 +133,7 @@ fn momentum_of_link(
     terms.vector(&momentum)
 }
 
-/// The link and the own coordinates of an expression that is a point of one, as it was written.
+/// Returns the link and the link coordinates of an expression that is written as a point of a link.
 pub(in crate::bodies) fn point_on_link(
     translation: &mut Translation<'_>,
     id: AstId,
@@ -167,7 +166,7 @@ pub(in crate::bodies) fn point_on_link(
         },
         Expression::Call(function, arguments) if function.text == "point" => match arguments[..] {
             [body, x, y, z] => {
-                // What moves in a body is a point of it only in passing.
+                // A point that moves in a body is not fixed in it.
                 let is_fixed = [x, y, z].into_iter().all(|component| translation.is_at_rest(component));
                 let own = [x, y, z].map(|component| translation.plain_of(component));
                 Some((translation.link_named(body).filter(|_| is_fixed)?, own))
@@ -183,7 +182,7 @@ fn corner_of_link(translation: &mut Translation<'_>, link: usize, index: AstId) 
     corner(translation, &name.text, shape.as_ref(), index)
 }
 
-/// The velocity or acceleration of a point that is fixed in a link, in the link's own axes.
+/// Returns the velocity or acceleration of a point that is fixed in a link, in the link's own axes.
 ///
 /// With v the velocity of the point in own axes, the acceleration is v̇ + ω × v.
 pub(in crate::bodies) fn rate_of_link_point(
@@ -203,7 +202,7 @@ pub(in crate::bodies) fn rate_of_link_point(
     (pose, plus(&mut terms, rate, turning))
 }
 
-/// `v in link`: own components of a vector.
+/// Translates `v in link`: the components of a vector in the axes of a link.
 pub(in crate::bodies) fn in_axes(
     translation: &mut Translation<'_>,
     vector: AstId,
@@ -220,7 +219,7 @@ pub(in crate::bodies) fn in_axes(
     terms.vector(&own)
 }
 
-/// The own components of what belongs to the link itself.
+/// Returns the components of a vector of the link itself.
 fn own_components(translation: &mut Translation<'_>, vector: AstId, link: usize) -> Option<Triple> {
     let Expression::Call(function, arguments) = translation.expressions.get(vector).clone() else {
         return None;
@@ -247,14 +246,14 @@ fn own_components(translation: &mut Translation<'_>, vector: AstId, link: usize)
     }
 }
 
-/// m v_S
+/// Returns m v_S.
 fn linear_momentum(terms: &mut TermWriter<'_>, inertia: MassProperties, pose: &Pose) -> Triple {
     let velocity = pose.velocity_of(terms, inertia.centroid);
     let velocity = pose.in_world(terms, velocity);
     velocity.map(|component| terms.times(inertia.mass, component))
 }
 
-/// m (r_S − r_P) × v_S + R J ω
+/// Returns m (r_S − r_P) × v_S + R J ω.
 fn angular_momentum(
     terms: &mut TermWriter<'_>,
     inertia: MassProperties,

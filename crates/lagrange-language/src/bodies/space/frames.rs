@@ -1,5 +1,4 @@
-//! Frames of a scene in space, as data: where they are, how they move, and the steps from one to
-//! the next.
+//! Frames in space, as data: their poses and motions, and the steps from one to the next.
 
 use super::vectors::{Matrix, Triple, combined, cross, inner, plus, scale, unit, zero_triple};
 use crate::bodies::terms::TermWriter;
@@ -29,13 +28,13 @@ impl Pose {
         }
     }
 
-    /// Placeholder after a mistake.
+    /// Returns a placeholder after an error.
     pub(super) fn invalid(terms: &mut TermWriter<'_>) -> Pose {
         let triple = [terms.invalid(); 3];
         Pose { spin: triple, velocity: triple, axes: [triple; 3], origin: triple }
     }
 
-    /// True after a mistake.
+    /// True after an error.
     pub(super) fn is_invalid(&self, expressions: &Expressions) -> bool {
         matches!(expressions.get(self.origin[0]), Expression::Invalid)
     }
@@ -45,37 +44,37 @@ impl Pose {
         self.spin.iter().chain(&self.velocity).all(|&component| terms.is_zero(component))
     }
 
-    /// The place in the world of a point that is fixed in the frame.
+    /// Returns the world position of a point that is fixed in the frame.
     pub(super) fn place_of(&self, terms: &mut TermWriter<'_>, point: Triple) -> Triple {
         let arm = combined(terms, point, self.axes);
         plus(terms, self.origin, arm)
     }
 
-    /// The velocity of a point that is fixed in the frame, in the frame's own axes.
+    /// Returns the velocity of a point that is fixed in the frame, in the frame's own axes.
     pub(super) fn velocity_of(&self, terms: &mut TermWriter<'_>, point: Triple) -> Triple {
         let turning = cross(terms, self.spin, point);
         plus(terms, self.velocity, turning)
     }
 
-    /// A vector of own components in the world.
+    /// Returns the world components of a vector given in the frame.
     pub(super) fn in_world(&self, terms: &mut TermWriter<'_>, own: Triple) -> Triple {
         combined(terms, own, self.axes)
     }
 
-    /// Expresses a world vector and gives it one name.
+    /// Returns the world components of a vector under a single name.
     pub(in crate::bodies) fn world_vector(&self, terms: &mut TermWriter<'_>, own: Triple) -> AstId {
         let world = self.in_world(terms, own);
         terms.vector(&world)
     }
 
-    /// The direction in the world of an axis in the frame.
+    /// Returns the direction in the world of an axis in the frame.
     pub(super) fn axis_in_world(&self, terms: &mut TermWriter<'_>, axis: JointAxis) -> Triple {
         let one = terms.number(1);
         let own = axis.times(terms, one);
         self.in_world(terms, own)
     }
 
-    /// A vector of the world in own components.
+    /// Returns the components of a world vector in the frame.
     pub(super) fn in_own_axes(&self, terms: &mut TermWriter<'_>, vector: Triple) -> Triple {
         self.axes.map(|axis| inner(terms, axis, vector))
     }
@@ -90,41 +89,41 @@ pub(super) struct Acceleration {
     pub(super) origin: Triple,
 }
 
-/// From one frame to the next.
+/// Step from one frame to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum FrameStep {
-    /// To an origin that is fixed in the frame.
+    /// A shift to an origin that is fixed in the frame.
     Shift(Triple),
-    /// To axes that are fixed in the frame, the columns of a matrix.
+    /// A change to axes that are fixed in the frame, the columns of a matrix.
     Reorientation(Matrix),
     /// A turn about an axis that may change.
     Turn(JointAxis, AstId),
     /// A move along an axis that may change.
     Slide(JointAxis, AstId),
-    /// To axes that turn in any direction.
+    /// A change to axes that turn in any direction.
     Orientation(TurningAxes),
 }
 
 impl FrameStep {
-    /// True if the frame behind it stands still in the frame before it.
+    /// True if the frame after the step is at rest in the frame before it.
     pub(super) fn is_fixed(&self) -> bool {
         matches!(self, FrameStep::Shift(_) | FrameStep::Reorientation(_))
     }
 }
 
-/// Axes that turn in any direction in the frame before them.
+/// Axes that turn in any direction in the previous frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TurningAxes {
-    /// They are its columns.
+    /// The matrix with the axes as columns.
     pub(super) matrix: Matrix,
-    /// The angular velocity against the frame before, in these axes.
+    /// The angular velocity relative to the previous frame, in these axes.
     pub(super) spin: Triple,
 }
 
 /// An axis of a joint in its frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum JointAxis {
-    /// A coordinate axis, or the direction against it.
+    /// A coordinate axis, or the opposite direction.
     Coordinate { axis: usize, is_negative: bool },
     /// A direction of length one.
     Direction(Triple),
@@ -135,7 +134,7 @@ impl JointAxis {
         JointAxis::Coordinate { axis, is_negative: false }
     }
 
-    /// A length or a rate along the axis as a vector.
+    /// Returns a length or a rate along the axis as a vector.
     pub(super) fn times(self, terms: &mut TermWriter<'_>, value: AstId) -> Triple {
         match self {
             JointAxis::Coordinate { axis, is_negative } => {
@@ -155,6 +154,6 @@ pub(super) struct Relative {
     pub(super) squares: Triple,
     /// ω_y ω_z, ω_z ω_x, ω_x ω_y
     pub(super) mixed: Triple,
-    /// A in rows: −(ω_y² + ω_z²), … on its diagonal, ω_x ω_y ∓ α_z, … beside it.
+    /// A in rows: −(ω_y² + ω_z²), … on its diagonal, ω_x ω_y ∓ α_z, … off it.
     pub(super) matrix: Matrix,
 }

@@ -1,10 +1,10 @@
-//! The Gibbs function of bodies that joints carry: their equations of motion in accelerations, as
-//! recursive Newton–Euler has them.
+//! The Gibbs function of bodies on joints: their equations of motion in terms of accelerations, as
+//! in the recursive Newton–Euler algorithm.
 //!
-//! A body has the mass m, the first moment h and the tensor J about its origin. It adds S = ½ m a² +
-//! a·A h + ½ α·J α + α·(ω × J ω), with the accelerations of [`super::accelerations`] in its own
-//! axes. Then ∂S/∂a = m a + A h is the force on it, and ∂S/∂α = J α + h × a + ω × J ω the moment
-//! about its origin. Since the ground accelerates by −g, weights are in it. With
+//! A body has the mass m, the first moment h and the tensor J about its origin. It contributes S =
+//! ½ m a² + a·A h + ½ α·J α + α·(ω × J ω), with the accelerations of [`super::accelerations`] in
+//! its own axes. Then ∂S/∂a = m a + A h is the force on it, and ∂S/∂α = J α + h × a + ω × J ω the
+//! moment about its origin. Since the ground accelerates by −g, weights are included. With
 //! [`super::base_parameters`] most entries of h and J are zero.
 //!
 //! Source: Gibbs, "On the fundamental formulae of dynamics", Am. J. Math. 2 (1879); Lurie, *Analytical
@@ -20,12 +20,12 @@ use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Statement, StatementKind};
 use lagrange_expr::accuracy::Accuracy;
 
-/// Number of freedoms up to which energies are more accurate at the level `strict`: what cancels in
-/// their mass matrix is then found.
+/// Maximum number of degrees of freedom for which energies are more accurate at the level `strict`.
+/// Terms that cancel in their mass matrix are then found.
 const FEW: usize = 3;
 
-/// Writes the Gibbs function of all bodies that have their places by joints. A Lagrangian of the
-/// user's says it all by itself.
+/// Writes the Gibbs function of all bodies that are placed by joints, unless the user states the
+/// Lagrangian.
 pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) {
     if translation.lagrangian.is_some() || translation.report.has_errors() {
         return;
@@ -38,7 +38,7 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
     if !order.iter().any(|&link| space.links[link].path.is_some() && space.links[link].inertia.is_some()) {
         return;
     }
-    // Of numbers that are too large energies may still tell.
+    // If numbers are too large, energies may still work.
     let Some(parameters) = regrouped(translation, &order) else { return };
     let (mut functions, mut stated) = (Vec::new(), Vec::new());
     for link in order {
@@ -47,7 +47,7 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
             .and_then(|link| link.placed)
             .is_some_and(|(pose, _)| pose.is_at_rest(&translation.terms()));
         if is_at_rest {
-            // Welded to the ground: it has no equations.
+            // A body welded to the ground has no equations.
             continue;
         }
         for (frame, parameters) in found.into_iter().zip(&parameters[link]) {
@@ -64,7 +64,7 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
     translation.push(StatementKind::Gibbs { function, stated });
 }
 
-/// Number of velocities that are declared.
+/// Returns the number of declared velocities.
 fn freedoms(translation: &Translation<'_>) -> usize {
     let of_statement = |statement: &Statement| match &statement.kind {
         StatementKind::Coordinates(names) => names.len(),
@@ -79,14 +79,14 @@ fn sum_of(terms: &mut TermWriter<'_>, values: &[AstId]) -> AstId {
     values.iter().fold(zero, |sum, &value| terms.plus(sum, value))
 }
 
-/// T − V of a body that a joint carries, by the names of its energies.
+/// Returns T − V of a body on a joint, from the names of its energies.
 fn lagrangian_of_link(translation: &mut Translation<'_>, link: usize) -> AstId {
     let link = link_at(translation, link).filter(|link| link.path.is_some());
     let energies = link.map(|link| link.energies).unwrap_or_default();
     energies.lagrangian(&mut translation.terms())
 }
 
-/// ½ m a² + a·A h + ½ α·J α + α·(ω × J ω), under a name.
+/// Returns ½ m a² + a·A h + ½ α·J α + α·(ω × J ω), under a name.
 fn gibbs_of_frame(
     translation: &mut Translation<'_>,
     link: usize,
@@ -116,7 +116,7 @@ fn gibbs_of_frame(
     }
 }
 
-/// ½ α·J α + α·(ω × J ω) by components. Take x, y, z in cyclic order and omit terms without
+/// Writes ½ α·J α + α·(ω × J ω) by components. Take x, y, z in cyclic order and omit terms without
 /// accelerations. The moments add ½ J_zz α_z² + (J_yy − J_xx) ω_x ω_y α_z, and the products J_xy
 /// (α_y − ω_z ω_x) (α_x + ω_y ω_z) + J_xy (ω_x² − ω_y²) α_z.
 fn rotational_parts(

@@ -1,4 +1,4 @@
-//! Mass of bodies in space and its distribution.
+//! Mass and mass distribution of bodies in space.
 
 use super::links::MassProperties;
 use super::messages as words;
@@ -45,7 +45,7 @@ pub(super) fn mass_properties(
     (MassProperties { mass, centroid, tensor }, outline.into_iter().collect())
 }
 
-/// A solid whose centre of mass is the centroid of the body.
+/// Returns a solid whose centre of mass is the centroid of the body.
 fn outline_around(
     translation: &mut Translation<'_>,
     (solid, dimensions): (&'static SolidInSpace, Vec<AstId>),
@@ -58,7 +58,7 @@ fn outline_around(
     outline_of(solid, dimensions, at, rotation)
 }
 
-/// A solid at a place in the axes of the body, turned in them.
+/// Returns a solid at a position in the axes of the body, turned in them.
 pub(super) fn outline_of(
     solid: &'static SolidInSpace,
     dimensions: Vec<AstId>,
@@ -69,7 +69,7 @@ pub(super) fn outline_of(
     Outline { variant: solid.variant, dimensions, place, is_hole: false }
 }
 
-/// Moments and products of inertia, or principal moments, as the body states them.
+/// Returns the stated moments and products of inertia, or principal moments, of a body.
 fn stated_tensor(translation: &mut Translation<'_>, statement: &ast::Body) -> Option<Tensor> {
     let what = words::tensor_of(&statement.name.text);
     if let Some(tensor) = statement.tensor {
@@ -80,12 +80,12 @@ fn stated_tensor(translation: &mut Translation<'_>, statement: &ast::Body) -> Op
     Some([moments[0], moments[1], moments[2], zero, zero, zero])
 }
 
-/// A tensor must be that of some distribution of mass.
+/// Requires that a tensor belongs to some distribution of mass.
 pub(super) fn oblige(translation: &mut Translation<'_>, body: &ast::Name, tensor: Tensor) {
     translation.obligations.push(Obligation::Tensor { body: body.clone(), tensor });
 }
 
-/// A known solid with its dimensions; anything else is reported.
+/// Returns a known solid with its dimensions; anything else is reported.
 pub(super) fn shape_of(
     translation: &mut Translation<'_>,
     shape: &Shape,
@@ -113,7 +113,7 @@ pub(super) fn shape_of(
     Some((solid, dimensions))
 }
 
-/// The principal moments of a solid as a tensor about its centre of mass.
+/// Returns the principal moments of a solid as a tensor about its centre of mass.
 pub(super) fn tensor_of_solid(
     translation: &mut Translation<'_>,
     solid: &SolidInSpace,
@@ -127,7 +127,7 @@ pub(super) fn tensor_of_solid(
     [x, y, z, zero, zero, zero]
 }
 
-/// The components of a vector that does not change during the motion.
+/// Returns the components of a vector that does not change during the motion.
 pub(in crate::bodies) fn fixed_triple(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
     let components = triple_of(translation, id, what);
     let value = mention(translation, id);
@@ -135,15 +135,15 @@ pub(in crate::bodies) fn fixed_triple(translation: &mut Translation<'_>, id: Ast
     components
 }
 
-/// The components of what the user wrote as a vector in space.
+/// Returns the components of a vector in space.
 pub(in crate::bodies) fn triple_of(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
     let value = mention(translation, id);
     translation.obligations.push(Obligation::SpaceVector { what: what.to_owned(), value });
     components_of(translation, value)
 }
 
-/// The components of what must be a vector in space; none of what cannot be one, which is reported
-/// as a whole.
+/// Returns the components of a vector in space; an expression that cannot be one is reported as a
+/// whole.
 pub(super) fn components_of(translation: &mut Translation<'_>, value: AstId) -> Triple {
     match is_no_vector(translation, value) {
         true => [translation.terms().invalid(); 3],

@@ -9,7 +9,7 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
 
-/// All bodies that have their places, in the order of their declaration.
+/// Returns all placed bodies, in the order of their declaration.
 pub(in crate::bodies) fn inertial_bodies_in_space(translation: &mut Translation<'_>) -> Vec<InertialBody> {
     let count = translation.space.as_ref().map_or(0, |space| space.links.len());
     (0..count).filter_map(|link| inertial_body(translation, link)).collect()
@@ -33,7 +33,8 @@ fn inertial_body(translation: &mut Translation<'_>, index: usize) -> Option<Iner
     })
 }
 
-/// Mass, first moments, and the tensor about the origin, from the tensor about the centre of mass.
+/// Returns mass, first moments, and the tensor about the origin, from the tensor about the centre
+/// of mass.
 pub(in crate::bodies) fn inertial_parameters(
     terms: &mut TermWriter<'_>,
     mass: AstId,

@@ -1,6 +1,6 @@
-//! Poses and motions of bodies and frames in world axes, as returned by emitted code.
+//! Poses and motions of bodies and frames in world axes, as emitted code returns them.
 //!
-//! Motions are those of the recursion in own axes, turned into the world. Twists are written joint
+//! Motions are those of the recursion in own axes, rotated to world axes. Twists are written joint
 //! by joint along the path to a frame. A turn by θ about the axis e through the point o adds θ̇ e
 //! to ω. It also adds θ̇ e × (r − o) to the velocity of the origin r. A move by s along e adds ṡ e
 //! to the velocity. The coefficients of the rates are thus the geometric Jacobian, independent of
@@ -33,7 +33,7 @@ impl Asked {
     }
 }
 
-/// Returns the requested kinematics; empty after a mistake, or in the plane.
+/// Returns the requested kinematics; empty after an error, or in the plane.
 pub(in crate::bodies) fn kinematics_asked_for(
     translation: &mut Translation<'_>,
     asked: Asked,
@@ -90,8 +90,8 @@ fn motion(
     }
 }
 
-/// Velocity and acceleration of a point that is fixed in a frame, in the world. With v its velocity
-/// in own axes, its acceleration in these is v̇ + ω × v.
+/// Returns velocity and acceleration of a point that is fixed in a frame, in the world. With v its
+/// velocity in own axes, its acceleration in these is v̇ + ω × v.
 fn rates_of_point(terms: &mut TermWriter<'_>, pose: &Pose, point: Triple) -> [Triple; 2] {
     let velocity = pose.velocity_of(terms, point);
     let rate = velocity.map(|component| terms.rate(component));
@@ -100,7 +100,8 @@ fn rates_of_point(terms: &mut TermWriter<'_>, pose: &Pose, point: Triple) -> [Tr
     [velocity, acceleration].map(|own| pose.in_world(terms, own))
 }
 
-/// Angular velocity and velocity of a place that moves with a link, by all joints on the way to it.
+/// Returns angular velocity and velocity of a point that moves with a link, from all joints on its
+/// path.
 fn twist(translation: &mut Translation<'_>, link: &Link, place: Triple) -> [Triple; 2] {
     let mut twist = [zero_triple(&mut translation.terms()); 2];
     let mut next = Some(link.clone());
@@ -151,14 +152,14 @@ fn with_step(
     }
 }
 
-/// An angular velocity, and the velocity of a place that turns with it about a point.
+/// Returns an angular velocity, and the velocity of a place that turns with it about a point.
 fn turning_about(terms: &mut TermWriter<'_>, turning: Triple, point: Triple, place: Triple) -> [Triple; 2] {
     let arm = minus(terms, place, point);
     [turning, cross(terms, turning, arm)]
 }
 
-/// Returns the contribution of the first link of the path, whose motion uses the rates of the
-/// user's expressions: ω and ṙ_O + ω × (r − r_O).
+/// Returns the contribution of the first link of the path, whose motion uses rates of the user's
+/// expressions: ω and ṙ_O + ω × (r − r_O).
 fn twist_by_hand(
     terms: &mut TermWriter<'_>,
     [spin, velocity]: [Triple; 2],

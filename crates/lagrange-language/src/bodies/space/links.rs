@@ -11,7 +11,7 @@ use lagrange_expr::diagnostics::Origin;
 #[derive(Clone, Debug)]
 pub(in crate::bodies) struct Link {
     pub(super) name: Name,
-    /// Mass and its distribution; a frame has none.
+    /// Mass and its distribution; `None` for a frame.
     pub(super) inertia: Option<MassProperties>,
     /// Pose and the statement that defines it; unknown until a joint places the link.
     pub(super) placed: Option<(Pose, Origin)>,
@@ -19,18 +19,18 @@ pub(in crate::bodies) struct Link {
     pub(super) path: Option<Path>,
     /// The solid that `shape` states.
     pub(in crate::bodies) shape: Option<Outline>,
-    /// Its shape, as it is drawn.
+    /// Its shape for drawing.
     pub(super) outlines: Vec<Outline>,
     /// Its energies, by their names.
     pub(super) energies: Energies,
 }
 
-/// The way from what carries a joint to what it places.
+/// The path from the carrier of a joint to the link that it places.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
     /// The link that carries the joint; `None` for the ground.
     pub(super) carrier: Option<usize>,
-    /// Steps in their order, each with the frame behind it.
+    /// Steps in order, each with the frame after it.
     pub(super) steps: Vec<(FrameStep, Pose)>,
 }
 
@@ -40,19 +40,19 @@ pub(super) struct MassProperties {
     pub(super) mass: AstId,
     /// The centre of mass.
     pub(super) centroid: Triple,
-    /// The tensor of inertia about the centre of mass; `None` of a body that never turns.
+    /// The tensor of inertia about the centre of mass; `None` for a body that never turns.
     pub(super) tensor: Option<Tensor>,
 }
 
 impl Path {
-    /// True if what is placed stands still in what carries it.
+    /// True if the placed link is at rest in its carrier.
     pub(super) fn is_fixed(&self) -> bool {
         self.steps.iter().all(|(step, _)| step.is_fixed())
     }
 }
 
 impl Link {
-    /// In the user's words, with its article.
+    /// Returns a description for messages, with its article.
     pub(in crate::bodies) fn describe(&self) -> &'static str {
         if self.inertia.is_some() { "a body" } else { "a frame" }
     }

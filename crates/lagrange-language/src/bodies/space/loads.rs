@@ -1,7 +1,7 @@
 //! Forces at points of bodies and torques on bodies in space.
 //!
-//! They do work along velocities that are known in the axes of the body: F·v_P and M·ω, so that
-//! nothing is differentiated.
+//! They do work along velocities that are known in the axes of the body: F·v_P and M·ω. Nothing has
+//! to be differentiated.
 
 use super::drawing::loaded_body;
 use super::expressions::{point_on_link, rate_of_link_point};
@@ -13,7 +13,7 @@ use crate::bodies::plain::Obligation;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Statement, StatementKind};
 
-/// `force F at P;` with P a point of a body; any other point stays as it is.
+/// Translates `force F at P;` for a point P of a body; any other point stays as it is.
 pub(in crate::bodies) fn translate_spatial_force(
     translation: &mut Translation<'_>,
     force: AstId,
@@ -37,7 +37,7 @@ pub(in crate::bodies) fn translate_spatial_force(
     push_load(translation, components, velocity, statement);
 }
 
-/// `torque M on body;` with a vector, in world axes or as `body.vector(…)`.
+/// Translates `torque M on body;` for a vector, in world axes or as `body.vector(…)`.
 pub(in crate::bodies) fn translate_spatial_torque(
     translation: &mut Translation<'_>,
     moment: AstId,
@@ -55,8 +55,8 @@ pub(in crate::bodies) fn translate_spatial_torque(
     push_load(translation, components, pose.spin, statement);
 }
 
-/// The own components of a load if it was written as a vector of the body, else the components in
-/// the world.
+/// Returns the body components of a load if it was written as a vector of the body, else the world
+/// components.
 fn own_load(
     translation: &mut Translation<'_>,
     load: AstId,

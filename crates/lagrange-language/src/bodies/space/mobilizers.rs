@@ -1,9 +1,8 @@
-//! Joints that make coordinates: where they put the body or frame behind them, and how it moves
-//! with them.
+//! Joints that create coordinates: the pose of the placed body or frame, and its motion.
 //!
 //! A joint is a frame that is fixed in its carrier, and one to three elementary motions after it
 //! ([`super::poses`]). Turning the frame makes any other axis a coordinate axis; the frame is
-//! turned back behind the motion.
+//! turned back after the motion.
 
 use super::bodies::settle;
 use super::drawing::draw_mobilizer;
@@ -26,7 +25,7 @@ use crate::syntax::ast::{
     AstId, Definition, ElementaryMotion, JointLine, Mobilizer, MobilizerKind, Name, Statement, StatementKind,
 };
 
-/// A turn about the z-axis of the joint's frame, or a move along it, unless an axis says otherwise.
+/// The z-axis of the joint's frame, which is the default axis of turns and moves.
 const Z: usize = 2;
 
 pub(in crate::bodies) fn translate_spatial_mobilizer(
@@ -36,7 +35,7 @@ pub(in crate::bodies) fn translate_spatial_mobilizer(
 ) {
     let placed = placed_of(translation, joint);
     if joint.kind == MobilizerKind::Free && !is_first(translation, &joint.outboard) {
-        // It would declare the same names.
+        // A second one would declare the same names.
         return;
     }
     let coordinates = coordinates_of(translation, joint, statement);
@@ -56,7 +55,8 @@ pub(in crate::bodies) fn translate_spatial_mobilizer(
     }
 }
 
-/// Velocity of the centre of mass of a free body in the world, if that is where its own axes begin.
+/// Returns the world velocity of the centre of mass of a free body, if it is the origin of the
+/// body-fixed axes.
 fn velocity_of_free_center(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -72,12 +72,12 @@ fn velocity_of_free_center(
     })
 }
 
-/// True of the first `free` statement of a body, which is then remembered.
+/// True for the first `free` statement of a body, which is then recorded.
 fn is_first(translation: &mut Translation<'_>, body: &Name) -> bool {
     translation.space.as_mut().is_none_or(|space| space.freed.insert(body.text.clone()))
 }
 
-/// The frames behind the steps of a joint, one after another.
+/// Returns the frames after the steps of a joint, one after another.
 fn walk(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -98,8 +98,8 @@ fn walk(
     (pose, path)
 }
 
-/// Declares the coordinates, and what else the state has of a joint; the expressions of the
-/// coordinates.
+/// Declares the coordinates of a joint and its other state variables; returns the expressions of
+/// the coordinates.
 pub(in crate::bodies) fn coordinates_of(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -121,7 +121,7 @@ pub(in crate::bodies) fn coordinates_of(
     joint.coordinates.iter().map(|name| translation.terms().name(&name.text)).collect()
 }
 
-/// ½ c q̇², or ½ c ω² with the angular velocity ω in a ball joint.
+/// Adds ½ c q̇², or ½ c ω² with the angular velocity ω in a ball joint.
 pub(in crate::bodies) fn dampen(translation: &mut Translation<'_>, joint: &Mobilizer, coordinates: &[AstId]) {
     let Some(damping) = joint.damping else { return };
     let damping = mention(translation, damping);
@@ -146,7 +146,7 @@ fn carrier_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(O
         return Some((None, Pose::at_rest(&mut translation.terms())));
     }
     if name.text == joint.outboard.text {
-        // That is reported of what it places.
+        // This is reported for the link that it places.
         return None;
     }
     let link = link_of(translation, name)?;
@@ -158,7 +158,7 @@ fn is_ground(translation: &Translation<'_>, name: &Name) -> bool {
     name.text == "ground" && !translation.names.is_declared(&name.text)
 }
 
-/// The body or frame of a name; anything else is reported.
+/// Returns the body or frame with this name; anything else is reported.
 pub(in crate::bodies) fn link_of(translation: &mut Translation<'_>, name: &Name) -> Option<usize> {
     if let Some(Object::Link { index, .. }) = translation.names.find(&name.text) {
         return Some(*index);
@@ -177,7 +177,7 @@ pub(in crate::bodies) fn link_of(translation: &mut Translation<'_>, name: &Name)
     None
 }
 
-/// The link that a joint places, unless it has its place already.
+/// Returns the link that a joint places, unless it is already placed.
 fn placed_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<usize> {
     let name = &joint.outboard;
     if is_ground(translation, name) {
@@ -202,7 +202,7 @@ fn placed_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<usi
     Some(link)
 }
 
-/// The steps from the carrier of a joint to what it places; `None` after a mistake.
+/// Returns the steps from the carrier of a joint to the link that it places; `None` after an error.
 fn steps_of(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -213,7 +213,7 @@ fn steps_of(
     if let Some(at) = joint.at {
         steps.push(FrameStep::Shift(fixed_triple(translation, at, &joints::at_of(kind))));
     } else if joint.kind.motions() == [ElementaryMotion::Orientation] {
-        // The frame that does not turn with the body.
+        // This is the frame that does not turn with the body.
         steps.push(FrameStep::Shift(zero_triple(&mut translation.terms())));
     }
     if let Some(turned) = joint.turned {
@@ -223,7 +223,7 @@ fn steps_of(
     Some(steps)
 }
 
-/// The motions of a joint in its frame.
+/// Returns the motions of a joint in its frame.
 fn motions_of(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -257,7 +257,7 @@ fn motions_of(
     Some(steps)
 }
 
-/// Axes turned by the quaternion of a joint.
+/// Returns axes turned by the quaternion of a joint.
 fn turning(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<FrameStep> {
     let quaternion = joint.quaternion.as_ref()?;
     let mut terms = translation.terms();
@@ -269,7 +269,7 @@ fn turning(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<Frame
     Some(FrameStep::Orientation(TurningAxes { matrix, spin }))
 }
 
-/// The rotation of a unit quaternion: 1 + 2 w v× + 2 v× v×, with the vector part v (Featherstone, *Rigid
+/// Returns the rotation of a quaternion with the vector part v: 1 + 2 w v× + 2 v× v× (Featherstone, *Rigid
 /// Body Dynamics Algorithms*, eq. 4.11).
 fn rotation_of(terms: &mut TermWriter<'_>, [w, x, y, z]: [AstId; 4]) -> Matrix {
     let (one, two) = (terms.number(1), terms.number(2));
@@ -292,7 +292,7 @@ fn rotation_of(terms: &mut TermWriter<'_>, [w, x, y, z]: [AstId; 4]) -> Matrix {
     })
 }
 
-/// The axis of a joint in its frame or, if it is oblique and made of numbers, z in one that is
+/// Returns the axis of a joint in its frame or, if it is oblique and numeric, z in a frame that is
 /// turned to it.
 fn axis_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(JointAxis, Option<Matrix>)> {
     let Some(axis) = joint.axis else { return Some((JointAxis::positive(Z), None)) };
@@ -312,7 +312,7 @@ fn axis_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(Join
     Some((JointAxis::positive(Z), Some(aligned)))
 }
 
-/// A direction with parameters, of length one under names of its own.
+/// Returns a direction with parameters as a unit vector, under separate names.
 fn normalised(translation: &mut Translation<'_>, joint: &Mobilizer, direction: Triple) -> JointAxis {
     let mut terms = translation.terms();
     let vector = terms.vector(&direction);

@@ -1,10 +1,10 @@
-//! Rigid bodies in space in the statements of the plain language.
+//! Translation of rigid bodies in space to statements of the plain language.
 //!
-//! Velocities are written recursively in the axes of each body ([`poses`]), as in the methods of
-//! Newton–Euler. ω and the velocity of the origin follow from those of the carrier by a rotation
-//! and the contribution of the joint. T = ½ m v_S² + ½ ω·J ω of each body is then sparse. The
-//! equations that follow from it cost a fraction of those from rotation matrices and their rates.
-//! Places in the world are written separately, for weights, points and outputs.
+//! Velocities are written recursively in the axes of each body ([`poses`]), as in Newton–Euler
+//! methods. ω and the velocity of the origin follow from those of the carrier by a rotation and the
+//! contribution of the joint. T = ½ m v_S² + ½ ω·J ω of each body is then sparse. The resulting
+//! equations cost a fraction of those from rotation matrices and their rates. World positions are
+//! written separately, for weights, points and outputs.
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, ch. 4 and 5; Roberson, Schwertassek, *Dynamics
 //! of Multibody Systems*, ch. 5.

@@ -1,9 +1,9 @@
-//! Forces and moments on the coordinates of joints: those of motors, and damping.
+//! Forces and moments on joint coordinates: motors and damping.
 //!
-//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about e, the power is
-//! that of the moments ±u e on the placed body and its carrier. Where it moves by q along e, it is
-//! that of the forces ±u e at the origin of the placed body. A screw does both at once, so neither
-//! is known.
+//! A load u on a coordinate q has the power u q̇. If a joint turns by q about e, the power is that
+//! of the moments ±u e on the placed body and its carrier. If it moves by q along e, it is that of
+//! the forces ±u e at the origin of the placed body. A screw does both at once, so neither is
+//! known.
 
 use super::frames::{FrameStep, JointAxis, Pose};
 use super::links::{Link, Path};
@@ -17,17 +17,17 @@ use crate::syntax::ast::{AstId, Expression, Mobilizer, StatementKind};
 
 /// The effect of a coordinate at a joint.
 struct JointMotion {
-    /// True if it turns what the joint places; it moves it otherwise.
+    /// True if it turns the placed link, false if it moves it.
     turns: bool,
-    /// In the world.
+    /// The axis in the world.
     axis: Triple,
-    /// The origin of what the joint places.
+    /// The origin of the placed link.
     at: Triple,
     /// The placed and the carrying link.
     sides: [Option<usize>; 2],
 }
 
-/// `force q = u;`
+/// Draws `force q = u;`.
 pub(in crate::bodies) fn draw_force_on_coordinate(
     translation: &mut Translation<'_>,
     coordinate: &str,
@@ -38,7 +38,7 @@ pub(in crate::bodies) fn draw_force_on_coordinate(
     keep(translation, (name, LoadOrigin::Applied), [coordinate, load]);
 }
 
-/// `torque u on q;`
+/// Draws `torque u on q;`.
 pub(in crate::bodies) fn draw_torque_on_angle(
     translation: &mut Translation<'_>,
     angle: AstId,
@@ -48,7 +48,7 @@ pub(in crate::bodies) fn draw_torque_on_angle(
     keep(translation, (name, LoadOrigin::Applied), [angle, moment]);
 }
 
-/// `damping: c;` of a joint: −c q̇, or −c ω in a ball joint, component by component.
+/// Draws `damping: c;` of a joint: −c q̇, or −c ω in a ball joint, component by component.
 pub(super) fn draw_damping(translation: &mut Translation<'_>, joint: &Mobilizer) {
     let Some(damping) = joint.damping.filter(|_| translation.is_drawn) else { return };
     let damping = plain_expression(translation, damping);
@@ -75,10 +75,10 @@ fn keep(
     space.loads_on_coordinates.push(LoadOnCoordinate { position, name, cause, coordinate, load });
 }
 
-/// Puts what was kept in its places among the other loads.
+/// Inserts the postponed loads in their places among the others.
 pub(super) fn draw_loads_on_coordinates(translation: &mut Translation<'_>) {
     let Some(space) = &mut translation.space else { return };
-    // From the last one on, so that the places in front of it stay what they are.
+    // Starting with the last one, so that earlier places stay valid.
     for kept in std::mem::take(&mut space.loads_on_coordinates).into_iter().rev() {
         let behind = translation.loads.split_off(kept.position);
         match motion_by(translation, kept.coordinate) {
@@ -136,8 +136,8 @@ fn motion_by(translation: &mut Translation<'_>, coordinate: AstId) -> Option<Joi
     Some(JointMotion { turns, axis, at: last.origin, sides: [Some(link), carrier] })
 }
 
-/// The step that a coordinate moves, whether it turns, and its axis in the frame behind it, which
-/// is at rest in that before, too.
+/// Returns the step that a coordinate moves, true if it turns, and its axis in the frame after the
+/// step. The axis is also at rest in the frame before.
 fn step_by(
     translation: &Translation<'_>,
     steps: &[(FrameStep, Pose)],
@@ -169,7 +169,8 @@ fn step_by(
     })
 }
 
-/// The coordinate of a name, or that of which it is the rate; the name itself if nothing says so.
+/// Returns the coordinate of a name, which may be its rate; the name itself if it is not known as a
+/// rate.
 fn coordinate_behind(translation: &Translation<'_>, id: AstId) -> Option<String> {
     let Expression::Name(wanted) = translation.expressions.get(id) else { return None };
     let rate = translation.statements.iter().find_map(|statement| match &statement.kind {

@@ -1,8 +1,8 @@
-//! Orientations and directions in numbers, computed while statements are translated.
+//! Numeric orientations and directions, computed during translation.
 //!
-//! Quarter turns must stay exact. An entry of 6e-17 instead of a zero makes a rotation a dense
-//! matrix. Robot descriptions round π/2 to as many digits as their tool prints. Rows and columns
-//! whose entries are all within [`SNAPPED`] of 0, 1 and −1 are these numbers.
+//! Quarter turns must stay exact, since an entry of 6e-17 instead of zero makes a rotation matrix
+//! dense. Robot descriptions round π/2 to the number of digits that their tool prints. Rows and
+//! columns whose entries are all within [`SNAPPED`] of 0, 1 and −1 are replaced by these numbers.
 
 use super::vectors::{Matrix, Triple};
 use crate::bodies::constants::number;
@@ -14,12 +14,12 @@ use lagrange_expr::number::Number;
 /// Distance from 0, 1 or −1 within which an entry of a rotation is that number.
 const SNAPPED: f64 = 1e-9;
 
-/// The value of an expression that is made of numbers, π and constants.
+/// Returns the value of an expression that consists of numbers, π and constants.
 pub(super) fn value_of_numbers(translation: &Translation<'_>, root: AstId) -> Option<f64> {
     number(&translation.expressions, translation.names.constants(), root)
 }
 
-/// True of an expression that shows by its form that it is no vector in space.
+/// True for an expression that is not a vector in space according to its form.
 pub(in crate::bodies) fn is_no_vector(translation: &Translation<'_>, id: AstId) -> bool {
     match translation.expressions.get(id) {
         Expression::Tuple(components) => components.len() != 3,
@@ -28,7 +28,7 @@ pub(in crate::bodies) fn is_no_vector(translation: &Translation<'_>, id: AstId) 
     }
 }
 
-/// The components of a vector that is made of numbers.
+/// Returns the components of a numeric vector.
 pub(in crate::bodies) fn triple_of_numbers(
     translation: &Translation<'_>,
     vector: Triple,
@@ -37,13 +37,13 @@ pub(in crate::bodies) fn triple_of_numbers(
     Some([x?, y?, z?])
 }
 
-/// The entries of a matrix that is made of numbers.
+/// Returns the entries of a numeric matrix.
 pub(super) fn matrix_of_numbers(translation: &Translation<'_>, matrix: Matrix) -> Option<[[f64; 3]; 3]> {
     let [x, y, z] = matrix.map(|row| triple_of_numbers(translation, row));
     Some([x?, y?, z?])
 }
 
-/// Rz(yaw) Ry(pitch) Rx(roll), which is how URDF and textbooks on aircraft write an orientation.
+/// Returns Rz(yaw) Ry(pitch) Rx(roll), the convention of URDF and of textbooks on aircraft.
 pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
     let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
     [
@@ -53,10 +53,10 @@ pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// A rotation, in rows, that takes the z-axis to a direction.
+/// Returns a rotation, in rows, that maps the z-axis to a direction.
 pub(in crate::bodies) fn frame_along(direction: [f64; 3]) -> [[f64; 3]; 3] {
     let z = normalised(direction);
-    // The coordinate axis that is farthest from the direction.
+    // Use the coordinate axis that is farthest from the direction.
     let farthest = (0..3).min_by(|&a, &b| z[a].abs().total_cmp(&z[b].abs())).unwrap_or(0);
     let helper = [0, 1, 2].map(|axis| f64::from(u8::from(axis == farthest)));
     let x = normalised(cross(helper, z));
@@ -76,7 +76,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// A rotation of numbers as syntax, exact where it is a quarter turn.
+/// Writes a numeric rotation as syntax, exactly for quarter turns.
 pub(in crate::bodies) fn written(terms: &mut TermWriter<'_>, rotation: [[f64; 3]; 3]) -> Matrix {
     let is_whole = |entry: &f64| (entry - entry.round()).abs() < SNAPPED;
     // A row with one entry near 1 whose others do not vanish is a small turn: cosines alone must
@@ -88,14 +88,14 @@ pub(in crate::bodies) fn written(terms: &mut TermWriter<'_>, rotation: [[f64; 3]
     [0, 1, 2].map(|row| [0, 1, 2].map(|column| written_number(terms, columns[column][row])))
 }
 
-/// The shortest decimal that is read as this number.
+/// Writes the shortest decimal that is read as this number.
 pub(super) fn written_number(terms: &mut TermWriter<'_>, entry: f64) -> AstId {
     let magnitude = Number::parse_decimal(&format!("{}", entry.abs())).unwrap_or(Number::ZERO);
     let magnitude = terms.number(magnitude);
     if entry < 0.0 { terms.negative(magnitude) } else { magnitude }
 }
 
-/// The coordinate axis, and its sign, that a direction is along.
+/// Returns the coordinate axis of a direction, and its sign, if it is along one.
 pub(super) fn coordinate_axis(direction: [f64; 3]) -> Option<(usize, bool)> {
     let direction = normalised(direction);
     let is_along = |axis: usize| (0..3).all(|other| other == axis || direction[other].abs() < SNAPPED);
@@ -110,7 +110,7 @@ mod tests {
     #[test]
     fn orientations_turn_about_x_then_y_then_z() {
         let quarter = std::f64::consts::FRAC_PI_2;
-        // z goes to −y by the roll, and on to x by the yaw.
+        // The roll maps z to −y, and the yaw maps this to x.
         let rotation = roll_pitch_yaw([quarter, 0.0, quarter]);
         let column = [rotation[0][2], rotation[1][2], rotation[2][2]];
         for (entry, wanted) in column.into_iter().zip([1.0, 0.0, 0.0]) {

@@ -1,4 +1,4 @@
-//! Orientations that declarations state by three angles.
+//! Orientations that are declared by three angles.
 
 use super::inertia::fixed_triple;
 use super::numbers::{roll_pitch_yaw, triple_of_numbers, written};
@@ -6,8 +6,7 @@ use super::vectors::{Matrix, matrix_product, unit};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
 
-/// Rz(yaw) Ry(pitch) Rx(roll) of three angles that do not change; exact where they are quarter
-/// turns in numbers.
+/// Returns Rz(yaw) Ry(pitch) Rx(roll) for three constant angles; exact for numeric quarter turns.
 pub(super) fn orientation(translation: &mut Translation<'_>, angles: AstId, what: &str) -> Matrix {
     let angles = fixed_triple(translation, angles, what);
     if let Some(angles) = triple_of_numbers(translation, angles) {

@@ -1,4 +1,4 @@
-//! Points and directions that are fixed in bodies and frames, in the world, and how they move.
+//! Points and directions that are fixed in bodies and frames: their world coordinates and motion.
 
 use super::frames::Pose;
 use super::links::Link;
@@ -12,7 +12,7 @@ fn pose_of(translation: &mut Translation<'_>, link: usize) -> Pose {
     pose.unwrap_or_else(|| Pose::invalid(&mut translation.terms()))
 }
 
-/// The place in the world of a point of a link.
+/// Returns the world position of a point of a link.
 pub(in crate::bodies) fn place_on_link(
     translation: &mut Translation<'_>,
     link: usize,
@@ -21,7 +21,7 @@ pub(in crate::bodies) fn place_on_link(
     pose_of(translation, link).place_of(&mut translation.terms(), own)
 }
 
-/// A vector of own components in the world.
+/// Returns the world components of a vector given in a link.
 pub(in crate::bodies) fn vector_on_link(
     translation: &mut Translation<'_>,
     link: usize,
@@ -30,15 +30,15 @@ pub(in crate::bodies) fn vector_on_link(
     pose_of(translation, link).in_world(&mut translation.terms(), own)
 }
 
-/// The angular velocity of a link in the world.
+/// Returns the angular velocity of a link in the world.
 pub(in crate::bodies) fn spin_of_link(translation: &mut Translation<'_>, link: usize) -> Triple {
     let pose = pose_of(translation, link);
     pose.in_world(&mut translation.terms(), pose.spin)
 }
 
-/// The velocity in the world of a point of a link: that of the origin, and Ṙ p. Here p is a vector
+/// Returns the world velocity of a point of a link: that of the origin plus Ṙ p. Here p is a vector
 /// of numbers or parameters, so all points share Ṙ, its rate and its derivatives. The origin of a
-/// free body moves at the rates of its coordinates, which takes no rotation.
+/// free body moves at the rates of its coordinates, without any rotation.
 pub(in crate::bodies) fn velocity_on_link(
     translation: &mut Translation<'_>,
     link: usize,
@@ -60,7 +60,7 @@ pub(in crate::bodies) fn velocity_on_link(
     plus(&mut terms, of_origin, turning)
 }
 
-/// Ṙ in rows: u × ω for each world axis u in the axes of the link.
+/// Returns Ṙ in rows: u × ω for each world axis u in the axes of the link.
 fn rotation_rates(translation: &mut Translation<'_>, link: usize, pose: &Pose) -> Matrix {
     let Some(space) = &translation.space else { return pose.axes };
     if let Some(rates) = space.rotation_rates.get(&link) {
@@ -85,7 +85,7 @@ fn is_free(translation: &Translation<'_>, link: usize) -> bool {
     })
 }
 
-/// The origin of a link, its velocity and the angular velocity, in the world.
+/// Returns the origin of a link, its velocity and the angular velocity, in the world.
 pub(in crate::bodies) fn origin_motion(
     translation: &mut Translation<'_>,
     link: usize,

@@ -1,4 +1,4 @@
-//! Poses of frames and how they move, one elementary step after another.
+//! Poses and motions of frames, one elementary step after another.
 //!
 //! Angular velocity ω and the velocity v of the origin are kept in the frame's *own* axes. There
 //! the contribution of a joint has one component, and inertia does not change. The axes and the
@@ -25,7 +25,7 @@ use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Expression};
 use lagrange_expr::diagnostics::Origin;
 
-/// The frame behind a step, its vectors under names.
+/// Returns the frame after a step, with names for its vectors.
 pub(super) fn behind(translation: &mut Translation<'_>, name: &str, pose: Pose, step: FrameStep) -> Pose {
     let mut terms = translation.terms();
     let next = match step {
@@ -35,8 +35,8 @@ pub(super) fn behind(translation: &mut Translation<'_>, name: &str, pose: Pose, 
         FrameStep::Slide(along, distance) => slid(&mut terms, pose, along, distance),
         FrameStep::Orientation(TurningAxes { matrix, spin }) => {
             let turned = in_axes(&mut terms, pose, transposed(matrix));
-            // Apart, so that what the joint alone moves can be eliminated before anything is
-            // turned.
+            // Kept apart, so that inertia moved only by the joint can be eliminated before anything
+            // is turned.
             let carried = named_vector(translation, &format!("{name}_carried_w"), turned.spin);
             Pose { spin: plus(&mut translation.terms(), carried, spin), ..turned }
         }
@@ -90,7 +90,7 @@ fn turned_about_coordinate(
     }
 }
 
-/// c 1 + s n× + (1 − c) n nᵀ (Rodrigues).
+/// Returns c 1 + s n× + (1 − c) n nᵀ (Rodrigues).
 pub(super) fn rotation_about(terms: &mut TermWriter<'_>, axis: Triple, [cosine, sine]: [AstId; 2]) -> Matrix {
     let one = terms.number(1);
     let rest = terms.minus(one, cosine);
@@ -113,7 +113,7 @@ fn slid(terms: &mut TermWriter<'_>, pose: Pose, along: JointAxis, distance: AstI
     Pose { velocity: plus(terms, carried, rate), origin: pose.place_of(terms, by), ..pose }
 }
 
-/// Components of a vector in a frame that is turned about an axis.
+/// Returns the components of a vector in a frame that is turned about an axis.
 pub(super) fn turned_components(
     terms: &mut TermWriter<'_>,
     vector: Triple,
@@ -139,7 +139,7 @@ fn turned_axes(
     transposed(rows)
 }
 
-/// The pose with a name for each vector that is computed.
+/// Returns the pose with a name for each computed vector.
 fn named(translation: &mut Translation<'_>, name: &str, pose: Pose) -> Pose {
     let [x, y, z] = pose.axes;
     Pose {
@@ -151,8 +151,8 @@ fn named(translation: &mut Translation<'_>, name: &str, pose: Pose) -> Pose {
     }
 }
 
-/// A vector under a name, unless all of its components are numbers or have names. Components that
-/// are numbers stay so.
+/// Returns a vector under a name, unless all of its components are numbers or names. Numeric
+/// components remain numbers.
 pub(in crate::bodies) fn named_vector(
     translation: &mut Translation<'_>,
     wish: &str,
@@ -171,8 +171,8 @@ pub(in crate::bodies) fn named_vector(
     })
 }
 
-/// An expression under a name, unless it needs none; the name is left out in the end if nothing
-/// needs it.
+/// Returns an expression under a name, unless it needs none. The name is removed later if nothing
+/// uses it.
 pub(super) fn under_name(translation: &mut Translation<'_>, wish: &str, value: AstId) -> AstId {
     if is_atom(translation, value) {
         return value;
@@ -180,7 +180,7 @@ pub(super) fn under_name(translation: &mut Translation<'_>, wish: &str, value: A
     translation.bind_optionally(wish, value)
 }
 
-/// True of an expression that needs no name.
+/// True for an expression that needs no name.
 pub(super) fn is_atom(translation: &Translation<'_>, id: AstId) -> bool {
     matches!(
         translation.expressions.get(id),
@@ -192,21 +192,21 @@ pub(super) fn is_atom(translation: &Translation<'_>, id: AstId) -> bool {
     )
 }
 
-/// The pose of a link that has its place; one that has none yet is reported.
+/// Returns the pose of a placed link; a link without a place is reported.
 pub(super) fn has_place(translation: &mut Translation<'_>, link: usize, origin: Origin) -> Option<Pose> {
     let Link { name, placed, .. } = &translation.space.as_ref()?.links[link];
     let (name, placed) = (name.text.clone(), *placed);
     if placed.is_none() {
         let error = translation.report.error(origin, joints::unplaced_yet(&name));
         error.help(joints::PLACE_FIRST_HELP);
-        // Once is enough.
+        // One report is enough.
         let pose = Pose::invalid(&mut translation.terms());
         translation.space.iter_mut().for_each(|space| space.links[link].placed = Some((pose, origin)));
     }
     placed.map(|(pose, _)| pose)
 }
 
-/// The link of this number, as it is known so far.
+/// Returns the link with this index, as known so far.
 pub(super) fn link_at(translation: &Translation<'_>, link: usize) -> Option<Link> {
     translation.space.as_ref().map(|space| space.links[link].clone())
 }

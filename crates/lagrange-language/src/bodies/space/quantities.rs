@@ -1,9 +1,8 @@
-//! Quantities that are partly numbers and partly terms: known values are computed, others are
-//! written.
+//! Quantities that consist of numbers and terms: known values are computed, others are written.
 //!
-//! Inertial parameters are regrouped by sums and by products with lengths and direction cosines.
-//! Where numbers and parameters meet in one sum, the numbers stay numbers. Products of two
-//! quantities with terms are written as a whole: nothing is multiplied out.
+//! Inertial parameters are regrouped by sums and by products with lengths and direction cosines. In
+//! a sum of numbers and parameters, the numbers stay numbers. Products of two quantities with terms
+//! are written as a whole: nothing is expanded.
 
 use super::numbers::{value_of_numbers, written_number};
 use crate::bodies::terms::TermWriter;
@@ -32,7 +31,7 @@ impl Quantity {
         }
     }
 
-    /// True of the number zero.
+    /// True for the number zero.
     pub(super) fn is_zero(self) -> bool {
         self.number == 0.0 && self.term.is_none()
     }
@@ -62,7 +61,7 @@ impl Quantity {
     }
 }
 
-/// a + b
+/// Returns a + b.
 pub(super) fn sum(terms: &mut TermWriter<'_>, a: Quantity, b: Quantity) -> Quantity {
     let term = match (a.term, b.term) {
         (Some(a), Some(b)) => Some(terms.plus(a, b)),
@@ -71,7 +70,7 @@ pub(super) fn sum(terms: &mut TermWriter<'_>, a: Quantity, b: Quantity) -> Quant
     Quantity { number: a.number + b.number, term }
 }
 
-/// a − b, in which equal terms cancel.
+/// Returns a − b, in which equal terms cancel.
 pub(super) fn difference(terms: &mut TermWriter<'_>, a: Quantity, b: Quantity) -> Quantity {
     let term = match (a.term, b.term) {
         (Some(a), Some(b)) if a == b => None,
@@ -82,7 +81,7 @@ pub(super) fn difference(terms: &mut TermWriter<'_>, a: Quantity, b: Quantity) -
     Quantity { number: a.number - b.number, term }
 }
 
-/// a b
+/// Returns a b.
 pub(super) fn product(terms: &mut TermWriter<'_>, a: Quantity, b: Quantity) -> Quantity {
     match (a.as_number(), b.as_number()) {
         (Some(a), _) => multiple(terms, a, b),
@@ -102,7 +101,7 @@ fn multiple(terms: &mut TermWriter<'_>, factor: f64, of: Quantity) -> Quantity {
     Quantity { number: factor * of.number, term }
 }
 
-/// a · b
+/// Returns a · b.
 pub(super) fn inner(terms: &mut TermWriter<'_>, a: [Quantity; 3], b: [Quantity; 3]) -> Quantity {
     let products = a.into_iter().zip(b).map(|(a, b)| product(terms, a, b)).collect::<Vec<_>>();
     products.into_iter().fold(Quantity::ZERO, |total, product| sum(terms, total, product))

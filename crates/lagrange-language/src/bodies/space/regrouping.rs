@@ -1,9 +1,10 @@
-//! Inertial parameters on their way inwards: their remainder in the frame behind each step.
+//! Regrouping of inertial parameters towards the ground: their remainder in the frame after each
+//! step.
 //!
-//! Links are visited from the leaves to the ground. Behind every step that moves, each link keeps
-//! the part that the step can distinguish from its carrier ([`super::base_parameters`]), and the
-//! carrier receives the rest. Expressions of parameters get a name at every link, so that the
-//! length of the text is proportional to the scene.
+//! Links are visited from the leaves to the ground. After every moving step, each link keeps the
+//! part that the step can distinguish from its carrier ([`super::base_parameters`]). The carrier
+//! receives the rest. Expressions of parameters receive a name at every link, so that the length of
+//! the text is proportional to the scene.
 
 use super::base_parameters::{InertialParameters, JointStep};
 use super::frames::{FrameStep, JointAxis};
@@ -25,9 +26,9 @@ pub(super) struct WrittenParameters {
     pub(super) tensor: Tensor,
 }
 
-/// Returns the parameters that remain in each frame on the path to each link after base parameters
-/// moved to its carrier. Empty for bodies placed by hand, whose energies define their motion.
-/// `None` if a computed number is too large.
+/// Returns the parameters that remain in each frame on the path to each link, after hidden
+/// parameters have been moved to its carrier. Empty for bodies placed by hand, whose energies
+/// define their motion. `None` if a computed number is too large.
 pub(super) fn regrouped(
     translation: &mut Translation<'_>,
     order: &[usize],
@@ -72,7 +73,7 @@ fn own_parameters(translation: &mut Translation<'_>, inertia: Option<MassPropert
     InertialParameters::of_body(&mut translation.terms(), mass, centroid, tensor)
 }
 
-/// Gives names to parameters that are not numbers.
+/// Names parameters that are not numbers.
 fn under_names(
     translation: &mut Translation<'_>,
     name: &str,
@@ -104,7 +105,7 @@ fn vector_under_name(translation: &mut Translation<'_>, wish: &str, vector: [Qua
     })
 }
 
-/// The steps to a link, if its parameters are to be regrouped along them.
+/// Returns the steps to a link, if its parameters are to be regrouped along them.
 fn regrouping_steps(
     translation: &Translation<'_>,
     path: &Path,
@@ -112,22 +113,22 @@ fn regrouping_steps(
     received: &[InertialParameters],
 ) -> Option<Vec<JointStep>> {
     fixed_steps(translation, path).filter(|steps| match (path.carrier, motions(steps)) {
-        // What turns in any direction is to accelerate in axes that do not.
+        // Links that turn in any direction should accelerate in axes that do not turn.
         _ if is_free(path) => true,
         _ if translation.accuracy == Accuracy::Strict => false,
-        // Nothing but the mass would go, and what it becomes in the carrier costs more than it
+        // Only the mass would be moved, and its contribution to the carrier would cost more than it
         // saves.
         _ if turns_freely(path) && !all.is_known() => false,
         (Some(carrier), _) if !is_carried(translation, carrier) => false,
         (_, 0) | (None, 1) => true,
-        // A frame without inertia would get some only to carry it.
+        // A frame without inertia would only receive some to carry it.
         (Some(carrier), 1) => has_inertia(translation, carrier) || !received[carrier].is_nothing(),
         _ => false,
     })
 }
 
 /// Returns all parameters in the last frame of a path. The mass of a part that turns in any
-/// direction is in the frame before, whose axes do not turn with it. There it is the same in all
+/// direction is in the previous frame, whose axes do not turn with it. There it is the same in all
 /// directions.
 fn unsplit(path: &Path, mut all: InertialParameters) -> Vec<InertialParameters> {
     let mut kept = vec![InertialParameters::NONE; path.steps.len().max(1)];
@@ -140,7 +141,7 @@ fn unsplit(path: &Path, mut all: InertialParameters) -> Vec<InertialParameters> 
     kept
 }
 
-/// True of links that move in any direction and nothing carries.
+/// True for links that move in any direction without a carrier.
 fn is_free(path: &Path) -> bool {
     path.carrier.is_none() && path.steps.len() > 1 && turns_freely(path)
 }
@@ -149,7 +150,7 @@ fn turns_freely(path: &Path) -> bool {
     matches!(path.steps.last(), Some((FrameStep::Orientation(_), _)))
 }
 
-/// True of links that joints carry: only their equations are in the Gibbs function.
+/// True for links on joints: only their equations are in the Gibbs function.
 fn is_carried(translation: &Translation<'_>, link: usize) -> bool {
     translation.space.as_ref().is_some_and(|space| space.links[link].path.is_some())
 }
@@ -163,8 +164,8 @@ fn motions(steps: &[JointStep]) -> usize {
     steps.iter().filter(moves).count()
 }
 
-/// Splits parameters at each step into those that stay in the frame behind it and those that move
-/// to the carrier.
+/// Splits parameters at each step into those that stay in the frame after it and those that move to
+/// the carrier.
 fn split(
     terms: &mut TermWriter<'_>,
     own: InertialParameters,
@@ -180,7 +181,7 @@ fn split(
     (kept, moving)
 }
 
-/// The steps of a path, if its orientations are made of numbers.
+/// Returns the steps of a path, if its orientations are numeric.
 fn fixed_steps(translation: &Translation<'_>, path: &Path) -> Option<Vec<JointStep>> {
     let fixed = |(step, _): &(FrameStep, _)| match *step {
         FrameStep::Shift(by) => Some(JointStep::Shift(by.map(|length| Quantity::of(translation, length)))),

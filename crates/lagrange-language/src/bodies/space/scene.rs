@@ -1,4 +1,4 @@
-//! Scenes in space, as they become known statement by statement.
+//! Scenes in space during translation, statement by statement.
 
 use super::frames::{Acceleration, Pose, Relative};
 use super::links::Link;
@@ -12,20 +12,20 @@ use lagrange_expr::diagnostics::Origin;
 /// A scene in space as known so far.
 #[derive(Default)]
 pub(in crate::bodies) struct Space {
-    /// Bodies and frames in the order of their declaration, by whose numbers everything else names
-    /// them.
+    /// Bodies and frames in the order of their declaration; everything else refers to them by
+    /// index.
     pub(in crate::bodies) links: Vec<Link>,
     /// Bodies that nothing places.
     pub(super) unplaced: Vec<Name>,
-    /// Numbers of links that have their place, carriers first.
+    /// Indices of placed links, carriers first.
     pub(super) order: Vec<usize>,
     /// Names of bodies that a `free` statement places.
     pub(super) freed: HashSet<String>,
-    /// The acceleration of free fall in the world, and the statement that says it.
+    /// The acceleration of free fall in the world, and its statement.
     pub(super) gravity: Option<(Triple, Origin)>,
     /// Relative accelerations by angular velocity and angular acceleration of their frame.
     pub(super) relatives: HashMap<[Triple; 2], Relative>,
-    /// Accelerations of the frames on the path to each link, as far as they are written.
+    /// Accelerations of the frames on the path to each link, if already written.
     pub(super) accelerations: HashMap<usize, Vec<(Pose, Acceleration)>>,
     /// Rates of the rotations of links whose points touch, in rows.
     pub(super) rotation_rates: HashMap<usize, Matrix>,
@@ -37,9 +37,9 @@ pub(in crate::bodies) struct Space {
 
 /// A load on a coordinate, kept until all joints are known.
 pub(super) struct LoadOnCoordinate {
-    /// Number of loads in front of it.
+    /// Number of loads before it.
     pub(super) position: usize,
-    /// Name where it is not known what it acts on.
+    /// Name for the case that its body is unknown.
     pub(super) name: String,
     pub(super) cause: LoadOrigin,
     pub(super) coordinate: AstId,
@@ -47,13 +47,13 @@ pub(super) struct LoadOnCoordinate {
 }
 
 impl Space {
-    /// The name of a body or frame.
+    /// Returns the name of a body or frame.
     pub(in crate::bodies) fn name_of(&self, link: usize) -> &str {
         &self.links[link].name.text
     }
 
-    /// The link that bears what acts on one: of a frame that is fixed in something, this, and none
-    /// if that is the ground.
+    /// Returns the link that bears the loads on a link. For a frame that is fixed in another link,
+    /// it is that link; `None` for the ground.
     pub(in crate::bodies) fn loaded_link(&self, mut link: usize) -> Option<usize> {
         loop {
             match &self.links[link] {

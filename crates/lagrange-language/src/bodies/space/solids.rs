@@ -1,6 +1,6 @@
 //! Solids in space: one row each.
 //!
-//! Axes of symmetry are z, long sides of rods x. Moments of inertia are the principal ones about
+//! Axes of symmetry are z, long sides of rods x. Moments of inertia are the principal moments about
 //! the centre of mass, along x, y and z, for a mass of one.
 //!
 //! Source: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4.
@@ -24,25 +24,25 @@ pub(super) struct SolidInSpace {
 }
 
 impl SolidInSpace {
-    /// Spelling as a shape: `cuboid(a, b, c)`.
+    /// Returns the spelling as a shape: `cuboid(a, b, c)`.
     pub(super) fn usage(&self) -> String {
         format!("{}({})", self.name, self.dimensions.join(", "))
     }
 }
 
-/// The solid of a name.
+/// Returns the solid with this name.
 pub(super) fn by_name(name: &str) -> Option<&'static SolidInSpace> {
     SOLIDS_IN_SPACE.iter().find(|solid| solid.name == name)
 }
 
-/// True of a shape that has as many dimensions as a solid in space, but not as one in the plane.
+/// True for a shape whose number of dimensions matches a solid in space, but not one in the plane.
 pub(super) fn is_only_in_space(shape: &Shape) -> bool {
     let (name, count) = (shape.solid.text.as_str(), shape.dimensions.len());
     let is_in_space = by_name(name).is_some_and(|solid| solid.dimensions.len() == count);
     is_in_space && !plane::by_name(name).is_some_and(|solid| solid.dimensions.accept(count))
 }
 
-/// The name of a solid that was probably meant.
+/// Returns the name of the solid that was probably intended.
 pub(super) fn nearest(name: &str) -> Option<&'static str> {
     diagnostics::nearest(name, SOLIDS_IN_SPACE.iter().map(|solid| solid.name))
 }
@@ -159,7 +159,7 @@ fn at_origin(terms: &mut TermWriter<'_>, _: &[AstId]) -> Triple {
     zero_triple(terms)
 }
 
-/// Σ n/d x²
+/// Returns Σ n/d x².
 fn fraction_of_squares(terms: &mut TermWriter<'_>, parts: &[(i64, i64, AstId)]) -> AstId {
     let mut sum = terms.number(0);
     for &(numerator, denominator, length) in parts {

@@ -20,7 +20,7 @@ pub(in crate::bodies) fn zero_triple(terms: &mut TermWriter<'_>) -> Triple {
     [0, 0, 0].map(|_| terms.number(0))
 }
 
-/// The direction of a coordinate axis.
+/// Returns the direction of a coordinate axis.
 pub(in crate::bodies) fn unit(terms: &mut TermWriter<'_>, axis: usize) -> Triple {
     [0, 1, 2].map(|other| terms.number(i64::from(other == axis)))
 }
@@ -37,14 +37,14 @@ pub(in crate::bodies) fn scale(terms: &mut TermWriter<'_>, factor: AstId, a: Tri
     a.map(|component| terms.times(factor, component))
 }
 
-/// a · b
+/// Returns a · b.
 pub(in crate::bodies) fn inner(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> AstId {
     let products = [0, 1, 2].map(|axis| terms.times(a[axis], b[axis]));
     let sum = terms.plus(products[0], products[1]);
     terms.plus(sum, products[2])
 }
 
-/// a × b
+/// Returns a × b.
 pub(in crate::bodies) fn cross(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> Triple {
     [0, 1, 2].map(|axis| {
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -53,14 +53,14 @@ pub(in crate::bodies) fn cross(terms: &mut TermWriter<'_>, a: Triple, b: Triple)
     })
 }
 
-/// The combination Σ aₖ eₖ of three vectors.
+/// Returns the combination Σ aₖ eₖ of three vectors.
 pub(super) fn combined(terms: &mut TermWriter<'_>, a: Triple, axes: [Triple; 3]) -> Triple {
     let parts = [0, 1, 2].map(|axis| scale(terms, a[axis], axes[axis]));
     let sum = plus(terms, parts[0], parts[1]);
     plus(terms, sum, parts[2])
 }
 
-/// A a
+/// Returns A a.
 pub(super) fn apply(terms: &mut TermWriter<'_>, matrix: Matrix, a: Triple) -> Triple {
     matrix.map(|row| inner(terms, row, a))
 }
@@ -69,13 +69,13 @@ pub(in crate::bodies) fn transposed(matrix: Matrix) -> Matrix {
     [0, 1, 2].map(|column| [0, 1, 2].map(|row| matrix[row][column]))
 }
 
-/// A B
+/// Returns A B.
 pub(super) fn matrix_product(terms: &mut TermWriter<'_>, a: Matrix, b: Matrix) -> Matrix {
     let columns = transposed(b);
     a.map(|row| columns.map(|column| inner(terms, row, column)))
 }
 
-/// The matrix of a tensor.
+/// Returns the matrix of a tensor.
 pub(super) fn matrix_of(tensor: Tensor) -> Matrix {
     let [xx, yy, zz, xy, xz, yz] = tensor;
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
@@ -85,14 +85,14 @@ pub(super) fn tensor_sum(terms: &mut TermWriter<'_>, a: Tensor, b: Tensor) -> Te
     [0, 1, 2, 3, 4, 5].map(|place| terms.plus(a[place], b[place]))
 }
 
-/// R J Rᵀ
+/// Returns R J Rᵀ.
 pub(super) fn turned_tensor(terms: &mut TermWriter<'_>, rotation: Matrix, tensor: Tensor) -> Tensor {
     let half = matrix_product(terms, rotation, matrix_of(tensor));
     TENSOR_PLACES.map(|(row, column)| inner(terms, half[row], rotation[column]))
 }
 
-/// m (d² 1 − d dᵀ), what a mass at a place adds to the tensor of inertia about the origin (Steiner,
-/// Huygens).
+/// Returns m (d² 1 − d dᵀ), the contribution of a point mass to the tensor of inertia about the
+/// origin (Steiner, Huygens).
 pub(super) fn tensor_of_point(terms: &mut TermWriter<'_>, mass: AstId, place: Triple) -> Tensor {
     TENSOR_PLACES.map(|(row, column)| {
         let moment = match row == column {
@@ -110,7 +110,7 @@ pub(super) fn tensor_of_point(terms: &mut TermWriter<'_>, mass: AstId, place: Tr
     })
 }
 
-/// ½ w·J w
+/// Returns ½ w·J w.
 pub(super) fn half_square(terms: &mut TermWriter<'_>, tensor: Tensor, w: Triple) -> AstId {
     let mut sum = terms.number(0);
     for (component, (row, column)) in tensor.into_iter().zip(TENSOR_PLACES) {

@@ -33,7 +33,7 @@ pub(super) fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
     checker.scope.insert(name.text.clone(), Measure::known(form));
 }
 
-/// Requires the dimension of an initial value; a number alone is in coherent units.
+/// Requires the dimension of an initial value; a plain number is in coherent units.
 pub(super) fn require_start(
     checker: &mut Checker<'_>,
     value: Option<AstId>,
@@ -45,7 +45,7 @@ pub(super) fn require_start(
     }
 }
 
-/// Returns the reason why a value behind a name has the dimension of the name.
+/// Returns the reason why the value of a name has its dimension.
 pub(super) fn value_of(name: &Name) -> Grounds {
     match &name.unit {
         Some(unit) => Grounds { words: messages::declared(&name.text, unit.to_string()), place: unit.origin },
@@ -81,8 +81,7 @@ pub(super) fn define_table(checker: &mut Checker<'_>, table: &TableDefinition) {
     checker.callables.insert(table.name.text.clone(), forms);
 }
 
-/// Returns the dimension of an expression after a name; a number adopts the dimension required of
-/// the name.
+/// Returns the dimension of the value of a name; a number adopts the dimension of the name.
 pub(super) fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
     if is_of_numbers(checker.expressions, value) {
         return of_numbers(checker, name, value);

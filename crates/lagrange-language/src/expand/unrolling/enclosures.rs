@@ -9,13 +9,13 @@ use crate::syntax::ast::{AstId, Enclosure, Name, Range, Statement, StatementKind
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
 
-/// Scopes of loops and local names, by the scope around them and an expression of theirs. Lines
-/// that they enclose together share them.
+/// Scopes of loops and local names, by the surrounding scope and one of their expressions. Lines in
+/// the same enclosure share them.
 type SharedScopes = HashMap<(ScopeId, AstId), Vec<ScopeId>>;
 
 impl<'d> Unroller<'_, '_, 'd> {
     /// Returns the scopes of each line between the braces of a statement. There is one for each
-    /// iteration in which the conditions around the line hold. Mistakes in loops and conditions are
+    /// iteration in which the conditions around the line hold. Errors in loops and conditions are
     /// reported.
     pub(in crate::expand) fn lines(&mut self, kind: &'d StatementKind, scope: ScopeId) -> Vec<Vec<ScopeId>> {
         let mut shared = SharedScopes::default();
@@ -34,7 +34,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         })
     }
 
-    /// Returns the scopes that an enclosure makes of one.
+    /// Returns the scopes within an enclosure.
     fn within(
         &mut self,
         enclosure: &'d Enclosure,
@@ -83,7 +83,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         values.map(|value| self.scopes.within(scope, &variable.text, value)).collect()
     }
 
-    /// Returns the scope of the lines behind a `let`, which is expanded in front of the statement.
+    /// Returns the scope of the lines after a `let`, which is expanded before the statement.
     fn behind(&mut self, statement: &'d Statement, scope: ScopeId) -> Option<ScopeId> {
         let inside = self.scopes.inside(scope);
         self.localise(&statement.kind, inside).then(|| {
@@ -93,7 +93,7 @@ impl<'d> Unroller<'_, '_, 'd> {
     }
 }
 
-/// Reports lines between braces of which loops and conditions leave none.
+/// Reports lines between braces that loops and conditions eliminate entirely.
 pub(in crate::expand) fn report_nothing_left(complaints: &mut Complaints<'_>, origin: Origin) {
     if !complaints.report.has_errors() {
         complaints.report.error(origin, messages::NOTHING_LEFT).help(messages::NOTHING_LEFT_HELP);

@@ -24,7 +24,7 @@ impl ArrayShape {
         }
     }
 
-    /// Returns the shape of `(a, b)`: rows of one shape; `None` if they have no common one.
+    /// Returns the shape of `(a, b)`: rows of one shape; `None` if they have no common shape.
     pub fn stacked(rows: &[ArrayShape]) -> Option<ArrayShape> {
         let first = *rows.first()?;
         match first {
@@ -35,7 +35,7 @@ impl ArrayShape {
         }
     }
 
-    /// Returns the shape of a product; `None` if there is none.
+    /// Returns the shape of a product; `None` if it is undefined.
     pub fn times(self, other: ArrayShape) -> Option<ArrayShape> {
         match (self, other) {
             (ArrayShape::Scalar, shape) | (shape, ArrayShape::Scalar) => Some(shape),
@@ -66,8 +66,8 @@ impl ArrayShape {
         }
     }
 
-    /// Returns the components behind indices, and their shape: a component of a vector, a row or an
-    /// entry of a matrix. `None` if there is nothing.
+    /// Returns the components at indices, and their shape: a component of a vector, a row or an
+    /// entry of a matrix. `None` for invalid indices.
     pub fn entry(self, indices: &[usize]) -> Option<(Range<usize>, ArrayShape)> {
         match (self, indices) {
             (ArrayShape::Vector(count), &[i]) if i < count => Some((i..i + 1, ArrayShape::Scalar)),
@@ -82,7 +82,7 @@ impl ArrayShape {
         }
     }
 
-    /// Returns the shape in words.
+    /// Returns a description of the shape.
     pub fn describe(self) -> String {
         match self {
             ArrayShape::Scalar => "a scalar".to_owned(),

@@ -1,4 +1,4 @@
-//! Rigid bodies and what connects them, as written.
+//! Rigid bodies and their connections, as written.
 
 use super::keywords::{Keyword, Soft};
 use super::mobilizers::{Mobilizer, MobilizerKind};
@@ -42,15 +42,15 @@ pub enum SceneStatement {
     Body(Box<Body>),
     /// `frame name;`
     Frame(Name),
-    /// `line name { … }` and its kin
+    /// `line name { … }` and similar statements
     Surface(Surface),
     /// `contact name = p on floor { … }`
     Contact(Box<Contact>),
-    /// `spring name { … }` and its kin
+    /// `spring name { … }` and similar statements
     Connector(Connector),
     /// `pin`, `slide` and `roll`
     Joint(Joint),
-    /// `revolute q = a to b { … }` and its kin
+    /// `revolute q = a to b { … }` and similar statements
     Mobilizer(Box<Mobilizer>),
 }
 
@@ -88,7 +88,7 @@ pub const KEYWORDS: [Keyword; 17] = [
 ];
 
 impl SceneStatement {
-    /// The names that a statement declares, and where they are known.
+    /// Returns the names that a statement declares, and where they are known.
     pub(super) fn names(&self) -> (Vec<&Name>, Reach) {
         match self {
             SceneStatement::Gravity(_) => (Vec::new(), Reach::Expressions),
@@ -105,7 +105,7 @@ impl SceneStatement {
         }
     }
 
-    /// Its names, but for those that are made of others.
+    /// Returns its names, except those derived from others.
     pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
         match self {
             SceneStatement::Gravity(_) => Vec::new(),
@@ -121,7 +121,7 @@ impl SceneStatement {
         }
     }
 
-    /// Its expressions.
+    /// Returns its expressions.
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         match self {
             SceneStatement::Gravity(value) => vec![value],
@@ -148,20 +148,20 @@ pub struct Body {
     pub name: Name,
     /// `mass: m;`
     pub mass: Option<AstId>,
-    /// `inertia: j;`, about the centre of mass; of a body in space a vector of principal moments.
+    /// `inertia: j;`, about the centre of mass; a vector of principal moments for a body in space.
     pub inertia: Option<AstId>,
     /// `inertia: (xx, yy, zz, xy, xz, yz);`, the tensor about the centre of mass in the body's own
     /// axes.
     pub tensor: Option<[AstId; 6]>,
-    /// `center: (x, y);`, where the centre of mass is.
+    /// `center: (x, y);`, the position of the centre of mass.
     pub center: Option<AstId>,
-    /// `origin: (x, y);`, where the origin of the body's own coordinates is.
+    /// `origin: (x, y);`, the position of the origin of the body's own coordinates.
     pub origin: Option<AstId>,
-    /// `centroid: (X, Y);`, where the centre of mass is in the body's own coordinates.
+    /// `centroid: (X, Y);`, the centre of mass in the body's own coordinates.
     pub centroid: Option<AstId>,
     /// `angle: e;`, by which the body's own axes are turned.
     pub angle: Option<AstId>,
-    /// `angles: (e, e, e);`, one after the other about the axes of `sequence`.
+    /// `angles: (e, e, e);`, applied one after the other about the axes of `sequence`.
     pub angles: Option<AstId>,
     /// `sequence: zxz;`
     pub sequence: Option<Name>,
@@ -202,14 +202,14 @@ impl Body {
 pub struct Shape {
     /// The name of the solid.
     pub solid: Name,
-    /// Its dimensions; for a polygon its corners.
+    /// Its dimensions; its corners for a polygon.
     pub dimensions: Vec<AstId>,
     /// Place of all of it.
     pub origin: Origin,
 }
 
 impl Shape {
-    /// The number of its corners, of a rod the number of its ends; 0 if it has none.
+    /// Returns the number of its corners, or of the ends of a rod; 0 if it has none.
     pub(crate) fn corner_count(&self) -> usize {
         match (self.solid.text.as_str(), self.dimensions.len()) {
             ("cuboid", 3) => 8,
@@ -222,11 +222,11 @@ impl Shape {
     }
 }
 
-/// One line of a compound: `disk(r), mass: m, at: (X, Y), angle: e;`, with `hole` in front if it is
-/// missing.
+/// One line of a compound: `disk(r), mass: m, at: (X, Y), angle: e;`, preceded by `hole` if it is
+/// cut out.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// True if it is cut out of the others.
+    /// True if it is cut out of the other parts.
     pub is_hole: bool,
     /// Shape of the part.
     pub shape: Shape,
@@ -291,7 +291,7 @@ impl ConnectorKind {
         ConnectorKind::TorsionDamper,
     ];
 
-    /// Returns the word that declares one.
+    /// Returns the keyword of this kind.
     pub fn name(self) -> &'static str {
         match self {
             ConnectorKind::Spring => "spring",
@@ -301,7 +301,7 @@ impl ConnectorKind {
         }
     }
 
-    /// Returns the kind that a word declares.
+    /// Returns the kind with this keyword.
     pub fn named(word: &str) -> Option<ConnectorKind> {
         ConnectorKind::ALL.into_iter().find(|kind| kind.name() == word)
     }
@@ -339,7 +339,7 @@ pub enum JointKind {
         body: Name,
         /// The line.
         line: Name,
-        /// `, radius: r`; that of its shape if it is not given.
+        /// `, radius: r`; by default, that of its shape.
         radius: Option<AstId>,
     },
 }

@@ -1,15 +1,16 @@
-//! Functions that a declaration defines, names or tabulates, and values that equations define.
+//! Functions that a declaration defines, names or tabulates, and values that are defined by
+//! equations.
 
 use super::{AstId, Name};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::opaque::{Interpolation, Outside};
 
-/// A function of the user's, which stands for an expression.
+/// A user-defined function, which is replaced by an expression.
 #[derive(Clone, Debug)]
 pub struct FunctionDefinition {
     /// Its name.
     pub name: Name,
-    /// Names that stand for arguments in its value.
+    /// Names of the arguments in its value.
     pub parameters: Vec<Name>,
     /// Value.
     pub value: AstId,
@@ -18,7 +19,7 @@ pub struct FunctionDefinition {
 /// A function of the user's crate, which emitted code calls.
 #[derive(Clone, Debug)]
 pub struct ExternalFunction {
-    /// Its name, here and there.
+    /// Its name, in the declaration and in the crate.
     pub name: Name,
     /// The names of its arguments.
     pub parameters: Vec<Name>,
@@ -29,13 +30,13 @@ pub struct ExternalFunction {
 /// A derivative of a function of the user's crate.
 #[derive(Clone, Debug)]
 pub struct ExternalDerivative {
-    /// Order of differentiation by each argument.
+    /// Order of differentiation with respect to each argument.
     pub orders: Vec<u8>,
     /// The name of the function that computes it.
     pub name: Name,
 }
 
-/// Values that as many equations define together, mostly one.
+/// Values that are defined by an equal number of equations, usually one.
 #[derive(Clone, Debug)]
 pub struct UnknownDefinition {
     /// Their names.
@@ -44,33 +45,33 @@ pub struct UnknownDefinition {
     pub residuals: Vec<AstId>,
     /// Initial guesses, one for each name; zero if they are omitted.
     pub starts: Vec<AstId>,
-    /// The number of steps after which the search ends.
+    /// Maximum number of steps.
     pub iterations: Option<AstId>,
 }
 
-/// A function that goes through points.
+/// A function through given points.
 #[derive(Clone, Debug)]
 pub struct TableDefinition {
     /// Its name.
     pub name: Name,
     /// The names of its arguments.
     pub parameters: Vec<Name>,
-    /// Points that it goes through.
+    /// The points.
     pub source: TableSource,
     /// Function between the points.
     pub interpolation: Interpolation,
-    /// Function beyond them.
+    /// Function beyond the points.
     pub outside: Outside,
 }
 
 /// Points of a table.
 #[derive(Clone, Debug)]
 pub enum TableSource {
-    /// Points in the declaration: arguments, then the value, each with where it stands.
+    /// Points in the declaration: arguments, then the value, each with its place.
     Points(Vec<(Vec<AstId>, Origin)>),
     /// A file of points, one on each line.
     File {
-        /// Path as it is written.
+        /// Path as written.
         path: Name,
         /// Contents; `None` if it has not been read.
         contents: Option<TableFile>,
@@ -80,8 +81,8 @@ pub enum TableSource {
 /// A file of points that has been read.
 #[derive(Clone, Debug)]
 pub struct TableFile {
-    /// Path under which the compiler finds it; nothing if nobody waits for it to change.
+    /// Path under which the compiler finds it; empty if changes are not tracked.
     pub path: String,
-    /// Points, each behind the number of its line: arguments, then the value.
+    /// Points, each with its line number: arguments, then the value.
     pub points: Vec<(usize, Vec<f64>)>,
 }

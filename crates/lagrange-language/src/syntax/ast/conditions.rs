@@ -2,7 +2,8 @@
 
 use super::id::AstId;
 
-/// A condition: one of several alternatives holds, each of which holds if all its tests do.
+/// A condition: it holds if one of several alternatives holds, each of which requires all of its
+/// tests.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CombinedCondition {
     /// Tests with `&&` between them, in groups with `||` between those.
@@ -10,7 +11,7 @@ pub struct CombinedCondition {
 }
 
 impl CombinedCondition {
-    /// Returns how often choices by single comparisons mention the first and the second branch.
+    /// Returns how often choices by single comparisons contain the first and the second branch.
     pub fn copies(&self) -> [u64; 2] {
         let mut whole: [u64; 2] = [0, 1];
         for tests in &self.alternatives {
@@ -32,8 +33,8 @@ impl CombinedCondition {
         whole
     }
 
-    /// Returns the condition of a branch: no former one holds, and the last one does, if there is
-    /// one.
+    /// Returns the condition of a branch: no previous one holds, and the last one, if there is one,
+    /// does.
     pub fn of_branch(former: &[CombinedCondition], last: Option<&CombinedCondition>) -> CombinedCondition {
         if let ([], Some(first)) = (former, last) {
             return first.clone();
@@ -71,7 +72,7 @@ impl CombinedCondition {
 /// One test of a condition.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ConditionTest {
-    /// True if `!` stands before it.
+    /// True if it is preceded by `!`.
     pub is_negated: bool,
     /// The test itself.
     pub kind: TestKind,
@@ -104,7 +105,7 @@ pub enum Comparison {
 }
 
 impl Comparison {
-    /// Each with its sign, longer signs before those with which they begin.
+    /// Every comparison with its sign; longer signs come before their prefixes.
     pub const ALL: [(&'static str, Comparison); 6] = [
         ("<=", Comparison::LessEqual),
         (">=", Comparison::GreaterEqual),
@@ -114,7 +115,7 @@ impl Comparison {
         (">", Comparison::Greater),
     ];
 
-    /// True if it holds of two things in this order.
+    /// True if it holds for two values in this order.
     pub fn holds(self, order: std::cmp::Ordering) -> bool {
         match self {
             Comparison::Less => order.is_lt(),

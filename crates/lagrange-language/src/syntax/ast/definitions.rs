@@ -5,14 +5,14 @@ use super::{AstId, Name};
 /// The kind of a state.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StateKind {
-    /// `state`: its rate is declared.
+    /// `state`: the rate is declared.
     FirstOrder,
     /// `discrete`: only events change it.
     Discrete,
 }
 
 impl StateKind {
-    /// Returns the word that declares such states.
+    /// Returns the keyword of such states.
     pub fn keyword(self) -> &'static str {
         match self {
             StateKind::FirstOrder => "state",
@@ -36,7 +36,7 @@ impl Mode {
         [&self.name].into_iter().chain(&self.values).collect()
     }
 
-    /// Returns the names, to be replaced.
+    /// Returns the names for modification.
     pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
         [&mut self.name].into_iter().chain(&mut self.values).collect()
     }
@@ -49,11 +49,11 @@ pub struct Definition {
     pub name: Name,
     /// The values that a parameter may have.
     pub range: AllowedRange,
-    /// The value behind `=`, if there is one.
+    /// The value after `=`, if there is one.
     pub value: Option<AstId>,
 }
 
-/// A range of numbers, unlimited where it has no bound.
+/// A range of numbers, unlimited without bounds.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct AllowedRange {
     /// The lower bound.
@@ -72,7 +72,7 @@ pub struct Limit {
 }
 
 impl Definition {
-    /// A name without anything else.
+    /// Creates a definition with only a name.
     pub fn of(name: Name) -> Definition {
         Definition { name, range: AllowedRange::default(), value: None }
     }
@@ -83,22 +83,22 @@ impl Definition {
 }
 
 impl AllowedRange {
-    /// Its bounds.
+    /// Returns its bounds.
     pub fn limits(&self) -> impl Iterator<Item = Limit> {
         self.lower.into_iter().chain(self.upper)
     }
 
-    /// Its bounds, to be changed.
+    /// Returns its bounds for modification.
     pub fn limits_mut(&mut self) -> impl Iterator<Item = &mut Limit> {
         self.lower.iter_mut().chain(&mut self.upper)
     }
 }
 
-/// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.
+/// One entry of `emit { … }`: a product to add, or, preceded by `no`, to omit.
 #[derive(Clone, Debug)]
 pub struct EmitItem {
     /// The product.
     pub product: Name,
-    /// True if it is wanted.
+    /// True if the product is requested, false after `no`.
     pub wanted: bool,
 }

@@ -14,7 +14,7 @@ pub enum ElementaryMotion {
     Turn(JointLine),
     /// Moves along an axis by a coordinate.
     Slide(JointLine),
-    /// Moves along the joint's own axis in proportion to the turn before it.
+    /// Moves along the joint's own axis in proportion to the preceding turn.
     Advance,
     /// Turns in any direction by a quaternion.
     Orientation,
@@ -23,21 +23,21 @@ pub enum ElementaryMotion {
 /// The line about or along which a joint moves.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum JointLine {
-    /// The axis that the statement states, or z.
+    /// The axis in the statement, or z.
     Own,
     /// An axis of the joint's frame.
     Frame(usize),
 }
 
-/// Makes the kinds of joints and their properties from rows. A row has the kind, the word, the
-/// coordinates as written, the motions, the tokens required after the word, and the form of the
-/// statement.
+/// Generates the kinds of joints and their properties from rows. A row has the kind, the keyword,
+/// the coordinates as written, the motions, the tokens required after the keyword, and the form of
+/// the statement.
 macro_rules! joints {
     ($(
         #[doc = $doc:literal]
         $kind:ident $word:literal $coordinates:literal [$($motion:expr),*] $soft:ident: $form:literal;
     )*) => {
-        /// Kind of a joint that makes coordinates.
+        /// Kind of a joint that creates coordinates.
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         pub enum MobilizerKind {
             $(#[doc = $doc] $kind,)*
@@ -51,15 +51,14 @@ macro_rules! joints {
             /// Every kind.
             pub const ALL: [MobilizerKind; [$($word),*].len()] = [$(MobilizerKind::$kind),*];
 
-            /// Returns the coordinates as they are written.
+            /// Returns the coordinates as written.
             pub fn written_coordinates(self) -> &'static str {
                 match self {
                     $(MobilizerKind::$kind => $coordinates,)*
                 }
             }
 
-            /// Returns the motions of the body behind the joint, each in the frame behind those
-            /// before it.
+            /// Returns the motions of the placed body, each in the frame after the previous ones.
             pub fn motions(self) -> &'static [ElementaryMotion] {
                 match self {
                     $(MobilizerKind::$kind => &[$($motion),*],)*
@@ -99,8 +98,8 @@ joints! {
         "write `weld arm to hand { at: p; turned: (roll, pitch, yaw); }`";
 }
 
-/// A joint that makes coordinates and places a body by them, which is what Simbody and Drake call a
-/// mobilizer.
+/// A joint that creates coordinates and places a body by them, called a mobilizer in Simbody and
+/// Drake.
 ///
 /// ```text
 /// mobilizer = "weld" NAME "to" NAME tail
@@ -113,11 +112,11 @@ joints! {
 pub struct Mobilizer {
     /// Kind of the joint.
     pub kind: MobilizerKind,
-    /// The coordinates that it makes.
+    /// The coordinates that it creates.
     pub coordinates: Vec<Name>,
     /// Names of their rates, if these have separate names.
     pub speeds: Vec<Name>,
-    /// The orientation that it makes.
+    /// The orientation that it creates.
     pub quaternion: Option<Quaternion>,
     /// The body or frame that carries it, or `ground`.
     pub inboard: Name,
@@ -125,19 +124,19 @@ pub struct Mobilizer {
     pub outboard: Name,
     /// `at: (x, y, z);`, the origin of the joint's frame in the axes of its carrier.
     pub at: Option<AstId>,
-    /// `turned: (roll, pitch, yaw);`, orientation of the joint's frame in its carrier; in the plane
-    /// an angle.
+    /// `turned: (roll, pitch, yaw);`, the orientation of the joint's frame in its carrier; an angle
+    /// in the plane.
     pub turned: Option<AstId>,
     /// `axis: (x, y, z);`, in the joint's frame.
     pub axis: Option<AstId>,
-    /// `pitch: p;` of a screw, the distance that it advances in a turn.
+    /// `pitch: p;` of a screw, the advance per turn.
     pub pitch: Option<AstId>,
     /// `damping: c;`
     pub damping: Option<AstId>,
 }
 
 impl Mobilizer {
-    /// Creates a joint of which nothing else is known yet.
+    /// Creates a joint without further properties.
     pub fn between(kind: MobilizerKind, inboard: Name, outboard: Name) -> Mobilizer {
         Mobilizer {
             kind,
@@ -164,13 +163,13 @@ impl Mobilizer {
         Mobilizer { coordinates, speeds, quaternion, ..free }
     }
 
-    /// The names that it declares.
+    /// Returns the names that it declares.
     pub(super) fn names(&self) -> Vec<&Name> {
         let components = self.quaternion.iter().flat_map(Quaternion::names);
         self.coordinates.iter().chain(&self.speeds).chain(components).collect()
     }
 
-    /// Its names, but for those that are made of others.
+    /// Returns its names, except those derived from others.
     pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
         if self.kind == MobilizerKind::Free {
             return vec![&mut self.outboard];
@@ -186,12 +185,12 @@ impl Mobilizer {
 }
 
 impl MobilizerKind {
-    /// Returns the statement that declares one.
+    /// Returns the keyword of this kind, with the form of its statement.
     pub fn keyword(self) -> &'static Keyword {
         &KEYWORDS[self as usize]
     }
 
-    /// Returns the word that declares one.
+    /// Returns the word that declares this kind.
     pub fn name(self) -> &'static str {
         self.keyword().word
     }
@@ -201,7 +200,7 @@ impl MobilizerKind {
         MobilizerKind::ALL.into_iter().find(|kind| kind.name() == word)
     }
 
-    /// Returns the number of names in front of `=`.
+    /// Returns the number of names before `=`.
     pub fn name_count(self) -> usize {
         let is_named = |motion: &&ElementaryMotion| self != MobilizerKind::Free && **motion != Advance;
         self.motions().iter().filter(is_named).count()
@@ -222,12 +221,12 @@ impl MobilizerKind {
         labels.map(|(label, _)| label).collect()
     }
 
-    /// True if a body behind such a joint can leave the plane.
+    /// True if a body on such a joint can leave the plane.
     pub fn leads_out_of_the_plane(self) -> bool {
         let motions = self.motions();
         let is_plane =
             |motion: &ElementaryMotion| matches!(motion, Turn(Own | Frame(2)) | Slide(Own | Frame(0 | 1)));
-        // One that also moves along the axis about which it turns leaves the plane.
+        // A joint that also moves along its axis of rotation leaves the plane.
         !motions.iter().all(is_plane) || motions.starts_with(&[Turn(Own), Slide(Own)])
     }
 }

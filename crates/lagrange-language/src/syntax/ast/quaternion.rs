@@ -5,7 +5,7 @@ use super::Name;
 /// An orientation as a unit quaternion of positions, with its angular velocity in the turned axes.
 #[derive(Clone, Debug)]
 pub struct Quaternion {
-    /// Name that those of its components begin with.
+    /// Prefix of the names of its components.
     pub name: Name,
     /// Scalar part and vector part: `hip_qw`, `hip_qx`, `hip_qy`, `hip_qz`.
     pub positions: [Name; 4],
@@ -14,7 +14,7 @@ pub struct Quaternion {
 }
 
 impl Quaternion {
-    /// Creates a quaternion of this name.
+    /// Creates a quaternion with this name.
     pub fn named(name: Name) -> Quaternion {
         let component = |suffix: &str| Name::new(format!("{}_{suffix}", name.text), name.span);
         Quaternion {

@@ -10,7 +10,7 @@ use super::{Declaration, Name, ScalarType};
 use lagrange_expr::diagnostics::Origin;
 
 impl Declaration {
-    /// Returns the reduced types in their order, each with its documentation.
+    /// Returns the reduced types in order, each with its documentation.
     pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
@@ -27,8 +27,8 @@ impl Declaration {
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
     }
 
-    /// Returns the declaration of a reduced type: with another name and documentation, without
-    /// frozen coordinates, and with ignored ones as states behind the others. Its statements still
+    /// Returns the declaration of a reduced type, with a different name and documentation. It has
+    /// no frozen coordinates, and ignored ones are states after the others. Its statements still
     /// describe the whole system.
     pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
         let is = |kind: ReductionKind, name: &Name| {
@@ -55,7 +55,7 @@ impl Declaration {
     }
 }
 
-/// The momentum of an ignored coordinate as a parameter, and the coordinate as a state.
+/// Returns the momentum of an ignored coordinate as a parameter, and the coordinate as a state.
 fn ignored_statements(coordinate: Definition, docs: TokenStream) -> [Statement; 2] {
     let origin = Origin::from(coordinate.name.span);
     let words = format!("Momentum ∂L/∂v of the ignored coordinate `{}`.", coordinate.name.text);

@@ -1,8 +1,8 @@
-//! Surfaces that bodies touch, and the contacts on them, as written.
+//! Surfaces, and the contacts on them, as written.
 
 use super::{AstId, Name};
 
-/// `line name { on: body; through: (x, y); angle: e; }` and its kin
+/// `line name { on: body; through: (x, y); angle: e; }` and similar statements
 #[derive(Clone, Debug)]
 pub struct Surface {
     /// Kind of the surface.
@@ -19,8 +19,8 @@ pub struct Surface {
     pub radius: Option<AstId>,
     /// The height of a terrain.
     pub height: Option<AstId>,
-    /// Names in the height that stand for coordinates: one in the plane, two in space. They are
-    /// none that a declaration can contain.
+    /// Names for coordinates in the height: one in the plane, two in space. They cannot occur
+    /// elsewhere in a declaration.
     pub coordinates: Vec<Name>,
 }
 
@@ -52,7 +52,7 @@ impl SurfaceKind {
         SurfaceKind::Terrain,
     ];
 
-    /// Returns the word that declares one.
+    /// Returns the word that declares this kind.
     pub fn name(self) -> &'static str {
         match self {
             SurfaceKind::Line => "line",
@@ -81,8 +81,8 @@ impl SurfaceKind {
         SurfaceKind::ALL.into_iter().find(|kind| kind.name() == word)
     }
 
-    /// Returns the labels of its carrier, place, direction, radius and height; those that it lacks
-    /// are absent.
+    /// Returns the labels of its carrier, place, direction, radius and height, as far as it has
+    /// them.
     pub fn labels(self) -> &'static [&'static str] {
         match self {
             SurfaceKind::Line => &["on", "through", "angle"],
@@ -93,7 +93,7 @@ impl SurfaceKind {
         }
     }
 
-    /// True if scenes of this kind, in space or in the plane, can have one.
+    /// True if scenes in space or in the plane can have this kind.
     pub fn belongs_to(self, is_spatial: bool) -> bool {
         match self {
             SurfaceKind::Line | SurfaceKind::Circle => !is_spatial,
@@ -104,7 +104,7 @@ impl SurfaceKind {
 }
 
 impl Surface {
-    /// Creates a surface of which nothing else is known yet.
+    /// Creates a surface without further properties.
     pub fn named(kind: SurfaceKind, name: Name) -> Surface {
         let [place, direction, radius, height] = [None; 4];
         Surface { kind, name, on: None, place, direction, radius, height, coordinates: Vec::new() }
@@ -132,21 +132,21 @@ impl Surface {
 /// stiffness
 #[derive(Clone, Debug)]
 pub struct Contact {
-    /// Its name, which stands for the normal force.
+    /// Its name, which denotes the normal force.
     pub name: Name,
     /// `name_friction`, the name of the friction in it.
     pub friction_name: Name,
-    /// The body that touches, or a point of one.
+    /// The touching body, or a point of one.
     pub object: AstId,
-    /// The surface that is touched: of a body, a line and its kin, or the ground.
+    /// The touched surface: of a body, a line or similar object, or the ground.
     pub surface: Name,
-    /// True if the body is inside of the surface.
+    /// True if the body is inside the surface.
     pub is_inside: bool,
-    /// `radius: r;` around the point or the rim; that of a round body if it is not given.
+    /// `radius: r;` around the point or the rim; by default, that of a round body.
     pub radius: Option<AstId>,
-    /// `rim: r;`, the radius of a circle about the point that touches.
+    /// `rim: r;`, the radius of a circle about the touching point.
     pub rim: Option<AstId>,
-    /// `axis: (a, b, c);` of the rim in the body; its third axis if it is not given.
+    /// `axis: (a, b, c);` of the rim in the body; its third axis by default.
     pub axis: Option<AstId>,
     /// `friction: mu;`, one coefficient for slipping and sticking.
     pub friction: Option<AstId>,
@@ -154,11 +154,11 @@ pub struct Contact {
     pub kinetic: Option<AstId>,
     /// `static: mu;`, the coefficient while it sticks.
     pub fixed: Option<AstId>,
-    /// `restitution: e;`; 0 if it is not given.
+    /// `restitution: e;`; 0 by default.
     pub restitution: Option<AstId>,
     /// `stiffness: k;`, which makes the contact compliant.
     pub stiffness: Option<AstId>,
-    /// `dissipation: d;` of Hunt and Crossley; 0 if it is not given.
+    /// `dissipation: d;` of Hunt and Crossley; 0 by default.
     pub dissipation: Option<AstId>,
     /// `stiction: v;`, the speed below which compliant friction creeps.
     pub stiction: Option<AstId>,
@@ -179,7 +179,7 @@ impl Contact {
         "stiction",
     ];
 
-    /// Creates a contact of which nothing else is known yet.
+    /// Creates a contact without further properties.
     pub fn between(name: Name, object: AstId, surface: Name, is_inside: bool) -> Contact {
         let friction_name = Contact::friction_name(&name);
         let [radius, rim, axis, friction, kinetic, fixed] = [None; 6];
@@ -208,12 +208,12 @@ impl Contact {
         Name::new(format!("{}_friction", name.text), name.span)
     }
 
-    /// True if there is friction in it.
+    /// True if it has friction.
     pub fn has_friction(&self) -> bool {
         [self.friction, self.kinetic, self.fixed].iter().any(Option::is_some)
     }
 
-    /// The names that it declares.
+    /// Returns the names that it declares.
     pub fn names(&self) -> Vec<&Name> {
         let friction = self.has_friction().then_some(&self.friction_name);
         [&self.name].into_iter().chain(friction).collect()

@@ -6,7 +6,7 @@ use super::{Cursor, as_group, is_punct, keywords};
 use crate::syntax::ast::Soft;
 
 impl Cursor {
-    /// The keyword that begins a statement here, if the next token is one.
+    /// Returns the keyword that begins a statement here, if the next token is one.
     pub(in crate::syntax) fn statement_keyword(&self) -> Option<String> {
         let begins = |word: &String| match keywords::soft_statement(word) {
             Some(form) => self.at_soft_statement(form),
@@ -15,7 +15,7 @@ impl Cursor {
         self.ident().map(Ident::to_string).filter(begins)
     }
 
-    /// True if the next token is followed by what makes it begin a statement.
+    /// True if the tokens after the next one make it the beginning of a statement.
     fn at_soft_statement(&self, form: Soft) -> bool {
         let name = match self.peek_past(1) {
             Some(TokenTree::Ident(name)) => Some(name.to_string()),
@@ -52,8 +52,8 @@ impl Cursor {
         }
     }
 
-    /// True if what stands behind so many tokens may follow a name in a list: a comma, the end, a
-    /// number of elements, a colon.
+    /// True if the token after this many may follow a name in a list: a comma, the end, a number of
+    /// elements, a colon.
     fn goes_on_as_list(&self, count: usize) -> bool {
         match self.peek_past(count) {
             None => true,
@@ -62,7 +62,7 @@ impl Cursor {
         }
     }
 
-    /// True if a statement begins here, judged by its keyword and the token behind that.
+    /// True if a statement begins here, judging by its keyword and the following token.
     pub(in crate::syntax) fn at_statement(&self) -> bool {
         let follows = match self.peek_past(1) {
             Some(TokenTree::Ident(_) | TokenTree::Group(_)) => true,
@@ -71,17 +71,17 @@ impl Cursor {
         follows && self.statement_keyword().is_some()
     }
 
-    /// True if a statement ends here, even if the semicolon behind it was forgotten.
+    /// True if a statement ends here, even if its semicolon is missing.
     pub(in crate::syntax) fn at_statement_end(&self) -> bool {
         self.at(';') || self.at_end() || self.statement_keyword().is_some()
     }
 
-    /// Skips to what ends the current statement: its `;`, the next statement or the last token.
+    /// Skips to the end of the current statement: its `;`, the next statement or the last token.
     pub(in crate::syntax) fn skip_statement(&mut self) {
         self.skip_to(|cursor| cursor.at(';') || cursor.at_statement());
     }
 
-    /// Skips to what ends the head of a declaration.
+    /// Skips to the end of the head of a declaration.
     pub(in crate::syntax) fn skip_head(&mut self) {
         self.skip_to(|cursor| {
             cursor.at(';') || cursor.group(Delimiter::Brace).is_some() || cursor.at_statement()
@@ -94,7 +94,7 @@ impl Cursor {
     }
 }
 
-/// True if a group begins with a word and a colon, as no block of an `if` does.
+/// True if a group begins with a word and a colon, unlike any block of an `if`.
 fn is_labelled(group: &Group) -> bool {
     let mut tokens = group.stream().into_iter();
     matches!(tokens.next(), Some(TokenTree::Ident(_))) && is_punct(tokens.next().as_ref(), ':')

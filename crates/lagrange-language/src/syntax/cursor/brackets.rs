@@ -1,4 +1,4 @@
-//! Square brackets behind words.
+//! Square brackets after words.
 
 use lagrange_expr::keywords::is_rust_keyword;
 use std::collections::BTreeMap;
@@ -7,11 +7,11 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use super::keywords;
 
-/// Square brackets that belong to words, by the numbers of the words.
+/// Square brackets that belong to words, by the indices of the words.
 #[derive(Default)]
 pub(super) struct SquareBrackets(BTreeMap<usize, Behind>);
 
-/// Square brackets behind one word.
+/// Square brackets after one word.
 #[derive(Default)]
 struct Behind {
     groups: Vec<Group>,
@@ -19,7 +19,7 @@ struct Behind {
 }
 
 impl SquareBrackets {
-    /// Takes those behind words that can be names out of a sequence of tokens.
+    /// Extracts those after words that can be names from a sequence of tokens.
     pub(super) fn taken_out(stream: TokenStream) -> (Vec<TokenTree>, SquareBrackets) {
         let (mut tokens, mut brackets): (Vec<TokenTree>, _) = (Vec::new(), SquareBrackets::default());
         for token in stream {
@@ -35,7 +35,7 @@ impl SquareBrackets {
         (tokens, brackets)
     }
 
-    /// The last ones behind a word.
+    /// Returns the last ones after a word.
     pub(super) fn last(&self, word: usize) -> Option<&Group> {
         self.0.get(&word)?.groups.last()
     }
@@ -47,8 +47,8 @@ impl SquareBrackets {
         behind.groups.clone()
     }
 
-    /// The first that nobody read behind a word before this one. All of these count as read from
-    /// now on.
+    /// Returns the first unread ones after a word before this index, and marks all of these as
+    /// read.
     pub(super) fn forget(&mut self, end: usize) -> Option<Group> {
         let mut first = None;
         for behind in self.0.range_mut(..end).map(|(_, behind)| behind).filter(|behind| !behind.is_read) {
@@ -59,7 +59,7 @@ impl SquareBrackets {
     }
 }
 
-/// True of a word behind which square brackets can say which of several is meant.
+/// True for a word that can be indexed by square brackets.
 fn can_be_name(token: &TokenTree) -> bool {
     let TokenTree::Ident(word) = token else { return false };
     let word = word.to_string();

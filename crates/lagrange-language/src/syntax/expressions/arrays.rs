@@ -14,13 +14,13 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_INDICES;
 
 impl Parser<'_> {
-    /// The name with the indices that stand behind it.
+    /// Reads the indices after a name.
     pub(in crate::syntax) fn indexed(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Name> {
         let brackets = cursor.read_brackets();
         self.with_indices(name, &brackets)
     }
 
-    /// The name with these indices.
+    /// Adds indices to a name.
     pub(in crate::syntax) fn with_indices(&mut self, name: Name, brackets: &[Group]) -> Parsed<Name> {
         if let Some(first) = brackets.get(MAX_INDICES) {
             let message = arrays::too_many_indices(&name.text, brackets.len(), MAX_INDICES);
@@ -30,7 +30,7 @@ impl Parser<'_> {
         Ok(Name { indices: indices.into_iter().collect::<Parsed<_>>()?, ..name })
     }
 
-    /// `[i + 1]`
+    /// Reads `[i + 1]`.
     fn index(&mut self, group: &Group) -> Parsed<AstId> {
         self.inside(group, |parser, cursor| {
             if cursor.at_end() {
@@ -46,7 +46,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Reads what is made of indices.
+    /// Reads an expression of indices.
     pub(in crate::syntax) fn counting<T>(
         &mut self,
         cursor: &mut Cursor,
@@ -58,7 +58,7 @@ impl Parser<'_> {
         result
     }
 
-    /// A name as an expression; the cursor is behind it.
+    /// Creates an expression from a name; the cursor is after it.
     pub(in crate::syntax) fn named(&mut self, name: Name, cursor: &Cursor) -> Parsed<ReadOperand> {
         let origin = Origin::from(name.span);
         if name.indices.is_empty() {
@@ -68,7 +68,7 @@ impl Parser<'_> {
         Ok(self.add(Expression::Array(ArrayExpression::Element(name)), origin))
     }
 
-    /// `[a, b]` or `[[a, b], [c, d]]`
+    /// Reads `[a, b]` or `[[a, b], [c, d]]`.
     pub(in crate::syntax) fn elements_of(&mut self, group: &Group) -> Parsed<AstId> {
         let mut elements = Vec::new();
         self.inside(group, |parser, cursor| {
@@ -90,7 +90,7 @@ impl Parser<'_> {
         Ok(self.add(Expression::Array(ArrayExpression::List(elements)), group_origin(group)).id)
     }
 
-    /// `[i][j]` behind something other than a name.
+    /// Reads `[i][j]` after something other than a name.
     pub(in crate::syntax) fn entry(
         &mut self,
         of: ReadOperand,
@@ -102,7 +102,7 @@ impl Parser<'_> {
         Ok(self.add(Expression::Entry { of: of.id, indices, shape: None }, origin))
     }
 
-    /// `(i in 0..n, e)` behind the word `sum` or the like.
+    /// Reads `(i in 0..n, e)` after the word `sum` or a similar one.
     pub(in crate::syntax) fn fold(&mut self, fold: Fold, group: &Group, word: Origin) -> Parsed<ReadOperand> {
         let help = arrays::fold_help(fold.word());
         let folded = self.inside(group, |parser, cursor| {
@@ -121,7 +121,7 @@ impl Parser<'_> {
         Ok(self.add(Expression::Array(folded), word.to(group_origin(group))))
     }
 
-    /// Reads what a variable has values in.
+    /// Reads an expression in which a variable has values.
     pub(in crate::syntax) fn within<T>(&mut self, variable: &Name, read: impl FnOnce(&mut Self) -> T) -> T {
         self.variables.push(variable.text.clone());
         let result = read(self);
@@ -129,7 +129,7 @@ impl Parser<'_> {
         result
     }
 
-    /// `i in 0..n`
+    /// Reads `i in 0..n`.
     pub(in crate::syntax) fn variable(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<(Name, Range)> {
         let variable = self.free_name(cursor)?;
         if cursor.eat_word("in").is_none() {
@@ -151,13 +151,13 @@ impl Parser<'_> {
     }
 }
 
-/// True behind the word `for` if a loop is written as it should be.
+/// True after the word `for` if a loop is written correctly.
 pub(in crate::syntax) fn at_loop(cursor: &Cursor) -> bool {
     let is_in = matches!(cursor.peek_past(1), Some(TokenTree::Ident(word)) if word == "in");
     cursor.ident().is_some() && is_in
 }
 
-/// Advice for a function over a range that has none.
+/// Returns advice for a function over a range without a range.
 pub(in crate::syntax) fn fold_in_other_words(name: &Name, group: &Group) -> Option<(&'static str, String)> {
     let inside = Cursor::inside(group);
     // `norm(v in arm)` has components in the axes of a body.
@@ -169,7 +169,7 @@ pub(in crate::syntax) fn fold_in_other_words(name: &Name, group: &Group) -> Opti
     (at_loop(&inside) && at_range(&inside)).then(|| (arrays::NO_FOLD, arrays::other_fold(&name.text)))
 }
 
-/// The function of a range that a call is.
+/// Returns the function over a range that is called, if it is one.
 pub(in crate::syntax) fn at_fold(name: &Name, group: &Group) -> Option<Fold> {
     let fold = Fold::ALL.into_iter().find(|fold| fold.word() == name.text)?;
     at_loop(&Cursor::inside(group)).then_some(fold)

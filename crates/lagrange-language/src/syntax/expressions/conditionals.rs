@@ -12,7 +12,7 @@ use crate::syntax::recovery::Turn;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_BRANCHES;
 
-/// `if condition { then } else`, with what follows still to be read.
+/// `if condition { then } else`, before the rest is read.
 struct Branch {
     start: Origin,
     decision: Decision,
@@ -21,14 +21,14 @@ struct Branch {
 
 /// The condition that decides between the branches.
 enum Decision {
-    /// Comparisons during the motion, or one of indices.
+    /// Comparisons during the motion, or a single one of indices.
     Moving(CombinedCondition),
-    /// Indices alone.
+    /// Only indices.
     Indices(CombinedCondition),
 }
 
 impl Parser<'_> {
-    /// Reads a chain that begins with the `if` here.
+    /// Reads a chain that begins with `if`.
     pub(in crate::syntax) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut branches = Vec::new();
         self.turns(cursor, |parser, cursor| {
@@ -75,7 +75,7 @@ impl Parser<'_> {
         }
     }
 
-    /// True if a condition compares a variable of a loop in a way that is for indices only.
+    /// True if a condition compares a variable of a loop in a way that is only valid for indices.
     fn are_indices_asked(&self, cursor: &Cursor) -> bool {
         if self.variables.is_empty() {
             return false;
@@ -98,14 +98,14 @@ impl Parser<'_> {
                     let content = group.stream().into_iter().collect::<Vec<_>>();
                     pending.extend(content.into_iter().rev());
                 }
-                // What stands in square brackets is an index, whatever is compared.
+                // Square brackets contain an index, whatever is compared.
                 TokenTree::Group(_) | TokenTree::Literal(_) => {}
             }
         }
         has_variable && has_sign
     }
 
-    /// A condition on moving quantities up to the block behind it.
+    /// Reads a condition on moving quantities up to its block.
     fn condition(&mut self, cursor: &mut Cursor) -> Parsed<CombinedCondition> {
         let start = cursor.here();
         let condition = self.combined_condition(cursor, |parser, cursor| parser.no_relation(cursor))?;
@@ -124,7 +124,8 @@ impl Parser<'_> {
         Ok(condition)
     }
 
-    /// Writes a choice by several comparisons as choices by one each, which share their branches.
+    /// Writes a choice by several comparisons as choices by single comparisons with shared
+    /// branches.
     fn decided(&mut self, condition: &CombinedCondition, branches: [AstId; 2], origin: Origin) -> AstId {
         let [then, mut otherwise] = branches;
         for tests in condition.alternatives.iter().rev() {
@@ -156,7 +157,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports what stands behind a comparison instead of what should.
+    /// Reports an unexpected token after a comparison.
     fn no_block(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
         if is_logical_word(cursor) {
             self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
@@ -167,7 +168,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `{ e }`.
+    /// Reads `{ e }`.
     fn block(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
             let message = messages::expected("`{`", cursor.peek());

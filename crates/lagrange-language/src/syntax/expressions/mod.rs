@@ -1,6 +1,6 @@
 //! Expressions: chains of operators between operands.
 //!
-//! Operators wait on a stack until the operator behind their right operand binds no tighter
+//! Operators wait on a stack until the operator after their right operand binds no tighter
 //! (operator precedence parsing). Chains of any length are thus read without recursion.
 
 mod arrays;
@@ -53,7 +53,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `in body` behind a whole expression.
+    /// Reads `in body` after a whole expression.
     fn in_axes(&mut self, vector: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let word = Name::new(IN_AXES, cursor.skip_one().start);
         let body = self.name(cursor)?;
@@ -84,7 +84,7 @@ impl Parser<'_> {
         whole.ok_or(Reported)
     }
 
-    /// Takes a binary operator, if one stands here.
+    /// Consumes a binary operator, if there is one.
     fn operator(&mut self, cursor: &mut Cursor) -> Parsed<Option<(BinaryOperator, Span)>> {
         if cursor.at_pair('*', '*') {
             let origin = cursor.skip_one().to(cursor.here());
@@ -127,7 +127,7 @@ fn ends_before(waiting: &WaitingOperator, next: BinaryOperator) -> bool {
         WaitingOperator::Negate(_) => Binding::Sign,
         WaitingOperator::Binary(_, operator, _) => binding(*operator),
     };
-    // Powers group from the right, everything else from the left.
+    // Powers associate to the right, everything else to the left.
     next != BinaryOperator::Power && waiting >= binding(next)
 }
 

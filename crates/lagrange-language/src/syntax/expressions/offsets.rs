@@ -1,4 +1,4 @@
-//! Numbers in units that count from a zero of their own, in sums and products.
+//! Numbers in units with their own zero, in sums and products.
 
 use super::ReadOperand;
 use crate::syntax::ast::{BinaryOperator, Expression};
@@ -7,7 +7,7 @@ use crate::syntax::parser::Parser;
 use lagrange_expr::diagnostics::Origin;
 
 impl Parser<'_> {
-    /// The negative of an operand. `-5 degC` is five degrees below its zero.
+    /// Negates an operand. `-5 degC` is five degrees below its zero.
     pub(super) fn negated(&mut self, operand: ReadOperand, origin: Origin) -> ReadOperand {
         match self.expressions.get(operand.id).clone() {
             Expression::Quantity(number, unit) if !unit.offset.is_zero() => {
@@ -18,7 +18,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports an operand that counts from a zero of its own, unless it is subtracted.
+    /// Reports an operand in a unit with its own zero, unless it is subtracted.
     pub(super) fn refuse_offset(&mut self, operator: BinaryOperator, operands: [ReadOperand; 2]) {
         for operand in operands.iter().filter(|_| operator != BinaryOperator::Subtract) {
             if let Expression::Quantity(_, unit) = self.expressions.get(operand.id)

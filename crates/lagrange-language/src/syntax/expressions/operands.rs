@@ -1,4 +1,4 @@
-//! Operands: numbers, names, calls, vectors, parentheses, and what may follow behind a dot.
+//! Operands: numbers, names, calls, vectors, parentheses, and members after a dot.
 
 use lagrange_expr::keywords::is_rust_keyword;
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
@@ -15,7 +15,7 @@ use crate::syntax::recovery::Turn;
 use lagrange_expr::diagnostics::Origin;
 
 impl Parser<'_> {
-    /// Reads an operand with the calls and components behind it.
+    /// Reads an operand with the calls and components after it.
     pub(in crate::syntax) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
@@ -38,15 +38,15 @@ impl Parser<'_> {
         Ok(operand)
     }
 
-    /// True if indices can follow. Those of names and members belong to these, and units to
+    /// True if indices can follow. Indices of names and members belong to these, and units to
     /// numbers.
     fn has_entries(&self, operand: ReadOperand) -> bool {
         use Expression::{Invalid, Name, Number, Quantity};
         !matches!(self.expressions.get(operand.id), Name(_) | Number(_) | Quantity(..) | Invalid)
     }
 
-    /// True if square brackets hold an index, which begins with a number or a known name, and not a
-    /// unit.
+    /// True if square brackets contain an index, which begins with a number or a known name, and
+    /// not a unit.
     fn is_index_ahead(&self, cursor: &Cursor) -> bool {
         let Some(group) = cursor.group(Delimiter::Bracket) else { return false };
         match group.stream().into_iter().next() {
@@ -87,11 +87,12 @@ impl Parser<'_> {
         }
     }
 
-    /// A name in an expression. Which names exist is not known here, but keywords never do.
+    /// Reads a name in an expression. The existing names are not known here, but keywords are never
+    /// names.
     fn used_name(&mut self, word: &Ident) -> Parsed<Name> {
         let name = self.plain(word)?;
         if self.unreadable_words.contains(&name.text) && !self.is_known(&name.text) {
-            // Where it was declared, it has been reported.
+            // It has been reported where it was declared.
             return Err(Reported);
         }
         if keywords::begins_statement(&name.text) {
@@ -109,7 +110,7 @@ impl Parser<'_> {
         Ok(name)
     }
 
-    /// True if a name has a meaning, whatever could not be read.
+    /// True if a name is defined, regardless of unreadable parts.
     fn is_known(&self, name: &str) -> bool {
         let is_built_in = keywords::is_function(name) || keywords::built_in(name).is_some();
         is_built_in || self.declared_names.contains(&name.to_owned())
@@ -133,7 +134,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `.x` or `.f(a, b)` behind an operand.
+    /// Reads `.x` or `.f(a, b)` after an operand.
     fn behind_dot(&mut self, receiver: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         if let Some(TokenTree::Literal(literal)) = cursor.peek() {
             let span = literal.span();
@@ -160,7 +161,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reads arguments behind those that are given.
+    /// Reads arguments, and appends them to the given ones.
     pub(in crate::syntax) fn arguments(&mut self, group: &Group, given: Vec<AstId>) -> Parsed<Vec<AstId>> {
         self.inside(group, |parser, cursor| {
             let mut arguments = given;
@@ -172,7 +173,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Reads an expression in a list and skips what should not follow it, up to the comma.
+    /// Reads an expression in a list and skips unexpected tokens after it, up to the comma.
     fn element(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {
@@ -184,7 +185,7 @@ impl Parser<'_> {
         self.unreadable(cursor, start)
     }
 
-    /// A vector, or an expression in parentheses.
+    /// Reads a vector, or an expression in parentheses.
     fn parentheses(&mut self, group: &Group) -> ReadOperand {
         let origin = match group.delimiter() {
             Delimiter::None => Origin::from(group.span()),
@@ -212,7 +213,7 @@ impl Parser<'_> {
         let is_read = |&id: &AstId| !matches!(self.expressions.get(id), Expression::Invalid);
         match elements.len() {
             1 if !has_comma => Ok(Elements::Single(elements[0])),
-            // A missing operand may count as a component too many.
+            // A missing operand may look like an additional component.
             _ if !elements.iter().all(is_read) => Err(Reported),
             1 => {
                 let help = messages::ONE_COMPONENT_HELP;

@@ -3,8 +3,8 @@
 use super::filled;
 use super::rates::derivative;
 
-/// Functions with other names, or with another number of arguments than theirs, and how they are
-/// written: `#1` is the first argument. Rows with more arguments than there are do not fit.
+/// Functions with other names, or with another number of arguments, and their spelling here: `#1`
+/// is the first argument. Rows with more arguments than given do not match.
 pub const FUNCTIONS: &[(&[&str], usize, &str)] = &[
     (&["log", "loge", "Log"], 1, "ln(#1)"),
     (&["log"], 2, "ln(#1)/ln(#2)"),
@@ -53,7 +53,7 @@ pub const FUNCTIONS: &[(&[&str], usize, &str)] = &[
     (&["neg"], 1, "-#1"),
 ];
 
-/// Functions that nothing here stands for, with what reaches their purpose.
+/// Functions without an equivalent, with alternatives for their purpose.
 const MISSING: &[(&[&str], &str)] = &[
     (
         &["delay", "transport_delay", "Delay"],
@@ -87,20 +87,20 @@ const MISSING: &[(&[&str], &str)] = &[
     (&["integral", "integrate", "int"], "an integral over time is a state: `state a; dot(a) = e;`"),
 ];
 
-/// Advice for a function that has no counterpart.
+/// Returns advice for a function without a counterpart.
 pub fn without_counterpart(name: &str) -> Option<&'static str> {
     MISSING.iter().find(|(names, _)| names.contains(&name)).map(|(_, advice)| *advice)
 }
 
-/// Arguments that stand alone in a template are put in parentheses unless they are words.
+/// Puts an argument in parentheses unless it is a word.
 fn bracketed(argument: &str) -> String {
     let is_word = argument.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '.');
     let is_enclosed = argument.ends_with(')') && closes_at_its_end(argument);
     if is_word || is_enclosed { argument.to_owned() } else { format!("({argument})") }
 }
 
-/// True if the first bracket of a text is closed by its last character, and nothing but a word
-/// stands before it.
+/// True if the first bracket of a text is closed by its last character, and only a word precedes
+/// it.
 fn closes_at_its_end(text: &str) -> bool {
     let Some(open) = text.find('(') else { return false };
     let is_call = text[..open].chars().all(|c| c.is_alphanumeric() || c == '_' || c == '.');
@@ -112,8 +112,8 @@ fn closes_at_its_end(text: &str) -> bool {
     is_call && closing.is_some_and(|(at, _)| open + at + 1 == text.len())
 }
 
-/// Returns the spelling here of a call of a function that does not exist, or not with that many
-/// arguments.
+/// Returns the spelling here of a call of a function that does not exist, or not with this number
+/// of arguments.
 pub fn function(name: &str, arguments: &[String]) -> Option<String> {
     if let Some(rate) = derivative(name, arguments) {
         return Some(rate.written());
@@ -122,11 +122,11 @@ pub fn function(name: &str, arguments: &[String]) -> Option<String> {
         |(names, count, _): &&(&[&str], usize, &str)| names.contains(&name) && *count == arguments.len();
     let (.., template) = FUNCTIONS.iter().find(fits)?;
     if template.contains("((") && arguments.iter().any(|argument| argument.starts_with('(')) {
-        // The future component of a vector cannot be a vector.
+        // A component of a vector cannot be a vector.
         return None;
     }
     let is_alone = |place: &str| {
-        // Between parentheses or commas nothing can be torn apart.
+        // Between parentheses or commas, no grouping can change.
         let around = |at: usize| {
             let before = template[..at].trim_end().chars().last();
             let after = template[at + place.len()..].trim_start().chars().next();

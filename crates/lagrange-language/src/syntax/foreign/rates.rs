@@ -51,7 +51,7 @@ const BEHIND: &[(&str, usize)] = &[
     ("d", 1),
     ("p", 1),
 ];
-/// Letters that have their dots with them.
+/// Letters with built-in dots.
 const DOTTED: &[(&str, &str, usize)] = &[
     ("ẋ", "x", 1),
     ("ẏ", "y", 1),
@@ -62,7 +62,7 @@ const DOTTED: &[(&str, &str, usize)] = &[
     ("ÿ", "y", 2),
 ];
 
-/// Functions that derive, by time if they are given nothing else.
+/// Functions that differentiate, with respect to time by default.
 const DERIVATIVES: &[&str] = &[
     "dot",
     "diff",
@@ -79,18 +79,18 @@ const DERIVATIVES: &[&str] = &[
     "rate",
     "time_derivative",
 ];
-/// Functions that derive twice.
+/// Functions that differentiate twice.
 const SECOND_DERIVATIVES: &[&str] = &["dotdot", "der2", "d2dt2", "dddt"];
-/// Words for a rate where only one thing moves.
+/// Words for a rate if only one coordinate moves.
 const WORDS: &[&str] =
     &["omega", "w", "velocity", "speed", "vel", "v", "qdot", "qd", "thetadot", "phidot", "xdot"];
 
-/// A rate, spelt as it is elsewhere.
+/// A rate in foreign spelling.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Rate<'a> {
     /// Quantity that changes.
     pub of: &'a str,
-    /// Order of the derivative by time: once or twice.
+    /// Order of the time derivative: once or twice.
     pub order: usize,
 }
 
@@ -102,7 +102,7 @@ impl Rate<'_> {
     }
 }
 
-/// The rate that a call of a function stands for elsewhere: `diff(x, t)`, `der(x)`, `D(x, t, 2)`.
+/// Returns the rate denoted by a foreign function call: `diff(x, t)`, `der(x)`, `D(x, t, 2)`.
 pub(super) fn derivative<'a>(function: &str, arguments: &'a [String]) -> Option<Rate<'a>> {
     let (of, by) = arguments.split_first()?;
     if SECOND_DERIVATIVES.contains(&function) && by.is_empty() {
@@ -118,22 +118,22 @@ pub(super) fn derivative<'a>(function: &str, arguments: &'a [String]) -> Option<
     DERIVATIVES.contains(&function).then_some(Rate { of, order })
 }
 
-/// True if a function derives by time, here or elsewhere.
+/// True if a function denotes a time derivative, here or in other languages.
 pub fn derives(function: &str) -> bool {
     DERIVATIVES.contains(&function)
 }
 
-/// True if a name is a word for a rate of something that is not named.
+/// True if a name is a word for the rate of an unnamed quantity.
 pub fn is_word_for_rate(name: &str) -> bool {
     WORDS.contains(&name)
 }
 
-/// Returns the rate that a name stands for elsewhere, if its variable passes the test.
+/// Returns the rate denoted by a foreign name, if its variable passes the test.
 pub fn rate<'a>(name: &'a str, moves: impl Fn(&str) -> bool) -> Option<Rate<'a>> {
     let dotted = DOTTED.iter().filter(|(letter, ..)| *letter == name).map(|&(_, of, order)| (of, order));
     let before = BEFORE.iter().filter_map(|&(mark, order)| Some((name.strip_prefix(mark)?, order)));
     let behind = BEHIND.iter().filter_map(|&(mark, order)| Some((name.strip_suffix(mark)?, order)));
-    // A letter twice is a slip of the pen.
+    // A doubled letter is a typo.
     let before = before.filter(|(of, _)| *of != &name[..name.len() - of.len()]);
     let found = dotted.chain(behind).chain(before).find(|(of, _)| moves(of));
     found.map(|(of, order)| Rate { of, order })

@@ -31,12 +31,12 @@ pub(in crate::syntax) fn size_help(name: &str, sizes: &[i64]) -> String {
     format!("write it after the name, `{name}{sizes} = […]`; vectors are `(a, b)`, in parentheses")
 }
 
-/// Form of a function over a range.
+/// Returns the form of a function over a range.
 pub(in crate::syntax) fn fold_help(function: &str) -> String {
     format!("write `{function}(i in 0..n, e)`")
 }
 
-/// Advice for a function over a range that has none.
+/// Returns advice for a function over a range without a range.
 pub(in crate::syntax) fn other_fold(function: &str) -> String {
     match function {
         "prod" => fold_help("product"),

@@ -1,4 +1,4 @@
-//! Diagnostics for habits from other languages and from paper, with the spelling here.
+//! Diagnostics for notations from other languages and from paper, with the spelling here.
 
 use proc_macro2::{Delimiter, TokenTree};
 
@@ -73,13 +73,13 @@ messages! {
 
 // Statements.
 
-/// Message for a statement that should begin with a name.
+/// Returns the message for a statement that should begin with a name.
 pub(in crate::syntax) fn nameless(keyword: &str) -> String {
     let article = if keyword.starts_with(['e', 'o']) { "an" } else { "a" };
     format!("{article} {keyword} needs a name")
 }
 
-/// Message for brackets between a name and its value.
+/// Returns the message for brackets between a name and its value.
 pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static str) {
     match keyword {
         "coord" => (
@@ -99,13 +99,13 @@ pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static s
     }
 }
 
-/// Message for an equation of motion.
+/// Returns the message for an equation of motion.
 pub(in crate::syntax) fn equations_are_derived() -> String {
     "equations of motion are derived: write the energies that they follow from, `kinetic = …;` and `potential = …;`, and forces, `force x = …;`"
         .to_owned()
 }
 
-/// Message for `dot(x) = …` and `ddot(x) = …` as statements.
+/// Returns the message for `dot(x) = …` and `ddot(x) = …` as statements.
 pub(in crate::syntax) fn rate_as_statement(function: &str) -> String {
     match function {
         "dot" => "for an initial velocity write `start dot(x) = …;`, for a condition that always holds `constraint name = …;`".to_owned(),
@@ -117,7 +117,7 @@ pub(in crate::syntax) fn rate_as_statement(function: &str) -> String {
 
 // Names.
 
-/// Message for a token that is no name where one is needed.
+/// Returns the message for a token that is not a name where one is needed.
 pub(in crate::syntax) fn name_help(token: Option<&TokenTree>) -> &'static str {
     match token {
         Some(TokenTree::Literal(literal)) if literal.to_string().starts_with('"') => {
@@ -133,7 +133,7 @@ pub(in crate::syntax) fn name_help(token: Option<&TokenTree>) -> &'static str {
 
 // Expressions.
 
-/// Message for quotation marks around a text.
+/// Returns the message for quotation marks around a text.
 pub(in crate::syntax) fn unquoted(literal: &str) -> String {
     let text = literal.trim_matches(['"', '\'']);
     format!("remove them: write {}", quoted(text))

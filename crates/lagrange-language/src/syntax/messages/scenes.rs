@@ -1,4 +1,4 @@
-//! Diagnostics for statements about rigid bodies, with what helps against mistakes in them.
+//! Diagnostics for statements about rigid bodies, with help.
 
 use super::forms::form;
 use super::quoted;
@@ -20,13 +20,13 @@ messages! {
     LINE_HELP_END = "each line between the braces ends in `;`";
     NEXT_LABEL = "the next line begins here";
 
-    /// Message for a word in front of a colon that means nothing there; `owner` has its article.
+    /// Message for an unknown word before a colon; `owner` includes its article.
     unknown_label(label, owner) = "unknown label {} for {owner}", quoted(label);
     label(owner) = "a label of {owner}";
     MATRIX = "a tensor of inertia is not written as a matrix";
     MATRIX_HELP = "write its components, `inertia: (xx, yy, zz, xy, xz, yz);`, or principal moments, `inertia: (xx, yy, zz);`";
 
-    /// Message for letters that are no order of rotations.
+    /// Message for letters that are not a sequence of rotations.
     no_sequence(letters) = "{} is not a sequence of rotations", quoted(letters);
 
     AXIS_LETTER = "an axis is a vector";
@@ -60,7 +60,7 @@ messages! {
     tensor_count(count) = "a tensor of inertia has 6 components, not {count}";
 }
 
-/// Advice for a label that joints have in other tools.
+/// Returns advice for a label of joints in other tools.
 pub(in crate::syntax) fn beside_a_joint(label: &str) -> Option<&'static str> {
     match label {
         "stiffness" | "spring" | "spring_stiffness" => Some(
@@ -82,7 +82,7 @@ pub(in crate::syntax) fn beside_a_joint(label: &str) -> Option<&'static str> {
     }
 }
 
-/// Returns the form of an axis that a letter stands for in other tools.
+/// Returns the form of an axis that a letter denotes in other tools.
 pub(in crate::syntax) fn direction_of_axis(letter: &str) -> Option<&'static str> {
     Some(match letter {
         "x" | "X" => "write `axis: (1, 0, 0);`, or `axis: (1, 0);` in the plane",
@@ -92,7 +92,7 @@ pub(in crate::syntax) fn direction_of_axis(letter: &str) -> Option<&'static str>
     })
 }
 
-/// Labels that something may have, in words.
+/// Lists the labels that an object may have.
 pub(in crate::syntax) fn labels_are(owner: &str, labels: &[&str]) -> String {
     format!("the labels of {owner} are `{}`", labels.join("`, `"))
 }
@@ -107,7 +107,7 @@ pub(in crate::syntax) fn labelled(label: &str) -> String {
     }
 }
 
-/// The form of a statement that declares a joint with coordinates.
+/// Returns the form of a statement that declares a joint with coordinates.
 pub(in crate::syntax) fn mobilizer_help(kind: MobilizerKind) -> String {
     let forms = [("at", "at: p; "), ("axis", "axis: u; "), ("pitch", "pitch: e; ")];
     let known = kind.labels();
@@ -120,7 +120,7 @@ pub(in crate::syntax) fn mobilizer_help(kind: MobilizerKind) -> String {
     }
 }
 
-/// Message for a joint with too many or too few coordinates.
+/// Returns the message for a joint with too many or too few coordinates.
 pub(in crate::syntax) fn coordinate_count(kind: &str, needed: usize, found: usize) -> String {
     let plural = if needed == 1 { "" } else { "s" };
     format!("a {kind} joint has {needed} coordinate{plural}, not {found}")

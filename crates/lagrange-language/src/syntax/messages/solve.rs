@@ -1,4 +1,4 @@
-//! Diagnostics for values that equations define.
+//! Diagnostics for values that are defined by equations.
 
 use super::quoted;
 use crate::syntax::ast::Name;

@@ -37,7 +37,7 @@ pub(in crate::syntax) fn unknown_way(label: &str, word: &str) -> String {
     format!("unknown value {} for `{label}`", quoted(word))
 }
 
-/// Names the way that this word has in other tools, or all ways.
+/// Names the option that this word denotes in other tools, or all options.
 pub(in crate::syntax) fn ways_beside(label: &str, names: &[&str], word: &str) -> String {
     match (label, word) {
         ("interpolation", "cubic" | "spline" | "akima" | "pchip") => "write `interpolation: natural`, a cubic spline, or `interpolation: monotone`, which does not overshoot".to_owned(),
@@ -45,7 +45,7 @@ pub(in crate::syntax) fn ways_beside(label: &str, names: &[&str], word: &str) ->
     }
 }
 
-/// Ways of which one is to be chosen, in words.
+/// Lists the available options.
 pub(in crate::syntax) fn ways(label: &str, names: &[&str]) -> String {
     let ways = names.iter().map(|name| format!("`{label}: {name}`")).collect::<Vec<_>>();
     format!("write {}", ways.join(" or "))

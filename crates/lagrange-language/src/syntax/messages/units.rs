@@ -31,13 +31,13 @@ pub(in crate::syntax) fn with_space(number: &str, unit: &str) -> String {
     format!("write {}", quoted(format!("{number} {unit}")))
 }
 
-/// Advice where the factors of a unit stand behind a number; `rest` is what the quantity is
-/// multiplied with.
+/// Returns advice for factors of a unit after a number; `rest` is the remaining factor of the
+/// product.
 pub(in crate::syntax) fn in_brackets(number: &str, unit: &str, rest: &str) -> String {
     format!("write {}", quoted(format!("{number} [{unit}]{rest}")))
 }
 
-/// Advice where a word is the name of a unit and of something that is declared.
+/// Returns advice for a word that is the name of both a unit and something declared.
 pub(in crate::syntax) fn product_or_unit(number: &str, word: &str) -> String {
     format!(
         "write `*` between the factors of a product, or {} for the unit",

@@ -5,7 +5,7 @@ use super::expressions::dots;
 use crate::syntax::ast::{Enclosure, Name, Range, Repetition, Selection, Statement};
 
 impl Printer<'_> {
-    /// A name with what stands in square brackets, behind dots and behind a colon.
+    /// Prints a name with its square brackets, its members and its unit.
     pub(super) fn name(&mut self, name: &Name) {
         self.indexed(name);
         for member in &name.members {
@@ -23,14 +23,15 @@ impl Printer<'_> {
         }
     }
 
-    /// The unit behind a name.
+    /// Prints the unit of a name.
     pub(super) fn unit(&mut self, name: &Name) {
         if let Some(unit) = &name.unit {
             self.text(&format!(": {unit}"));
         }
     }
 
-    /// Lines, each in what encloses it. What encloses several lines in a row is printed once.
+    /// Prints lines, each in its enclosures. A common enclosure of consecutive lines is printed
+    /// once.
     pub(super) fn enclosed_lines<'l, T>(
         &mut self,
         lines: impl IntoIterator<Item = (&'l [Enclosure], T)>,
@@ -67,7 +68,7 @@ impl Printer<'_> {
         enclosures.iter().filter(has_braces).for_each(|_| self.text(" }"));
     }
 
-    /// `for i in 0..n`
+    /// Prints `for i in 0..n`.
     fn head(&mut self, variable: &Name, range: &Range, word: &str) {
         self.labelled(&format!("{word}{} in ", variable.text), range.from);
         self.labelled(dots(range), range.to);

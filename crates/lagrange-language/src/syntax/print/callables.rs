@@ -4,7 +4,7 @@ use super::Printer;
 use crate::syntax::ast::{ExternalFunction, Name, TableDefinition, TableSource, UnknownDefinition};
 
 impl Printer<'_> {
-    /// `function f(x) { derivative: slope; }`
+    /// Prints `function f(x) { derivative: slope; }`.
     pub(super) fn external(&mut self, function: &ExternalFunction) {
         self.text("function ");
         self.signature(&function.name, &function.parameters);
@@ -25,7 +25,7 @@ impl Printer<'_> {
         self.text(" }");
     }
 
-    /// `table f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend;`
+    /// Prints `table f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend;`.
     pub(super) fn table(&mut self, table: &TableDefinition) {
         self.text("table ");
         self.signature(&table.name, &table.parameters);
@@ -46,7 +46,7 @@ impl Printer<'_> {
         self.text(&format!(", interpolation: {interpolation}, outside: {outside};"));
     }
 
-    /// `solve y: 0 = e, start: e, iterations: n;`
+    /// Prints `solve y: 0 = e, start: e, iterations: n;`.
     pub(super) fn unknowns(&mut self, unknowns: &UnknownDefinition) {
         let UnknownDefinition { names, residuals, starts, iterations } = unknowns;
         self.text("solve ");
@@ -61,7 +61,7 @@ impl Printer<'_> {
         self.text(";");
     }
 
-    /// `y` or `(y, z)`
+    /// Prints `y` or `(y, z)`.
     fn one_or_tuple<T>(&mut self, items: &[T], print: impl FnMut(&mut Self, &T)) {
         let brackets = if items.len() > 1 { ["(", ")"] } else { [""; 2] };
         self.text(brackets[0]);
@@ -69,7 +69,7 @@ impl Printer<'_> {
         self.text(brackets[1]);
     }
 
-    /// `f(x, y)`
+    /// Prints `f(x, y)`.
     pub(super) fn signature(&mut self, name: &Name, parameters: &[Name]) {
         self.indexed(name);
         self.text("(");

@@ -10,7 +10,7 @@ use crate::syntax::ast::{
     Expressions, IN_AXES, Range, TestKind,
 };
 
-/// Piece to be written.
+/// Piece to be printed.
 enum PrintedPiece {
     Text(String),
     /// An expression, in parentheses if it binds less tightly than this.
@@ -30,12 +30,12 @@ enum PrintedBinding {
 }
 
 impl Printer<'_> {
-    /// An expression.
+    /// Prints an expression.
     pub(super) fn expression(&mut self, id: AstId) {
         self.pieces(vec![PrintedPiece::Expression(id, PrintedBinding::Choice)]);
     }
 
-    /// A condition on indices.
+    /// Prints a condition on indices.
     pub(super) fn index_condition(&mut self, condition: &CombinedCondition) {
         self.pieces(index_condition(condition));
     }
@@ -65,7 +65,7 @@ fn bracketed(pieces: Vec<PrintedPiece>) -> Vec<PrintedPiece> {
     std::iter::once(open).chain(pieces).chain([close]).collect()
 }
 
-/// Expressions with a comma between them, in parentheses.
+/// Returns expressions separated by commas, in parentheses.
 fn bracketed_list(ids: &[AstId]) -> Vec<PrintedPiece> {
     let mut pieces = Vec::new();
     for (i, id) in ids.iter().enumerate() {
@@ -103,7 +103,7 @@ fn own_binding(operator: BinaryOperator) -> PrintedBinding {
     }
 }
 
-/// Binding strengths that the operands of an operator must have without parentheses.
+/// Returns the binding strengths that the operands of an operator need to be without parentheses.
 fn operand_bindings(operator: BinaryOperator) -> (PrintedBinding, PrintedBinding) {
     match operator {
         BinaryOperator::Add | BinaryOperator::Subtract => (PrintedBinding::Sum, PrintedBinding::Product),
@@ -117,7 +117,7 @@ fn operand_bindings(operator: BinaryOperator) -> (PrintedBinding, PrintedBinding
 fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
     match expressions.get(id) {
         Expression::Number(number) => vec![text(numeral(number).0)],
-        // In brackets, since names of units may be those of parameters.
+        // In brackets, since names of units may also be names of parameters.
         Expression::Quantity(number, unit) => {
             vec![PrintedPiece::Expression(*number, PrintedBinding::Operand), text(format!(" [{unit}]"))]
         }
@@ -160,7 +160,7 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
     }
 }
 
-/// `[i][j]`
+/// Returns `[i][j]`.
 fn indexed(indices: &[AstId]) -> impl Iterator<Item = PrintedPiece> {
     indices
         .iter()
@@ -197,7 +197,8 @@ pub(super) fn dots(range: &Range) -> &'static str {
     if range.is_inclusive { "..=" } else { ".." }
 }
 
-/// Text before a dot. A number takes brackets: the dot behind it would be read as a decimal point.
+/// Returns the text before a dot. A number is parenthesised, since the dot after it would be read
+/// as a decimal point.
 fn receiver(expressions: &Expressions, id: AstId) -> PrintedPiece {
     match expressions.get(id) {
         Expression::Number(number) => text(format!("({})", numeral(number).0)),
@@ -205,7 +206,7 @@ fn receiver(expressions: &Expressions, id: AstId) -> PrintedPiece {
     }
 }
 
-/// `if c { a } else { b }`, or `else if` behind the first block.
+/// Returns `if c { a } else { b }`, or `else if` after the first block.
 fn choice(
     expressions: &Expressions,
     condition: Vec<PrintedPiece>,
@@ -234,7 +235,7 @@ fn compared(left: AstId, comparison: Comparison, right: AstId) -> Vec<PrintedPie
     vec![side(left), text(format!(" {} ", comparison.sign())), side(right)]
 }
 
-/// `i > 0 && i < n || …`
+/// Returns `i > 0 && i < n || …`.
 fn index_condition(condition: &CombinedCondition) -> Vec<PrintedPiece> {
     let mut pieces = Vec::new();
     for (number, tests) in condition.alternatives.iter().enumerate() {
@@ -260,7 +261,7 @@ fn is_word(expressions: &Expressions, id: AstId) -> bool {
     }
 }
 
-/// An operator with the spaces around it; simple quotients have none.
+/// Returns an operator with the spaces around it; simple quotients have none.
 fn sign(operator: BinaryOperator, between_words: bool) -> &'static str {
     match operator {
         BinaryOperator::Add => " + ",

@@ -2,7 +2,7 @@
 
 use lagrange_expr::number::Number;
 
-/// More zeros than this are written as a power of ten.
+/// Maximum number of zeros; more are written as a power of ten.
 const MAX_ZEROS: usize = 6;
 
 /// Form in which a number is written.
@@ -10,13 +10,13 @@ const MAX_ZEROS: usize = 6;
 pub(super) enum Form {
     /// `2`, `0.1` or `1e-9`.
     Literal,
-    /// A minus in front.
+    /// With a leading minus.
     Negative,
-    /// Two integers: the decimal does not end.
+    /// Two integers: the decimal does not terminate.
     Quotient,
 }
 
-/// The text of a number and its form.
+/// Returns the text of a number and its form.
 pub(super) fn numeral(number: &Number) -> (String, Form) {
     let sign = if number.is_negative() { "-" } else { "" };
     match number.abs().decimal() {
@@ -28,7 +28,7 @@ pub(super) fn numeral(number: &Number) -> (String, Form) {
     }
 }
 
-/// Digits of which some stand behind the decimal point.
+/// Writes digits with this number of decimal places.
 fn decimal(digits: &str, places: usize) -> String {
     let significant = digits.trim_end_matches('0');
     let zeros = digits.len() - significant.len();

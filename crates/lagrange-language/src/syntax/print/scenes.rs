@@ -24,7 +24,7 @@ impl Printer<'_> {
         }
     }
 
-    /// ` label: value;` for each value that is given.
+    /// Prints ` label: value;` for each given value.
     fn given<'a>(&mut self, values: impl IntoIterator<Item = (&'a str, Option<AstId>)>) {
         for (label, value) in values {
             if let Some(value) = value {

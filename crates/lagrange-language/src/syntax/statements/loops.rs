@@ -14,24 +14,24 @@ use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
 use lagrange_expr::limits::MAX_BRANCHES;
 
-/// The lines of a choice: those of each condition, and those of no condition.
+/// The lines of a choice: those of each condition, and those without a condition.
 type Branches<T> = (Vec<(CombinedCondition, Vec<T>)>, Vec<T>);
 
 impl Parser<'_> {
-    /// `i in 0..n { … }` behind the word `for`.
+    /// Reads `i in 0..n { … }` behind the word `for`.
     pub(super) fn repetition(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let (variable, range, body) = self.in_each(cursor, Self::statements)?;
         Ok(StatementKind::Block(Block::Repeat(Box::new(Repetition { variable, range, body }))))
     }
 
-    /// `i > 0 { … } else if … { … } else { … }` behind the word `if`.
+    /// Reads `i > 0 { … } else if … { … } else { … }` behind the word `if`.
     pub(super) fn selection(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let (branches, otherwise) = self.in_branches(cursor, Self::statements)?;
         Ok(StatementKind::Block(Block::Select(Selection { branches, otherwise })))
     }
 
-    /// Reads the lines in braces, of which there must be one, also those in loops and choices. A
-    /// mistake between the braces leaves the end of the statement in place.
+    /// Reads the lines in braces, including those in loops and choices; there must be at least one.
+    /// An error between the braces does not affect the end of the statement.
     pub(in crate::syntax) fn some_lines<T: Enclosed>(
         &mut self,
         group: &Group,
@@ -47,7 +47,7 @@ impl Parser<'_> {
         lines
     }
 
-    /// Reads lines up to the last token. Those that cannot be read are reported and left out.
+    /// Reads lines up to the last token. Unreadable lines are reported and omitted.
     fn enclosed_lines<T: Enclosed>(
         &mut self,
         cursor: &mut Cursor,
@@ -82,7 +82,7 @@ impl Parser<'_> {
         lines
     }
 
-    /// `let dv = e;` between the braces of an event, a clock or a reduction.
+    /// Reads `let dv = e;` between the braces of an event, a clock or a reduction.
     fn local_name(&mut self, cursor: &mut Cursor) -> Option<Enclosure> {
         let start = cursor.position();
         let mut statement = self.documented_statement(cursor)?;
@@ -95,7 +95,7 @@ impl Parser<'_> {
         Some(Enclosure::Local(Box::new(statement), value))
     }
 
-    /// The lines of a loop or a choice, each with what encloses it.
+    /// Reads the lines of a loop or a choice, each with its enclosures.
     fn block_of_lines<T: Enclosed>(
         &mut self,
         cursor: &mut Cursor,
@@ -121,7 +121,7 @@ impl Parser<'_> {
         Ok(all)
     }
 
-    /// `i in 0..n { … }` behind the word `for`.
+    /// Reads `i in 0..n { … }` behind the word `for`.
     fn in_each<T>(
         &mut self,
         cursor: &mut Cursor,
@@ -136,7 +136,7 @@ impl Parser<'_> {
         Ok((variable, range, body))
     }
 
-    /// `i > 0 { … } else if … { … } else { … }` behind the word `if`.
+    /// Reads `i > 0 { … } else if … { … } else { … }` behind the word `if`.
     fn in_branches<T>(
         &mut self,
         cursor: &mut Cursor,
@@ -185,14 +185,14 @@ impl Parser<'_> {
         lines
     }
 
-    /// `i > 0 && i < n || …`
+    /// Reads `i > 0 && i < n || …`.
     pub(in crate::syntax) fn index_condition(&mut self, cursor: &mut Cursor) -> Parsed<CombinedCondition> {
         self.combined_condition(cursor, |parser, cursor| {
             parser.misplaced(arrays::COMPARISON, arrays::SELECTION_HELP, cursor)
         })
     }
 
-    /// Comparisons with `&&`, `||` and `!`; `missing` reports one without its sign.
+    /// Reads comparisons with `&&`, `||` and `!`; `missing` reports a comparison without its sign.
     pub(in crate::syntax) fn combined_condition(
         &mut self,
         cursor: &mut Cursor,
@@ -218,7 +218,7 @@ impl Parser<'_> {
         Ok(CombinedCondition { alternatives })
     }
 
-    /// `!(…)`, `(…)` or `i < n`
+    /// Reads `!(…)`, `(…)` or `i < n`.
     fn test(
         &mut self,
         cursor: &mut Cursor,
@@ -244,7 +244,7 @@ impl Parser<'_> {
     }
 }
 
-/// Lines with something more around them.
+/// Returns lines with additional enclosures.
 fn enclosed<T: Enclosed>(mut lines: Vec<T>, around: &[Enclosure]) -> Vec<T> {
     for line in &mut lines {
         line.enclosures_mut().splice(0..0, around.iter().cloned());
@@ -252,7 +252,7 @@ fn enclosed<T: Enclosed>(mut lines: Vec<T>, around: &[Enclosure]) -> Vec<T> {
     lines
 }
 
-/// True of what may stand behind a condition in parentheses, and not behind a part of a sum.
+/// True for tokens that may follow a condition in parentheses, but not a part of a sum.
 fn ends_test(token: Option<&TokenTree>) -> bool {
     match token {
         Some(TokenTree::Punct(punct)) => "&|,;".contains(punct.as_char()),
@@ -262,7 +262,7 @@ fn ends_test(token: Option<&TokenTree>) -> bool {
     }
 }
 
-/// True of parentheses around a condition rather than around a part of an index.
+/// True for parentheses around a condition rather than a part of an index.
 fn is_condition(group: &Group) -> bool {
     let mut pending = group.stream().into_iter().collect::<Vec<_>>();
     while let Some(token) = pending.pop() {

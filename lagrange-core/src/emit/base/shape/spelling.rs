@@ -1,4 +1,4 @@
-//! Names and types of a shape as they stand in emitted code.
+//! Names and types of a shape, as emitted code spells them.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -9,30 +9,30 @@ use lagrange_algebra::code::Scalar;
 use lagrange_language::syntax::ast::{Name, ScalarType};
 
 impl Shape<'_> {
-    /// The struct's name.
+    /// Returns the name of the struct.
     pub(in crate::emit) fn name(&self) -> Ident {
         identifier(&self.declaration.name)
     }
 
-    /// The name of the struct of states.
+    /// Returns the name of the struct of states.
     pub(in crate::emit) fn state_name(&self) -> Ident {
         let name = &self.declaration.name;
         format_ident!("{}State", name.text, span = name.span)
     }
 
-    /// The name of the struct of columns.
+    /// Returns the name of the struct of columns.
     pub(in crate::emit) fn columns_name(&self) -> Ident {
         let name = &self.declaration.name;
         format_ident!("{}Columns", name.text, span = name.span)
     }
 
-    /// The name of the prepared type.
+    /// Returns the name of the prepared type.
     pub(in crate::emit) fn prepared_name(&self) -> Ident {
         let name = &self.declaration.name;
         format_ident!("{}Prepared", name.text, span = name.span)
     }
 
-    /// The number type where the user's scope decides what a bare name means.
+    /// Returns the path of the number type, for code in which the user's scope resolves bare names.
     pub(in crate::emit) fn scalar_path(&self) -> TokenStream {
         match &self.declaration.scalar {
             ScalarType::F64 => quote!(::core::primitive::f64),
@@ -44,7 +44,7 @@ impl Shape<'_> {
         }
     }
 
-    /// The number type inside the block that holds the implementations.
+    /// Returns the number type inside the block with the implementations.
     pub(in crate::emit) fn scalar(&self) -> TokenStream {
         match &self.declaration.scalar {
             ScalarType::F64 => quote!(f64),
@@ -53,7 +53,7 @@ impl Shape<'_> {
         }
     }
 
-    /// The number type that bodies of methods compute with.
+    /// Returns the number type in the bodies of methods.
     pub(in crate::emit) fn computed_with(&self) -> Scalar {
         match &self.declaration.scalar {
             ScalarType::F64 => Scalar::F64,
@@ -62,7 +62,7 @@ impl Shape<'_> {
         }
     }
 
-    /// `<S>` or nothing.
+    /// Returns `<S>` or nothing.
     pub(in crate::emit) fn generics(&self) -> TokenStream {
         match &self.declaration.scalar {
             ScalarType::Generic(name) => {
@@ -73,7 +73,7 @@ impl Shape<'_> {
         }
     }
 
-    /// `<S: Scalar>` or nothing.
+    /// Returns `<S: Scalar>` or nothing.
     pub(in crate::emit) fn bounds(&self) -> TokenStream {
         match &self.declaration.scalar {
             ScalarType::Generic(name) => {
@@ -85,33 +85,33 @@ impl Shape<'_> {
     }
 }
 
-/// The user's identifier, at the user's place.
+/// Returns the user's identifier with the user's span.
 pub(in crate::emit) fn identifier(name: &Name) -> Ident {
     Ident::new(&name.text, name.span)
 }
 
-/// An identifier that only generated code sees.
+/// Returns an identifier that is only visible to generated code.
 pub(in crate::emit) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
-/// A line of documentation, spaced as if it followed three slashes.
+/// Returns a line of documentation, spaced as if it followed three slashes.
 pub(in crate::emit) fn doc(line: &str) -> TokenStream {
     let line = if line.is_empty() { String::new() } else { format!(" {line}") };
     quote!(#[doc = #line])
 }
 
-/// The length of an array, as people write it.
+/// Returns the length of an array as a literal without a suffix.
 pub(in crate::emit) fn length(length: usize) -> Literal {
     Literal::usize_unsuffixed(length)
 }
 
-/// The name of the method that says how a body moves.
+/// Returns the name of the method for the motion of a body.
 pub(in crate::emit) fn motion_name(body: &Name) -> Ident {
     method_of(body, Product::Motion)
 }
 
-/// The name of a method that a product has for each body or frame.
+/// Returns the name of the method of a product for a body or frame.
 pub(in crate::emit) fn method_of(body: &Name, product: Product) -> Ident {
     let suffix = product.method_suffix().unwrap_or_default();
     Ident::new(&format!("{}{suffix}", body.text), body.span)

@@ -7,21 +7,21 @@ use crate::syntax::ast::{AstId, Name, Range};
 /// A loop, a condition or a local name around a line of an event, a clock or a reduction.
 #[derive(Clone, Debug)]
 pub enum Enclosure {
-    /// `let dv = e;` in front of it, with the expression e
+    /// `let dv = e;` before it, with the expression e
     Local(Box<Statement>, AstId),
     /// `for i in 0..n { … }`
     Loop(Name, Range),
-    /// `if i > 0 { … }`, or the negation of what stands before `else`
+    /// `if i > 0 { … }`, or the negated conditions before `else`
     Condition(CombinedCondition),
 }
 
 impl Enclosure {
-    /// True if its expressions must be known while arrays are expanded.
+    /// True if its expressions must be evaluated during expansion.
     pub fn is_counted(&self) -> bool {
         !matches!(self, Enclosure::Local(..))
     }
 
-    /// True if both are the same in the text.
+    /// True if both are the same enclosure in the text.
     pub fn is_same(&self, other: &Enclosure) -> bool {
         match (self, other) {
             (Enclosure::Local(_, one), Enclosure::Local(_, other)) => one == other,
@@ -31,7 +31,7 @@ impl Enclosure {
         }
     }
 
-    /// Returns its expressions, to be read or replaced.
+    /// Returns its expressions for reading or modification.
     pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         match self {
             Enclosure::Local(statement, value) => {
@@ -45,6 +45,6 @@ impl Enclosure {
 
 /// A line between braces that loops and conditions may enclose.
 pub trait Enclosed {
-    /// Returns what encloses it, from the outside inwards, until that is written out.
+    /// Returns its enclosures, from the outside inwards, before expansion.
     fn enclosures_mut(&mut self) -> &mut Vec<Enclosure>;
 }

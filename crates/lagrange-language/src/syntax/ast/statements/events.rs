@@ -5,14 +5,14 @@ use proc_macro2::Span;
 use super::enclosures::{Enclosed, Enclosure};
 use crate::syntax::ast::{AstId, Name};
 
-/// A zero to be found during a motion, and what happens there.
+/// A zero to be located during a motion, and the action there.
 #[derive(Clone, Debug)]
 pub struct Event {
     /// Its name.
     pub name: Name,
     /// Function whose zeros are the event.
     pub value: AstId,
-    /// Zeros that count.
+    /// Direction of the relevant zeros.
     pub direction: Direction,
     /// Place of the direction.
     pub direction_span: Span,
@@ -35,10 +35,10 @@ impl Event {
     }
 }
 
-/// Assignments at equal distances of time.
+/// Assignments at equal time intervals.
 #[derive(Clone, Debug)]
 pub struct Clock {
-    /// The distance.
+    /// The interval.
     pub period: AstId,
     /// Assignments at each tick.
     pub assignments: Vec<Assignment>,
@@ -52,14 +52,14 @@ impl Clock {
     }
 }
 
-/// Direction in which a function passes zero in the course of time.
+/// Direction in which a function crosses zero over time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
     /// Upwards, from negative to positive.
     Rising,
     /// Downwards, from positive to negative.
     Falling,
-    /// Either.
+    /// Either direction.
     Crossing,
 }
 
@@ -79,16 +79,16 @@ pub enum Action {
 /// One `target = value` of an event, of a clock or of the start.
 #[derive(Clone, Debug)]
 pub struct Assignment {
-    /// Quantity that changes: should be `x` or `dot(x)` of a coordinate.
+    /// Quantity that changes: it should be `x` or `dot(x)` of a coordinate.
     pub target: AstId,
-    /// Value that it gets.
+    /// The new value.
     pub value: AstId,
-    /// Loops and conditions around it, until they are written out.
+    /// Loops and conditions around it, before expansion.
     pub enclosures: Vec<Enclosure>,
 }
 
 impl Assignment {
-    /// An assignment that nothing encloses.
+    /// Creates an assignment without enclosures.
     pub fn new(target: AstId, value: AstId) -> Assignment {
         Assignment { target, value, enclosures: Vec::new() }
     }
@@ -114,7 +114,7 @@ pub struct Friction {
     pub slip: AstId,
     /// The magnitude of the force while it slips.
     pub kinetic: AstId,
-    /// The largest magnitude of the force while it sticks, if that is not the same.
+    /// The largest magnitude of the force while it sticks, if different.
     pub fixed: Option<AstId>,
     /// The range of slip velocities over which the force changes its sign, if it is smooth.
     pub width: Option<AstId>,

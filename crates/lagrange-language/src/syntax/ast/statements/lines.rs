@@ -18,7 +18,7 @@ impl StatementKind {
         }
     }
 
-    /// Returns what encloses each line between its braces.
+    /// Returns the enclosures of each line between its braces.
     pub fn enclosures(&self) -> Vec<&[Enclosure]> {
         let assignments = match self {
             StatementKind::Reduce(reduction) => {

@@ -12,20 +12,20 @@ pub struct Repetition {
     pub variable: Name,
     /// Its values.
     pub range: Range,
-    /// The statements that are meant for each of them.
+    /// The statements to be repeated for each of them.
     pub body: Vec<Statement>,
 }
 
 /// `if i > 0 { … } else if … { … } else { … }` around statements.
 #[derive(Clone, Debug)]
 pub struct Selection {
-    /// Conditions, each with the statements that are meant where it holds and none before it does.
+    /// Conditions, each with the statements that apply if it holds and no previous one does.
     pub branches: Vec<(CombinedCondition, Vec<Statement>)>,
     /// Statements that apply if no condition holds.
     pub otherwise: Vec<Statement>,
 }
 
-/// A statement with what is around it.
+/// A statement with its context.
 #[derive(Clone, Copy)]
 pub struct Nested<'d> {
     /// The statement.
@@ -35,8 +35,8 @@ pub struct Nested<'d> {
 }
 
 impl<'d> Nested<'d> {
-    /// Returns the names that the statement declares for all that follow: those of one iteration
-    /// are excluded.
+    /// Returns the names that the statement declares for everything that follows; those of one
+    /// iteration are excluded.
     pub fn lasting_names(self) -> impl Iterator<Item = (&'d Name, String)> {
         let kind = &self.statement.kind;
         let are_local = self.is_in_loop && kind.is_local_in_loops();
@@ -44,8 +44,8 @@ impl<'d> Nested<'d> {
     }
 }
 
-/// Returns all statements with those in loops and choices, each before its own, without those of
-/// parts.
+/// Returns all statements, including those in loops and choices after the enclosing one, but not
+/// those of parts.
 pub fn nested(statements: &[Statement]) -> Vec<Nested<'_>> {
     let with = |is_in_loop| move |statement| Nested { statement, is_in_loop };
     let mut pending = statements.iter().rev().map(with(false)).collect::<Vec<_>>();
@@ -61,7 +61,7 @@ pub fn nested(statements: &[Statement]) -> Vec<Nested<'_>> {
     all
 }
 
-/// Statements that stand for others: those of loops, choices and parts.
+/// Statements that expand to others: loops, choices and parts.
 #[derive(Clone, Debug)]
 pub enum Block {
     /// A loop.
@@ -88,8 +88,8 @@ impl Block {
         }
     }
 
-    /// Returns the expressions in front of the braces or in a placement, and the statements between
-    /// each pair of braces.
+    /// Returns the expressions before the braces or in a placement, and the statements between each
+    /// pair of braces.
     pub fn parts_mut(&mut self) -> (Vec<&mut AstId>, Vec<&mut Vec<Statement>>) {
         match self {
             Block::Repeat(repetition) => {

@@ -9,13 +9,13 @@ use lagrange_expr::diagnostics::Origin;
 pub struct PartDefinition {
     /// Its name.
     pub name: Name,
-    /// The names that stand for something outside.
+    /// Its arguments, which refer to items outside.
     pub arguments: Vec<PartArgument>,
     /// Its statements.
     pub body: Vec<Statement>,
-    /// From the keyword to the closing brace.
+    /// Place from the keyword to the closing brace.
     pub origin: Origin,
-    /// True if it is from a file, which may hold more parts than are placed.
+    /// True if it is from a file, which may contain more parts than are placed.
     pub is_included: bool,
 }
 
@@ -24,20 +24,20 @@ pub struct PartDefinition {
 pub struct PartArgument {
     /// Its name.
     pub name: Name,
-    /// The value that it has where a placement gives none.
+    /// The default value, for placements that omit the argument.
     pub default: Option<AstId>,
 }
 
 /// `leg[i in 0..4]: Leg { side: e; }`
 #[derive(Clone, Debug)]
 pub struct Placement {
-    /// The name of what is placed, with its indices but for the variable.
+    /// The name of the placed part, with its indices except the variable.
     pub name: Name,
     /// The variable of an array of parts and its values.
     pub count: Option<(Name, Range)>,
     /// The part.
     pub part: Name,
-    /// The arguments that are given. Behind an array, a value may be a list.
+    /// The given arguments. For an array, a value may be a list.
     pub arguments: Vec<(Name, AstId)>,
 }
 

@@ -19,9 +19,9 @@ pub struct ReductionItem {
     pub coordinate: Name,
     /// Kind of change.
     pub kind: ReductionKind,
-    /// The value behind `=`; without one it is 0.
+    /// The value after `=`; 0 by default.
     pub value: Option<AstId>,
-    /// Loops and conditions around it, until they are written out.
+    /// Loops and conditions around it, before expansion.
     pub enclosures: Vec<Enclosure>,
 }
 
@@ -59,8 +59,8 @@ impl Enclosed for ReductionItem {
 pub enum ReductionKind {
     /// `freeze x = e;`: held at a value.
     Frozen,
-    /// `small theta = e;`: stays near a value.
+    /// `small theta = e;`: remains near a value.
     Small,
-    /// `ignore phi;`: is cyclic, and its momentum takes the place of its velocity.
+    /// `ignore phi;`: is cyclic, and its momentum replaces its velocity.
     Ignored,
 }
