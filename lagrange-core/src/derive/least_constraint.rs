@@ -10,9 +10,9 @@
 //!
 //! # A pendulum in numbers
 //!
-//! Take m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. From x = 5 sin θ and y =
-//! −5 cos θ follow ẋ = 4 θ̇ and ẏ = 3 θ̇. At zero acceleration ẍ = −3 and ÿ = 4. The potential has
-//! the rate V̇ = 30 θ̇.
+//! Take m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. From x = 5 sin θ and
+//! y = −5 cos θ follow ẋ = 4 θ̇ and ẏ = 3 θ̇. At zero acceleration ẍ = −3 and ÿ = 4. The potential
+//! has the rate V̇ = 30 θ̇.
 //!
 //! | node | square | linear part | because |
 //! |---|---|---|---|

@@ -5,8 +5,8 @@
 //! coordinates, since ∂R/∂v = ∂L/∂v and ∂R/∂q = ∂L/∂q. Sources: Goldstein, Poole and Safko,
 //! *Classical Mechanics*, 3rd ed., §8.3; Routh, *Stability of a Given State of Motion*, 1877.
 //!
-//! L is quadratic in velocities: L = L₀ + aᵀφ̇ + ½ φ̇ᵀM φ̇, where L₀ and a are the values at φ̇ = 0.
-//! Then M φ̇ = p − a and R = L₀ − ½ (p − a)ᵀM⁻¹(p − a), a sum of squares by elimination.
+//! L is quadratic in velocities: L = L₀ + aᵀφ̇ + ½ φ̇ᵀM φ̇, where L₀ and a are the values at
+//! φ̇ = 0. Then M φ̇ = p − a and R = L₀ − ½ (p − a)ᵀM⁻¹(p − a), a sum of squares by elimination.
 //!
 //! In loads φ̇ is replaced, both in forces and in the velocities along which they act. This adds
 //! ∂φ̇/∂v times the force on φ to generalised forces, which is zero.

@@ -55,7 +55,7 @@ fn values_within(graph: &mut Graph, id: ExprId) -> Vec<ExprId> {
 }
 
 /// Returns the rate of a function. The rates of powers and lengths are computed from their values.
-/// Where these values vanish, rates nearby have a pole, and the rate is set to zero.
+/// They are zero where these values vanish, since rates nearby have a pole.
 fn rate(graph: &mut Graph, rates: &mut Rates, value: ExprId) -> ExprId {
     match graph.node(value).clone() {
         Node::Call(Function::Power, arguments) => {

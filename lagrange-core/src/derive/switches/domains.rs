@@ -14,10 +14,10 @@
 //! | of functions of the user's crate | as much before the surface as it would be beyond |
 //!
 //! On the sides themselves the values are those of the declaration, including NaN, and they are
-//! continuous across the surfaces. An expression that is singular at its surface, such as |x|^(−1/2),
-//! has no value beyond: no step crosses it. Where max(a, x)^(−1/2) becomes a^(−1/2), nothing is
-//! singular, and the base is treated like that of a root. x |x|^(−1/2) is not singular, as s |x|^(1/2)
-//! shows, and neither is x |x|^(p − 1) for positive p.
+//! continuous across the surfaces. An expression that is singular at its surface, such as
+//! |x|^(−1/2), has no value beyond: no step crosses it. Where max(a, x)^(−1/2) becomes a^(−1/2),
+//! nothing is singular, and the base is treated like that of a root. x |x|^(−1/2) is not singular,
+//! as s |x|^(1/2) shows, and neither is x |x|^(p − 1) for positive p.
 
 use super::Side;
 use super::poles::{vanishes, without_removable_poles};

@@ -37,7 +37,8 @@ pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
     writer.members.unknowns = Some(body);
 }
 
-/// Writes a function for each unknown that methods use, or for each set of coupled unknowns.
+/// Writes a function for each unknown that methods mention, or for those that are solved for
+/// together.
 pub(in crate::emit) fn write_solvers(writer: &mut MethodWriter<'_>) {
     let mut written = Vec::new();
     for function in writer.members.callees.clone().iter().filter(|function| function.is_solution()) {

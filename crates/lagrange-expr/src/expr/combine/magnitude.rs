@@ -71,8 +71,8 @@ impl Graph {
         Some(inner.iter().map(|(part, power)| (*part, power * &exponent)).collect())
     }
 
-    /// Returns |x|, factor by factor: |−2 k (2 x + 4 y) z²| = 4 |k| |x + 2 y| z². Every magnitude of x
-    /// is therefore the same expression.
+    /// Returns |x|, factor by factor: |−2 k (2 x + 4 y) z²| = 4 |k| |x + 2 y| z². Every magnitude
+    /// of x is therefore the same expression.
     pub fn magnitude(&mut self, id: ExprId) -> ExprId {
         if self.is_nonnegative(id) {
             return id;

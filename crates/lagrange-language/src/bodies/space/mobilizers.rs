@@ -269,8 +269,8 @@ fn turning(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<Frame
     Some(FrameStep::Orientation(TurningAxes { matrix, spin }))
 }
 
-/// Returns the rotation of a quaternion with the vector part v: 1 + 2 w v× + 2 v× v× (Featherstone, *Rigid
-/// Body Dynamics Algorithms*, eq. 4.11).
+/// Returns the rotation of a quaternion with the vector part v: 1 + 2 w v× + 2 v× v× (Featherstone,
+/// *Rigid Body Dynamics Algorithms*, eq. 4.11).
 fn rotation_of(terms: &mut TermWriter<'_>, [w, x, y, z]: [AstId; 4]) -> Matrix {
     let (one, two) = (terms.number(1), terms.number(2));
     let vector = [x, y, z];

@@ -18,13 +18,13 @@ use lagrange_expr::limits::MAX_BRANCHES;
 type Branches<T> = (Vec<(CombinedCondition, Vec<T>)>, Vec<T>);
 
 impl Parser<'_> {
-    /// Reads `i in 0..n { … }` behind the word `for`.
+    /// Reads `i in 0..n { … }` after the word `for`.
     pub(super) fn repetition(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let (variable, range, body) = self.in_each(cursor, Self::statements)?;
         Ok(StatementKind::Block(Block::Repeat(Box::new(Repetition { variable, range, body }))))
     }
 
-    /// Reads `i > 0 { … } else if … { … } else { … }` behind the word `if`.
+    /// Reads `i > 0 { … } else if … { … } else { … }` after the word `if`.
     pub(super) fn selection(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let (branches, otherwise) = self.in_branches(cursor, Self::statements)?;
         Ok(StatementKind::Block(Block::Select(Selection { branches, otherwise })))
@@ -121,7 +121,7 @@ impl Parser<'_> {
         Ok(all)
     }
 
-    /// Reads `i in 0..n { … }` behind the word `for`.
+    /// Reads `i in 0..n { … }` after the word `for`.
     fn in_each<T>(
         &mut self,
         cursor: &mut Cursor,
@@ -136,7 +136,7 @@ impl Parser<'_> {
         Ok((variable, range, body))
     }
 
-    /// Reads `i > 0 { … } else if … { … } else { … }` behind the word `if`.
+    /// Reads `i > 0 { … } else if … { … } else { … }` after the word `if`.
     fn in_branches<T>(
         &mut self,
         cursor: &mut Cursor,
