@@ -11,8 +11,8 @@ use super::scope::NameKind;
 use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{
-    Action, Availability, Clock, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output,
-    Parameter, Product, Reaction, Reduction, Scene, Speed,
+    Action, Availability, Clock, Constraint, Coordinate, Delay, Event, GibbsFunction, Load, Orientation,
+    Output, Parameter, Product, Reaction, Reduction, Scene, Speed,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Report, nearest};
@@ -76,6 +76,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) declaration: &'a Declaration,
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
+    /// Inputs that are delayed signals, with where these stand.
+    pub(super) delays: Vec<(Delay, Span)>,
     /// Ranges of parameters so far, by their bounds in the syntax tree.
     pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
@@ -132,6 +134,7 @@ impl<'a> Elaborator<'a> {
             declaration,
             parameters: Vec::new(),
             inputs: Vec::new(),
+            delays: Vec::new(),
             ranges: Vec::new(),
             coordinates: Vec::new(),
             states: Vec::new(),

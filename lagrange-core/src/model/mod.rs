@@ -25,6 +25,8 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Inputs in declaration order.
     pub inputs: Vec<Parameter>,
+    /// Inputs that are delayed signals.
+    pub delays: Vec<Delay>,
     /// Positions in state order: generalised coordinates and components of unit quaternions, at
     /// least one, then first-order states.
     pub coordinates: Vec<Coordinate>,
@@ -118,6 +120,17 @@ pub struct Parameter {
     pub default: Option<ExprId>,
     /// The lower and the upper bound of its values.
     pub range: [Option<Bound>; 2],
+}
+
+/// An input whose value is that of a signal some time ago.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Delay {
+    /// The index of the input.
+    pub input: usize,
+    /// The signal, a function of time, the state and inputs.
+    pub signal: ExprId,
+    /// The time by which it is delayed, of parameters alone.
+    pub lag: ExprId,
 }
 
 /// A bound of the values of a parameter.

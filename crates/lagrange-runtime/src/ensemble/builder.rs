@@ -11,9 +11,9 @@ use super::shard::Shard;
 use super::starts::Starts;
 use crate::integrate::{Method, Verner98};
 use crate::simulate::{
-    Drive, InitialState, Law, Sampling, Undriven, Verdict, columns_of, default_method, inputs,
+    Drive, InitialState, Law, Sampling, Undriven, Verdict, WithHistory, columns_of, default_method, inputs,
 };
-use crate::system::{ControlledSystem, MechanicalSystem};
+use crate::system::{ControlledSystem, DelayedSystem, MechanicalSystem};
 
 /// Motions of one system. They want to know when they end.
 #[must_use = "specify the end of the motions: `.until(time)`"]
@@ -142,6 +142,17 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
         self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
         let Ensemble { batch, method, kept, .. } = self;
         Ensemble { batch, method, drive: Law::new(law), kept }
+    }
+
+    /// Keeps the past of every motion, as the delays of the declaration ask for, as [in a single
+    /// run](crate::simulate::Simulation::with_history).
+    pub fn with_history(mut self) -> Ensemble<'a, M, K, WithHistory, P>
+    where
+        M: DelayedSystem,
+    {
+        self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
+        let Ensemble { batch, method, kept, .. } = self;
+        Ensemble { batch, method, drive: WithHistory, kept }
     }
 }
 

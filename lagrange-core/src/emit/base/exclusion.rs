@@ -16,6 +16,7 @@ pub(in crate::emit) enum Exclusion {
     Events,
     Orientations,
     Functions,
+    Delays,
     Defaults,
 }
 
@@ -35,6 +36,7 @@ impl Exclusion {
             Exclusion::Events => !model.events.is_empty() || !model.clocks.is_empty(),
             Exclusion::Orientations => !model.orientations.is_empty(),
             Exclusion::Functions => calls_functions(model, equations),
+            Exclusion::Delays => !model.delays.is_empty(),
             Exclusion::Defaults => lacks_defaults(model),
         };
         exclusions.iter().find(is_there).copied()
@@ -51,6 +53,7 @@ impl Exclusion {
             Exclusion::Events => messages::EVENTS,
             Exclusion::Orientations => messages::ORIENTATIONS,
             Exclusion::Functions => messages::FUNCTIONS,
+            Exclusion::Delays => messages::DELAYS,
             Exclusion::Defaults => messages::WITHOUT_DEFAULTS,
         }
     }

@@ -23,12 +23,13 @@ use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
 /// Features that a kernel does not support.
-const EXCLUSIONS: [Exclusion; 5] = [
+const EXCLUSIONS: [Exclusion; 6] = [
     Exclusion::Contacts,
     Exclusion::Constraints,
     Exclusion::Events,
     Exclusion::Indefinite,
     Exclusion::Functions,
+    Exclusion::Delays,
 ];
 
 /// Writes the constants of the kernel, if it is asked for.

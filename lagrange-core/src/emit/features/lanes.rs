@@ -19,12 +19,13 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 
 /// Features that a loop over motions side by side does not support.
-const EXCLUSIONS: [Exclusion; 5] = [
+const EXCLUSIONS: [Exclusion; 6] = [
     Exclusion::Contacts,
     Exclusion::Constraints,
     Exclusion::Events,
     Exclusion::Orientations,
     Exclusion::Indefinite,
+    Exclusion::Delays,
 ];
 
 /// Writes the right-hand side for numbers side by side, if it is asked for.

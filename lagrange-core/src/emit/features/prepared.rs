@@ -40,8 +40,13 @@ pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 10] = [
 ];
 
 /// Features that cannot be prepared.
-const EXCLUSIONS: [Exclusion; 4] =
-    [Exclusion::Contacts, Exclusion::Constraints, Exclusion::Switches, Exclusion::Indefinite];
+const EXCLUSIONS: [Exclusion; 5] = [
+    Exclusion::Contacts,
+    Exclusion::Constraints,
+    Exclusion::Switches,
+    Exclusion::Indefinite,
+    Exclusion::Delays,
+];
 
 /// Writes the methods of the prepared type, if it is asked for.
 pub(in crate::emit) fn write_prepared(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {

@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use crate::integrate::{Method, Stepper};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StepFailure};
+use crate::system::{OdeSystem, StepFailure, check_delays};
 
 /// Steps of a run: all of their times, and states at every so many of them.
 ///
@@ -36,6 +36,7 @@ impl<S: Scalar, Y: Copy> Trace<S, Y> {
         K: Method<M>,
     {
         let end = *samples.last().unwrap_or(&t);
+        check_delays::<M>()?;
         let mut stepper = method.start(system, t, &y, end)?;
         let limit = max_steps.unwrap_or(u64::MAX);
         stepper.limit_steps(limit);
