@@ -12,6 +12,8 @@ use lagrange_core::pipeline::Programs;
 pub enum Refusal {
     /// It declares rigid contacts or friction with these names.
     Touching(Vec<String>),
+    /// It delays signals, which are the inputs of these names.
+    Delays(Vec<String>),
     /// It calls these functions of the user's crate.
     Functions(Vec<String>),
     /// Noises with these names act on it.
@@ -27,6 +29,9 @@ impl Display for Refusal {
         match self {
             Refusal::Touching(names) => {
                 write!(f, "rigid contacts and friction run in compiled Rust only: {}", quoted(names))
+            }
+            Refusal::Delays(names) => {
+                write!(f, "delayed signals run in compiled Rust only: {}", quoted(names))
             }
             Refusal::Functions(names) => {
                 write!(f, "functions of a crate are known to compiled Rust only: {}", quoted(names))
@@ -60,6 +65,9 @@ pub(crate) fn check(programs: &Programs) -> Result<(), Refusal> {
     }
     if !programs.noises.is_empty() {
         return Err(Refusal::Noise(programs.noises.clone()));
+    }
+    if !variables.delayed.is_empty() {
+        return Err(Refusal::Delays(variables.delayed.clone()));
     }
     if !functions.is_empty() {
         return Err(Refusal::Functions(functions.iter().map(Opaque::rust_name).collect()));

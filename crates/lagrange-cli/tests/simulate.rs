@@ -172,6 +172,10 @@ fn systems_that_need_a_compiler_are_refused_by_name() {
     let result = simulate(&[&path, "--until", "1"]);
     assert_eq!(result.status.code(), Some(1));
     assert!(text(&result.stderr).contains("rigid contacts and friction run in compiled code only: `floor`"));
+    let late = declaration("late.lag", "state x = 1; dot(x) = -delay(x, 1);");
+    let result = simulate(&[&late, "--until", "1"]);
+    assert_eq!(result.status.code(), Some(1));
+    assert!(text(&result.stderr).contains("delayed signals run in compiled code only: `delayed_1`"));
     let mistake = simulate(&[&declaration("mistake.lag", "coord x; kinetic = dot(y)^2;"), "--until", "1"]);
     assert_eq!(mistake.status.code(), Some(1));
     assert!(text(&mistake.stderr).contains("mistake.lag:1:"), "{}", text(&mistake.stderr));

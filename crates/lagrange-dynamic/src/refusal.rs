@@ -9,6 +9,8 @@ use std::fmt::{self, Display, Formatter};
 pub enum Refusal {
     /// It declares rigid contacts or friction with these names.
     Touching(Vec<String>),
+    /// It delays signals, which are the inputs of these names.
+    Delays(Vec<String>),
     /// It calls these functions of the user's crate.
     Functions(Vec<String>),
     /// Its state has more entries than there is room for.
@@ -25,6 +27,9 @@ impl Display for Refusal {
         match self {
             Refusal::Touching(names) => {
                 write!(f, "rigid contacts and friction run in compiled code only: {}", quoted(names))
+            }
+            Refusal::Delays(names) => {
+                write!(f, "delayed signals run in compiled code only: {}", quoted(names))
             }
             Refusal::Functions(names) => {
                 write!(f, "functions of a crate are known to compiled code only: {}", quoted(names))

@@ -50,6 +50,7 @@ pub(super) fn evaluate_call(
     }
     match name.text.as_str() {
         "dot" | "ddot" => evaluate_rate(evaluator, &name.text, arguments[0], call),
+        "delay" => evaluator.refuse(call, messages::delays::PLACE, messages::delays::PLACE_HELP),
         "transpose" => evaluate_transpose(evaluator, arguments[0]),
         "norm" | "inner" | "cross" => evaluate_vector_function(evaluator, &name.text, arguments),
         "kinetic_energy" | "spring_energy" => {

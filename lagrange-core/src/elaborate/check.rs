@@ -2,6 +2,7 @@
 
 use super::constraints::{check_reduced_constraints, is_constrained};
 use super::damping::with_limits;
+use super::delays::check_delays;
 use super::elaborator::{Elaborator, SourceTerm};
 use super::events::check_reduced_events;
 use super::gibbs::total_gibbs;
@@ -172,6 +173,7 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
     check_derivatives(elaborator);
     check_linear_model(elaborator);
     check_hessian(elaborator);
+    check_delays(elaborator);
 }
 
 /// Returns the mistake of a product that requires bodies that do not exist, or that exist in the
@@ -362,6 +364,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         parameters: elaborator.parameters,
         inputs: elaborator.inputs,
         noises,
+        delays: elaborator.delays.into_iter().map(|(delay, _)| delay).collect(),
         coordinates: coordinates.chain(states).collect(),
         speeds: elaborator.speeds.into_iter().map(|(speed, _)| speed).collect(),
         orientations: elaborator.orientations,

@@ -11,8 +11,8 @@ use super::scope::NameKind;
 use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{
-    Action, Availability, Clock, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output,
-    Parameter, Product, Reaction, Reduction, Scene, Speed,
+    Action, Availability, Clock, Constraint, Coordinate, Delay, Event, GibbsFunction, Load, Orientation,
+    Output, Parameter, Product, Reaction, Reduction, Scene, Speed,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Report, nearest};
@@ -85,6 +85,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
     pub(super) noises: Vec<DeclaredNoise>,
+    /// Inputs that are delayed signals, with where these stand.
+    pub(super) delays: Vec<(Delay, Span)>,
     /// Ranges of parameters so far, by their bounds in the syntax tree.
     pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
@@ -142,6 +144,7 @@ impl<'a> Elaborator<'a> {
             parameters: Vec::new(),
             inputs: Vec::new(),
             noises: Vec::new(),
+            delays: Vec::new(),
             ranges: Vec::new(),
             coordinates: Vec::new(),
             states: Vec::new(),

@@ -22,6 +22,7 @@ use lagrange_language::syntax::ast::AstId;
 use lagrange_language::syntax::ast::BinaryOperator;
 use lagrange_language::syntax::ast::Declaration;
 use lagrange_language::syntax::ast::Expression;
+use lagrange_language::syntax::ast::StatementKind;
 
 /// Evaluates the expressions of one declaration.
 pub(super) struct Evaluator<'a> {
@@ -205,7 +206,12 @@ impl<'a> Evaluator<'a> {
             }
             if self.graph.dependencies(component).intersects(Dependencies::INPUT) {
                 let (place, name) = self.blame(origin, Dependencies::INPUT);
-                self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);
+                let is_delayed = self.declaration.statements.iter().any(
+                    |statement| matches!(&statement.kind, StatementKind::Delay { name: late, .. } if late.text == name),
+                );
+                let help =
+                    if is_delayed { messages::delays::RATE_HELP } else { messages::RATE_OF_INPUT_HELP };
+                self.report.error(place, messages::rate_of_input(&name)).help(help);
                 return None;
             }
             if self.lacks_state_rate(component, origin) {

@@ -2,7 +2,7 @@
 
 use lagrange_expr::elementary;
 use lagrange_expr::solids::{self, Dimensions, SOLIDS, Solid};
-use lagrange_language::syntax::STRUCTURAL_FUNCTIONS;
+use lagrange_language::syntax::{NAMEABLE_FUNCTIONS, STRUCTURAL_FUNCTIONS};
 
 /// True if the language has a function of that name.
 pub(super) fn is_function(name: &str) -> bool {
@@ -11,8 +11,12 @@ pub(super) fn is_function(name: &str) -> bool {
 
 pub(super) fn arity(name: &str) -> Option<usize> {
     let elementary = elementary::by_name(name).map(|row| row.arity);
-    elementary
-        .or_else(|| STRUCTURAL_FUNCTIONS.iter().find(|(known, _)| *known == name).map(|(_, arity)| *arity))
+    let others = || structural_functions().find(|(known, _)| *known == name).map(|(_, arity)| arity);
+    elementary.or_else(others)
+}
+
+fn structural_functions() -> impl Iterator<Item = (&'static str, usize)> {
+    STRUCTURAL_FUNCTIONS.into_iter().chain(NAMEABLE_FUNCTIONS)
 }
 
 /// Returns the usage of a function, with the names of its arguments in textbooks.
@@ -24,6 +28,7 @@ pub(super) fn usage(name: &str, arity: usize) -> String {
         ("atan2", _) => "y, x",
         ("norm", _) => "v",
         ("partial", _) => "e, x",
+        ("delay", _) => "e, tau",
         ("transpose", _) => "A",
         ("inner" | "cross", _) => "v, w",
         ("kinetic_energy", _) => "m, v",
@@ -37,7 +42,7 @@ pub(super) fn usage(name: &str, arity: usize) -> String {
 
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
     let elementary = elementary::ROWS.iter().map(|row| row.name);
-    elementary.chain(STRUCTURAL_FUNCTIONS.iter().map(|(name, _)| *name)).chain(mass_function_names())
+    elementary.chain(structural_functions().map(|(name, _)| name)).chain(mass_function_names())
 }
 
 /// A function of mass geometry.

@@ -5,6 +5,7 @@ use lagrange_expr::diagnostics::messages;
 use lagrange_expr::expr::Dependencies;
 use lagrange_language::syntax::ast::ArrayShape;
 
+pub(super) mod delays;
 pub(super) mod events;
 pub(super) mod inertia;
 pub(super) mod names;

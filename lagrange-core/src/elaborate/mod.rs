@@ -13,6 +13,7 @@ mod constraints;
 mod coordinates;
 mod damping;
 mod definitions;
+mod delays;
 mod elaborator;
 mod entries;
 mod evaluator;

@@ -105,6 +105,7 @@ impl<'a> Reducer<'a> {
             graph: self.graph,
             parameters: model.parameters.clone(),
             inputs: model.inputs.clone(),
+            delays: Vec::new(),
             coordinates,
             speeds,
             orientations: model.orientations.clone(),

@@ -3,6 +3,7 @@
 use super::constraints::add_constraint;
 use super::coordinates::{define_coordinate, define_quaternion, name_velocity};
 use super::definitions::{define_abbreviation, define_abbreviations, define_constant, define_parameter};
+use super::delays::define_delay;
 use super::elaborator::Elaborator;
 use super::events::{add_clock, add_event};
 use super::expression::value_of;
@@ -67,6 +68,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::RateEquation(difference) => add_rate_equation(elaborator, *difference),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
+        StatementKind::Delay { name, signal, lag } => define_delay(elaborator, name, [*signal, *lag]),
         StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),
         StatementKind::Let(name, value) => define_abbreviation(elaborator, name, *value),
         StatementKind::LetTuple(names, value) => define_abbreviations(elaborator, names, *value),

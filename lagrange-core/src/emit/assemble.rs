@@ -14,6 +14,7 @@ use super::features::clocks::write_clocks;
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
 use super::features::constrained::write_constrained;
 use super::features::contacts::{default_modes, write_touching};
+use super::features::delays::write_delays;
 use super::features::events::write_events;
 use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
@@ -92,6 +93,7 @@ fn assembled(
     write_switches(&mut writer);
     write_clocks(&mut writer);
     write_diffusion(&mut writer);
+    write_delays(&mut writer);
     write_products(&mut writer);
     write_outputs(&mut writer);
     write_scene(&mut writer);

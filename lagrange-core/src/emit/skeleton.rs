@@ -8,6 +8,7 @@ use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, method_of, motion_name};
 use super::base::size::drop_excess;
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
+use super::features::delays::lags_method;
 use super::features::kernel::kernel_constants;
 use super::features::prepared::METHODS_OF_PREPARED;
 use super::features::product::signature;
@@ -17,6 +18,7 @@ use super::item::items;
 use crate::elaborate::is_method_of_reduced;
 use crate::model::Product;
 use lagrange_expr::collections::HashSet;
+use lagrange_language::inline::name_delays;
 use lagrange_language::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output with such a name is an error.
@@ -40,6 +42,7 @@ const NOT_DERIVED: &str = "Not derived: the declaration has errors.";
 /// Returns the items of a system that could not be derived. They have the same types and methods,
 /// so code that uses them causes no further errors. They never run, since compilation fails.
 pub fn skeleton(declaration: &mut Declaration, krate: &TokenStream) -> TokenStream {
+    name_delays(declaration);
     drop_excess(&mut declaration.statements);
     let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons_of_reduced(declaration, krate));
     quote!(#system #reduced)
@@ -82,7 +85,8 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
     }
     let is_derived = declaration.derives.iter().any(|name| name.text == "Default");
     let names = ArgumentNames::beside(&shape.user_names());
-    let hidden = skeleton_of_events(&shape);
+    let hidden = skeleton_of_events(&shape).into_iter().chain(skeleton_of_signals(&shape));
+    let lags = (!shape.delays.is_empty()).then(|| lags_method(&shape, &quote!(::core::unreachable!())));
     let constants = [equations_latex(""), parameter_names(&shape), statements_constant("")];
     let members = Members {
         default: (!is_derived).then(|| quote!(::core::unreachable!())),
@@ -90,7 +94,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         constrained: skeleton_of_constraints(n, m),
         are_holonomic: vec![true; m],
         terms: quote!(::core::unreachable!()),
-        hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
+        hidden: hidden.map(|method| method.of_trait(&shape, &names)).chain(lags).collect(),
         motions: skeleton_of_motions(&shape, &names),
         ranges: declaration.ranges().next().map(|_| quote!(::core::unreachable!())),
         start: declaration.has_start().then(|| quote!(::core::unreachable!())),
@@ -130,6 +134,12 @@ fn skeleton_of_events(shape: &Shape<'_>) -> Vec<Method> {
         }
     }
     methods
+}
+
+fn skeleton_of_signals(shape: &Shape<'_>) -> Option<Method> {
+    let signals = Returns::Vector(shape.delays.len());
+    let method = || placeholder(local("signals_to_delay"), Arguments::State, signals);
+    (!shape.delays.is_empty()).then(method)
 }
 
 fn skeleton_of_motions(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {

@@ -11,6 +11,7 @@ use super::base::shape::{Shape, length, local};
 use super::features::clocks::{clock_members, next_tick};
 use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::features::contacts::contact_impl;
+use super::features::delays::{delay_member, delayed_impl};
 use super::features::events::event_members;
 use super::features::kernel::kernel_impl;
 use super::features::lanes::with_lanes;
@@ -41,7 +42,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let constrained = constrained_impl(shape, members);
     let (contact, scene) = (contact_impl(shape, members), scene_impl(shape, members));
     let (switched, kernel) = (switched_impl(shape, members), kernel_impl(shape, members));
-    let parametric = parametric_impl(shape, members);
+    let (parametric, delayed) = (parametric_impl(shape, members), delayed_impl(shape, members));
     let (taylor, linearised) = (taylor_impl(shape, members), linearised_impl(shape, members));
     let (lagrangian, regressor) = (lagrangian_impl(shape, members), regressor_impl(shape, members));
     // With constraints there is only a skeleton of it.
@@ -52,7 +53,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
         let separable = members.is_separable.then(|| separable_impl(shape, &name));
         quote!(#canonical #separable)
     });
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised #lagrangian #regressor #parametric)
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised #lagrangian #regressor #parametric #delayed)
 }
 
 /// True if the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no
@@ -86,6 +87,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (constrained, events) = (correct_members(shape, members), event_members(shape, members));
     let timed = timed_members(shape, members, next_tick(shape, members));
     let (clocks, noise) = (clock_members(shape, members), noise_members(shape, members));
+    let delays = delay_member(shape);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -102,6 +104,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #timed
             #clocks
             #noise
+            #delays
         }
     }
 }

@@ -37,6 +37,8 @@ pub struct Variables {
     pub events: Vec<EventOfSystem>,
     /// Contacts and friction.
     pub touching: Vec<String>,
+    /// Inputs that are delayed signals.
+    pub delayed: Vec<String>,
     /// Surfaces of the switches whose sides runs fix.
     pub switches: Vec<String>,
     /// Columns of each output.
@@ -113,6 +115,7 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
             .map(|event| EventOfSystem { name: text(shape.written(&event.name)), direction: event.direction })
             .collect(),
         touching: shape.touching.iter().map(|(name, _)| text(shape.written(name))).collect(),
+        delayed: model.delays.iter().map(|delay| model.inputs[delay.input].name.clone()).collect(),
         switches: shape.switches.clone(),
         outputs,
         regressor: regressor_names(&shape, equations),

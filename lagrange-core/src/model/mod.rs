@@ -27,6 +27,8 @@ pub struct Model {
     pub inputs: Vec<Parameter>,
     /// White noises in declaration order; forces and rates of the model exclude them.
     pub noises: Vec<Noise>,
+    /// Inputs that are delayed signals.
+    pub delays: Vec<Delay>,
     /// Positions in state order: generalised coordinates and components of unit quaternions, at
     /// least one, then first-order states.
     pub coordinates: Vec<Coordinate>,
@@ -133,6 +135,17 @@ pub struct Noise {
     pub loads: Vec<(ExprId, ExprId)>,
     /// A state and its rate per unit of the noise, for each state.
     pub rates: Vec<(ExprId, ExprId)>,
+}
+
+/// An input whose value is that of a signal some time ago.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Delay {
+    /// The index of the input.
+    pub input: usize,
+    /// The signal, a function of time, the state and inputs.
+    pub signal: ExprId,
+    /// The time by which it is delayed, of parameters alone.
+    pub lag: ExprId,
 }
 
 /// A bound of the values of a parameter.

@@ -12,7 +12,7 @@ use lagrange_expr::units::{NamedUnits, momentum_name};
 use lagrange_language::bodies::plain;
 use lagrange_language::dimensions::{check_dimensions, in_coherent_units};
 use lagrange_language::expand::{has_arrays, name_elements, once_for_each_array, without_arrays};
-use lagrange_language::inline::without_functions;
+use lagrange_language::inline::{name_delays, without_functions};
 use lagrange_language::syntax::ast::{Declaration, Name, momentum_of};
 use lagrange_language::tables::name_files;
 
@@ -45,6 +45,7 @@ fn checked(mut declaration: Declaration, report: &mut Report) -> (Declaration, O
         return (declaration, None);
     }
     let mut declaration = without_functions(declaration, report);
+    name_delays(&mut declaration);
     let measured = in_coherent_units(&mut declaration, report);
     let plain = plain(declaration, report);
     if emit::report_too_many(&plain.declaration, report).is_none() {

@@ -43,6 +43,7 @@ pages! {
     Road = "cookbook/road.md";
     Robot = "cookbook/robot.md";
     Sampled = "cookbook/sampled.md";
+    Delay = "cookbook/delay.md";
     Sensitivities = "sensitivities.md";
     States = "cookbook/states.md";
     SwingUp = "cookbook/swing_up.md";

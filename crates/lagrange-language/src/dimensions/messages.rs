@@ -29,6 +29,7 @@ messages! {
     DISSIPATION = "`dissipation` adds powers (W)";
     STABILISE = "the rate of stabilisation is in 1/s";
     PERIOD = "the period of a clock is in s";
+    LAG = "a delay is a time in s";
     POINT = "the components of a point are lengths (m)";
     FORCE = "the components of a force are in N";
     FORCE_ALONG = "the load along this velocity must be %";

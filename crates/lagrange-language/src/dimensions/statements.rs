@@ -133,6 +133,13 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let value = named_value(checker, name, *value);
             checker.scope.insert(name.text.clone(), value);
         }
+        (StatementKind::Delay { name, signal, .. }, DimensionPass::Abbreviate) => {
+            let value = named_value(checker, name, *signal);
+            checker.scope.insert(name.text.clone(), value);
+        }
+        (StatementKind::Delay { lag, .. }, DimensionPass::Require) => {
+            checker.require_dimension(*lag, &Dimension::of(TIME), &said(messages::LAG));
+        }
         (StatementKind::Solve(unknowns), DimensionPass::Abbreviate) => define_unknowns(checker, unknowns),
         (kind @ StatementKind::LetTuple(names, value), DimensionPass::Abbreviate) => {
             let parts = kind.named_expressions(checker.expressions);
@@ -266,7 +273,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         )
         | (StatementKind::Mode(_), DimensionPass::Abbreviate | DimensionPass::Require)
         | (StatementKind::Start(_), DimensionPass::Declare | DimensionPass::Abbreviate)
-        | (StatementKind::Friction(_), DimensionPass::Declare)
+        | (StatementKind::Friction(_) | StatementKind::Delay { .. }, DimensionPass::Declare)
         | (
             StatementKind::Function(_)
             | StatementKind::Block(_)

@@ -8,11 +8,13 @@
 //! A function may call those before it, never itself. A chain of n functions that each call the one
 //! before twice expands to 2ⁿ terms, which is limited.
 
+mod delays;
 mod messages;
 
 #[cfg(test)]
 mod tests;
 
+pub use self::delays::name_delays;
 use std::collections::BTreeSet;
 
 use crate::syntax::ast::{

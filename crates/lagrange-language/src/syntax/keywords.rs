@@ -47,6 +47,9 @@ pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 12] = [
     ("powf", 2),
 ];
 
+/// Functions of the language whose names declarations may also give to something else.
+pub const NAMEABLE_FUNCTIONS: [(&str, usize); 1] = [("delay", 2)];
+
 /// Returns the statement that a word begins, even if it does so before certain tokens only.
 pub(super) fn statement(word: &str) -> Option<&'static Keyword> {
     TABLES.iter().copied().flatten().find(|keyword| keyword.word == word)

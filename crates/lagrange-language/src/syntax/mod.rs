@@ -70,7 +70,7 @@ use ast::{Declaration, Name, Statement, declared_bodies};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
 pub use identifiers::can_be_declared;
-pub use keywords::{STRUCTURAL_FUNCTIONS, is_function};
+pub use keywords::{NAMEABLE_FUNCTIONS, STRUCTURAL_FUNCTIONS, is_function};
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::units::Unit;
 use parser::Parser;

@@ -158,6 +158,7 @@ impl Printer<'_> {
                 self.assignments(&clock.assignments);
             }
             StatementKind::Friction(friction) => self.friction(friction),
+            StatementKind::Delay { name, signal, lag } => self.delay(name, *signal, *lag),
             StatementKind::Output(name, value) => self.named("output ", name, *value),
             StatementKind::Emit(items) => self.emit(items),
             StatementKind::Reduce(reduction) => self.reduction(reduction),
@@ -180,6 +181,14 @@ impl Printer<'_> {
         self.text(keyword);
         self.name(name);
         self.between(" = ", value, ";");
+    }
+
+    /// `let name = delay(signal, lag);`
+    fn delay(&mut self, name: &Name, signal: AstId, lag: AstId) {
+        self.text("let ");
+        self.name(name);
+        self.between(" = delay(", signal, ", ");
+        self.between("", lag, ");");
     }
 
     fn definitions(&mut self, keyword: &str, definitions: &[Definition]) {

@@ -111,6 +111,9 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Quaternion(quaternion) => format!("quaternion {}", quaternion.name.text),
         StatementKind::Velocity(name, value) => format!("velocity {} {}", name.text, show(value)),
         StatementKind::Let(name, value) => format!("let {} {}", name.text, show(value)),
+        StatementKind::Delay { name, signal, lag } => {
+            format!("let {} (delay {} {})", name.text, show(signal), show(lag))
+        }
         StatementKind::Function(function) => {
             format!("let {} ({}) {}", function.name.text, names(&function.parameters), show(&function.value))
         }

@@ -12,10 +12,12 @@ use super::starts::Starts;
 use crate::integrate::{Method, Verner98};
 use crate::scalar::Number;
 use crate::simulate::{
-    Drive, InitialState, Law, Sampling, Undriven, Variables, Verdict, columns_of, default_method, inputs,
-    uncounted,
+    Drive, InitialState, Law, Sampling, Undriven, Variables, Verdict, WithHistory, columns_of, default_method,
+    inputs, uncounted,
 };
-use crate::system::{ControlledSystem, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, StateVector};
+use crate::system::{
+    ControlledSystem, DelayedSystem, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, StateVector,
+};
 
 /// Motions of one system. They want to know when they end.
 #[must_use = "specify the end of the motions: `.until(time)`"]
@@ -144,6 +146,17 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
         self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
         let Ensemble { batch, method, kept, .. } = self;
         Ensemble { batch, method, drive: Law::new(law), kept }
+    }
+
+    /// Keeps the past of every motion, as the delays of the declaration ask for, as [in a single
+    /// run](crate::simulate::Simulation::with_history).
+    pub fn with_history(mut self) -> Ensemble<'a, M, K, WithHistory, P>
+    where
+        M: DelayedSystem,
+    {
+        self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
+        let Ensemble { batch, method, kept, .. } = self;
+        Ensemble { batch, method, drive: WithHistory, kept }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
-use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure, have_modes};
+use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure, check_delays, have_modes};
 
 /// The original system, or its present form after contacts, friction, switches or inputs changed
 /// it.
@@ -28,6 +28,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         end: M::Scalar,
         act: impl FnOnce(&M) -> Result<Option<M>, StepFailure<M::Scalar>>,
     ) -> Result<(), StepFailure<M::Scalar>> {
+        check_delays::<M>()?;
         check_direction(self.system(), [t, end])?;
         check_clocks(self.system(), t, end)?;
         let acted = act(self.system())?;

@@ -3,12 +3,15 @@
 use std::string::String;
 use std::vec::Vec;
 
+use crate::integrate::Stepper;
 use crate::system::{MechanicalSystem, OdeSystem, SettingError, StepFailure};
 
 /// A system M, the plant, in a closed loop, perhaps with more unknowns.
 pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized {
     /// True if it is the plant itself.
     const IS_PLANT: bool = false;
+    /// True if it keeps the past of its motions.
+    const HAS_HISTORY: bool = false;
 
     /// Returns the plant in its present modes, with its own inputs.
     fn plant(&self) -> &M;
@@ -48,6 +51,24 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
 
     /// Adds the values of these columns to a row.
     fn extend_row(&self, _y: &Self::State, _row: &mut Vec<M::Scalar>) {}
+
+    /// Starts to keep the past of a motion from this time and state, by a method of this order. Its
+    /// rates jump at the times `restarts`.
+    fn start_history(&self, _start: (M::Scalar, &Self::State), _order: u32, _restarts: &[M::Scalar]) {}
+
+    /// Returns the time to which the next step may go, if the past limits it.
+    #[inline]
+    fn limit(&self) -> Option<M::Scalar> {
+        None
+    }
+
+    /// Keeps the last step up to this time.
+    #[inline]
+    fn keep(&self, _stepper: &mut impl Stepper<Self>, _to: M::Scalar) {}
+
+    /// Notes that the state, the modes or the inputs jump at this time.
+    #[inline]
+    fn jump(&self, _at: M::Scalar) {}
 
     /// Returns the state after an event of a run, from which the plant goes on at `after`.
     ///

@@ -48,10 +48,35 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         if from == to {
             return;
         }
-        let (inner, last) = self.points.split_at(self.points.len() - 1);
-        self.states.extend(inner.iter().map(|s| state(from + *s * (to - from))));
-        self.states.extend(last.iter().map(|_| state(to)));
-        self.steps.push((from, to));
+        let states = self.times((from, to)).map(state).collect::<Vec<_>>();
+        self.append((from, to), &states);
+    }
+
+    /// Returns the times of the points in a step.
+    pub(super) fn times(&self, (from, to): (S, S)) -> impl Iterator<Item = S> + '_ {
+        let last = self.points.len() - 1;
+        let time = move |(index, s): (usize, &S)| if index == last { to } else { from + *s * (to - from) };
+        self.points.iter().enumerate().map(time)
+    }
+
+    /// Keeps a step with the states at its points.
+    pub(super) fn append(&mut self, step: (S, S), states: &[Y]) {
+        self.states.extend(states);
+        self.steps.push(step);
+    }
+
+    /// Returns start and end of each step.
+    pub(super) fn steps(&self) -> &[(S, S)] {
+        &self.steps
+    }
+
+    /// Forgets the first steps that are of no use, if they are as many as the others.
+    pub(super) fn forget(&mut self, is_useless: impl Fn(&(S, S)) -> bool) {
+        let count = self.steps.partition_point(is_useless);
+        if 2 * count > self.steps.len() {
+            self.steps.drain(..count);
+            self.states.drain(..count * self.points.len());
+        }
     }
 
     /// The state at `t`, at an end shared by two steps that of the later one; `None` outside of all
@@ -65,8 +90,13 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         if !(s >= S::ZERO && s <= S::ONE) {
             return None;
         }
+        Some(self.within(index, s))
+    }
+
+    /// Returns the state at a part of a step.
+    pub(super) fn within(&self, index: usize, s: S) -> Y {
         let count = self.points.len();
-        Some(self.barycentric(self.states.get(index * count..(index + 1) * count)?, s))
+        self.barycentric(&self.states[index * count..(index + 1) * count], s)
     }
 
     fn barycentric(&self, states: &[Y], s: S) -> Y {

@@ -30,6 +30,7 @@
 //! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
 //! | differentiate by parameters | [`sensitivities`](Simulation::sensitivities) |
 //! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
+//! | run with delayed signals | [`with_history`](Simulation::with_history) |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
 //! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
 //! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), which can also cancel |
@@ -47,10 +48,12 @@ mod builder;
 mod closed_loop;
 mod control;
 mod csv;
+mod delays;
 mod dense;
 mod error;
 mod events;
 mod gradient;
+mod history;
 mod observer;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -83,6 +86,7 @@ pub use self::closed_loop::{ClosedLoop, GivenEvent};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::control::Act;
 pub use self::control::{Drive, Driven, Law, Undriven};
+pub use self::delays::{Remembering, WithHistory};
 pub use self::error::SimulationError;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::error::explain_run;

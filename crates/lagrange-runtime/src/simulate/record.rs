@@ -202,7 +202,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
 
 impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
     fn looks_before(&self, to: M::Scalar) -> bool {
-        self.samples.ahead(to).is_some_and(|time| time != to) || self.dense.is_some()
+        self.samples.ahead(to).is_some_and(|time| time != to) || self.dense.is_some() || C::HAS_HISTORY
     }
 
     fn happen(&mut self, origin: Origin, event: &Found<C>, kind: EventKind<M::Scalar>) {
@@ -240,6 +240,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
             let from = stepper.last_time();
             dense.push((from, reached.0), &mut |t| C::state_of_plant(&stepper.interpolate(system, t)));
         }
+        system.keep(stepper, reached.0);
         self.last = reached;
         reached.0 == to
     }
@@ -248,7 +249,8 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         self.freed = system.freed();
     }
 
-    fn replace(&mut self, system: &C, (_, state): (M::Scalar, &C::State), is_silent: bool) {
+    fn replace(&mut self, system: &C, (time, state): (M::Scalar, &C::State), is_silent: bool) {
+        system.jump(time);
         if is_silent {
             return;
         }
@@ -260,6 +262,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
 
     /// Replaces a sample that was kept at this time: it has the new inputs.
     fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &C::State)) {
+        system.jump(time);
         let rounding = SAME_INSTANT.part::<M::Scalar>() * time.abs();
         if let Some(&last) = self.table.times().last()
             && (time - last).abs() <= rounding

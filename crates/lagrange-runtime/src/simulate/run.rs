@@ -4,6 +4,7 @@
 use crate::integrate::Work;
 use crate::integrate::{Method, Stepper, explained};
 use crate::run::{AllEvents, Current, DeclaredEvents, Events, Run, Turn};
+use crate::scalar::Number;
 use crate::simulate::builder::{KnowsItsEnd, Simulation};
 use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::control::{Controllers, Drive};
@@ -68,6 +69,8 @@ where
     let Plan { settings, columns, watches, controllers, inputs } = plan;
     let (order, name, [t, end]) = (method.order(), method.name(), settings.span);
     let start = admitted(system, (t, system.extended(t, &state)));
+    let restarts = settings.restarts_in_order();
+    system.start_history((t, &start.1), order, &restarts);
     let mut current = Current::new(system);
     let description = system.plant().description();
     let mut names = settings.names(description);
@@ -96,7 +99,6 @@ where
             declared: DeclaredEvents::new::<K::Stepper>(current.system(), t, &start.1),
             given: Watchers::new(&settings.events, watches, current.system(), (t, &start.1)),
         };
-        let restarts = settings.restarts_in_order();
         let run = Run::new(&mut current, stepper, events, (t, end), &restarts);
         follow(run, &mut record, &mut controllers, max_steps)
     });
@@ -161,7 +163,11 @@ where
             if let Some(plant) = controllers.act(plant, run.beyond(), (run.time(), &state))? {
                 run.exchange(record, run.system().with_plant(plant))?;
             }
-            match run.next(record, controllers.next()).map_err(|error| error.cause)? {
+            let instant = match (controllers.next(), run.system().limit()) {
+                (Some(next), Some(limit)) => Some(next.min(limit)),
+                (next, limit) => next.or(limit),
+            };
+            match run.next(record, instant).map_err(|error| error.cause)? {
                 Turn::Stopped(..) => return Ok(Ending::Stopped),
                 Turn::Cancelled => return Ok(Ending::Cancelled),
                 Turn::GoesOn => {}

@@ -5,6 +5,7 @@
 
 mod canonical;
 mod constraint_values;
+mod delayed;
 mod description;
 mod event;
 mod kernel;
@@ -30,6 +31,7 @@ mod wrapper;
 
 pub use self::canonical::{CanonicalSystem, LeapfrogSystem, SeparableSystem};
 pub use self::constraint_values::ConstraintValues;
+pub use self::delayed::{DelayedSystem, check_delays};
 pub use self::description::Description;
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
 pub(crate) use self::event::{MOST_LOCATED, have_modes};
@@ -198,6 +200,10 @@ pub trait OdeSystem {
     fn shortest_period(&self) -> Option<Self::Scalar> {
         None
     }
+
+    /// True if inputs are delayed signals, whose values only [`DelayedSystem`] tells. Runs without
+    /// a history refuse such a system.
+    const HAS_DELAYS: bool = false;
 
     /// True if states must satisfy something beside the equations, to which
     /// [`correct`](Self::correct) brings them: constraints, or quaternions that have the length

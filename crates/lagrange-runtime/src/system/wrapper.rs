@@ -4,6 +4,7 @@ use super::{
     Component, Description, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted, StateMatrix,
     StateVector, Undefined, WhiteNoise, join, split,
 };
+use crate::scalar::Number;
 use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 
 type InnerNumber<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
@@ -81,6 +82,9 @@ pub trait Wrapper: Sized {
     /// True if states are brought back onto the constraints of the inner system after steps.
     const IS_PROJECTED: bool = true;
 
+    /// True if it gives the delayed signals of the inner system their values.
+    const KEEPS_HISTORY: bool = false;
+
     /// Returns the system inside, in its present modes.
     fn inner(&self) -> &Self::Inner;
 
@@ -113,6 +117,13 @@ pub trait Wrapper: Sized {
         _t: InnerNumber<Self>,
         _y: &Self::State,
     ) -> Option<<Self::State as StateVector<InnerNumber<Self>>>::Square> {
+        None
+    }
+
+    /// Returns the first time after `t` at which a step is to end because of the wrapper, beside
+    /// those of the inner system.
+    #[inline]
+    fn further_restart(&self, _t: InnerNumber<Self>) -> Option<InnerNumber<Self>> {
         None
     }
 }
@@ -160,7 +171,11 @@ impl<W: Wrapper> OdeSystem for W {
 
     #[inline]
     fn next_restart(&self, t: InnerNumber<W>, end: InnerNumber<W>) -> Option<InnerNumber<W>> {
-        self.inner().next_restart(t, end)
+        let (inner, further) = (self.inner().next_restart(t, end), self.further_restart(t));
+        match (inner, further) {
+            (Some(inner), Some(further)) if (further - t).abs() < (inner - t).abs() => Some(further),
+            (inner, further) => inner.or(further),
+        }
     }
 
     fn beyond(&self, t: InnerNumber<W>, end: InnerNumber<W>) -> Option<W> {
@@ -204,6 +219,8 @@ impl<W: Wrapper> OdeSystem for W {
     fn is_constrained(&self) -> bool {
         W::IS_PROJECTED && self.inner().is_constrained()
     }
+
+    const HAS_DELAYS: bool = W::Inner::HAS_DELAYS && !W::KEEPS_HISTORY;
 
     const EVENTS: &'static [DeclaredEvent] = W::Inner::EVENTS;
 

@@ -17,6 +17,7 @@ pub(in crate::emit) enum Exclusion {
     Noise,
     Orientations,
     Functions,
+    Delays,
     Defaults,
 }
 
@@ -37,6 +38,7 @@ impl Exclusion {
             Exclusion::Noise => !model.noises.is_empty(),
             Exclusion::Orientations => !model.orientations.is_empty(),
             Exclusion::Functions => calls_functions(model, equations),
+            Exclusion::Delays => !model.delays.is_empty(),
             Exclusion::Defaults => lacks_defaults(model),
         };
         exclusions.iter().find(is_there).copied()
@@ -54,6 +56,7 @@ impl Exclusion {
             Exclusion::Noise => messages::NOISE,
             Exclusion::Orientations => messages::ORIENTATIONS,
             Exclusion::Functions => messages::FUNCTIONS,
+            Exclusion::Delays => messages::DELAYS,
             Exclusion::Defaults => messages::WITHOUT_DEFAULTS,
         }
     }

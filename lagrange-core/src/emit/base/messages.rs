@@ -121,6 +121,7 @@ pub(in crate::emit) const NOISE: &str =
     "noise, which only `EulerMaruyama` and `StochasticRungeKutta4` integrate";
 pub(in crate::emit) const FUNCTIONS: &str =
     "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
+pub(in crate::emit) const DELAYS: &str = "delayed signals, whose past a run keeps";
 pub(in crate::emit) const WITHOUT_DEFAULTS: &str = "parameters without a default, since tests need values";
 pub(in crate::emit) const CONTACTS: &str =
     "rigid contacts or friction, whose modes change the equations; a contact with a `stiffness` has none";

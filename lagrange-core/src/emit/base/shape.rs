@@ -24,6 +24,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) fields: Vec<&'a Name>,
     /// Names of the inputs among them.
     pub(in crate::emit) inputs: HashSet<&'a str>,
+    /// Indices of delayed signals among the inputs.
+    pub(in crate::emit) delays: Vec<usize>,
     /// Positions in state order.
     pub(in crate::emit) coordinates: Vec<&'a Name>,
     /// Number of first-order states, which are the last of the positions.
@@ -80,6 +82,7 @@ impl<'a> Shape<'a> {
             krate,
             fields: Vec::new(),
             inputs: HashSet::default(),
+            delays: Vec::new(),
             coordinates: declaration.coordinates(),
             states: 0,
             velocities: declaration.velocities(),
@@ -104,6 +107,10 @@ impl<'a> Shape<'a> {
             match &statement.kind {
                 StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Inputs(list) => inputs.extend(list.iter().map(|d| &d.name)),
+                StatementKind::Delay { name, .. } => {
+                    shape.delays.push(inputs.len());
+                    inputs.push(name);
+                }
                 StatementKind::Constraint(name, _) => shape.constraints.push(name),
                 StatementKind::Event(event) => shape.add_event(event),
                 StatementKind::Stabilise(_) => shape.is_stabilised = true,

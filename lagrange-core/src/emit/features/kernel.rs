@@ -30,6 +30,7 @@ const EXCLUSIONS: [Exclusion; 6] = [
     Exclusion::Indefinite,
     Exclusion::Noise,
     Exclusion::Functions,
+    Exclusion::Delays,
 ];
 
 /// Writes the constants of the kernel, if it is asked for.

@@ -19,13 +19,14 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 
 /// Features that a loop over motions side by side does not support.
-const EXCLUSIONS: [Exclusion; 6] = [
+const EXCLUSIONS: [Exclusion; 7] = [
     Exclusion::Contacts,
     Exclusion::Constraints,
     Exclusion::Events,
     Exclusion::Orientations,
     Exclusion::Indefinite,
     Exclusion::Noise,
+    Exclusion::Delays,
 ];
 
 /// Writes the right-hand side for numbers side by side, if it is asked for.

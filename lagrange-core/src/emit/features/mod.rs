@@ -4,6 +4,7 @@ pub(super) mod clocks;
 pub(super) mod constants;
 pub(super) mod constrained;
 pub(super) mod contacts;
+pub(super) mod delays;
 pub(super) mod events;
 pub(super) mod frames;
 pub(super) mod indefinite;

@@ -40,12 +40,13 @@ pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 10] = [
 ];
 
 /// Features that cannot be prepared.
-const EXCLUSIONS: [Exclusion; 5] = [
+const EXCLUSIONS: [Exclusion; 6] = [
     Exclusion::Contacts,
     Exclusion::Constraints,
     Exclusion::Switches,
     Exclusion::Indefinite,
     Exclusion::Noise,
+    Exclusion::Delays,
 ];
 
 /// Writes the methods of the prepared type, if it is asked for.

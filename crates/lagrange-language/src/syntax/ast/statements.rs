@@ -136,6 +136,15 @@ pub enum StatementKind {
     Let(Name, AstId),
     /// `let (a, b) = e;`
     LetTuple(Vec<Name>, AstId),
+    /// `let n = delay(e, tau);`, and a name for every other call of `delay`
+    Delay {
+        /// The name of the delayed value.
+        name: Name,
+        /// The signal that is delayed.
+        signal: AstId,
+        /// The time by which it is.
+        lag: AstId,
+    },
     /// `let f(x, y) = e;`
     Function(Box<FunctionDefinition>),
     /// `function f(x, y);`
@@ -283,7 +292,7 @@ impl StatementKind {
             StatementKind::Coordinates(list) | StatementKind::States(_, list) => (defined(list), Reach::Both),
             StatementKind::Mode(mode) => (mode.names(), Reach::Both),
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
-            StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
+            StatementKind::Velocity(name, _) | StatementKind::Delay { name, .. } => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
             StatementKind::Solve(unknowns) => (unknowns.names.iter().collect(), Reach::Expressions),
             StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
@@ -350,6 +359,7 @@ impl StatementKind {
                 starts.iter_mut().chain(iterations).chain(residuals).collect()
             }
             StatementKind::Gibbs { function, stated } => vec![function, stated],
+            StatementKind::Delay { signal, lag, .. } => vec![signal, lag],
             StatementKind::ForceAt { force, point } => vec![force, point],
             StatementKind::ForceAlong { force, velocity } => vec![force, velocity],
             StatementKind::Torque { moment, angle } => vec![moment, angle],
@@ -440,6 +450,7 @@ impl StatementKind {
             StatementKind::Velocity(..)
             | StatementKind::Let(..)
             | StatementKind::LetTuple(..)
+            | StatementKind::Delay { .. }
             | StatementKind::Solve(_)
             | StatementKind::Constraint(..)
             | StatementKind::Friction(_) => true,
@@ -459,6 +470,7 @@ impl StatementKind {
             self,
             StatementKind::Let(..)
                 | StatementKind::LetTuple(..)
+                | StatementKind::Delay { .. }
                 | StatementKind::Function(_)
                 | StatementKind::Table(_)
                 | StatementKind::Solve(_)

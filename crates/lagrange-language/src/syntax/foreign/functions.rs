@@ -51,14 +51,11 @@ pub const FUNCTIONS: &[(&[&str], usize, &str)] = &[
     (&["mul", "times"], 2, "#1 * #2"),
     (&["div"], 2, "#1/#2"),
     (&["neg"], 1, "-#1"),
+    (&["transport_delay", "Delay"], 2, "delay(#1, #2)"),
 ];
 
 /// Functions without an equivalent, with alternatives for their purpose.
 const MISSING: &[(&[&str], &str)] = &[
-    (
-        &["delay", "transport_delay", "Delay"],
-        "a delay is not a function of the state: approximate it by a lag, `state a; dot(a) = (x - a) / tau;`",
-    ),
     (
         &["diff", "D", "grad", "gradient", "derivative", "jacobian"],
         "a derivative by a name is `partial(e, x)`; forces follow from energies: write `potential = V;` instead of its slope",

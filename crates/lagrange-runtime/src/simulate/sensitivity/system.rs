@@ -295,6 +295,9 @@ where
         self.closed.shortest_period()
     }
 
+    /// Derivatives of the past are not kept.
+    const HAS_DELAYS: bool = L::HAS_DELAYS || L::HAS_HISTORY;
+
     const IS_CONSTRAINED: bool = L::IS_CONSTRAINED;
 
     fn is_constrained(&self) -> bool {

@@ -27,6 +27,7 @@ impl StatementKind {
             | StatementKind::StateRate(name, _)
             | StatementKind::ForceOn(name, _)
             | StatementKind::Constraint(name, _)
+            | StatementKind::Delay { name, .. }
             | StatementKind::Output(name, _) => vec![name],
             StatementKind::Function(function) => vec![&mut function.name],
             StatementKind::External(function) => vec![&mut function.name],

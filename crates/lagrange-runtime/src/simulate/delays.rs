@@ -1,0 +1,206 @@
+//! Systems whose signals are delayed, together with their past.
+
+use std::boxed::Box;
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::vec::Vec;
+
+use crate::integrate::Stepper;
+use crate::scalar::{Number, Scalar};
+use crate::simulate::builder::Simulation;
+use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
+use crate::simulate::control::{Drive, Undriven};
+use crate::simulate::history::History;
+use crate::simulate::observer::{columns_of, inputs};
+use crate::system::{
+    DelayedSystem, MechanicalSystem, SettingError, StateMatrix, StepFailure, Wrapper, split,
+};
+
+/// Delayed signals take their values from the past of the motion.
+#[derive(Clone, Copy, Debug)]
+pub struct WithHistory;
+
+impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
+    /// Keeps the past of the motion, as the delays of the declaration ask for. Systems that declare
+    /// [`delay`](DelayedSystem) run no other way.
+    ///
+    /// Before the start every signal has the value that it has there. No step is longer than the
+    /// shortest delay. A start, an event or a change of inputs is noticed again after each
+    /// delay, where steps end as long as the order of the method asks for it.
+    /// Every delayed signal becomes a column, since it is an input.
+    ///
+    /// ```
+    /// use lagrange::Simulate;
+    ///
+    /// lagrange::system! {
+    ///     struct Decay;
+    ///     state x = 1;
+    ///     let past = delay(x, 1);
+    ///     dot(x) = -past;
+    /// }
+    ///
+    /// let decay = Decay::default();
+    /// let motion = decay.simulate(decay.start()).until(2.0).with_history().run()?;
+    /// // x = 1 − t up to 1, and 1 − t + (t − 1)²/2 up to 2.
+    /// assert!((motion.last()[0] + 0.5).abs() < 1e-12);
+    /// assert_eq!(motion.column("past").unwrap()[0], 1.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_history(mut self) -> Simulation<'a, M, K, WithHistory, E>
+    where
+        M: DelayedSystem,
+    {
+        self.plan.record_inputs(self.system, Box::new(columns_of(inputs::<M>)));
+        let Simulation { system, state, plan, reporter, method, end, .. } = self;
+        Simulation { system, state, plan, reporter, method, drive: WithHistory, end }
+    }
+}
+
+impl<M: DelayedSystem> Drive<M> for WithHistory {
+    type Closed = Remembering<M>;
+
+    fn close<R>(&self, system: &M, run: impl FnOnce(&Remembering<M>) -> R) -> R {
+        let plant = system.with_delayed(&system.lags());
+        let history = History::new(M::Scalar::ZERO, system.lags(), 1, &[]);
+        run(&Remembering { plant, history: Rc::new(RefCell::new(history)) })
+    }
+}
+
+/// A system whose delayed signals have the values of its past.
+pub struct Remembering<M: DelayedSystem> {
+    plant: M,
+    history: Rc<RefCell<History<M::Scalar, M::Signals>>>,
+}
+
+impl<M: DelayedSystem> Remembering<M> {
+    fn signals(&self, t: M::Scalar, y: &M::State) -> M::Signals {
+        let (q, v) = split::<M>(y);
+        self.present(t, y, |plant| plant.signals(t, &q, &v))
+    }
+
+    /// Goes on from a time, where signals jump if that `is_jump`.
+    fn reach(&self, to: M::Scalar, signals: &[M::Signals], is_jump: bool) {
+        self.history.borrow_mut().reach(to, signals, is_jump);
+    }
+}
+
+impl<M: DelayedSystem> Wrapper for Remembering<M> {
+    type Inner = M;
+    type State = M::State;
+
+    const KEEPS_HISTORY: bool = true;
+
+    #[inline]
+    fn inner(&self) -> &M {
+        &self.plant
+    }
+
+    fn around(&self, inner: M) -> Self {
+        self.with_plant(inner)
+    }
+
+    #[inline]
+    fn present<R>(&self, t: M::Scalar, _y: &M::State, ask: impl FnOnce(&M) -> R) -> R {
+        let delayed = self.history.borrow().delayed(t);
+        ask(&self.plant.with_delayed(&delayed))
+    }
+
+    #[inline]
+    fn outer_rhs(&self, t: M::Scalar, y: &M::State) -> M::State {
+        self.present(t, y, |plant| plant.rhs(t, y))
+    }
+
+    /// Returns the Jacobian of the plant: within a step the past is a function of time.
+    fn outer_jacobian(&self, t: M::Scalar, y: &M::State) -> Option<StateMatrix<M>> {
+        self.present(t, y, |plant| plant.jacobian(t, y))
+    }
+
+    fn further_restart(&self, t: M::Scalar) -> Option<M::Scalar> {
+        self.history.borrow().next_break(t)
+    }
+}
+
+impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
+    const HAS_HISTORY: bool = true;
+
+    fn plant(&self) -> &M {
+        &self.plant
+    }
+
+    fn with_plant(&self, plant: M) -> Self {
+        Remembering { plant, history: Rc::clone(&self.history) }
+    }
+
+    fn into_plant(self) -> M {
+        self.plant
+    }
+
+    #[inline]
+    fn ask<R>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> R) -> R {
+        self.present(t, y, question)
+    }
+
+    #[inline]
+    fn extended(&self, _t: M::Scalar, y: &M::State) -> M::State {
+        *y
+    }
+
+    #[inline]
+    fn state_of_plant(y: &M::State) -> M::State {
+        *y
+    }
+
+    fn check(&self, [start, end]: [M::Scalar; 2], _: bool) -> Result<(), SettingError<M::Scalar>> {
+        let spacing = M::Scalar::epsilon() * start.abs().max(end.abs());
+        let is_sound = |lag: &M::Scalar| lag.is_finite() && *lag > M::Scalar::from_f64(1e3) * spacing;
+        if end < start {
+            return Err(SettingError::Invalid("delayed signals run forwards in time only"));
+        }
+        match self.plant.lags().as_ref().iter().all(is_sound) {
+            true => Ok(()),
+            false => Err(SettingError::Invalid(
+                "delays must be positive, finite and much longer than the spacing of times",
+            )),
+        }
+    }
+
+    /// Before the start signals have the values that they have there. One may depend on those
+    /// declared before it, so that all are known after as many rounds.
+    fn start_history(&self, start: (M::Scalar, &M::State), order: u32, restarts: &[M::Scalar]) {
+        let lags = self.plant.lags();
+        *self.history.borrow_mut() = History::new(start.0, lags, order, restarts);
+        for _ in lags.as_ref() {
+            let signals = self.signals(start.0, start.1);
+            self.history.borrow_mut().set_before(signals);
+        }
+    }
+
+    fn limit(&self) -> Option<M::Scalar> {
+        self.history.borrow().limit()
+    }
+
+    fn keep(&self, stepper: &mut impl Stepper<Self>, to: M::Scalar) {
+        let (first, last) = (stepper.last_time(), stepper.time());
+        let times = self.history.borrow().times(to);
+        let signals = times.into_iter().map(|time| {
+            let time = time.max(first).min(last);
+            self.signals(time, &stepper.interpolate(self, time))
+        });
+        let signals = signals.collect::<Vec<_>>();
+        let is_jump = self.plant.next_restart(first, to + (to - first)).is_some_and(|jump| jump <= to);
+        self.reach(to, &signals, is_jump);
+    }
+
+    fn jump(&self, at: M::Scalar) {
+        self.reach(at, &[], true);
+    }
+
+    fn after_event(
+        &self,
+        _at: (M::Scalar, &M::State),
+        after: M::State,
+        _event: &mut dyn GivenEvent<M>,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        Ok(after)
+    }
+}

@@ -1,0 +1,44 @@
+//! Systems with delayed signals.
+
+use super::{ControlledSystem, MechanicalSystem, OdeSystem, SettingError, StateVector};
+
+/// A system whose rates depend on what signals were some time ago.
+///
+/// Emitted types implement it if their declaration calls `delay(e, tau)`. Delayed signals are
+/// inputs; [`with_history`](crate::simulate::Simulation::with_history) gives them their values.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` delays no signals",
+    note = "write a delayed signal as `delay(x, 0.1)` in a force, a rate, an event or an output"
+)]
+pub trait DelayedSystem: ControlledSystem + MechanicalSystem {
+    /// A number for each delayed signal, such as `[S; K]`.
+    type Signals: StateVector<<Self as OdeSystem>::Scalar>;
+
+    /// Returns the times by which the signals are delayed.
+    fn lags(&self) -> Self::Signals;
+
+    /// Computes the signals at time `t`, positions `q` and velocities `v`, without delay.
+    fn signals(
+        &self,
+        t: <Self as OdeSystem>::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Velocities,
+    ) -> Self::Signals;
+
+    /// Returns the system with other values of the delayed signals.
+    #[must_use]
+    fn with_delayed(&self, values: &Self::Signals) -> Self;
+}
+
+/// Checks that nobody has to know the past of a system.
+///
+/// # Errors
+/// If it has delays.
+pub fn check_delays<M: OdeSystem>() -> Result<(), SettingError<M::Scalar>> {
+    match M::HAS_DELAYS {
+        true => Err(SettingError::Invalid(
+            "delayed signals need a past, which is not kept here: use `.simulate(…)` and `.with_history()`",
+        )),
+        false => Ok(()),
+    }
+}
