@@ -1,4 +1,4 @@
-//! The run itself: steps, and what happens in them.
+//! The run itself: its steps and their events.
 
 #[cfg(feature = "ensemble")]
 use crate::integrate::Work;
@@ -29,8 +29,8 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         drive.close(system, |closed| run(closed, self))
     }
 
-    /// Returns the trajectory of this run, given the samples after its start, the last of which is
-    /// its end, as lanes computed them.
+    /// Returns the trajectory of this run from samples computed in lanes. They follow the start,
+    /// and the last one is the end.
     #[cfg(feature = "ensemble")]
     pub(crate) fn assemble(
         self,

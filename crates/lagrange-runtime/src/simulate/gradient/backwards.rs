@@ -1,4 +1,4 @@
-//! From the end of a trace to its start.
+//! The backward pass, from the end of a trace to its start.
 
 use core::marker::PhantomData;
 use std::vec::Vec;
@@ -9,13 +9,13 @@ use crate::integrate::ExplicitRungeKutta;
 use crate::scalar::Number;
 use crate::system::{OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
 
-/// The cause if a system does not know its derivatives.
+/// Message for systems without derivatives.
 const WITHOUT_JACOBIAN: &str = "a gradient needs derivatives: add `emit { jacobian }` to the declaration";
 
-/// Places for the stages of a step by the method K, and slopes by parameters so far.
+/// Workspace for the stages of a step by the method K, and the derivatives by parameters so far.
 pub(super) struct Backwards<'a, M: OdeSystem, K, const N: usize> {
     system: &'a M,
-    /// Places of parameters and inputs, and slopes by them.
+    /// Indices of parameters and inputs.
     indices: &'a [usize],
     by: Vec<M::Scalar>,
     points: Vec<[M::Scalar; N]>,
@@ -45,10 +45,10 @@ where
         }
     }
 
-    /// Goes from the end of a trace to its start and adds up the costs of samples.
+    /// Runs from the end of a trace to its start and sums the costs of samples.
     ///
     /// # Errors
-    /// If the system does not know its derivatives.
+    /// If the system does not provide its derivatives.
     pub(super) fn along(
         mut self,
         trace: &Trace<M::Scalar, M::State>,
@@ -81,7 +81,7 @@ where
         Ok(Gradient { value, by: self.by, by_start: slope, steps: trace.steps(), kept_states })
     }
 
-    /// The states at the starts of these steps and at the end of the last one.
+    /// Computes the states at the starts of these steps and at the end of the last one.
     fn between(
         &mut self,
         trace: &Trace<M::Scalar, M::State>,
@@ -106,7 +106,8 @@ where
         }
     }
 
-    /// Turns the slope by the end of a step into that by its start.
+    /// Converts the derivative by the state at the end of a step into the derivative by the state
+    /// at its start.
     fn pull_back(
         &mut self,
         times: &[M::Scalar],
@@ -129,7 +130,7 @@ where
         Ok(())
     }
 
-    /// Adds to the slopes by parameters, and returns (∂f/∂y)ᵀ times the adjoint of a rate.
+    /// Adds to the derivatives by parameters, and returns (∂f/∂y)ᵀ times the adjoint of a rate.
     fn through(
         &mut self,
         t: M::Scalar,

@@ -1,4 +1,4 @@
-//! A system with the derivatives of its state as further unknowns.
+//! Systems with the derivatives of the state as additional unknowns.
 //!
 //! Along a motion ẏ = f(t, y, p), the derivatives s = ∂y/∂p at fixed times obey the variational
 //! equations ṡ = ∂f/∂y s + ∂f/∂p. At an event g(t, y, p) = 0 the motion continues from R(t, y, p),
@@ -27,12 +27,12 @@ use crate::system::{
 /// A parameter, input or initial value by which a motion is differentiated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Varied<S> {
-    /// Its name.
+    /// Name of the variable.
     pub(super) name: &'static str,
     pub(super) place: VariedPlace,
-    /// Derivatives are kept as changes of the state per change of the variable by this.
+    /// Derivatives are stored as changes of the state per change of the variable by this amount.
     pub(super) scale: S,
-    /// The relative change of the variable that the scale is.
+    /// The scale as a relative change of the variable.
     pub(super) weight: S,
 }
 
@@ -228,8 +228,8 @@ where
         self.closed.undefined(t, &y.rows[0], &rates.rows[0]).or_else(own)
     }
 
-    /// Returns a block of ∂f/∂y for the state and for each derivative. How ∂f/∂y changes with the
-    /// state is left out: Newton's method finds the state first and then the rest.
+    /// Returns a block ∂f/∂y for the state and for each derivative. The change of ∂f/∂y with the
+    /// state is omitted: Newton's method finds the state first and then the rest.
     fn jacobian(&self, t: M::Scalar, y: &Self::State) -> Option<StateMatrix<Self>> {
         let block = self.closed.jacobian(t, &y.rows[0])?;
         let mut jacobian = y.zero_square();
@@ -340,7 +340,7 @@ where
     }
 }
 
-/// The largest magnitude of an entry.
+/// Returns the largest magnitude of an entry.
 fn largest<S: Scalar>(vector: &[S]) -> S {
     vector.iter().fold(S::ZERO, |most, entry| most.max(entry.abs()))
 }
