@@ -290,8 +290,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Ends a step at each of these times and starts the next one there, for a force that jumps or
-    /// has a kink at known times. Times outside the run have no effect; further calls add times.
+    /// Ends a step at each of these times and starts the next one there, for forces with jumps or
+    /// kinks at known times. Times outside the run have no effect; further calls add times.
     ///
     /// Nothing is evaluated exactly at such a time, so it does not matter which side a jump belongs
     /// to.

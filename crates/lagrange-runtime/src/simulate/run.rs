@@ -111,7 +111,7 @@ where
     }
 }
 
-/// The cause by name, of a run that stopped at this time and state.
+/// Returns the cause with names, for a run that stopped at this time and state.
 fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     cause: StepFailure<M::Scalar>,
     system: &C,
@@ -126,8 +126,8 @@ fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     }
 }
 
-/// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with
-/// it methods say.
+/// Returns the start, moved onto the constraints if it nearly satisfies them. Errors in it are
+/// reported by methods.
 fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scalar, M::State) {
     let mut admitted = y;
     match system.admit(t, &mut admitted) {
@@ -136,8 +136,7 @@ fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scal
     }
 }
 
-/// Follows a run to its end. Controllers act between its turns, when their instants have been
-/// reached.
+/// Follows a run to its end. Controllers act between its turns, when their instants are reached.
 fn follow<M, C, T, E>(
     mut run: Run<'_, '_, C, T, E>,
     record: &mut Record<'_, M, C>,

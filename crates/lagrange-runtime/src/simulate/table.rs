@@ -1,4 +1,4 @@
-//! Columns of numbers with names.
+//! Named columns of numbers.
 
 use std::string::String;
 use std::vec::Vec;

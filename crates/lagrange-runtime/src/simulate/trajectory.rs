@@ -99,10 +99,9 @@ impl<M: MechanicalSystem> Trajectory<M> {
         Some(state)
     }
 
-    /// Returns the derivatives of the state of a sample, counted from zero: one vector of the size
-    /// of the state for each variable of
-    /// [`sensitivities`](crate::simulate::Simulation::sensitivities), in order. `None` if there is
-    /// no such sample.
+    /// Returns the derivatives of the state of a sample, counted from zero: one vector per variable
+    /// of [`sensitivities`](crate::simulate::Simulation::sensitivities), in order. `None` if there
+    /// is no such sample.
     pub fn sensitivities(&self, index: usize) -> Option<Vec<M::State>> {
         let length = self.first().as_ref().len();
         let before = self.names().len() - self.variables * length;

@@ -46,7 +46,7 @@ pub(super) enum VariedPlace {
 }
 
 impl<S: Scalar> Varied<S> {
-    /// Returns the variable with the scale that its value in a motion gives: one if it is zero.
+    /// Returns the variable scaled by its value in a motion, or by one if that is zero.
     pub(super) fn scaled<M: ParametricSystem<Scalar = S>>(self, system: &M, start: &M::State) -> Self {
         let value = match self.place {
             VariedPlace::Number(index) => system.number(index),
@@ -74,7 +74,7 @@ where
         Sensitive { closed, variables: Arc::clone(&self.variables) }
     }
 
-    /// Asks the loop as it is with a variable changed by this many of its scales.
+    /// Evaluates a function of the loop with a variable changed by this multiple of its scale.
     pub(super) fn moved<T>(
         &self,
         variable: &Varied<M::Scalar>,
@@ -91,8 +91,8 @@ where
         }
     }
 
-    /// The derivative of a function of the loop, time and state along a change of the time, the
-    /// state and a variable.
+    /// Computes the derivative of a function of the loop, time and state along a change of the
+    /// time, the state and a variable.
     pub(super) fn along<const C: usize>(
         &self,
         (t, y): (M::Scalar, &M::State),
@@ -118,7 +118,8 @@ where
         })
     }
 
-    /// The rates of derivatives by the Jacobians that the plant knows; false if it knows none.
+    /// Computes the rates of derivatives from the Jacobians of the plant; false if it provides
+    /// none.
     fn linear_rates(
         &self,
         t: M::Scalar,
@@ -156,8 +157,8 @@ where
         true
     }
 
-    /// The state after an event. Given are the function that vanishes there, the outcome for a loop
-    /// at a time and state, and the loop and the state that follow.
+    /// Returns the state after an event. Arguments are the function that vanishes at the event, the
+    /// outcome for a loop at a time and state, and the subsequent loop and state.
     pub(super) fn after(
         &self,
         (t, y): (M::Scalar, &Stacked<M::Scalar, N, R>),
@@ -186,7 +187,7 @@ where
         Ok(stacked)
     }
 
-    /// The state after a declared event, in the modes in which the motion goes on.
+    /// Returns the state after a declared event, in the modes in which the motion continues.
     fn settled(
         closed: &L,
         event: usize,
