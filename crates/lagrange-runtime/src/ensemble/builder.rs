@@ -17,7 +17,7 @@ use crate::simulate::{
 };
 use crate::system::{ControlledSystem, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, StateVector};
 
-/// Motions of one system, whose end time is still missing.
+/// Motions of one system. They want to know when they end.
 #[must_use = "specify the end of the motions: `.until(time)`"]
 pub struct Motions<'a, M: MechanicalSystem> {
     batch: Batch<'a, M>,
@@ -33,8 +33,8 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
     }
 
     /// Starts each motion from a state: a function of its index, counted from zero, and of separate
-    /// [random numbers](Random). The function may be called several times for a motion, and by
-    /// several threads.
+    /// [random numbers](Random). It may be called several times for a motion, and by several
+    /// threads.
     pub fn start<Y: InitialState<M::State>>(
         mut self,
         start: impl Fn(usize, &mut Random) -> Y + Send + Sync + 'a,
@@ -47,14 +47,14 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         self
     }
 
-    /// Gives each motion a separate system: a copy of the common one, changed by its index. Draw
-    /// random parameters from [`Random::parameters`], whose numbers differ from those of the starts
-    /// even with the same seed.
+    /// Gives each motion a separate system: a copy of the common one, changed by its index.
+    /// Parameters drawn at random take numbers from [`Random::parameters`], which differ from those
+    /// of the starts, also under the same seed.
     ///
     /// Every parameter of the system, changed or not, then becomes a column of
     /// [`Ends`](super::Ends) and of files. It has its name, unless an [observer](Ensemble::observe)
-    /// has that name. Other values of a motion, such as inputs or fields of a handwritten system,
-    /// are kept only if observed.
+    /// has that name. Other values of a motion, such as inputs, or fields of a handwritten system,
+    /// are kept if they are observed.
     pub fn parameters(mut self, change: impl Fn(usize, &mut M) + Send + Sync + 'a) -> Self
     where
         M: Clone,
@@ -88,9 +88,9 @@ pub struct KeepEnds;
 #[derive(Clone, Copy, Debug)]
 pub struct KeepSamples;
 
-/// Selection of the data recorded for every motion: [`KeepEnds`] or [`KeepSamples`].
+/// The recorded data of every motion: [`KeepEnds`] or [`KeepSamples`].
 pub trait Keep {
-    /// True if samples are recorded.
+    /// True if it is samples.
     const SAMPLES: bool;
 }
 
@@ -102,12 +102,12 @@ impl Keep for KeepSamples {
     const SAMPLES: bool = true;
 }
 
-/// An ensemble ready to be computed: the motions, the method, and the results to keep.
+/// An ensemble that can be computed: which motions, by which method, and what to keep of them.
 ///
 /// Every motion is a [separate run](crate::simulate::Simulation), with the same bits. Methods,
-/// inputs, events, contacts, constraints and settings are the same as for runs. K is the method, D
-/// drives the inputs, and P, [`KeepEnds`] or [`KeepSamples`], selects the results to keep.
-/// `.tolerance(…)` exists for the default method only.
+/// inputs, events, contacts, constraints and settings are those of runs. K is the method, D drives
+/// the inputs, and P, [`KeepEnds`] or [`KeepSamples`], selects the results to keep. `.tolerance(…)`
+/// exists for the default method only.
 #[must_use = "nothing happens before `.run()`, `.reduce(…)` or `.save_parquet(…)`"]
 pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
     pub(super) batch: Batch<'a, M>,
@@ -125,8 +125,8 @@ impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
         self
     }
 
-    /// Sets the absolute error tolerance of a step, in the units of the state. Call it after
-    /// [`tolerance`](Self::tolerance), which then applies only to the relative error.
+    /// Sets the tolerated error of a step in the units of the state. Call it after
+    /// [`tolerance`](Self::tolerance), which then is relative only.
     pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.absolute = tolerance;
         self
@@ -150,7 +150,7 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
 impl<'a, M: SharedSystem + ParametricSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Adds derivatives of every motion by parameters, inputs and initial values, as [in a single
     /// run](crate::simulate::Simulation::sensitivities): a column such as `d(theta)/d(m)` for each
-    /// pair. Each motion is then a separate run.
+    /// pair. Motions are then computed one by one.
     pub fn sensitivities<V, const N: usize>(self, names: V) -> Ensemble<'a, M, K, V::Sensitive<M, D, N>, P>
     where
         V: Variables,
@@ -159,7 +159,7 @@ impl<'a, M: SharedSystem + ParametricSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self.differentiated::<V, N>(names, M::Scalar::ONE)
     }
 
-    /// Adds derivatives, with steps chosen for the state alone, as [in a single
+    /// Adds derivatives along steps that are chosen for the state alone, as [in a single
     /// run](crate::simulate::Simulation::sensitivities_alongside).
     pub fn sensitivities_alongside<V, const N: usize>(
         self,
@@ -182,7 +182,7 @@ impl<'a, M: SharedSystem + ParametricSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         M: OdeSystem<State = [ScalarOf<M>; N]>,
     {
         let (settings, system) = (&mut self.batch.plan.settings, self.batch.system);
-        // Each motion scales the variables by its own values.
+        // Each motion scales them by its values.
         let variables = settings.find_variables(system, &M::State::ZERO, names.into(), weight);
         let Ensemble { batch, method, drive, kept } = self;
         Ensemble { batch, method, drive: V::around(drive, variables), kept }
@@ -223,8 +223,8 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Sets the number of threads, at most 4096. The default is rayon's pool, one thread per
-    /// processor. Results do not depend on this.
+    /// Computes on this many threads, 4096 at most, instead of those of rayon's pool, one for each
+    /// processor. Results do not depend on it.
     pub fn threads(mut self, threads: usize) -> Self {
         match threads {
             0 => self.batch.refuse_setting("an ensemble needs at least one thread"),
@@ -234,18 +234,18 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Calls back about twenty times a second, from any thread, and once at the end, as for a
+    /// Calls back about twenty times a second, from whichever thread, and once at the end, as for a
     /// progress bar.
     ///
     /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble. Motions
-    /// that have started then run to their end, and [`Cancelled`](super::EnsembleError::Cancelled)
-    /// is returned. Saved parts are kept.
+    /// that have begun then continue to their end, and
+    /// [`Cancelled`](super::EnsembleError::Cancelled) is returned. Saved parts are kept.
     pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
         self.batch.reporter = Some(BatchReporter::new(callback));
         self
     }
 
-    /// Computes only this share of the motions, for one of several processes.
+    /// Computes this share of the motions only, for one of several processes.
     pub fn shard(mut self, shard: Shard) -> Self {
         self.batch.shard = shard;
         self

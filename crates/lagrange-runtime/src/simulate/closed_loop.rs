@@ -1,4 +1,4 @@
-//! Systems as integrated by runs: a plant alone, under a law of inputs, or with derivatives.
+//! Systems as runs integrate them: a plant alone, under a law of inputs, or with derivatives.
 
 use std::string::String;
 use std::vec::Vec;
@@ -19,7 +19,7 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
     /// Returns the plant.
     fn into_plant(self) -> M;
 
-    /// Evaluates a function of the plant, with the inputs at this time and state of the plant.
+    /// Asks the plant with the inputs that it has at this time and state of the plant.
     fn ask<R>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> R) -> R;
 
     /// Returns the state of the loop with this initial state of the plant.
@@ -36,24 +36,23 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
         Ok(())
     }
 
-    /// Returns the names of additional columns after all others.
+    /// Returns the names of columns behind all others.
     fn further_columns(&self) -> Vec<String> {
         Vec::new()
     }
 
-    /// Returns the number of variables by which the additional columns differentiate the state of
-    /// the plant.
+    /// Returns the number of variables by which the state of the plant is differentiated there.
     fn variables(&self) -> usize {
         0
     }
 
-    /// Adds the values of the additional columns to a row.
+    /// Adds the values of these columns to a row.
     fn extend_row(&self, _y: &Self::State, _row: &mut Vec<M::Scalar>) {}
 
-    /// Returns the state after an event of a run, from which the plant continues at `after`.
+    /// Returns the state after an event of a run, from which the plant goes on at `after`.
     ///
     /// # Errors
-    /// If the rest of the state does not follow from the state of the plant.
+    /// If the rest of the state does not follow from that of the plant.
     fn after_event(
         &self,
         _at: (M::Scalar, &Self::State),
@@ -62,15 +61,15 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
     ) -> Result<Self::State, StepFailure<M::Scalar>>;
 }
 
-/// An event added to a run, as a function of time and state.
+/// An event that a run was given, as a function of time and state.
 pub trait GivenEvent<M: MechanicalSystem> {
     /// Computes the function that is zero at the event.
     fn value(&mut self, plant: &M, t: M::Scalar, y: &M::State) -> M::Scalar;
 
-    /// Returns the state after the event; `None` if the event does not replace the state.
+    /// Returns the state after the event; `None` if it would not replace it.
     fn outcome(&mut self, plant: &M, t: M::Scalar, y: &M::State) -> Option<M::State>;
 
-    /// Returns its index among the events of the run.
+    /// Returns its place among the events of the run.
     fn index(&self) -> usize;
 }
 

@@ -1,18 +1,18 @@
 //! States between the samples.
 //!
-//! Each step is stored as its states at the Chebyshev points of the second kind, computed by the
+//! Each step is kept as its states at the Chebyshev points of the second kind, found by the
 //! method's own interpolation. It is evaluated by the barycentric formula
 //!
 //! ```text
 //! p(s) = Σ wⱼ yⱼ/(s − sⱼ) / Σ wⱼ/(s − sⱼ),   sⱼ = (1 − cos(π j/d))/2,   wⱼ = ±1, halved at both ends.
 //! ```
 //!
-//! with both sums multiplied by the distance of s from the nearest of these points, so that nothing
-//! overflows, however small it is.
+//! with both sums times the distance of s from the nearest of these points, so that nothing
+//! overflows however small that is.
 //!
-//! Polynomials of degree d are reproduced up to rounding, and d is at least the degree of the
-//! methods' interpolants. Source: Berrut, Trefethen, *Barycentric Lagrange Interpolation*, SIAM
-//! Review 46 (2004), §5.
+//! A polynomial of degree d is reproduced except for rounding, and d is chosen not to be below the
+//! degree of the methods' interpolants. Source: Berrut, Trefethen, *Barycentric Lagrange
+//! Interpolation*, SIAM Review 46 (2004), §5.
 
 use std::vec::Vec;
 
@@ -30,11 +30,11 @@ pub(super) struct Dense<S, Y> {
     states: Vec<Y>,
 }
 
-/// Degree of quintic Hermite interpolation, which methods of low order use.
+/// Quintic Hermite interpolation, which methods of low order use, has this degree.
 const LEAST_DEGREE: u32 = 5;
 
 impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
-    /// Creates a record for a method of this order.
+    /// For a method of this order.
     pub(super) fn new(order: u32) -> Self {
         let degree = LEAST_DEGREE.max(order + 1);
         let angle = |j: u32| S::from_f64(core::f64::consts::PI * f64::from(j) / f64::from(degree));
@@ -43,7 +43,7 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         Dense { points: points.collect(), steps: Vec::new(), states: Vec::new() }
     }
 
-    /// Stores the step between these times, within which `state` returns the state.
+    /// Keeps the step between these times, in which the state is known.
     pub(super) fn push(&mut self, (from, to): (S, S), state: &mut dyn FnMut(S) -> Y) {
         if from == to {
             return;
@@ -54,7 +54,7 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         self.steps.push((from, to));
     }
 
-    /// Returns the state at `t`, from the later step at an end shared by two; `None` outside all
+    /// The state at `t`, at an end shared by two steps that of the later one; `None` outside of all
     /// steps.
     pub(super) fn at(&self, t: S) -> Option<Y> {
         let backwards = self.steps.first().is_some_and(|(from, to)| to < from);
@@ -91,7 +91,7 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         sum
     }
 
-    /// Returns the index of the point nearest to this part of a step.
+    /// The point that is nearest to this part of a step.
     fn nearest(&self, s: S) -> usize {
         let after = self.points.partition_point(|point| *point < s).min(self.points.len() - 1);
         let before = after.saturating_sub(1);

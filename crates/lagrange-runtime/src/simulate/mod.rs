@@ -18,30 +18,30 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A run is specified by [`simulate`](Simulate::simulate) with a start,
-//! [`until`](Simulation::until) with an end, and other settings of [`Simulation`], in any order.
-//! The result is a [`Trajectory`], or a [`SimulationError`] that holds the trajectory up to the
-//! last good state.
+//! A run is requested in words: [`simulate`](Simulate::simulate) a start,
+//! [`until`](Simulation::until) an end, and other settings of [`Simulation`], in any order. The
+//! result is a [`Trajectory`], or a [`SimulationError`] that holds the trajectory up to the last
+//! good state.
 //!
-//! | purpose | methods |
+//! | to | say |
 //! |---|---|
-//! | set the accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
-//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) interval, [`at_times`](Simulation::at_times), [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
-//! | observe quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) for anything else |
+//! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
+//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`at_times`](Simulation::at_times), [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
+//! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
 //! | differentiate by parameters | [`sensitivities`](Simulation::sensitivities) |
 //! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
-//! | specify times at which forces jump | [`restart_at`](Simulation::restart_at) |
+//! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
 //! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), which can also cancel |
-//! | read results | columns by name, [`state`](Trajectory::state), [`iter`](Trajectory::iter), [`at`](Trajectory::at), [`events`](Trajectory::events), [`work`](Trajectory::work) |
+//! | read | columns by name, [`state`](Trajectory::state), [`iter`](Trajectory::iter), [`at`](Trajectory::at), [`events`](Trajectory::events), [`work`](Trajectory::work) |
 //! | save | [`save_csv`](Trajectory::save_csv); `save_parquet` with the feature `parquet` |
 //! | plot | `plot_states`, `plot_energy`, `plot_phase`, `plot_pair`, `plot_columns` with the feature `plot` |
 //!
 //! # Methods
 //!
-//! The module `integrate` of the crate `lagrange` lists them with their purposes; the default is
-//! [`Verner98`]. For microcontrollers and inner loops, [`integrate()`](crate::run::integrate) works
-//! without a heap.
+//! The module `integrate` of the crate `lagrange` lists them, with what each is for; the default is
+//! [`Verner98`]. Code for microcontrollers and inner loops goes without heap through
+//! [`integrate()`](crate::run::integrate).
 
 mod builder;
 mod closed_loop;
@@ -128,7 +128,7 @@ pub(crate) use self::without_features::without_feature;
 #[cfg(feature = "plot")]
 pub use lagrange_plot::PlotError;
 
-/// Simulation of every mechanical system.
+/// Lets every mechanical system be simulated.
 pub trait Simulate: MechanicalSystem + Sized {
     /// Starts from a state at time 0: an array `[q…, v…]`, or the emitted type with named fields.
     ///

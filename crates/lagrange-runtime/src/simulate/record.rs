@@ -21,17 +21,17 @@ use crate::tolerance::SAME_INSTANT;
 
 /// The record of a run in progress.
 pub(super) struct Record<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
-    /// The present system with its switches free, if it has any.
+    /// The system as it is at present with its switches free, if it has any.
     freed: Option<C>,
     table: Table<M::Scalar>,
     columns: Vec<Extend<'a, M>>,
-    /// Buffer for the columns of one sample.
+    /// Room for the columns of one sample.
     row: Vec<M::Scalar>,
     dense: Option<Dense<M::Scalar, M::State>>,
     samples: Samples<M::Scalar>,
     /// Events of the system.
     declared: &'static [DeclaredEvent],
-    /// Names of the events added to the run.
+    /// Names of the events that the run was given.
     given: Vec<String>,
     events: Vec<Event<M::Scalar, M::State>>,
     reporter: Option<Reporter<'a, M::Scalar>>,
@@ -41,7 +41,7 @@ pub(super) struct Record<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
     pub(super) work: Work,
 }
 
-/// The remaining samples.
+/// The samples that are still to come.
 #[derive(Clone)]
 enum Samples<S> {
     EveryStep,
@@ -52,7 +52,7 @@ enum Samples<S> {
 }
 
 impl<S: Scalar> Samples<S> {
-    /// Returns the samples of a run after its start.
+    /// The samples of a run after its start.
     fn new(settings: &RunSettings<S>) -> Self {
         match (settings.sampling, settings.grid()) {
             (Sampling::EveryStep, _) => Samples::EveryStep,
@@ -66,7 +66,7 @@ impl<S: Scalar> Samples<S> {
         }
     }
 
-    /// Returns the time of the next sample, if it is not after `to` and comes before the end.
+    /// The next time of a sample if it is not after `to` and before the end.
     fn ahead(&self, to: S) -> Option<S> {
         match self {
             Samples::Grid(grid) => { *grid }.up_to(to),
@@ -78,7 +78,7 @@ impl<S: Scalar> Samples<S> {
         }
     }
 
-    /// Removes and returns the time of the next sample.
+    /// Takes that time.
     fn take(&mut self, to: S) -> Option<S> {
         let next = self.ahead(to)?;
         match self {
@@ -90,8 +90,8 @@ impl<S: Scalar> Samples<S> {
 }
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
-    /// Creates a record with the initial state as its first sample, and with functions for the
-    /// columns after the state. The system at the start may differ from the original one.
+    /// Starts with the initial state as the first sample, and with functions of the columns after
+    /// those of the state. The system may differ there from the original one.
     pub(super) fn new(
         current: &Current<'_, C>,
         settings: &RunSettings<M::Scalar>,
@@ -125,12 +125,12 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.dense = Some(Dense::new(order));
     }
 
-    /// Returns the last good state, with its time.
+    /// The last good state, with its time.
     pub(super) fn last(&self) -> (M::Scalar, C::State) {
         self.last
     }
 
-    /// Returns the system as observers see it.
+    /// The system as it is for whoever looks at it.
     pub(super) fn seen<'s>(&'s self, system: &'s C) -> &'s C {
         self.freed.as_ref().unwrap_or(system)
     }
@@ -162,7 +162,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.table.push(time, &self.row);
     }
 
-    /// Returns the names of the added events, and the trajectory with the last good state as its
+    /// Returns the names of the given events, and the trajectory with the last good state as its
     /// last sample.
     pub(super) fn close(
         mut self,
@@ -219,8 +219,8 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         self.reach(system, stepper, (time, &state))
     }
 
-    /// Records the last step as requested, and reports after each sample within it. If the callback
-    /// cancels the run, it ends at that sample.
+    /// Keeps what is wanted of the last step, and reports after each sample within it. If the run
+    /// is cancelled there, it ends at that sample.
     fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &C::State)) -> bool {
         let (to, state) = reached;
         let steps = stepper.work().steps;
@@ -258,7 +258,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         }
     }
 
-    /// Replaces a sample kept at this time by one with the new inputs.
+    /// Replaces a sample that was kept at this time: it has the new inputs.
     fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &C::State)) {
         let rounding = SAME_INSTANT.part::<M::Scalar>() * time.abs();
         if let Some(&last) = self.table.times().last()

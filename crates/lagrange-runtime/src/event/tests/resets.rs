@@ -8,8 +8,8 @@ use crate::integrate::{Method, RungeKutta4, Verner98};
 use crate::run::integrate_with_events;
 use crate::system::{Action, Direction, EventSource, StepFailure};
 
-/// Lets a ball fall by 5 m onto a floor at this height, where it keeps a part of its speed, and
-/// follows it beyond the time at which it comes to rest. Returns the outcome, and the lowest height
+/// Lets a ball fall by 5 m onto a floor at this height, where it keeps a part of its speed. Follows
+/// the ball beyond the time at which it comes to rest. Returns the outcome, and the lowest height
 /// observed above the floor.
 fn bounce(
     method: &impl Method<Ball>,

@@ -1,4 +1,4 @@
-//! Traces of runs: all steps, and some of the states.
+//! The steps of a run, with some of its states.
 
 use std::vec::Vec;
 
@@ -6,11 +6,11 @@ use crate::integrate::{Method, Stepper};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StepFailure};
 
-/// The steps of a run: all of their times, and the states at regular intervals of steps.
+/// Steps of a run: all of their times, and states at every so many of them.
 ///
-/// The number of kept states is once to twice the number of steps between two of them. On the way
-/// backwards, the states in between are recomputed. Source: Griewank, Walther, *Evaluating
-/// Derivatives*, 2nd ed., §12.2, which uses more levels.
+/// As many states are kept as lie between two of them, or twice as many. To go backwards, the
+/// states in between are computed again. Source: Griewank, Walther, *Evaluating Derivatives*, 2nd
+/// ed., §12.2, there with more levels.
 pub(super) struct Trace<S, Y> {
     /// Start of each step, and the end of the last one.
     pub(super) times: Vec<S>,
@@ -18,12 +18,12 @@ pub(super) struct Trace<S, Y> {
     pub(super) stride: usize,
     /// States at the starts of steps 0, stride, 2 stride, …
     pub(super) states: Vec<Y>,
-    /// Number of steps before each sample.
+    /// Numbers of steps before each sample.
     pub(super) samples: Vec<usize>,
 }
 
 impl<S: Scalar, Y: Copy> Trace<S, Y> {
-    /// Computes the trace of a motion. Steps end at the times of samples.
+    /// Follows a motion. Steps end at the times of samples.
     pub(super) fn of<M, K>(
         system: &M,
         method: &K,
