@@ -10,7 +10,7 @@ environment=$PWD/target/python
         python3 -m pip install --quiet --user virtualenv
         python3 -m virtualenv --quiet "$environment"
     }
-    "$environment/bin/pip" install --quiet "maturin>=1.9,<2" "numpy>=2" scipy pandas polars pytest \
+    "$environment/bin/pip" install --quiet "maturin>=1.9,<2" "numpy>=2" scipy pandas polars matplotlib pytest \
         nbclient ipykernel
 }
 export CARGO_TARGET_DIR=$PWD/target/python-build CARGO_INCREMENTAL=0 VIRTUAL_ENV=$environment

@@ -203,17 +203,6 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A force that begins at a time.
-    struct Late;
-    param f = 2, k = 3;
-    coord x;
-    kinetic = 1/2 * dot(x)^2;
-    potential = 1/2 * k * x^2;
-    force x = if t > 1 { f } else { 0 };
-    emit { jacobian }
-}
-
-lagrange::system! {
     /// A mass without derivatives.
     struct Plain;
     param k = 3;
@@ -271,9 +260,6 @@ fn what_has_no_gradient_is_refused_in_words() {
     assert!(words(ball.simulate([1.0, 0.0]).until(1.0).gradient(["g"], position)).contains("contacts"));
     let held = Held::default().simulate([1.0, 0.0, 0.0, 0.0]).until(1.0).gradient(["g"], |_, _, _| 0.0);
     assert!(words(held).contains("constraints"));
-    let late = Late::default();
-    let refusal = words(late.simulate([1.0, 0.0]).until(2.0).gradient(["f"], position));
-    assert!(refusal.contains("jump") || refusal.contains("switches"), "{refusal}");
     let plain = Plain::default();
     assert!(
         words(plain.simulate([1.0, 0.0]).until(1.0).gradient(["k"], position)).contains("emit { jacobian }")

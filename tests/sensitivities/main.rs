@@ -3,4 +3,5 @@
 mod closed_forms;
 mod differences;
 mod gradient;
+mod jumps;
 mod refusals;

@@ -27,14 +27,10 @@ const LARGEST_TRIAL: usize = 20;
 pub(super) fn lagrangian_hessian(model: &mut Model) -> Vec<ExprId> {
     let state = [model.positions(), model.velocities()].concat();
     let slopes = gradient(&mut model.graph, model.lagrangian, &state);
-    let mut rows = jacobian(&mut model.graph, &slopes, &state);
+    let rows = jacobian(&mut model.graph, &slopes, &state);
     // Either side of the diagonal may be written in another way.
-    for row in 1..rows.len() {
-        for column in 0..row {
-            rows[row][column] = rows[column][row];
-        }
-    }
-    rows.concat()
+    let entry = |row: usize, column: usize| rows[row.min(column)][row.max(column)];
+    (0..state.len()).flat_map(|row| (0..state.len()).map(move |column| entry(row, column))).collect()
 }
 
 /// Functions that the derivatives are found from.

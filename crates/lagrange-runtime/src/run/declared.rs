@@ -55,7 +55,15 @@ impl<M: OdeSystem> DeclaredEvents<M> {
         Some(DeclaredEvents { pending: Pending::new(detector), margins, start: t, change: None, together })
     }
 
-    /// Counts the returns of a switch to its surface without leaving it.
+    /// Returns the event that was found last, with the switches that change their sides together
+    /// with it.
+    pub fn passed_with(&self, system: &M, event: usize) -> impl Iterator<Item = usize> {
+        let is_side = system.events()[event].is_side;
+        let others = (0..MOST_LOCATED).filter(move |side| is_side && self.together[*side]);
+        core::iter::once(event).chain(others)
+    }
+
+    /// Counts how often a switch returns to its surface without having left it.
     ///
     /// # Errors
     /// If there are so many that the state slides along the surface.
@@ -136,18 +144,13 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     fn react(&mut self, system: &M, _origin: Origin, event: &Found<M>) -> Reacted<M> {
         let elapsed = (event.time - self.start).abs();
         let mut response = system.react(event.event, event.time, elapsed, &event.state)?;
-        if system.events()[event.event].is_side {
-            for (side, is_passed) in self.together.into_iter().enumerate() {
-                if !is_passed {
-                    continue;
-                }
-                let before = response.system.as_ref().unwrap_or(system);
-                let state = if let Action::Replace(state) = response.action { state } else { event.state };
-                let Response { action, system, .. } = before.react(side, event.time, elapsed, &state)?;
-                response.system = system.or(response.system);
-                if let Action::Replace(_) = action {
-                    response.action = action;
-                }
+        for side in self.passed_with(system, event.event).skip(1) {
+            let before = response.system.as_ref().unwrap_or(system);
+            let state = if let Action::Replace(state) = response.action { state } else { event.state };
+            let Response { action, system, .. } = before.react(side, event.time, elapsed, &state)?;
+            response.system = system.or(response.system);
+            if let Action::Replace(_) = action {
+                response.action = action;
             }
         }
         Ok(response)

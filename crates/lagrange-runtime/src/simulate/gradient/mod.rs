@@ -1,28 +1,31 @@
 //! Gradients of costs with respect to many parameters, computed backwards along the steps of a run.
 
 mod backwards;
+mod jump;
 mod trace;
 
+use std::sync::Arc;
 use std::vec::Vec;
 
 use self::backwards::Backwards;
-use self::trace::Trace;
+use self::jump::copy;
+use self::trace::trace;
 use crate::integrate::{ExplicitRungeKutta, Method};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::simulate::builder::Simulation;
+use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::control::Undriven;
-use crate::simulate::observer::state_names;
 use crate::simulate::plan::{RunPlan, RunSettings};
-use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
+use crate::simulate::sensitivity::{Sensitive, Varied, varied};
+use crate::system::{
+    MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure, have_modes,
+};
 
 const OF_RUN: &str = "a gradient takes no events, controllers, columns, single times, restarts, dense output and progress of a run";
-const EVENTS: &str =
-    "gradients do not go through events, contacts, friction and switches: use `.sensitivities([…])`";
+const MODES: &str = "gradients do not go through contacts and friction: use `.sensitivities([…])`, or declare impacts as `event floor = h, falling => { dot(h) = -e * dot(h); }`";
 const KINKS: &str = "gradients do not go through kinks of tables: use `.sensitivities([…])`, or `interpolation: natural` with `outside: extend`";
 const PROJECTIONS: &str =
     "gradients do not go through projections onto constraints and of quaternions: use `.sensitivities([…])`";
-const JUMPS: &str =
-    "gradients do not go through times at which the equations jump: use `.sensitivities([…])`";
 const STATE: &str =
     "slopes by the start are in `by_start`, for all entries of the state: name parameters and inputs alone";
 
@@ -50,9 +53,14 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// [`every`](Simulation::every), for each sample, the last one first. Values and derivatives
     /// are summed. To integrate a cost along the motion, declare it as a `state`.
     ///
-    /// The gradient is that of the computed motion: each step is differentiated with its length
-    /// held fixed. This requires `emit { jacobian }`. For n steps, at most 3 √n + 2 states are
-    /// kept, and two numbers per step; the other states are recomputed.
+    /// The gradient is that of the motion as computed: each step is differentiated, with its length
+    /// held. It requires `emit { jacobian }`. At most 3 √n + 2 states
+    /// are kept for n steps without an event, and two numbers per step. The others are computed a
+    /// second time.
+    ///
+    /// At declared events, switches and ticks of clocks the adjoint jumps according to the
+    /// transpose of the saltation matrix. The matrix is computed by finite differences with an
+    /// error of about 10⁻¹², from one reaction per variable and entry of the state.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -79,10 +87,10 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// ```
     ///
     /// # Errors
-    /// If a step fails, or a setting is invalid. Motions with events, contacts, switches, clocks,
-    /// constraints, quaternions or kinks of tables have no gradient of this kind; use
-    /// [`sensitivities`](Simulation::sensitivities). The same holds for runs with controllers,
-    /// columns, events, restarts or progress.
+    /// If a step fails, a setting is invalid, an event has no derivative, or an event stops the
+    /// motion before its end. Motions with contacts, friction, constraints, quaternions or kinks of
+    /// tables have no gradient of this kind; use [`sensitivities`](Simulation::sensitivities).
+    /// Neither do runs with controllers, columns, events of their own, restarts or progress.
     pub fn gradient<const N: usize>(
         self,
         names: impl IntoIterator<Item = &'static str>,
@@ -93,15 +101,18 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
         K: Method<M> + ExplicitRungeKutta,
     {
         let Simulation { system, state, plan, reporter, method, .. } = self;
-        let indices = names.into_iter().map(|name| number(system, name)).collect::<Result<Vec<_>, _>>();
+        let variables = names.into_iter().map(|name| number(system, &state, name));
+        let variables = variables.collect::<Result<Arc<[_]>, _>>();
         let settings = &plan.settings;
         let is_reported = reporter.is_some();
-        let checked = indices.and_then(|indices| {
-            Ok((indices, checked(system, &plan, is_reported, method)?, samples(settings)?))
+        let checked = variables.and_then(|variables| {
+            let sensitive = Sensitive::<M, M, N, 2>::new(copy(system), Arc::clone(&variables));
+            sensitive.check(settings.span, false)?;
+            Ok((variables, checked(system, &plan, is_reported, method)?, samples(settings)?))
         });
-        let (indices, method, samples) = checked.map_err(StepFailure::Setting)?;
-        let trace = Trace::of(system, &method, (settings.span[0], state), &samples, settings.max_steps)?;
-        Backwards::<M, K, N>::new(system, &indices).along(&trace, cost)
+        let (variables, method, samples) = checked.map_err(StepFailure::Setting)?;
+        let trace = trace(system, &method, (settings.span[0], state), &samples, settings.max_steps)?;
+        Backwards::<M, K, N>::new(system, &variables).along(&trace, cost)
     }
 }
 
@@ -115,13 +126,11 @@ fn checked<M: ParametricSystem, K: Method<M>>(
     let settings = &plan.settings;
     let is_plain = plan.watches.is_empty() && plan.controllers.is_empty() && plan.columns.is_empty();
     let has_times = settings.is_dense || !settings.restarts.is_empty() || !settings.times.is_empty();
-    let [start, end] = settings.span;
     let obstacles = [
         (!is_plain || has_times || is_reported, OF_RUN),
-        (!system.events().is_empty(), EVENTS),
+        (have_modes(system.events()), MODES),
         (system.has_kinks(), KINKS),
         (system.is_constrained(), PROJECTIONS),
-        (system.next_restart(start, end).is_some(), JUMPS),
     ];
     match obstacles.into_iter().find(|(is_there, _)| *is_there) {
         Some((_, words)) => Err(SettingError::Invalid(words)),
@@ -144,11 +153,12 @@ fn samples<S: Scalar>(settings: &RunSettings<S>) -> Result<Vec<S>, SettingError<
     Ok(samples)
 }
 
-fn number<M: ParametricSystem>(system: &M, name: &'static str) -> Result<usize, SettingError<M::Scalar>> {
-    let (numbers, state) = (system.numbers(), system.description());
-    let found = numbers.iter().position(|number| *number == name);
-    found.ok_or_else(|| match state_names(state).any(|entry| entry == name) {
-        true => SettingError::Invalid(STATE),
-        false => SettingError::UnknownVariable { name, numbers, state },
-    })
+/// Finds a parameter or input by its name.
+fn number<M: ParametricSystem>(
+    system: &M,
+    start: &M::State,
+    name: &'static str,
+) -> Result<Varied<M::Scalar>, SettingError<M::Scalar>> {
+    let found = varied(system, start, name, Number::ONE)?;
+    found.number().map(|_| found).ok_or(SettingError::Invalid(STATE))
 }

@@ -31,12 +31,12 @@ pub(crate) fn slope<S: Scalar, const N: usize>(
         return Some([S::ZERO; N]);
     }
     let mut step = S::epsilon().powf(S::from_f64(0.2)) / rate;
-    let mut best = differences(step, &mut function)?;
+    let mut best = differences(step, rate, &mut function)?;
     let (agreement, mut least) = (S::epsilon().powf(S::from_f64(0.7)), S::ONE / S::ZERO);
     let mut last = best;
     for _ in 0..MOST_REFINEMENTS {
         step = step / S::from_f64(REFINEMENT);
-        let finer = differences(step, &mut function)?;
+        let finer = differences(step, rate, &mut function)?;
         let change = distance(&last, &finer);
         if change < least {
             (least, best) = (change, last);
@@ -49,22 +49,33 @@ pub(crate) fn slope<S: Scalar, const N: usize>(
     Some(best)
 }
 
-/// Computes the differences with this step.
+/// Rounding of the argument moves a function by this many roundings times its change over a step,
+/// per step in units of 1/rate. A difference below that is zero: its digits would be arbitrary, and
+/// so would be a quotient with it. That of x³ at 10⁻¹⁶, for instance, is 10⁻¹³ of its change.
+const ROUNDINGS: f64 = 4.0;
+
+/// The differences with this step.
 fn differences<S: Scalar, const N: usize>(
     step: S,
+    rate: S,
     function: &mut impl FnMut(S) -> Option<[S; N]>,
 ) -> Option<[S; N]> {
-    let mut sum = |rule: Differences, step: S| {
-        let mut sum = [S::ZERO; N];
+    let least = S::from_f64(ROUNDINGS) * S::epsilon() / (rate * step);
+    let mut slopes = |rule: Differences, step: S| {
+        let (mut sums, mut changes) = ([S::ZERO; N], [S::ZERO; N]);
         for &(weight, places) in rule {
             let [ahead, behind] = places.map(|place| function(S::from_f64(place) * step));
-            for (sum, (ahead, behind)) in sum.iter_mut().zip(ahead?.into_iter().zip(behind?)) {
-                *sum = *sum + S::from_f64(weight) * (ahead - behind);
+            for (k, (ahead, behind)) in ahead?.into_iter().zip(behind?).enumerate() {
+                sums[k] = sums[k] + S::from_f64(weight) * (ahead - behind);
+                changes[k] = changes[k].max((ahead - behind).abs());
             }
         }
-        Some(sum.map(|sum| sum / (S::from_f64(12.0) * step)))
+        Some(core::array::from_fn(|k| {
+            let difference = sums[k] / S::from_f64(12.0);
+            if difference.abs() <= least * changes[k] { S::ZERO } else { difference / step }
+        }))
     };
-    { sum(AROUND, step) }.or_else(|| sum(ASIDE, step)).or_else(|| sum(ASIDE, -step))
+    { slopes(AROUND, step) }.or_else(|| slopes(ASIDE, step)).or_else(|| slopes(ASIDE, -step))
 }
 
 /// Returns the largest distance between two corresponding entries.
@@ -80,6 +91,13 @@ mod tests {
     fn a_fast_function_is_looked_at_more_closely() {
         let [fast] = slope(1.0, |x: f64| Some([(3.0 + 100.0 * x).sin()])).unwrap();
         assert!((fast / (100.0 * 3.0_f64.cos()) - 1.0).abs() < 1e-10, "{fast}");
+    }
+
+    #[test]
+    fn a_flat_function_has_no_slope() {
+        assert_eq!(slope(1.0, |x: f64| Some([(1.0 + 2e-16 + x - 1.0).powi(3)])), Some([0.0]));
+        let [steep] = slope(1.0, |x: f64| Some([x.powi(3) + 1e-9 * x])).unwrap();
+        assert!((steep / 1e-9 - 1.0).abs() < 1e-9, "{steep}");
     }
 
     #[test]

@@ -19,8 +19,15 @@ impl<S: Number, const N: usize, const R: usize> Stacked<S, N, R> {
         Stacked { rows, count: 1 + variables }
     }
 
+    /// Returns a state with its derivative by one variable.
+    pub(in crate::simulate) fn with_change(state: [S; N], change: [S; N]) -> Self {
+        let mut stacked = Stacked::new(state, 1);
+        stacked.rows[1] = change;
+        stacked
+    }
+
     /// Returns the derivatives of the state.
-    pub(super) fn derivatives(&self) -> &[[S; N]] {
+    pub(in crate::simulate) fn derivatives(&self) -> &[[S; N]] {
         &self.rows[1..self.count]
     }
 }

@@ -46,7 +46,31 @@ pub(super) enum VariedPlace {
 }
 
 impl<S: Scalar> Varied<S> {
-    /// Returns the variable scaled by its value in a motion, or by one if that is zero.
+    /// Returns the entry of the state with this index and name.
+    pub(in crate::simulate) fn initial<M: ParametricSystem<Scalar = S>>(
+        name: &'static str,
+        index: usize,
+        system: &M,
+        state: &M::State,
+    ) -> Self {
+        Varied { name, place: VariedPlace::Initial(index), scale: S::ONE, weight: S::ONE }
+            .scaled(system, state)
+    }
+
+    /// Returns the change of the variable that counts as one.
+    pub(in crate::simulate) fn scale(&self) -> S {
+        self.scale
+    }
+
+    /// Returns the index of a parameter or input; `None` for an entry of the state.
+    pub(in crate::simulate) fn number(&self) -> Option<usize> {
+        match self.place {
+            VariedPlace::Number(index) => Some(index),
+            VariedPlace::Initial(_) => None,
+        }
+    }
+
+    /// Returns the variable with the scale that its value in a motion gives: one if it is zero.
     pub(super) fn scaled<M: ParametricSystem<Scalar = S>>(self, system: &M, start: &M::State) -> Self {
         let value = match self.place {
             VariedPlace::Number(index) => system.number(index),
@@ -69,6 +93,11 @@ where
     M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
     L: ClosedLoop<M> + OdeSystem<Scalar = ScalarOf<M>, State = [ScalarOf<M>; N]>,
 {
+    /// Returns the loop with derivatives by these variables.
+    pub(in crate::simulate) fn new(closed: L, variables: Arc<[Varied<M::Scalar>]>) -> Self {
+        Sensitive { closed, variables }
+    }
+
     /// Returns this around a loop in other modes.
     pub(super) fn around(&self, closed: L) -> Self {
         Sensitive { closed, variables: Arc::clone(&self.variables) }
