@@ -1,8 +1,9 @@
 //! Parameters from data: nonlinear least squares along motions.
 //!
 //! Parameters, inputs of constant value and initial values vary until a motion is closest to
-//! measured columns, with the smallest sum of squares of residuals, each divided by its noise
-//! level. Derivatives are those of [`sensitivities`](crate::simulate::Simulation::sensitivities).
+//! measured columns. The sum of squares of residuals, each divided by its noise level, is then
+//! smallest. Derivatives are those of
+//! [`sensitivities`](crate::simulate::Simulation::sensitivities).
 //!
 //! ```
 //! use lagrange::fit::{Data, Fits};

@@ -63,7 +63,7 @@ impl<M: OdeSystem> DeclaredEvents<M> {
         core::iter::once(event).chain(others)
     }
 
-    /// Counts how often a switch returns to its surface without having left it.
+    /// Counts the returns of a switch to its surface without leaving it.
     ///
     /// # Errors
     /// If there are so many that the state slides along the surface.

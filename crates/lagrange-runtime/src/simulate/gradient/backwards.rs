@@ -13,7 +13,7 @@ use crate::system::{OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFai
 
 /// The name of the state in errors about events without derivative.
 const STATE: &str = "the state";
-/// The cause if a system does not know its derivatives.
+/// Message for systems without derivatives.
 const WITHOUT_JACOBIAN: &str = "a gradient needs derivatives: add `emit { jacobian }` to the declaration";
 
 /// Workspace for the stages of a step by the method K, and the derivatives by parameters so far.

@@ -54,7 +54,7 @@ pub(crate) fn slope<S: Scalar, const N: usize>(
 /// so would be a quotient with it. That of x³ at 10⁻¹⁶, for instance, is 10⁻¹³ of its change.
 const ROUNDINGS: f64 = 4.0;
 
-/// The differences with this step.
+/// Computes the differences with this step.
 fn differences<S: Scalar, const N: usize>(
     step: S,
     rate: S,

@@ -70,7 +70,7 @@ impl<S: Scalar> Varied<S> {
         }
     }
 
-    /// Returns the variable with the scale that its value in a motion gives: one if it is zero.
+    /// Returns the variable scaled by its value in a motion, or by one if that is zero.
     pub(super) fn scaled<M: ParametricSystem<Scalar = S>>(self, system: &M, start: &M::State) -> Self {
         let value = match self.place {
             VariedPlace::Number(index) => system.number(index),
