@@ -281,7 +281,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Sets the maximum length of a step, so that no step skips an effect that lasts about a
+    /// Sets the maximum length of a step, so that steps do not skip effects that last about a
     /// quarter of it. By default, steps of the adaptive method are at most a twentieth of the run,
     /// or a two-hundredth while the system is at rest. Methods with a fixed step length report an
     /// error.

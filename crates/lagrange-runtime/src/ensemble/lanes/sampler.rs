@@ -14,7 +14,7 @@ pub(super) struct Sampler<S: SideBySide, Y, W> {
     grid: Grid<S::Element>,
     /// The times of the samples that the motion in each lane has yet to reach.
     ahead: [Grid<S::Element>; MOST_LANES],
-    /// The next sample in each lane; NaN if there is none.
+    /// The time of the next sample in each lane; NaN after the last one.
     next: S,
     last: W,
     kept: [SamplesWithin<S::Element, Y>; MOST_LANES],

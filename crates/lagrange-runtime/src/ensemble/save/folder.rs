@@ -1,4 +1,4 @@
-//! Folders of parts, locked so that no other process writes the same parts.
+//! Folders of parts, locked against other processes that would write the same parts.
 
 use core::ops::Range;
 use std::collections::BTreeSet;
