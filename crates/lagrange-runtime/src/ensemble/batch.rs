@@ -15,14 +15,15 @@ use crate::scalar::Scalar;
 use crate::simulate::{Plan, Sampling};
 use crate::system::{MechanicalSystem, OdeSystem, StateVector};
 
-/// The start of a motion.
+/// Computes the start of a motion.
 pub(super) type StartOf<'a, M> =
     Box<dyn Fn(usize, &mut Random) -> <M as OdeSystem>::State + Send + Sync + 'a>;
 
-/// The system of a motion.
+/// Computes the system of a motion.
 pub(super) type Variation<'a, M> = Box<dyn Fn(usize, &M) -> M + Send + Sync + 'a>;
 
-/// The motions of an ensemble: their starts, the plan that they share, and how they are spread.
+/// The motions of an ensemble: their starts, the plan that they share, and their distribution over
+/// threads and shards.
 pub(super) struct Batch<'a, M: MechanicalSystem> {
     pub(super) system: &'a M,
     pub(super) number: usize,
@@ -30,9 +31,9 @@ pub(super) struct Batch<'a, M: MechanicalSystem> {
     pub(super) variation: Option<Variation<'a, M>>,
     pub(super) seed: u64,
     pub(super) plan: SharedPlan<'a, M>,
-    /// True if every motion is to be a run by itself.
+    /// True if every motion is computed as a separate run.
     pub(super) is_one_by_one: bool,
-    /// A setting that makes no sense.
+    /// Message about the first invalid setting.
     fault: Option<&'static str>,
     pub(super) threads: Option<usize>,
     pub(super) shard: Shard,
@@ -40,7 +41,7 @@ pub(super) struct Batch<'a, M: MechanicalSystem> {
     pub(super) reporter: Option<BatchReporter<'a>>,
 }
 
-/// Some ten seconds of double pendulums on one thread; 3 MB in a file.
+/// Default part size: about ten seconds of double pendulums on one thread, or 3 MB in a file.
 const MOTIONS_PER_PART: usize = 1 << 16;
 
 impl<'a, M: SharedSystem> Batch<'a, M> {
@@ -61,7 +62,7 @@ impl<'a, M: SharedSystem> Batch<'a, M> {
         }
     }
 
-    /// Keeps the first setting that makes no sense.
+    /// Records an invalid setting, unless an earlier one was recorded.
     pub(super) fn refuse_setting(&mut self, what: &'static str) {
         self.fault = self.fault.or(Some(what));
     }
@@ -77,15 +78,15 @@ impl<'a, M: SharedSystem> Batch<'a, M> {
         self.plan.settings.span
     }
 
-    /// The system of a motion, if it is not that of all, and where it starts.
+    /// Returns the system of a motion, if it has a separate one, and its initial state.
     pub(super) fn origin(&self, index: usize) -> (Option<M>, M::State) {
         let start = self.start.as_ref().map(|start| start(index, &mut Random::start(self.seed, index)));
         let varied = self.variation.as_ref().map(|variation| variation(index, self.system));
         (varied, start.unwrap_or(M::State::ZERO))
     }
 
-    /// The parameters of a motion that become columns: all but those that one of these columns is
-    /// called like, if motions have their own.
+    /// Returns the parameters of a motion that become columns: none if motions share parameters,
+    /// otherwise all whose name is not among these columns.
     pub(super) fn parameters(&self, system: &M, columns: &[String]) -> Vec<(&'static str, M::Scalar)> {
         if self.variation.is_none() {
             return Vec::new();
@@ -105,7 +106,7 @@ impl<'a, M: SharedSystem> Batch<'a, M> {
         self.start_of(part)..self.start_of(part + 1)
     }
 
-    /// Returns the first motion of a part, or the number of all behind the last.
+    /// Returns the first motion of a part, or the number of motions for parts after the last.
     fn start_of(&self, part: usize) -> usize {
         part.saturating_mul(self.motions_per_part).min(self.number)
     }
@@ -120,10 +121,10 @@ impl<'a, M: SharedSystem> Batch<'a, M> {
         self.number.div_ceil(self.motions_per_part.max(1))
     }
 
-    /// Checks which motions there are.
+    /// Checks the settings of the batch.
     ///
     /// # Errors
-    /// If a setting makes no sense.
+    /// If a setting is invalid.
     pub(super) fn check(&self) -> Result<(), EnsembleError> {
         let wrong = |what: &str| Err(EnsembleError::Setting(what.into()));
         if let Some(fault) = self.fault {

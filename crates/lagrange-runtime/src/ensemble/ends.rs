@@ -21,7 +21,7 @@ use crate::system::{MechanicalSystem, StateVector};
 ///
 /// Columns are the coordinates and velocities, then the observed quantities, and then all
 /// parameters, if motions were given separate [parameters](crate::ensemble::Motions::parameters).
-/// For an emitted system those of the state are also methods, such as `ends.theta()`. The row of a
+/// For an emitted system the state columns are also methods, such as `ends.theta()`. The row of a
 /// failed motion holds NaN except for its parameters; [`failures`](Ends::failures) describes it.
 pub struct Ends<M: MechanicalSystem> {
     columns: M::Columns<Table<M::Scalar>>,
@@ -36,8 +36,8 @@ impl<M: MechanicalSystem> Ends<M> {
         self.table().len()
     }
 
-    /// Returns the motions whose ends these are: all, or those of a shard. The first row is that of
-    /// the first of them.
+    /// Returns the range of motions: all motions, or the motions of a shard. The first row belongs
+    /// to the first motion of the range.
     pub fn motions(&self) -> Range<usize> {
         self.motions.clone()
     }
@@ -47,7 +47,7 @@ impl<M: MechanicalSystem> Ends<M> {
         self.table().times()
     }
 
-    /// Returns the names of the columns, in their order; time has none.
+    /// Returns the names of the columns, in order; time has no name.
     pub fn names(&self) -> &[String] {
         self.table().names()
     }
@@ -77,7 +77,7 @@ impl<M: MechanicalSystem> Ends<M> {
         Some(state)
     }
 
-    /// Returns the motions that failed, in their order.
+    /// Returns the motions that failed, in order of their indices.
     pub fn failures(&self) -> &[Failure<M>] {
         &self.failures
     }
@@ -91,7 +91,7 @@ impl<M: MechanicalSystem> Deref for Ends<M> {
     }
 }
 
-/// Not the rows, which may be millions.
+/// Omits the rows, of which there may be millions.
 impl<M: MechanicalSystem> Debug for Ends<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Ends")
@@ -109,7 +109,7 @@ where
     K: Method<D::Closed> + Clone + Sync,
     P: Keep,
 {
-    /// The rows of these motions.
+    /// Computes the rows of these motions.
     fn rows(
         &self,
         engine: &Engine,
@@ -131,7 +131,7 @@ where
         Ok(rows)
     }
 
-    /// Adds the end of a motion, however it was computed.
+    /// Adds the end of a motion, whether computed in a lane or as a single run.
     pub(super) fn push_end(&self, rows: &mut Rows<M>, index: usize, system: &M, outcome: MotionOutcome<M>) {
         let [_, end] = self.batch.span();
         match outcome {

@@ -1,4 +1,4 @@
-//! Motions over threads, in chunks of fixed size whose results are merged in their order.
+//! Distribution of motions over threads, in chunks of fixed size whose results are merged in order.
 
 use core::ops::Range;
 use std::string::ToString;
@@ -10,22 +10,22 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::error::EnsembleError;
 use super::progress::Counter;
 
-/// Motions that are summed up together, and that one thread computes one after the other. The bits
-/// of reductions depend on it.
+/// Number of motions accumulated into one summary, which one thread computes one after the other.
+/// The bits of reductions depend on it.
 pub(super) const BLOCK: usize = 64;
-/// Most blocks that one thread computes together in lanes, some of which have no motions towards
-/// the end,
+/// Maximum number of blocks per chunk in lanes. Towards the end of a chunk some lanes are empty.
 const BLOCKS_IN_LANES: usize = 16;
-/// and with samples, which lie in memory.
+/// Maximum number of blocks per chunk if samples are kept, since they are held in memory.
 const BLOCKS_OF_SAMPLES: usize = 4;
-/// Threads that are done sooner find so many chunks for each of them.
+/// Minimum number of chunks per thread, unless chunks are single blocks, so that fast threads find
+/// more work.
 const CHUNKS_FOR_BALANCE: usize = 4;
-/// Chunks of a thread that are computed before they are merged: so much lies in memory.
+/// Number of chunks per thread that are computed before they are merged, and so are held in memory.
 const CHUNKS_PER_THREAD: usize = 64;
 
-/// Threads of one's own, or those that everybody has.
+/// A dedicated pool of threads, or the shared one.
 pub(super) struct Engine {
-    /// None for the calling thread alone, or for everybody's.
+    /// `None` for the calling thread alone, or for the shared pool.
     pool: Option<ThreadPool>,
     threads: usize,
     pub(super) chunk: usize,
@@ -56,13 +56,13 @@ impl Engine {
         Engine { chunk: BLOCK * blocks, ahead: CHUNKS_PER_THREAD / blocks, ..self }
     }
 
-    /// Blocks in a chunk, at most so many, if there are to be enough chunks of these motions for
-    /// all threads.
+    /// Returns the number of blocks in a chunk, at most `most`, that leaves enough chunks for all
+    /// threads.
     fn blocks(&self, motions: usize, most: usize) -> usize {
         (motions / (BLOCK * CHUNKS_FOR_BALANCE * self.threads)).clamp(1, most)
     }
 
-    /// Computes all chunks of the motions and hands their results over in their order.
+    /// Computes all chunks of the motions and passes their results on in order.
     ///
     /// # Errors
     /// If several motions fail, the error of the first. If the consumer fails, its error at once.
@@ -86,7 +86,7 @@ impl Engine {
         Ok(())
     }
 
-    /// The results of some chunks in their order.
+    /// Computes some chunks and returns their results in order.
     fn wave<R: Send>(
         &self,
         chunks: Vec<Range<usize>>,

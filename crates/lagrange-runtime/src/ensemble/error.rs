@@ -1,4 +1,4 @@
-//! Why an ensemble was not computed, or not to its end.
+//! Errors of ensembles.
 
 use core::fmt::{Display, Formatter};
 use std::any::Any;
@@ -7,16 +7,16 @@ use std::io;
 use std::path::PathBuf;
 use std::string::{String, ToString};
 
-/// An ensemble was not computed, or not to its end. Motions that fail are no such error: they are
-/// in its failures.
+/// An error that kept an ensemble from being computed completely. Failed motions are not errors:
+/// they are listed among the failures of the results.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum EnsembleError {
-    /// A setting is invalid, in words.
+    /// A setting is invalid; the text describes it.
     Setting(String),
-    /// A closure that was given panicked.
+    /// A closure of the user panicked.
     Panicked {
-        /// In which motion; the first of those in which one did.
+        /// Index of the first motion in which a closure panicked.
         motion: usize,
         /// Message of the panic.
         message: String,
@@ -31,36 +31,37 @@ pub enum EnsembleError {
         /// Number of finished motions.
         motions: u64,
     },
-    /// The operating system did not start as many threads.
+    /// The operating system did not start the requested number of threads.
     Threads(String),
-    /// A file could not be read or written. What was finished before is kept.
+    /// A file could not be read or written. Finished files are kept.
     File {
         /// Path of the file.
         path: PathBuf,
         /// Error of the operating system or the format.
         source: io::Error,
     },
-    /// The folder holds a file that is named like a part and is not one.
+    /// The folder contains a file that is named like a part and is not one.
     ForeignFile(PathBuf),
-    /// A part is not what was written, or not in its place.
+    /// A part has changed since it was written, or has the name of another part.
     Damaged {
         /// Path of the file.
         path: PathBuf,
         /// Reason.
         why: String,
     },
-    /// The folder holds a part of another ensemble.
+    /// The folder contains a part of another ensemble.
     OtherEnsemble {
         /// Path of the file.
         path: PathBuf,
         /// Property of the ensemble in the file that differs, and the property of this one.
         differs: [String; 2],
     },
-    /// Another process writes the same parts into the folder, or one was killed on another machine.
+    /// Another process writes the same parts to the folder, or a process was killed on another
+    /// machine.
     Locked {
-        /// The other file.
+        /// Path of the lock file.
         path: PathBuf,
-        /// Process that holds the lock, as it names itself.
+        /// Process that holds the lock, as described in the file.
         holder: String,
     },
 }

@@ -6,7 +6,7 @@ use std::string::String;
 use crate::simulate::{SimulationError, explain_run};
 use crate::system::{MechanicalSystem, StepFailure};
 
-/// A motion that failed: how far it came, and why no further.
+/// A motion that failed, with its last good state and the cause.
 #[non_exhaustive]
 pub struct Failure<M: MechanicalSystem> {
     /// Index of the motion.
@@ -15,7 +15,7 @@ pub struct Failure<M: MechanicalSystem> {
     pub time: M::Scalar,
     /// The last good state; finite, unless the start was not.
     pub state: M::State,
-    /// Why it came no further.
+    /// Cause of the failure.
     pub cause: StepFailure<M::Scalar>,
     /// Name of the event that the cause concerns, if any.
     pub name: Option<String>,
@@ -27,7 +27,7 @@ impl<M: MechanicalSystem> Failure<M> {
         Failure { index, time, state, cause: error.cause, name: error.name }
     }
 
-    /// Why and when, in words.
+    /// Returns the cause and time as text.
     #[cfg(feature = "parquet")]
     pub(super) fn why(&self) -> impl Display + '_ {
         Why(self)

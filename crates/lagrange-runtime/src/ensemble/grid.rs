@@ -1,9 +1,9 @@
-//! Motions over two quantities.
+//! Grids of motions over two quantities.
 
 use core::ops::Range;
 use std::string::{String, ToString};
 
-/// A grid over two quantities, of which an ensemble computes a motion for each cell.
+/// A grid over two quantities. An ensemble computes one motion per cell.
 ///
 /// ```
 /// use lagrange::Ensembles;
@@ -31,7 +31,7 @@ pub struct Grid {
     pub(super) y: Quantity,
 }
 
-/// A quantity in intervals of one length.
+/// A quantity divided into intervals of equal length.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Quantity {
     pub(super) name: String,
@@ -60,8 +60,8 @@ impl Grid {
         self.len() == 0
     }
 
-    /// Returns both quantities in the middle of the cell with this index. Cells are counted from
-    /// left to right, in rows from the lowest.
+    /// Returns both quantities at the centre of the cell with this index. Cells are counted from
+    /// left to right, row by row from the bottom.
     pub fn at(&self, index: usize) -> [f64; 2] {
         let columns = self.x.cells.max(1);
         [self.x.middle(index % columns), self.y.middle(index / columns)]
@@ -74,7 +74,7 @@ impl Quantity {
         start + (end - start) * ((cell as f64 + 0.5) / self.cells as f64)
     }
 
-    /// From where to where it goes, if that is a range.
+    /// Returns both ends of the range, if it is finite and ascending.
     #[cfg(feature = "plot")]
     pub(super) fn bounds(&self) -> Option<(f64, f64)> {
         let Range { start, end } = self.range;

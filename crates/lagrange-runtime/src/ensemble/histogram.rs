@@ -1,17 +1,17 @@
-//! Counts in bins that fit themselves to the numbers.
+//! Histograms whose bins adapt to the numbers.
 
 use core::ops::Range;
 use std::collections::BTreeMap;
 
 use super::reduce::Reduce;
 
-/// Counts of numbers in at most a given number of bins of one width, which fit themselves to the
+/// A histogram with bins of equal width and a maximum number of bins. The width adapts to the
 /// numbers.
 ///
-/// The width is the least power of two with which that many bins reach from the least number to the
-/// greatest. It is not below 2⁻⁴⁰ of the power of two below the largest magnitude. Edges are
-/// multiples of the width. The counts therefore depend on the numbers alone and not on their order,
-/// and need no range in advance. Numbers that are not finite are counted separately.
+/// The width is the smallest power of two for which that many bins cover all numbers. It is not
+/// below 2⁻⁴⁰ of the power of two below the largest magnitude. Edges are multiples of the width.
+/// The counts therefore depend on the numbers alone and not on their order, and need no range in
+/// advance. Numbers that are not finite are counted separately.
 ///
 /// ```
 /// use lagrange::ensemble::Histogram;
@@ -26,22 +26,22 @@ pub struct Histogram {
     pub(super) most: usize,
     /// The width is two to the power of this.
     pub(super) exponent: i32,
-    /// Counts by lower edge in units of the width, where nonzero.
+    /// Nonzero counts, by the lower edge of the bin in units of the width.
     pub(super) counts: BTreeMap<i64, u64>,
     pub(super) not_finite: u64,
 }
 
-/// Bins are no narrower than the largest magnitude by this power of two, so that their places are
-/// exact.
+/// The width is at least the power of two below the largest magnitude, times 2⁻⁴⁰, so that bin
+/// indices are exact.
 const DEPTH: i32 = 40;
-/// Nor than two to this power.
+/// Minimum exponent of the width.
 const FINEST: i32 = -1000;
 
 impl Histogram {
     /// Creates an empty histogram with at most this many bins.
     ///
     /// # Panics
-    /// If there is to be no bin, or more than 2²⁴.
+    /// If the maximum is 0 or exceeds 2²⁴.
     pub fn new(bins: usize) -> Self {
         assert!((1..=1 << 24).contains(&bins), "a histogram has from 1 to 2^24 bins, not {bins}");
         Histogram { most: bins, exponent: FINEST, counts: BTreeMap::new(), not_finite: 0 }
@@ -63,8 +63,8 @@ impl Histogram {
         *self.counts.entry(here).or_default() += 1;
     }
 
-    /// Returns the bins from that of the least number to that of the greatest, by their edges, with
-    /// their counts.
+    /// Returns the edges and counts of all bins, from the bin of the smallest number to that of the
+    /// largest.
     pub fn bins(&self) -> impl Iterator<Item = (Range<f64>, u64)> + '_ {
         let ends = self.counts.first_key_value().zip(self.counts.last_key_value());
         let places = ends.map(|((first, _), (last, _))| *first..=*last);
@@ -74,19 +74,19 @@ impl Histogram {
         })
     }
 
-    /// Returns the number of finite numbers.
+    /// Returns the count of finite numbers.
     pub fn count(&self) -> u64 {
         self.counts.values().sum()
     }
 
-    /// Returns the number of NaN or infinite values, which are in no bin.
+    /// Returns the count of NaN and infinite values, which are in no bin.
     pub fn not_finite(&self) -> u64 {
         self.not_finite
     }
 
-    /// Returns an approximate number below which this part, from 0 to 1, of the finite numbers
-    /// lies. Its error is below the width of a bin, within which numbers are assumed to be spread
-    /// evenly. `None` if there are no finite numbers, or for other parts.
+    /// Returns an approximate quantile of the finite numbers, for a part from 0 to 1. Its error is
+    /// below the width of a bin, within which numbers are assumed to be evenly distributed. `None`
+    /// if there are no finite numbers, or for other parts.
     pub fn quantile(&self, part: f64) -> Option<f64> {
         if !(0.0..=1.0).contains(&part) {
             return None;
@@ -107,20 +107,20 @@ impl Histogram {
         libm::ldexp(place as f64, self.exponent)
     }
 
-    /// Returns the number of bins between all places and `first` to `last`.
+    /// Returns the number of bins needed for all counts and the bins `first` to `last`.
     fn span(&self, first: i64, last: i64) -> u64 {
         let first = self.counts.first_key_value().map_or(first, |(least, _)| first.min(*least));
         let last = self.counts.last_key_value().map_or(last, |(greatest, _)| last.max(*greatest));
         last.abs_diff(first) + 1
     }
 
-    /// Makes bins at least two to this power wide.
+    /// Widens bins to at least two to this power.
     fn widen(&mut self, exponent: i32) {
         if exponent <= self.exponent {
             return;
         }
-        // Places are less than 2⁴² in magnitude, so that a longer shift leaves their sign, as 63
-        // does.
+        // Bin indices are less than 2⁴² in magnitude, so any longer shift leaves only their sign,
+        // as 63 does.
         let shift = (exponent - self.exponent).min(63);
         self.exponent = exponent;
         for (place, count) in core::mem::take(&mut self.counts) {
@@ -129,7 +129,7 @@ impl Histogram {
     }
 }
 
-/// The least exponent of a width at which the position of this number is exact.
+/// Returns the smallest exponent of a width at which the bin index of this number is exact.
 fn finest(value: f64) -> i32 {
     if value == 0.0 { FINEST } else { (libm::ilogb(value) - DEPTH).max(FINEST) }
 }

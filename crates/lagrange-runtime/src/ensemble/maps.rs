@@ -13,8 +13,8 @@ use crate::system::{MechanicalSystem, description_of_type};
 use lagrange_plot::notation::Columns;
 use lagrange_plot::{Band, Cells, Curve, Figure, Panel, Scale};
 
-/// A picture of values over the two quantities of a [`Grid`], with a colour for each. The least is
-/// dark blue, the largest yellow; values that are not finite, such as those of failed motions, are
+/// A picture of values over the two quantities of a [`Grid`], one colour per value. The smallest
+/// value is dark blue, the largest yellow. Values that are not finite, as for failed motions, are
 /// white.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Map {
@@ -23,12 +23,11 @@ pub struct Map {
 }
 
 impl Map {
-    /// Creates a picture of these values, one for each cell of the grid in the order of their
-    /// indices.
+    /// Creates a picture of these values, one per cell of the grid, in the order of cell indices.
     ///
     /// # Errors
-    /// If there are not as many values as cells, or the grid does not go from a number to a larger
-    /// one in both directions.
+    /// If the number of values differs from the number of cells, or a range of the grid is not
+    /// finite and ascending.
     pub fn new(grid: &Grid, name: &str, values: Vec<f64>) -> Result<Self, PlotError> {
         if values.len() != grid.len() || values.is_empty() {
             return Err(PlotError::Cells { values: values.len(), cells: grid.len() });
@@ -43,27 +42,27 @@ impl Map {
         Ok(Map { cells, panel })
     }
 
-    /// Spreads the colours over the powers of ten.
+    /// Uses a logarithmic colour scale.
     pub fn logarithmic(mut self) -> Self {
         self.cells.scale = Scale::Logarithmic;
         self
     }
 
-    /// Says what the values are called beside the colours, instead of the name of their column.
+    /// Sets the label of the colour scale, which is the name of the column by default.
     pub fn named(mut self, name: &str) -> Self {
         self.cells.name = name.into();
         self
     }
 
-    /// Draws a line through points over the cells, broken where one is not finite; several are
-    /// named in a legend.
+    /// Draws a line through points on top of the cells, broken at points that are not finite.
+    /// Several lines are named in a legend.
     pub fn curve(mut self, name: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.panel.curves.push(Curve { name: name.into(), points: points.into_iter().collect() });
         self
     }
 
     /// Writes the picture: `svg` or `png`, by its extension. Every cell is a square of whole
-    /// pixels. Up to 1000 pixels are in a row, or one for each cell if there are more cells.
+    /// pixels. A row is at most 1000 pixels wide, or one pixel per cell if there are more cells.
     ///
     /// # Errors
     /// If the extension is not supported, or the operating system cannot write the file.
@@ -76,13 +75,13 @@ impl<M: MechanicalSystem> Ends<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Creates a picture of a column, or of the times `t` at which motions ended, over the cells of
-    /// the grid from which they started. Names of columns and parameters have their units, if the
-    /// declaration has them.
+    /// Creates a picture of a column, or of the times `t` at which motions ended, over the grid of
+    /// their starts. Labels of columns and parameters include units, if the declaration specifies
+    /// them.
     ///
     /// # Errors
-    /// If there is no such column, these are not the motions of all cells, or a range of the grid
-    /// is not ascending.
+    /// If there is no such column, these motions do not cover all cells, or a range of the grid is
+    /// not ascending.
     pub fn map(&self, grid: &Grid, column: &str) -> Result<Map, PlotError> {
         let values = if column == TIME { Some(self.times()) } else { self.column(column) };
         let values = values.ok_or_else(|| unknown(column, self.names()))?;
@@ -96,7 +95,7 @@ where
     }
 }
 
-/// The bands of a plot of quantiles: what each is called, and the parts between which it lies.
+/// The bands of a plot of quantiles: the name of each, and its lower and upper quantile.
 const BANDS: [(&str, f64, f64); 2] = [("90 %", 0.05, 0.95), ("50 %", 0.25, 0.75)];
 const SIZE: (u32, u32) = (860, 420);
 
@@ -104,8 +103,8 @@ impl<M: MechanicalSystem> Samples<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Plots how a column spreads over time: its median, and the bands in which half of the motions
-    /// and nine of ten lie. They are those of [`quantiles`](Self::quantiles).
+    /// Plots how a column spreads over time: its median, and the bands that contain 50 % and 90 %
+    /// of the motions. Values are computed by [`quantiles`](Self::quantiles).
     ///
     /// # Errors
     /// If there is no such column, or the file cannot be written.

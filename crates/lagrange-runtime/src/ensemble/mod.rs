@@ -33,23 +33,23 @@
 //! # Ok::<(), lagrange::ensemble::EnsembleError>(())
 //! ```
 //!
-//! | to | say |
+//! | purpose | methods |
 //! |---|---|
-//! | say which motions | [`ensemble`](Ensembles::ensemble) of a number or a list of starts, [`start`](Motions::start), [`parameters`](Motions::parameters), [`until`](Motions::until), [`seed`](Ensemble::seed) |
-//! | say how they go | [`tolerance`](Ensemble::tolerance), [`method`](Ensemble::method), [`drive`](Ensemble::drive), [`sampled`](Ensemble::sampled), [`stop_at`](Ensemble::stop_at), [`max_steps`](Ensemble::max_steps) as in single runs |
-//! | keep ends | [`run`](Ensemble::run), which hands out [`Ends`]; [`observe`](Ensemble::observe) and [`energy`](Ensemble::energy) add columns, [`sensitivities`](Ensemble::sensitivities) derivatives |
-//! | keep samples | [`every`](Ensemble::every); `run` then hands out [`Samples`] |
-//! | keep a sum | [`reduce`](Ensemble::reduce) to [`Moments`], a [`Histogram`] or what implements [`Reduce`] |
-//! | see them | [`plot_quantiles`](Samples) over time, [`map`](Ends) over the two quantities of a [`Grid`], with the feature `plot` |
-//! | keep files | `save_parquet` with the feature `parquet`, which goes on where it was killed, and `verify` |
-//! | look at one motion | [`motion`](Ensemble::motion) |
+//! | define the motions | [`ensemble`](Ensembles::ensemble) with a number or a list of starts, [`start`](Motions::start), [`parameters`](Motions::parameters), [`until`](Motions::until), [`seed`](Ensemble::seed) |
+//! | control the runs | [`tolerance`](Ensemble::tolerance), [`method`](Ensemble::method), [`drive`](Ensemble::drive), [`sampled`](Ensemble::sampled), [`stop_at`](Ensemble::stop_at), [`max_steps`](Ensemble::max_steps) as in single runs |
+//! | keep ends | [`run`](Ensemble::run), which returns [`Ends`]; [`observe`](Ensemble::observe) and [`energy`](Ensemble::energy) add columns, [`sensitivities`](Ensemble::sensitivities) derivatives |
+//! | keep samples | [`every`](Ensemble::every); `run` then returns [`Samples`] |
+//! | keep a summary | [`reduce`](Ensemble::reduce) to [`Moments`], a [`Histogram`] or any [`Reduce`] |
+//! | plot results | [`plot_quantiles`](Samples) over time, [`map`](Ends) over the two quantities of a [`Grid`], with the feature `plot` |
+//! | save files | `save_parquet` with the feature `parquet`, which resumes after an interruption, and `verify` |
+//! | examine one motion | [`motion`](Ensemble::motion) |
 //! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); reductions over processes by MPI: `examples/mpi` |
 //!
-//! Every motion is a separate run of [`simulate`](mod@crate::simulate), with the same bits. They
-//! depend neither on threads nor on shards, restarts or the other motions. The sum of all is
-//! accumulated in an order that does not depend on threads either.
+//! Every motion is a separate run of [`simulate`](mod@crate::simulate), with the same bits. They do
+//! not depend on threads, shards, restarts or other motions. Reductions are accumulated in an order
+//! that does not depend on threads either.
 //!
-//! This needs the feature `ensemble`.
+//! Ensembles require the feature `ensemble`.
 
 mod batch;
 mod builder;
@@ -106,7 +106,7 @@ pub use self::save::{Saved, Verified, verify};
 pub use self::shard::Shard;
 pub use self::starts::Starts;
 
-/// Lets every mechanical system that threads may share move many times.
+/// Ensembles of every mechanical system that threads may share.
 pub trait Ensembles: SharedSystem + Sized {
     /// Creates motions of this system: a number of them, or one from each start of a list.
     fn ensemble(&self, starts: impl Starts<Self>) -> Motions<'_, Self> {

@@ -4,8 +4,9 @@ use super::reduce::Reduce;
 
 /// Count, mean, variance, minimum and maximum of numbers. A NaN makes all but the count NaN.
 ///
-/// Sources: Welford, Technometrics 4 (1962), of a number more; Chan, Golub, LeVeque, *Algorithms
-/// for computing the sample variance*, The American Statistician 37 (1983), eq. 2.1, of two parts.
+/// Sources: Welford, Technometrics 4 (1962), for adding a number; Chan, Golub, LeVeque, *Algorithms
+/// for computing the sample variance*, The American Statistician 37 (1983), eq. 2.1, for merging
+/// two parts.
 ///
 /// ```
 /// use lagrange::ensemble::Moments;
@@ -25,7 +26,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Returns the moments of no numbers.
+    /// Creates empty moments.
     pub fn new() -> Self {
         Moments { count: 0, mean: 0.0, squares: 0.0, min: f64::INFINITY, max: f64::NEG_INFINITY }
     }
@@ -40,33 +41,33 @@ impl Moments {
         self.max = -least(-self.max, -value);
     }
 
-    /// Returns the count of numbers.
+    /// Returns the number of values added.
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// Returns their mean; NaN if there was none.
+    /// Returns the mean; NaN if no number was added.
     pub fn mean(&self) -> f64 {
         if self.count == 0 { f64::NAN } else { self.mean }
     }
 
-    /// Returns their variance as an estimate of that of their distribution: the sum is divided by
-    /// one less than their number. NaN of fewer than two.
+    /// Returns the sample variance, an estimate of the variance of the distribution: the sum of
+    /// squares is divided by the count minus one. NaN for fewer than two numbers.
     pub fn variance(&self) -> f64 {
         if self.count < 2 { f64::NAN } else { self.squares / (self.count - 1) as f64 }
     }
 
-    /// Returns the root of the variance.
+    /// Returns the square root of the variance.
     pub fn standard_deviation(&self) -> f64 {
         libm::sqrt(self.variance())
     }
 
-    /// Returns the least of them; infinity if there was none.
+    /// Returns the minimum; infinity if no number was added.
     pub fn min(&self) -> f64 {
         self.min
     }
 
-    /// Returns the greatest of them; minus infinity if there was none.
+    /// Returns the maximum; minus infinity if no number was added.
     pub fn max(&self) -> f64 {
         self.max
     }
@@ -94,7 +95,7 @@ impl Reduce for Moments {
     }
 }
 
-/// The lesser, and NaN if one is.
+/// Returns the smaller number, or NaN if either is NaN.
 fn least(one: f64, other: f64) -> f64 {
     if one.is_nan() || one < other { one } else { other }
 }

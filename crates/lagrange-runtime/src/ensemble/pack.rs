@@ -1,4 +1,4 @@
-//! Messages between processes, in words of 64 bits.
+//! Messages between processes, as words of 64 bits.
 
 use std::vec::Vec;
 
@@ -6,9 +6,9 @@ use super::histogram::Histogram;
 use super::moments::Moments;
 
 /// A value, such as a reduction, that can be converted to words and back with the same bits.
-/// Processes can thus exchange it.
+/// Processes can thus exchange such values.
 ///
-/// Tuples and arrays are packed one entry after the other, vectors behind their length.
+/// Tuples and arrays are packed entry by entry, vectors after their length.
 ///
 /// ```
 /// use lagrange::ensemble::{Moments, Pack};
@@ -20,10 +20,11 @@ use super::moments::Moments;
 /// assert_eq!(Moments::unpack(&mut words.into_iter()), Some(moments));
 /// ```
 pub trait Pack: Sized {
-    /// Appends the words of this.
+    /// Appends the words of this value.
     fn pack(&self, words: &mut Vec<u64>);
 
-    /// Takes as many words as [`pack`](Self::pack) appended; `None` if they were not made by it.
+    /// Reads a value from as many words as [`pack`](Self::pack) appended; `None` if they do not
+    /// represent one.
     fn unpack(words: &mut impl Iterator<Item = u64>) -> Option<Self>;
 }
 

@@ -6,7 +6,8 @@ use std::vec::Vec;
 use crate::simulate::{Act, EventOf, Plan, RunPlan};
 use crate::system::{Action, MechanicalSystem, ScalarOf, State};
 
-/// A system that threads may share. Every system whose fields, numbers and states they may is one.
+/// A system that threads may share. Implemented for every system whose fields, numbers and states
+/// threads may share.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be shared between threads",
     note = "an ensemble needs a system, numbers and states that are `Send` and `Sync`, without `Rc`, `Cell` or pointers"
@@ -15,17 +16,17 @@ pub trait SharedSystem: MechanicalSystem<Scalar: Send + Sync, State: Send + Sync
 
 impl<M: MechanicalSystem<Scalar: Send + Sync, State: Send + Sync> + Send + Sync> SharedSystem for M {}
 
-/// Adds columns of a time and state to a row.
+/// A function that adds columns of a time and state to a row.
 pub(super) type SharedExtend<'a, M> =
     Box<dyn Fn(&M, ScalarOf<M>, &State<M>, &mut Vec<ScalarOf<M>>) + Send + Sync + 'a>;
 
-/// A function whose zeros are looked for, and the response to them.
+/// A function whose zeros are located, and the response to them.
 pub(super) type SharedWatch<'a, M> = (
     Box<dyn Fn(&M, ScalarOf<M>, &State<M>) -> ScalarOf<M> + Send + Sync + 'a>,
     Box<dyn Fn(&M, &EventOf<M>) -> Action<State<M>> + Send + Sync + 'a>,
 );
 
-/// Makes the controller of a motion.
+/// A function that creates the controller of a motion.
 pub(super) type MakeAct<'a, M> = Box<dyn Fn(usize) -> Act<'a, M> + Send + Sync + 'a>;
 
 /// A plan whose functions threads may share.

@@ -14,16 +14,16 @@ use crate::simulate::Verdict;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Done {
-    /// Motions that are done, failed ones and those that were found saved among them.
+    /// Number of finished motions, including failed ones and those found saved.
     pub motions: u64,
-    /// Motions of the ensemble, or of this shard of it.
+    /// Number of motions of the ensemble or shard.
     pub of: u64,
 }
 
-/// The callback.
+/// The callback, which returns false to cancel.
 type Callback<'a> = Box<dyn FnMut(Done) -> bool + Send + 'a>;
 
-/// A callback and when it was called.
+/// A callback and the time of its last call.
 pub(super) struct BatchReporter<'a>(Mutex<(Callback<'a>, Option<Instant>)>);
 
 /// Time between two reports.
@@ -35,7 +35,7 @@ impl<'a> BatchReporter<'a> {
     }
 }
 
-/// Counts motions over all threads.
+/// A counter of the motions finished by all threads.
 pub(super) struct Counter<'r, 'a> {
     reporter: Option<&'r BatchReporter<'a>>,
     motions: AtomicU64,
@@ -68,8 +68,8 @@ impl<'r, 'a> Counter<'r, 'a> {
         if self.is_cancelled() { Err(EnsembleError::Cancelled { motions: self.motions() }) } else { Ok(()) }
     }
 
-    /// Counts so many motions more, and reports them if the last report is some time ago. A thread
-    /// does not wait for another's report.
+    /// Adds finished motions, and reports progress if the last report is old enough. A thread does
+    /// not wait for the report of another.
     pub(super) fn count(&self, motions: usize) {
         self.motions.fetch_add(motions as u64, Ordering::Relaxed);
         let Some(BatchReporter(callback)) = self.reporter else { return };
@@ -81,7 +81,7 @@ impl<'r, 'a> Counter<'r, 'a> {
         }
     }
 
-    /// Reports what is done in the end, when there is nothing left to cancel.
+    /// Reports the final progress, when there is nothing left to cancel.
     ///
     /// # Errors
     /// If the callback panics.
@@ -97,7 +97,7 @@ impl<'r, 'a> Counter<'r, 'a> {
     }
 
     fn tell(&self, call: &mut Callback<'_>) {
-        // What a panic leaves behind is not looked at again: the ensemble ends with it.
+        // The state that a panic leaves behind is not used again: the ensemble ends.
         let goes_on = catch_unwind(AssertUnwindSafe(|| call(self.done()))).unwrap_or_else(|panic| {
             *self.panic.lock().unwrap_or_else(PoisonError::into_inner) = Some(panic_message(&*panic));
             false

@@ -1,4 +1,4 @@
-//! The spread of motions over time.
+//! Quantiles of motions over time.
 
 use std::vec::Vec;
 
@@ -12,10 +12,9 @@ impl<M: MechanicalSystem> Samples<M> {
     /// list with an entry for each of the [`times`](Self::times): the value below which this part
     /// of the motions lies. `None` if there is no such column.
     ///
-    /// Between the values of two motions they are interpolated linearly (definition 7 of Hyndman
-    /// and Fan, *The American Statistician* 50 (1996) 361–365). Failed motions are omitted; so are
-    /// others from where they were stopped, and values that are NaN. Without any motion, quantiles
-    /// are NaN.
+    /// Quantiles between the values of two motions are interpolated linearly (definition 7 of
+    /// Hyndman and Fan, *The American Statistician* 50 (1996) 361–365). Failed motions are omitted,
+    /// as are motions after they stopped, and NaN values. If no motion remains, quantiles are NaN.
     ///
     /// ```
     /// use lagrange::Ensembles;
@@ -51,15 +50,15 @@ impl<M: MechanicalSystem> Samples<M> {
         Some(quantiles)
     }
 
-    /// Returns the times of the samples of the motion that went farthest, which are those of all
-    /// motions that nothing stopped.
+    /// Returns the times of the samples of the longest motion, which equal those of every motion
+    /// that was not stopped.
     pub fn times(&self) -> &[M::Scalar] {
         let farther = |kept: &'_ [M::Scalar], next: &'_ [M::Scalar]| span(next) > span(kept);
         let all = self.tables().map(Table::times);
         all.reduce(|kept, next| if farther(kept, next) { next } else { kept }).unwrap_or_default()
     }
 
-    /// The samples of all motions that did not fail.
+    /// Returns the samples of all motions that did not fail.
     fn tables(&self) -> impl Iterator<Item = &Table<M::Scalar>> {
         self.iter().map(|(_, motion)| motion.table())
     }
@@ -70,14 +69,14 @@ fn span<S: Scalar>(times: &[S]) -> S {
     times.first().zip(times.last()).map_or(S::ZERO, |(first, last)| (*last - *first).abs())
 }
 
-/// The value below which this part of sorted values lies.
+/// Returns the value below which this part of sorted values lies.
 ///
-/// For 10, 20, 40, half lies below 20. Three quarters lie below 30, half of the way from the second
-/// to the third.
+/// For 10, 20, 40, half lies below 20. Three quarters lie below 30, halfway between the second and
+/// the third.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };
     let place = part.clamp(0.0, 1.0) * last as f64;
-    // Conversions saturate, and a part that is not a number stays one in what is returned.
+    // Conversions saturate, and a NaN part yields NaN.
     let below = (place as usize).min(last);
     let above = (below + 1).min(last);
     let share = place - below as f64;

@@ -2,21 +2,20 @@
 
 use std::vec::Vec;
 
-/// Something that sums up motions, and that can be put together from parts.
+/// A summary of motions that can be merged from the summaries of parts.
 ///
 /// An ensemble is accumulated in blocks of 64 motions, each from a clone of the argument of
 /// [`reduce`](crate::ensemble::Ensemble::reduce). The blocks of a
 /// [part](crate::ensemble::Ensemble::motions_per_part) are merged from left to right, and so are
-/// parts, whichever thread or process computed them. The result has the same bits for any number of
-/// either. It is that of one block if
+/// the parts, whichever thread or process computed them. The result has the same bits for any
+/// number of threads or processes. It equals the result of a single block if
 ///
-/// - merging with what was given changes nothing, and
-/// - adding motions to a part and then merging it is adding them one after the other, up to
-///   rounding.
+/// - merging with the argument of `reduce` changes nothing, and
+/// - adding motions to a part and then merging the part is the same as adding them one after the
+///   other, up to rounding.
 ///
-/// Numbers (a count), tuples, arrays and vectors (put one after the other, so that memory grows)
-/// are reductions, besides [`Moments`](crate::ensemble::Moments) and
-/// [`Histogram`](crate::ensemble::Histogram).
+/// Integers (counts), tuples, arrays and vectors (concatenated, so memory grows) are reductions, in
+/// addition to [`Moments`](crate::ensemble::Moments) and [`Histogram`](crate::ensemble::Histogram).
 ///
 /// ```
 /// use lagrange::ensemble::Reduce;
@@ -36,7 +35,7 @@ use std::vec::Vec;
 /// assert_eq!(largest.0, 2.0);
 /// ```
 pub trait Reduce: Clone + Send + Sync {
-    /// Adds what sums up the motions that come after those summed up here.
+    /// Merges the summary of the motions that follow the motions summarised here.
     fn merge(&mut self, later: Self);
 }
 

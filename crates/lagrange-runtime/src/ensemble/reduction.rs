@@ -1,4 +1,4 @@
-//! Ensembles of which only a sum is kept.
+//! Ensembles reduced to a summary.
 
 use core::cell::LazyCell;
 use core::fmt::{Debug, Formatter};
@@ -25,8 +25,8 @@ pub struct Reduced<M: MechanicalSystem, R> {
     failures: Vec<Failure<M>>,
 }
 
-/// Maximum number of failures in the list, so that memory is bounded; of further ones only the
-/// count is known.
+/// Maximum number of failures in the list, so that memory is bounded. Further ones are only
+/// counted.
 const MOST_FAILURES: usize = 1000;
 
 impl<M: MechanicalSystem, R> Reduced<M, R> {
@@ -56,7 +56,7 @@ impl<M: MechanicalSystem, R> Reduced<M, R> {
         self.failures.extend(failures.into_iter().take(room));
     }
 
-    /// Adds what the motions that follow came down to.
+    /// Merges the reduction of the motions that follow.
     fn merge(&mut self, later: Self)
     where
         R: Reduce,
@@ -116,8 +116,7 @@ where
     /// ```
     ///
     /// # Errors
-    /// If a setting makes no sense, a closure that was given panics, or the progress callback
-    /// cancels.
+    /// If a setting is invalid, a closure panics, or the progress callback cancels.
     pub fn reduce<R: Reduce>(
         self,
         identity: R,
@@ -128,12 +127,12 @@ where
         Ok(all)
     }
 
-    /// Computes all motions as [`reduce`](Self::reduce) does, and passes on the reduction of each
-    /// part, one after the other. This serves sums over processes: if parts are merged in their
-    /// order, the bits do not depend on the number of processes.
+    /// Computes all motions as [`reduce`](Self::reduce) does, and passes on the reductions of the
+    /// parts, one by one. Use it for reductions over processes: if parts are merged in order, the
+    /// bits do not depend on the number of processes.
     ///
     /// # Errors
-    /// As of [`reduce`](Self::reduce).
+    /// See [`reduce`](Self::reduce).
     pub fn reduce_parts<R: Reduce>(
         self,
         identity: &R,

@@ -1,4 +1,4 @@
-//! The settings of an ensemble's runs, which are those of a single run.
+//! Settings of an ensemble's runs, the same as for a single run.
 
 use std::boxed::Box;
 
@@ -14,8 +14,8 @@ use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputS
 
 impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Adds a column: a value computed from time and state, at the end of each motion or for each
-    /// sample. The function receives the system of the motion; its parameters are columns anyway if
-    /// motions have [their own](super::Motions::parameters).
+    /// sample. The function receives the system of the motion. Parameters are columns already if
+    /// motions have [separate ones](super::Motions::parameters).
     pub fn observe(
         mut self,
         name: &str,
@@ -43,8 +43,8 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Ends a motion at the first zero of a function of time and state that is passed in this
-    /// direction. Its row then holds the time and the state there.
+    /// Ends a motion at the first zero of a function of time and state that is crossed in this
+    /// direction. The row of the motion then holds the time and state of the zero.
     pub fn stop_at(
         self,
         name: &str,
@@ -54,8 +54,8 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
-    /// Records each such zero in the trajectory of a motion. It then continues, stops, or continues
-    /// from another state, as after an impact.
+    /// Records each zero of a function, crossed in this direction, in the trajectory of a motion.
+    /// The motion then continues, stops, or continues from another state, as after an impact.
     pub fn event_with(
         mut self,
         name: &str,
@@ -80,21 +80,21 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Gives a motion up as failed after this many steps, rejected ones included.
+    /// Sets the maximum number of steps, including rejected ones, after which a motion fails.
     pub fn max_steps(mut self, limit: u64) -> Self {
         self.batch.plan.settings.max_steps = Some(limit);
         self
     }
 
-    /// Takes no step longer than this, as [in a single
+    /// Sets the maximum length of a step, as [in a single
     /// run](crate::simulate::Simulation::longest_step).
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
         self.batch.plan.settings.longest_step = Some(longest);
         self
     }
 
-    /// Ends a step of every motion at each of these times and starts another one there, for a force
-    /// that jumps or has a kink.
+    /// Makes every motion end a step at each of these times and start the next one there, for
+    /// forces with a jump or kink.
     pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
         self.batch.plan.settings.restarts.extend(times);
         self

@@ -12,8 +12,8 @@ use crate::simulate::state_names;
 
 impl<M: SharedSystem> Batch<'_, M> {
     /// # Errors
-    /// If what is kept of so many motions cannot lie in memory, as far as the operating system
-    /// tells beforehand.
+    /// If the recorded data of this many motions do not fit in memory, as far as the operating
+    /// system can predict.
     pub(super) fn refuse_too_many(&self, motions: usize) -> Result<(), EnsembleError> {
         self.refuse(
             motions,
@@ -22,15 +22,15 @@ impl<M: SharedSystem> Batch<'_, M> {
     }
 
     /// # Errors
-    /// If the samples of so many motions, which lie in memory together while they are saved or
-    /// summed up, cannot.
+    /// If the samples of this many motions, held in memory together while they are saved or
+    /// reduced, do not fit.
     pub(super) fn refuse_too_many_at_once(&self, motions: usize) -> Result<(), EnsembleError> {
         self.refuse(motions, "specify a longer interval, or split the run into shorter ones")
     }
 
     fn refuse(&self, motions: usize, instead: &str) -> Result<(), EnsembleError> {
         let bytes = self.least_bytes(motions);
-        // More than a number of this type can say is more than there is.
+        // The conversion saturates, and no machine has that much memory.
         if has_room(bytes as usize) {
             return Ok(());
         }
@@ -41,7 +41,7 @@ impl<M: SharedSystem> Batch<'_, M> {
         )))
     }
 
-    /// The size of times, states and parameters.
+    /// Returns a lower bound on the size of times, states and parameters in bytes.
     fn least_bytes(&self, motions: usize) -> f64 {
         let parameters = match self.variation {
             Some(_) if self.plan.settings.interval().is_none() => {
@@ -53,8 +53,8 @@ impl<M: SharedSystem> Batch<'_, M> {
         motions as f64 * self.least_samples() * (numbers * size_of::<M::Scalar>()) as f64
     }
 
-    /// The largest power of two that is not more than the samples of a motion, if nothing may stop
-    /// it before its end.
+    /// Returns the largest power of two not above the number of samples of a motion, or 1 if it may
+    /// stop early.
     fn least_samples(&self) -> f64 {
         let settings = &self.plan.settings;
         let may_stop = self.needs_runs() || settings.max_steps.is_some() || !self.system.events().is_empty();
@@ -68,11 +68,11 @@ impl<M: SharedSystem> Batch<'_, M> {
     }
 }
 
-/// True if as much memory could be had in one piece.
+/// True if this much contiguous memory can be reserved.
 fn has_room(bytes: usize) -> bool {
     let mut room = Vec::<u8>::new();
     let has_room = room.try_reserve_exact(bytes).is_ok();
-    // What nobody uses would not be asked for.
+    // The compiler would remove an unused allocation.
     black_box(&mut room);
     has_room
 }

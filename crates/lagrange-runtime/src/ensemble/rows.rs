@@ -10,12 +10,12 @@ use crate::scalar::Number;
 use crate::simulate::{Table, state_names};
 use crate::system::MechanicalSystem;
 
-/// The rows of motions that follow each other: state, what was observed, and parameters if motions
-/// have their own.
+/// The rows of consecutive motions: state, observed columns, and parameters if motions have
+/// separate ones.
 pub(super) struct Rows<M: MechanicalSystem> {
-    /// None before the first.
+    /// `None` before the first row.
     pub(super) table: Option<Table<M::Scalar>>,
-    /// Number of parameter columns, the last ones.
+    /// Number of parameter columns, which come last.
     pub(super) parameters: usize,
     pub(super) failures: Vec<Failure<M>>,
 }
@@ -25,7 +25,7 @@ impl<M: SharedSystem> Rows<M> {
         Rows { table: None, parameters: 0, failures: Vec::new() }
     }
 
-    /// Adds the end of a motion; not a number where it failed.
+    /// Adds the end of a motion, or NaN if it failed.
     pub(super) fn push_end(&mut self, batch: &Batch<'_, M>, index: usize, system: &M, result: RunResult<M>) {
         let (samples, is_good) = samples(&result);
         let parameters = batch.parameters(system, samples.names());
@@ -37,8 +37,8 @@ impl<M: SharedSystem> Rows<M> {
         self.fail(index, result);
     }
 
-    /// Adds the end of a motion that was not a run, with its observed columns if there are others
-    /// than those of the state.
+    /// Adds the end of a motion computed in a lane, with its observed columns if there are any
+    /// beyond the state.
     pub(super) fn push_arrival(
         &mut self,
         batch: &Batch<'_, M>,
@@ -61,7 +61,7 @@ impl<M: SharedSystem> Rows<M> {
         self.table(samples, &parameters).push(time, &row);
     }
 
-    /// Adds all samples of a motion, of a failed one those until it failed.
+    /// Adds all samples of a motion; for a failed one, those up to the failure.
     #[cfg(feature = "parquet")]
     pub(super) fn push_samples(
         &mut self,
@@ -76,7 +76,7 @@ impl<M: SharedSystem> Rows<M> {
         self.fail(index, result);
     }
 
-    /// Adds the motions that follow.
+    /// Appends the rows of the motions that follow.
     pub(super) fn merge(&mut self, later: Self) {
         match (&mut self.table, later.table) {
             (Some(table), Some(later)) => table.append(later),
@@ -86,7 +86,7 @@ impl<M: SharedSystem> Rows<M> {
         self.failures.extend(later.failures);
     }
 
-    /// The table, made with the columns of these samples and parameters if there is none.
+    /// Returns the table, created on first use with the columns of these samples and parameters.
     fn table(
         &mut self,
         samples: &Table<M::Scalar>,
@@ -99,7 +99,7 @@ impl<M: SharedSystem> Rows<M> {
         })
     }
 
-    /// Keeps why a motion failed if it did.
+    /// Records the failure of a motion, if it failed.
     fn fail(&mut self, index: usize, result: RunResult<M>) {
         self.failures.extend(result.err().map(|error| Failure::new(index, error)));
     }

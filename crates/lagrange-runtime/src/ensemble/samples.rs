@@ -12,7 +12,8 @@ use crate::integrate::Method;
 use crate::simulate::{Drive, SimulationError, Table, Trajectory};
 use crate::system::MechanicalSystem;
 
-/// A trajectory for each motion of an ensemble, or why it failed, with its trajectory until then.
+/// The trajectory of each motion of an ensemble, or the error of a failed one, with its trajectory
+/// up to the failure.
 #[derive(Debug)]
 pub struct Samples<M: MechanicalSystem> {
     motions: Range<usize>,
@@ -26,12 +27,12 @@ impl<M: MechanicalSystem> Samples<M> {
         self.results.len()
     }
 
-    /// Returns the range of motions: all, or those of a shard.
+    /// Returns the range of motions: all motions, or the motions of a shard.
     pub fn motions(&self) -> Range<usize> {
         self.motions.clone()
     }
 
-    /// Returns the motion with this index; `None` if it is not among these.
+    /// Returns the motion with this index; `None` if it is outside the range.
     pub fn motion(&self, index: usize) -> Option<Result<&Trajectory<M>, &SimulationError<M>>> {
         self.results.get(index.checked_sub(self.motions.start)?).map(Result::as_ref)
     }

@@ -1,4 +1,4 @@
-//! The share of one of several processes.
+//! Shares of an ensemble for several processes.
 
 use core::ops::Range;
 use std::collections::BTreeMap;
@@ -8,19 +8,18 @@ use std::string::String;
 
 use super::error::EnsembleError;
 
-/// One of several shares of an ensemble, each computed by a separate process. Its motions follow
-/// each other, in whole parts of the saved results.
+/// One of several shares of an ensemble, each computed by a separate process. Its motions are
+/// consecutive and form whole parts of the saved results.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shard {
     index: u64,
     count: u64,
 }
 
-/// Looks up a variable.
+/// Lookup of an environment variable.
 type Lookup<'a> = &'a dyn Fn(&str) -> Option<String>;
 
-/// Ends of names by which launchers tell processes apart; a number behind them is the place of one
-/// of several.
+/// Suffixes of the variables in which launchers number their processes.
 const PLACES: [&str; 12] = [
     "RANK",
     "RANKID",
@@ -35,21 +34,20 @@ const PLACES: [&str; 12] = [
     "COMPLETION_INDEX",
     "APP_PE",
 ];
-/// Variables of Slurm are known, whatever they are called.
+/// Prefix of Slurm's variables, which are never taken for an unknown launcher's.
 const SLURM: &str = "SLURM_";
 
-/// Variables with the index of a process and with the number of processes, in the order in which
-/// they are asked for.
+/// Variables with the index of a process and with the number of processes, in order of precedence.
 const LAUNCHERS: [[&str; 2]; 3] = [
     // Open MPI's mpirun.
     ["OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"],
-    // MPICH's, Intel MPI's.
+    // MPICH and Intel MPI.
     ["PMI_RANK", "PMI_SIZE"],
-    // srun, which alone says this; a batch script has SLURM_PROCID and SLURM_NTASKS, too, but is
-    // one process.
+    // Only srun sets SLURM_STEP_NUM_TASKS. A batch script also has SLURM_PROCID and SLURM_NTASKS,
+    // but is one process.
     [BATCH, "SLURM_STEP_NUM_TASKS"],
 ];
-/// The only one that is there without a number of processes, too.
+/// The only index that may be set without a number of processes.
 const BATCH: &str = "SLURM_PROCID";
 const ARRAY_TASK: &str = "SLURM_ARRAY_TASK_ID";
 const HYPER_QUEUE_TASK: &str = "HQ_TASK_ID";
@@ -59,11 +57,11 @@ const BY_HAND: &str = "LAGRANGE_SHARD";
 const COUNT: &str = "LAGRANGE_SHARDS";
 
 impl Shard {
-    /// Everything.
+    /// The whole ensemble.
     pub const WHOLE: Shard = Shard::of(0, 1);
 
-    /// Creates the share `index`, counted from zero, of `count`. One beyond the count is an error
-    /// of the run.
+    /// Creates the share `index`, counted from zero, of `count`. An index beyond the count is
+    /// reported as an error by the run.
     pub const fn of(index: u64, count: u64) -> Self {
         Shard { index, count }
     }
@@ -72,18 +70,18 @@ impl Shard {
     ///
     /// | launcher | variables |
     /// |---|---|
-    /// | by hand | `LAGRANGE_SHARD=3/8`, which goes before all others |
+    /// | by hand | `LAGRANGE_SHARD=3/8`, which takes precedence over all others |
     /// | `mpirun` of Open MPI, of MPICH | `OMPI_COMM_WORLD_RANK`, `_SIZE`; `PMI_RANK`, `PMI_SIZE` |
     /// | `srun` | `SLURM_PROCID`, `SLURM_STEP_NUM_TASKS` |
-    /// | a Slurm array, each of whose tasks may start one of the above | `SLURM_ARRAY_TASK_ID`, `_COUNT`, `_MIN`, `_STEP`, none left out |
-    /// | HyperQueue | `HQ_TASK_ID`, counted from zero, and `LAGRANGE_SHARDS` for their number, which it does not say |
+    /// | a Slurm array, each of whose tasks may start one of the above | `SLURM_ARRAY_TASK_ID`, `_COUNT`, `_MIN`, `_STEP`, all of them |
+    /// | HyperQueue | `HQ_TASK_ID`, counted from zero, and `LAGRANGE_SHARDS` for the number of tasks, which it does not provide |
     ///
-    /// Without any of them it is [everything](Shard::WHOLE).
+    /// If none is set, the share is [everything](Shard::WHOLE).
     ///
     /// # Errors
-    /// If variables are incomplete, are not numbers, or exceed their count. Also if there are none
-    /// of these, but one that looks like the place of a process started by another launcher, such
-    /// as `PBS_ARRAY_INDEX`. Otherwise every process would compute everything.
+    /// If variables are incomplete, are not numbers, or exceed their count. Also if only a variable
+    /// is set that looks like the index of a process started by another launcher, such as
+    /// `PBS_ARRAY_INDEX`. Otherwise every process would compute everything.
     pub fn from_environment() -> Result<Self, EnsembleError> {
         let text = |text: OsString| text.to_string_lossy().into_owned();
         Shard::from_variables(&std::env::vars_os().map(|(name, value)| (text(name), text(value))).collect())
@@ -102,7 +100,7 @@ impl Shard {
         Ok(shard)
     }
 
-    /// Returns its place, counted from zero.
+    /// Returns the index, counted from zero.
     pub fn index(self) -> u64 {
         self.index
     }
@@ -113,7 +111,7 @@ impl Shard {
     }
 
     /// # Errors
-    /// If it is beyond the count.
+    /// If the index is beyond the count.
     pub(super) fn check(self) -> Result<(), EnsembleError> {
         if self.index < self.count {
             return Ok(());
@@ -122,7 +120,7 @@ impl Shard {
         Err(EnsembleError::Setting(format!("there is no shard {index} of {count}: the first has index 0")))
     }
 
-    /// Its share of so many things.
+    /// Returns the share of this many items.
     pub(super) fn share(self, number: usize) -> Range<usize> {
         let before = |index: u64| (number as u128 * u128::from(index) / u128::from(self.count)) as usize;
         before(self.index)..before(self.index + 1)
@@ -146,14 +144,14 @@ fn by_hand(text: &str) -> Result<Shard, EnsembleError> {
     })
 }
 
-/// Everything, unless a launcher that is not known seems to have started this as one of several.
+/// Returns the whole ensemble, unless an unknown launcher seems to have started several processes.
 fn from_none(variables: &BTreeMap<String, String>) -> Result<Shard, EnsembleError> {
     let is_place = |name: &str| {
         PLACES
             .iter()
             .any(|place| name.strip_suffix(place).is_some_and(|rest| rest.is_empty() || rest.ends_with('_')))
     };
-    // Zero of an index that begins with one says that there is no array.
+    // LSF counts from one; zero means that there is no array.
     let is_none = |name: &str, value: &str| name == "LSB_JOBINDEX" && value == "0";
     let mut places = variables.iter().filter(|(name, value)| {
         is_place(name) && !name.starts_with(SLURM) && value.parse::<u64>().is_ok() && !is_none(name, value)
@@ -167,7 +165,7 @@ fn from_none(variables: &BTreeMap<String, String>) -> Result<Shard, EnsembleErro
     }
 }
 
-/// The share that a known launcher gave; none without one.
+/// Returns the share set by a known launcher; `None` without one.
 fn from_launchers(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
     let array = array(lookup)?;
     let mut inner = None;
@@ -189,7 +187,7 @@ fn from_launchers(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
     Ok(Some(Shard::of(array.index * inner.count + inner.index, count)))
 }
 
-/// The place in an array of jobs, if there is one.
+/// Returns the share set by an array of jobs, if there is one.
 fn array(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
     if lookup(ARRAY_TASK).is_some() {
         let (id, count) = (number(lookup, ARRAY_TASK)?, number(lookup, "SLURM_ARRAY_TASK_COUNT")?);
@@ -202,8 +200,8 @@ fn array(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
         })?;
         return Ok(Some(Shard::of(place / step.max(1), count)));
     }
-    // The number alone would be a slip of the pen for the variable by hand, and everything in each
-    // process.
+    // `LAGRANGE_SHARDS` alone is probably a typo for `LAGRANGE_SHARD`, and every process would
+    // compute everything.
     if lookup(HYPER_QUEUE_TASK).is_some() || lookup(COUNT).is_some() {
         return Ok(Some(Shard::of(number(lookup, HYPER_QUEUE_TASK)?, number(lookup, COUNT)?)));
     }

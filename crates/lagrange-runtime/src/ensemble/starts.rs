@@ -13,7 +13,7 @@ use crate::system::MechanicalSystem;
     note = "for example `system.ensemble(1000)`, or `system.ensemble(starts)` with a vector of states; collect an iterator into one"
 )]
 pub trait Starts<M: MechanicalSystem> {
-    /// Returns their number, and their starts if these are given.
+    /// Returns the number of motions, and their starts if these are specified.
     fn into_starts(self) -> (usize, Option<Vec<M::State>>);
 }
 

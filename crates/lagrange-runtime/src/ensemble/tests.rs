@@ -1,4 +1,4 @@
-//! What does not show from outside: chunks, and reductions of parts.
+//! Tests of internals: chunks, and reductions of parts.
 
 use std::vec::Vec;
 
@@ -6,7 +6,7 @@ use super::engine::Engine;
 use super::{Ends, Ensembles, Histogram, Moments, Pack, Random, Reduce};
 use crate::system::{MechanicalSystem, OdeSystem, Unnamed};
 
-/// ẍ = −g sin x, and not a number beyond x = 100
+/// ẍ = −g sin x, and NaN beyond x = 100
 #[derive(Clone)]
 pub(super) struct Pendulum {
     pub(super) g: f64,

@@ -1,7 +1,7 @@
-//! Compiler messages for methods of ensembles behind a missing feature.
+//! Compiler messages for methods of ensembles that require a missing feature.
 //!
-//! The methods exist without their features, too, with bounds that nothing fulfils and that name
-//! the feature; none is ever called.
+//! The methods exist even without their features, with unsatisfiable bounds that name the feature.
+//! They are never called.
 
 use core::convert::Infallible;
 use std::path::Path;

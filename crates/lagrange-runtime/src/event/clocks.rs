@@ -6,7 +6,7 @@
 
 use crate::scalar::Scalar;
 
-/// Returns the shortest of these periods; NaN if one of them is.
+/// Returns the shortest of these periods; NaN if any of them is NaN.
 pub fn shortest_period<S: Scalar>(periods: impl IntoIterator<Item = S>) -> Option<S> {
     let is_nan = |number: S| number.partial_cmp(&number).is_none();
     periods.into_iter().reduce(|one, other| if is_nan(one) || one < other { one } else { other })
@@ -29,15 +29,15 @@ pub fn ticks<S: Scalar>(t: S, period: S) -> bool {
     nearest.is_some_and(|count| count * period == t.abs())
 }
 
-/// Returns the first multiple of a period after `t`. Quotients are rounded, so that the multiples
-/// around it are tried.
+/// Returns the first multiple of a period after `t`. Quotients are rounded, so neighbouring
+/// multiples are tried.
 fn tick_after<S: Scalar>(t: S, period: S) -> Option<S> {
     let passed = count(t.abs() / period)? * t.sign();
     let tick = |offset| (passed + S::from_f64(offset)) * period;
     [-1.0, 0.0, 1.0, 2.0].map(tick).into_iter().find(|tick| *tick > t)
 }
 
-/// The integer below a number that is not negative.
+/// Returns the integer below a nonnegative number.
 fn count<S: Scalar>(number: S) -> Option<S> {
     number.floor_below(usize::MAX).map(|count| S::from_f64(count as f64))
 }

@@ -15,44 +15,44 @@ use crate::system::{DeclaredEvent, Direction, OdeSystem, StepFailure};
 use crate::tolerance::{SAME_EVENT, SAME_INSTANT};
 use earliest::First;
 
-/// The part of a step after which the state has left what it was replaced by.
+/// Part of a step after which the state differs from its replacement.
 const SHORTLY: f64 = 1e-10;
 /// Number of events at the same time that counts as infinitely many.
 const MOST_REPETITIONS: u32 = 50;
 
-/// An event that happened.
+/// An occurrence of an event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Occurrence<S, Y> {
-    /// Index of the function that passed zero, counted from zero.
+    /// Index of the function that crossed zero, counted from zero.
     pub event: usize,
-    /// When.
+    /// Time of the event.
     pub time: S,
-    /// The state then.
+    /// State at that time.
     pub state: Y,
 }
 
-/// Memory of K functions from step to step.
+/// The search state of K functions from step to step.
 #[derive(Clone, Copy, Debug)]
 pub struct Detector<S, const K: usize> {
     functions: [EventFunction<S>; K],
-    /// Up to where the last step was looked at.
+    /// Time up to which the last step was searched.
     reached: S,
-    /// The step that is looked at, and how.
+    /// The current step and its division into pieces.
     search: Search<S>,
     /// Time at which the functions were started, or last restarted.
     started: S,
-    /// True if the state was replaced there.
+    /// True if the state was replaced at that time.
     is_replaced: bool,
     /// Number of repetitions, each within rounding of the previous event, and that event.
     repetitions: u32,
     last: usize,
-    /// True if the last event came before its function had got away from zero by more than
+    /// True if the last event came before its function had moved away from zero by more than
     /// rounding.
     is_noise: bool,
     /// True if one of these functions had an event since the last restart.
     has_fired: bool,
-    /// True if one of these functions had the event that led to the last restart; functions of
-    /// other detectors may have had it.
+    /// True if the event that led to the last restart was of one of these functions, not of another
+    /// detector.
     was_fired: bool,
 }
 
@@ -87,12 +87,12 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         self
     }
 
-    /// Returns the largest magnitude that each function was found to have.
+    /// Returns the largest magnitude observed for each function.
     pub(crate) fn ranges(&self) -> [S; K] {
         self.functions.map(|function| function.range)
     }
 
-    /// Returns the next event in the stepper's last step, after those that were returned before.
+    /// Returns the next event in the stepper's last step, after those already returned.
     ///
     /// Call it after each step until it returns `None`, and after [`Stepper::confirm`]; `values`
     /// gives all functions at a time and state. The time returned is at most 10⁻¹³ of the step, or
@@ -139,9 +139,9 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(Some(Occurrence { event, time, state: stepper.interpolate(system, time) }))
     }
 
-    /// Returns the next function that is exactly zero at the end of a run, which has this state.
-    /// The function would have an event there if the run continued. Call it after the last step,
-    /// when there are no other events left.
+    /// Returns the next function that is exactly zero at the end of a run, with this state. It
+    /// would have an event there if the run continued. Call it after the last step, when there are
+    /// no other events left.
     pub fn next_at_end<Y: Copy>(&mut self, time: S, state: &Y) -> Option<Occurrence<S, Y>> {
         let event = self.functions.iter_mut().position(EventFunction::ends_on_zero)?;
         Some(Occurrence { event, time, state: *state })
@@ -176,8 +176,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
                     if let Some(spacing) = unresolved((from, to), time, range, &mut |t| at(t, false)[event]) {
                         return Err(StepFailure::EventUnresolved { event: Given(event), time, spacing });
                     }
-                    // What was found at once was known: another look at noise would find something
-                    // else.
+                    // A value at the start is already known: evaluating noise again would yield
+                    // another one.
                     let there = if time == start { piece.values[0] } else { at(time, false) };
                     self.search.pause();
                     self.fire(event, time, there)?;
@@ -197,7 +197,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(None)
     }
 
-    /// The functions between two times, at the first of which they are known.
+    /// Evaluates the functions between two times; at the first they are already known.
     fn sample(&self, (start, end): (S, S), at: &mut EventValues<'_, S, K>) -> Piece<S, K> {
         let mut times = points::<S>().map(|part| start + part * (end - start));
         times[POINTS - 1] = end;
@@ -206,7 +206,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Piece { times, values }
     }
 
-    /// Keeps in view how large functions get in the part of a piece that is passed.
+    /// Updates the largest magnitudes of functions in the part of a piece that is passed.
     fn measure(&mut self, piece: &Piece<S, K>, is_passed: impl Fn(S) -> bool) {
         let passed = piece.times.into_iter().zip(&piece.values).filter(|(t, _)| is_passed(*t));
         for (_, values) in passed {
@@ -214,7 +214,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
     }
 
-    /// The function has its event at `time`, where these are the values.
+    /// Records the event of a function at `time`, with these values.
     fn fire(&mut self, event: usize, time: S, values: [S; K]) -> Result<(), StepFailure<S>> {
         check(values)?;
         for (k, (function, value)) in self.functions.iter_mut().zip(values).enumerate() {
@@ -232,8 +232,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
     }
 
-    /// Returns the next event if its located time is that of one that was just returned. Call it
-    /// before the stepper is restarted, or the others are lost.
+    /// Returns the next event if it is located at the time of the one just returned. Call it before
+    /// the stepper is restarted, or the others are lost.
     ///
     /// # Errors
     /// As [`next`](Self::next).
@@ -256,17 +256,17 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(next)
     }
 
-    /// Remembers the signs of these values, found right after the state was replaced. Switches wait
-    /// for a value that is not rounding.
+    /// Records the signs of these values, computed right after the state was replaced. Switches
+    /// wait for a value that exceeds rounding.
     fn learn_shortly(&mut self, values: [S; K]) -> Result<(), StepFailure<S>> {
         check(values)?;
         for (function, value) in self.functions.iter_mut().zip(values) {
-            // What passed zero by a jump since then is found first.
+            // A function that has jumped across zero since then is found first.
             let has_jumped = function.direction.counts(function.sign, function.here);
             if !function.is_armed() && value != S::ZERO && !has_jumped && !function.is_kept {
                 function.sign = value;
                 if function.here * value < S::ZERO {
-                    // It began beyond zero by rounding.
+                    // Rounding put its start beyond zero.
                     function.here = value;
                 }
             }
@@ -274,11 +274,11 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(())
     }
 
-    /// Goes on from time `t`, where the method was restarted from another state in which the
-    /// functions have these values.
+    /// Continues from time `t`, where the method was restarted from another state with these values
+    /// of the functions.
     ///
-    /// The signs that count from now on are those shortly after: a ball that was turned round on
-    /// the ground is above it.
+    /// From now on, the signs shortly after `t` count: a ball that bounced off the ground is above
+    /// it.
     pub fn restart(&mut self, t: S, values: [S; K]) {
         let distance = (t - self.started).abs();
         let is_at_once = distance <= SAME_EVENT.part::<S>() * t.abs();
@@ -299,7 +299,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     pub(crate) fn tick(&mut self, t: S, values: [S; K]) {
         let before = *self;
         self.restart(t, values);
-        // Ticks are no repetitions of events.
+        // Ticks do not count as repetitions of events.
         (self.was_fired, self.has_fired) = (before.was_fired, before.has_fired);
         self.repetitions = if before.started == t { before.repetitions } else { 0 };
         for (function, before) in self.functions.iter_mut().zip(before.functions) {
@@ -310,13 +310,13 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
     }
 
-    /// Continues from the place that was reached, where the functions jumped to these values. Zeros
-    /// that they passed in doing so are events there.
+    /// Continues from the time reached, where the functions jumped to these values. Zeros crossed
+    /// by the jump are events at that time.
     pub(crate) fn jump(&mut self, values: [S; K]) {
         self.functions.iter_mut().zip(values).for_each(|(function, value)| function.pass(value));
     }
 
-    /// Checks the values where the last step was left.
+    /// Checks the values at the end of the last search.
     fn check_known(&self) -> Result<(), StepFailure<S>> {
         check(self.functions.map(|function| function.here))
     }
@@ -329,7 +329,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     }
 }
 
-/// A time right after the start of a step that can be told from it.
+/// Returns a time right after the start of a step that can be distinguished from it.
 fn shortly<S: Scalar>(from: S, to: S) -> S {
     let (way, rounding) = (to - from, SAME_INSTANT.part::<S>() * from.abs());
     let part = (S::from_f64(SHORTLY) * way.abs()).max(rounding);

@@ -1,35 +1,34 @@
-//! The state of one function in the search for zeros.
+//! Functions in the search for zeros.
 
 use crate::scalar::Scalar;
 use crate::system::Direction;
 
-/// A value after a replacement that is larger than that at the event by no more than this factor is
-/// still that of the event.
+/// Maximum ratio of a value after a replacement to the value at the event for which the function
+/// counts as unchanged.
 const NEARLY: f64 = 4.0;
 
 /// The state of one function.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EventFunction<S> {
     pub(super) direction: Direction,
-    /// True if the function counts as positive from where it was started or restarted: that of a
-    /// contact or friction.
+    /// True for functions of contacts and friction, which count as positive when started or
+    /// restarted.
     pub(super) is_switch: bool,
-    /// The value where the search has got to.
+    /// The value at the time reached by the search.
     pub(super) here: S,
-    /// A number of the sign that counts: that of the last value that was not zero; zero if there
-    /// was none.
+    /// A number whose sign counts: that of the last nonzero value; zero if there was none.
     pub(super) sign: S,
     pub(super) claim: Claim,
     /// The value at the last start.
     pub(super) start: S,
-    /// The largest magnitude that it was found to have.
+    /// The largest magnitude observed.
     pub(super) range: S,
-    /// True if its values were noise up to here.
+    /// True if its values have been noise so far.
     is_noise: bool,
     /// True if the last replacement of the state did not change it.
     pub(super) is_kept: bool,
-    /// Its last two events, the later one first: what lies behind an event is looked at before the
-    /// state is replaced there.
+    /// Its last two events, the later one first: the search looks beyond an event before the state
+    /// is replaced.
     fired: [Option<Fired<S>>; 2],
 }
 
@@ -37,25 +36,25 @@ pub(super) struct EventFunction<S> {
 #[derive(Clone, Copy, Debug)]
 struct Fired<S> {
     time: S,
-    /// The value there, and the sign that it had before.
+    /// The value at the event, and the sign before it.
     value: S,
     sign: S,
 }
 
-/// On what ground a sign counts.
+/// The reason why a sign counts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Claim {
-    /// It was found.
+    /// It was observed.
     Found,
-    /// The function belongs to a mode, which begins with it.
+    /// The function belongs to a mode, which begins with this sign.
     Switch,
-    /// A zero occurred and the state was replaced, but the function is where it was. It is at zero,
+    /// A zero occurred and the state was replaced, but the function did not change. It is at zero,
     /// on the side from which it came unless it continues to the other one.
     Turned,
 }
 
 impl<S: Scalar> EventFunction<S> {
-    /// Starts where the function has this value.
+    /// Starts with this value.
     pub(super) fn new(direction: Direction, value: S) -> Self {
         EventFunction {
             direction,
@@ -71,13 +70,13 @@ impl<S: Scalar> EventFunction<S> {
         }
     }
 
-    /// True if the sign that counts was not found since the last start.
+    /// True if the sign that counts was not observed since the last start.
     pub(super) fn is_armed(&self) -> bool {
         self.claim != Claim::Found
     }
 
-    /// True if values within rounding have no sign. Those of contacts and friction have theirs by
-    /// their modes, and hops begin there.
+    /// True if values within rounding have no sign. Contacts and friction derive theirs from their
+    /// modes, and hops begin there.
     pub(super) fn may_be_noise(&self) -> bool {
         !self.is_switch && !self.is_armed()
     }
@@ -87,7 +86,7 @@ impl<S: Scalar> EventFunction<S> {
         self.fired[0].is_some_and(|fired| fired.time == t)
     }
 
-    /// Starts anew at time `t`, where the function has this value.
+    /// Restarts at time `t` with this value.
     pub(super) fn begin(&mut self, t: S, value: S) {
         let fired = self.fired.into_iter().flatten().find(|fired| fired.time == t);
         let turned = fired.filter(|fired| value.abs() <= S::from_f64(NEARLY) * fired.value.abs());
@@ -101,18 +100,18 @@ impl<S: Scalar> EventFunction<S> {
         self.measure(value);
     }
 
-    /// Keeps in view how large it gets.
+    /// Updates the largest magnitude.
     pub(super) fn measure(&mut self, value: S) {
         self.range = self.range.max(value.abs());
     }
 
-    /// Passes zero as it was about to when the state was replaced.
+    /// Crosses zero as it was about to when the state was replaced.
     pub(super) fn go_on(&mut self) {
         (self.sign, self.claim) = (-self.sign, Claim::Found);
     }
 
-    /// Goes on to a place where the function has this value, with no event on the way. Zero has no
-    /// sign.
+    /// Advances to a time at which the function has this value, with no event on the way. Zero has
+    /// no sign.
     pub(super) fn learn(&mut self, value: S) {
         (self.here, self.is_noise) = (value, false);
         let is_rounding = self.is_armed() && value * self.sign < S::ZERO;
@@ -121,13 +120,13 @@ impl<S: Scalar> EventFunction<S> {
         }
     }
 
-    /// Goes on to a place where the function has this value, with nothing but noise on the way.
+    /// Advances to a time at which the function has this value, with only noise on the way.
     pub(super) fn ignore(&mut self, value: S) {
         (self.here, self.is_noise) = (value, true);
     }
 
-    /// Continues to an event of another function at which this one has this value. A sign that
-    /// makes an event of it here, too, remains to be found.
+    /// Advances to an event of another function, where this one has this value. If this is an event
+    /// of this function, too, it remains to be found.
     pub(super) fn pass(&mut self, value: S) {
         self.here = value;
         if !self.is_armed() && value != S::ZERO && !self.direction.counts(self.sign, value) {
@@ -135,14 +134,14 @@ impl<S: Scalar> EventFunction<S> {
         }
     }
 
-    /// Its zero was the event at time `t`, where it has this value.
+    /// Records its zero as an event at `time`, with this value.
     pub(super) fn fire(&mut self, time: S, value: S) {
         self.fired = [Some(Fired { time, value, sign: self.sign }), self.fired[0]];
         (self.here, self.sign, self.claim) = (value, -self.sign, Claim::Found);
     }
 
-    /// True if a run that ends where the function is now ends on an event: exactly on its zero,
-    /// reached from the right side. It counts once.
+    /// True if a run that ends at the time reached ends on an event: exactly on a zero, reached
+    /// from the right side. It counts once.
     pub(super) fn ends_on_zero(&mut self) -> bool {
         let is_reached = self.here == S::ZERO && self.direction.counts(self.sign, -self.sign);
         if is_reached && !self.is_armed() && !self.is_noise {

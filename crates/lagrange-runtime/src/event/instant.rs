@@ -3,23 +3,23 @@
 use super::locate::ACCURACY;
 use crate::scalar::Scalar;
 
-/// Roundings of time that are no longer than this part of a step locate any event,
+/// Roundings of time below this fraction of a step are fine enough for any event.
 const FINE: f64 = 1.0 / 1024.0;
-/// and others if its function changes by no more than this part of the largest magnitude that it
-/// had, in a rounding of time.
+/// Coarser ones are fine enough if the function changes per rounding by at most this fraction of
+/// its largest magnitude.
 const LARGEST_CHANGE: f64 = 1.0 / 64.0;
 
-/// To which part of a step, or of time, zeros within it are located.
+/// Returns the accuracy to which zeros within a step are located.
 pub(super) fn accuracy<S: Scalar>(from: S, to: S) -> S {
     S::from_f64(ACCURACY) * (to - from).abs()
 }
 
-/// True if two times in a step cannot be told apart.
+/// True if two times in a step cannot be distinguished.
 pub(crate) fn is_at_once<S: Scalar>(one: S, other: S, from: S, to: S) -> bool {
     (one - other).abs() <= instant(one, from, to)
 }
 
-/// Returns the last time in a step that cannot be told from this one.
+/// Returns the last time in a step that cannot be distinguished from this one.
 pub(crate) fn end_of_instant<S: Scalar>(time: S, from: S, to: S) -> S {
     let width = instant(time, from, to);
     if (to - time).abs() <= width {
@@ -31,7 +31,7 @@ pub(crate) fn end_of_instant<S: Scalar>(time: S, from: S, to: S) -> S {
     }
 }
 
-/// Returns the distance up to which times in a step cannot be told apart.
+/// Returns the distance up to which times in a step cannot be distinguished.
 fn instant<S: Scalar>(time: S, from: S, to: S) -> S {
     let rounding = S::from_f64(4.0) * S::epsilon() * time.abs();
     accuracy(from, to) + accuracy(from, to) + rounding
@@ -40,7 +40,7 @@ fn instant<S: Scalar>(time: S, from: S, to: S) -> S {
 /// Returns the rounding of time if it is too coarse to locate the event of a function in a step.
 /// The function had magnitudes up to `range` before.
 ///
-/// A function that jumps does so between two times; the change that counts is that before.
+/// A function that jumps does so between two times; only the change before them counts.
 pub(super) fn unresolved<S: Scalar>(
     (from, to): (S, S),
     time: S,

@@ -1,21 +1,20 @@
-//! The place where a function changes its sign.
+//! Location of a change of sign of a function.
 //!
-//! Regula falsi with halved weights (Illinois), and bisection whenever that does not halve the
-//! bracket in three rounds. Source: Dowell, Jarratt, "A modified regula falsi method", *BIT* 11
-//! (1971) 168–174.
+//! Regula falsi with halved weights (Illinois), and bisection whenever three rounds do not halve
+//! the bracket. Source: Dowell, Jarratt, "A modified regula falsi method", *BIT* 11 (1971) 168–174.
 
 use crate::scalar::Scalar;
 
-/// A zero is located to this part of the step in which it lies, or as well as times are spaced.
+/// Accuracy of a zero relative to the length of its step, limited by the spacing of times.
 pub(super) const ACCURACY: f64 = 1e-13;
-/// No more evaluations are made.
+/// Maximum number of evaluations.
 pub(super) const MOST_ROUNDS: u32 = 200;
 
-/// An argument and the value there.
+/// An argument and the value of the function.
 pub(super) type Sample<S> = (S, S);
 
-/// An argument in the bracket at which the function has the sign of `after`, at most `accuracy`
-/// beyond a change of sign.
+/// Returns an argument in the bracket at which the function has the sign of `after`, at most
+/// `accuracy` beyond a change of sign.
 ///
 /// `None` if it is not found in [`MOST_ROUNDS`] evaluations, or a value is NaN.
 pub(crate) fn locate<S: Scalar>(

@@ -1,8 +1,8 @@
 //! Zeros of functions of time and state, found while a system is integrated.
 //!
-//! A [`Detector`] evaluates several functions within each step, on the states that the method
-//! itself gives there. It returns their zeros one by one in the order of time. Switches are zeros
-//! at which a system is not smooth.
+//! A [`Detector`] evaluates several functions within each step, on states interpolated by the
+//! method itself. It returns their zeros one by one in order of time. Switches are zeros at which a
+//! system is not smooth.
 
 mod candidate;
 mod clocks;

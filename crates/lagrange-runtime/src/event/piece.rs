@@ -1,18 +1,19 @@
-//! A piece of a step: values of functions in it, and the first event that they show.
+//! Pieces of steps: values of functions, and the first event that they indicate.
 
 use super::function::{Claim, EventFunction};
 use super::polynomial::{POINTS, Polynomial, SignChange};
 use crate::scalar::Scalar;
 
-/// A function that rose since it was started at this part of its present rate, or more, did not
+/// A function that has risen since its start at this fraction of its present rate or more did not
 /// start at rest.
 const STEADY: f64 = 0.8;
 
-/// The values of all functions at a time within a step and, if that is true, at a state that is
-/// changed by rounding. As an object: the search is then compiled once for all systems and methods.
+/// The values of all functions at a time within a step; if the second argument is true, at a state
+/// changed by rounding. A trait object, so that the search is compiled only once for all systems
+/// and methods.
 pub(super) type EventValues<'a, S, const K: usize> = dyn FnMut(S, bool) -> [S; K] + 'a;
 
-/// Times in a piece and the values of all functions there.
+/// Times in a piece, and the values of all functions at these times.
 pub(super) struct Piece<S, const K: usize> {
     pub(super) times: [S; POINTS],
     pub(super) values: [[S; K]; POINTS],
@@ -25,13 +26,12 @@ pub(super) enum Sight<S> {
     Nothing,
     /// At the start of the piece.
     AtOnce,
-    /// Between two times, as far as the polynomial tells, from numbers of this sign to those of the
-    /// other.
+    /// Between two times, according to the polynomial, from this sign to the other.
     Between { from: S, to: S, sign: S },
-    /// Nowhere: a function that was at zero when the state was replaced goes on to the side that it
-    /// had reached.
+    /// Nowhere: a function that was at zero when the state was replaced continues to the side that
+    /// it had reached.
     Passing,
-    /// A shorter piece would tell.
+    /// Undecided; a shorter piece is needed.
     Unclear,
 }
 
@@ -81,8 +81,8 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         }
     }
 
-    /// Returns the largest change of each function where the state is rounded, at three times: it
-    /// may turn round at one of them.
+    /// Returns the largest change of each function under rounding of the state, at three times: at
+    /// one of them the change may vanish.
     pub(super) fn roundings(&self, at: &mut EventValues<'_, S, K>) -> [S; K] {
         [0, POINTS / 2, POINTS - 1].into_iter().fold([S::ZERO; K], |largest, j| {
             let (rounded, values) = (at(self.times[j], true), self.values[j]);
@@ -101,8 +101,8 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         rise > S::ZERO && risen >= S::from_f64(STEADY) * rise * since
     }
 
-    /// Finds an event just before the end of the piece, where the change of this sign may be lost
-    /// in rounding.
+    /// Finds an event just before the end of the piece, where the change of sign may be lost in
+    /// rounding.
     fn at_its_end(&self, values: &[S; POINTS], sign: S, function: &EventFunction<S>) -> Sight<S> {
         if function.claim == Claim::Switch {
             return Sight::Nothing;
@@ -110,7 +110,7 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         self.by_signs(values, (POINTS - 1, sign), function)
     }
 
-    /// The first values next to each other between which there is an event.
+    /// Finds an event between the first two adjacent values that indicate one.
     fn by_signs(
         &self,
         values: &[S; POINTS],
@@ -126,20 +126,20 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         Sight::Nothing
     }
 
-    /// The time at a part of the piece.
+    /// Returns the time at a part of the piece.
     fn time(&self, part: S) -> S {
         let [from, to] = [self.times[0], self.times[POINTS - 1]];
         if part == S::ONE { to } else { from + part * (to - from) }
     }
 
-    /// The part of the piece that ends at the time of this index.
+    /// Returns the part of the piece that ends at the time of this index.
     fn part(&self, index: usize) -> S {
         let [from, to] = [self.times[0], self.times[POINTS - 1]];
         (self.times[index] - from) / (to - from)
     }
 }
 
-/// From which of the values on a sign counts, and which; `None` if they are all zero.
+/// Returns the index from which a sign counts, and the sign; `None` if all values are zero.
 fn beginning<S: Scalar>(values: &[S; POINTS], function: &EventFunction<S>) -> Option<(usize, S)> {
     if function.sign != S::ZERO {
         return Some((0, function.sign));

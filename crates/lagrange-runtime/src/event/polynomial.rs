@@ -1,12 +1,12 @@
 //! The behaviour of a function along a piece of a step, as described by a polynomial through some
 //! of its values.
 //!
-//! Values at Chebyshev points give a polynomial of degree eight. The last of its Chebyshev
-//! coefficients show how far it can be trusted. Its Bernstein coefficients enclose it, so a part of
-//! the piece in which its sign does not change is recognised as such. Other parts are halved until
-//! the sign changes once or they are too small to decide. Sources: Trefethen, *Approximation Theory
-//! and Approximation Practice*, §3, §8; Farouki, "The Bernstein polynomial basis: a centennial
-//! retrospective", *Computer Aided Geometric Design* 29 (2012) 379–419, §5.
+//! Values at Chebyshev points give a polynomial of degree eight. Its last Chebyshev coefficients
+//! indicate its accuracy. Its Bernstein coefficients enclose it, so parts of the piece without a
+//! change of sign are recognised. Other parts are halved until the sign changes once or they are
+//! too small to decide. Sources: Trefethen, *Approximation Theory and Approximation Practice*, §3,
+//! §8; Farouki, "The Bernstein polynomial basis: a centennial retrospective", *Computer Aided
+//! Geometric Design* 29 (2012) 379–419, §5.
 
 use crate::scalar::Scalar;
 use crate::tolerance::BERNSTEIN_COEFFICIENT;
@@ -18,26 +18,27 @@ pub(super) const POINTS: usize = DEGREE + 1;
 /// cos(π k/8) for k from 0 to 4.
 const COSINES: [f64; 5] =
     [1.0, 0.923_879_532_511_286_7, core::f64::consts::FRAC_1_SQRT_2, 0.382_683_432_365_089_8, 0.0];
-/// Bernstein coefficients of Chebyshev polynomials: that of index j of the polynomial of degree k
-/// in row j, column k.
+/// Bernstein coefficients of Chebyshev polynomials: row j, column k holds coefficient j of the
+/// polynomial of degree k.
 const BERNSTEIN: [[f64; POINTS]; POINTS] = bernstein();
-/// The error is taken for so many times the last two Chebyshev coefficients, which stand for those
-/// that were cut off,
+/// Ratio of the estimated error to the last two Chebyshev coefficients, which represent the
+/// truncated ones.
 const CUT_OFF: f64 = 4.0;
-/// and a polynomial is trusted where these are a smaller part of its largest value than this.
+/// A polynomial is trusted if its last two Chebyshev coefficients are below this fraction of its
+/// largest value.
 const TRUSTED: f64 = 1e-3;
-/// A piece is not cut into smaller parts than this in search of a change of sign, nor than two
-/// roundings of it.
+/// Minimum part of a piece in the search for a change of sign; two roundings if that is larger.
 const NARROWEST: f64 = 1e-12;
-/// A polynomial that is not trusted may be wrong by this part of its largest value.
+/// Assumed error of a polynomial that is not trusted, relative to its largest value.
 const DOUBT: f64 = 0.25;
-/// Noise of values that leaves this much in the last Chebyshev coefficients leaves so many times
-/// more in the slope at an end.
+/// Factor by which noise in the values affects the slope at an end more than the last Chebyshev
+/// coefficients.
 const NOISE: f64 = 64.0;
-/// A function at rest rises or falls, as values say, by less than this part of the largest one.
+/// A function counts as at rest if its values change by less than this fraction of the largest one.
 const AT_REST: f64 = 1e-9;
 
-/// The parts of a piece at which values are asked for: Chebyshev points of the second kind.
+/// Returns the points of a piece at which functions are evaluated: Chebyshev points of the second
+/// kind.
 pub(super) fn points<S: Scalar>() -> [S; POINTS] {
     core::array::from_fn(|j| S::from_f64(0.5 - 0.5 * cosine(j)))
 }
@@ -47,7 +48,7 @@ pub(super) fn points<S: Scalar>() -> [S; POINTS] {
 pub(super) struct Polynomial<S> {
     bernstein: [S; POINTS],
     scale: S,
-    /// Rounding, and what was cut off.
+    /// Rounding error, and truncation error below.
     rounding: S,
     cut_off: S,
 }
@@ -55,16 +56,16 @@ pub(super) struct Polynomial<S> {
 /// The change of sign of a polynomial.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum SignChange<S> {
-    /// Nowhere.
+    /// No change.
     Nowhere,
-    /// Between these places; only once where it is clear of zero.
+    /// Between these points, and only once unless values are close to zero.
     Between(S, S),
-    /// It comes so near to zero, or ends so near to it, that its error decides.
+    /// Undecided: the polynomial comes or ends closer to zero than its error.
     Unclear,
 }
 
 impl<S: Scalar> Polynomial<S> {
-    /// The polynomial that has these values at [`points`].
+    /// Creates the polynomial with these values at [`points`].
     pub(super) fn new(values: &[S; POINTS]) -> Self {
         let chebyshev = chebyshev(values);
         let mut bernstein = [S::ZERO; POINTS];
@@ -78,12 +79,12 @@ impl<S: Scalar> Polynomial<S> {
         Polynomial { bernstein, scale, rounding, cut_off }
     }
 
-    /// True if it can be trusted where it changes its sign.
+    /// True if its changes of sign can be trusted.
     pub(super) fn is_trusted(&self) -> bool {
         self.cut_off <= S::from_f64(CUT_OFF * TRUSTED) * self.scale
     }
 
-    /// True if it is as good as values are.
+    /// True if it is as accurate as the values.
     pub(super) fn is_exact(&self) -> bool {
         self.cut_off <= self.rounding
     }
@@ -106,7 +107,7 @@ impl<S: Scalar> Polynomial<S> {
 
     /// Returns the next change, from the place `x` on, to the sign opposite to that of `sign`.
     ///
-    /// `is_zero` says that its zero at `x` is known, which then does not matter if the polynomial
+    /// `is_zero` is true if the zero at `x` is already known; it is then ignored if the polynomial
     /// can be trusted.
     pub(super) fn next_change(&self, sign: S, mut x: S, is_zero: bool) -> SignChange<S> {
         let (error, half) = (self.error(), S::from_f64(0.5));
@@ -142,12 +143,11 @@ impl<S: Scalar> Polynomial<S> {
         if is_unclear || is_near { SignChange::Unclear } else { SignChange::Nowhere }
     }
 
-    /// The Bernstein coefficients on a part of the unit interval, with the sign turned if that of
-    /// `sign` is negative.
+    /// Returns the Bernstein coefficients on a part of the unit interval, negated if `sign` is
+    /// negative.
     fn part(&self, sign: S, from: S, to: S) -> [S; POINTS] {
         let mut part = if sign > S::ZERO { self.bernstein } else { self.bernstein.map(|b| -b) };
-        // De Casteljau's scheme, from the left to what lies beyond `from`, then from the right to
-        // what lies before `to`.
+        // De Casteljau's scheme: first cut off the part before `from`, then the part after `to`.
         if from > S::ZERO {
             for round in 1..POINTS {
                 for j in 0..POINTS - round {
@@ -165,7 +165,7 @@ impl<S: Scalar> Polynomial<S> {
     }
 }
 
-/// True if coefficients, and so the polynomial, only rise or only fall.
+/// True if the coefficients, and hence the polynomial, are monotonic.
 fn is_steady<S: Scalar>(part: &[S; POINTS]) -> bool {
     part.windows(2).all(|pair| pair[0] <= pair[1]) || part.windows(2).all(|pair| pair[0] >= pair[1])
 }
@@ -192,8 +192,8 @@ const fn cosine(k: usize) -> f64 {
     }
 }
 
-/// The Chebyshev coefficients of the polynomial that has these values at [`points`]; on the
-/// interval from −1 to 1 these are −cos(π j/8).
+/// Computes the Chebyshev coefficients of the polynomial with these values at [`points`], which are
+/// −cos(π j/8) on the interval from −1 to 1.
 fn chebyshev<S: Scalar>(values: &[S; POINTS]) -> [S; POINTS] {
     let mut coefficients = [S::ZERO; POINTS];
     for (k, coefficient) in coefficients.iter_mut().enumerate() {

@@ -1,14 +1,14 @@
-//! Values of functions that are no more than rounding of the state.
+//! Function values that are indistinguishable from rounding of the state.
 
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 use crate::tolerance::{SAME_EVENT, SURFACE};
 
-/// Entries of a state are changed by these steps through the range from one half to one, so that
+/// Step of the factors, from one half to one, by which changes of state entries differ, so that
 /// equal changes do not cancel.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Returns the state with each entry changed by some roundings, all by different ones.
+/// Returns the state with each entry changed by a few roundings, each by a different amount.
 pub(crate) fn rounded<S: Scalar, Y: StateVector<S>>(y: &Y) -> Y {
     let (mut rounded, mut part) = (*y, 0.5);
     for entry in rounded.as_mut() {

@@ -2,20 +2,20 @@
 
 use crate::scalar::Scalar;
 
-/// A step is cut into pieces that are no shorter than this part of it,
+/// Minimum length of a piece, relative to its step.
 const SHORTEST: f64 = 1.0 / 4096.0;
-/// and, once so many of these did not tell whether there is a zero, as with noise,
+/// Number of inconclusive pieces, as with noise, after which pieces must be longer.
 const MOST_UNCLEAR: u32 = 64;
-/// no shorter than this.
+/// Minimum length of a piece, relative to its step, after that.
 const SHORTEST_IF_UNCLEAR: f64 = 1.0 / 16.0;
 
-/// The search of a step in pieces, which are shorter where a function changes more.
+/// The search of a step in pieces, which are shorter if a function changes more.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Search<S> {
     /// Start and end of the step.
     from: S,
     to: S,
-    /// The next piece to try, as a part of the step.
+    /// Length of the next piece, relative to the step.
     part: S,
     /// Number of inconclusive pieces of minimum length.
     unclear: u32,
@@ -27,30 +27,30 @@ impl<S: Scalar> Search<S> {
         Search { from, to, part: S::ONE, unclear: 0 }
     }
 
-    /// The end of the next piece, which begins at `start`.
+    /// Returns the end of the next piece, which begins at `start`.
     pub(super) fn end(&self, start: S) -> S {
         let (end, left) = (start + self.part * (self.to - self.from), self.to - start);
         let is_last = self.part == S::ONE || (end - start).abs() >= left.abs() || end == start;
         if is_last { self.to } else { end }
     }
 
-    /// True if it is about this step.
+    /// True if this is the search of the step between these times.
     pub(super) fn is_of(&self, from: S, to: S) -> bool {
         (self.from, self.to) == (from, to)
     }
 
-    /// True if the next piece is as short as it may be.
+    /// True if the next piece has minimum length.
     pub(super) fn is_shortest(&self) -> bool {
         let shortest = if self.unclear < MOST_UNCLEAR { SHORTEST } else { SHORTEST_IF_UNCLEAR };
         self.part <= S::from_f64(shortest)
     }
 
-    /// Tries half of the piece.
+    /// Halves the next piece.
     pub(super) fn shorten(&mut self) {
         self.part = self.part / S::from_f64(2.0);
     }
 
-    /// A piece was looked at up to an event.
+    /// Registers a piece that was searched up to an event.
     pub(super) fn pause(&mut self) {
         self.unclear += u32::from(self.is_shortest());
         if self.unclear >= MOST_UNCLEAR {
@@ -58,7 +58,7 @@ impl<S: Scalar> Search<S> {
         }
     }
 
-    /// A piece was looked at to its end.
+    /// Registers a piece that was searched to its end; the next one may be longer.
     pub(super) fn go_on(&mut self) {
         self.pause();
         self.part = (self.part + self.part).min(S::ONE);

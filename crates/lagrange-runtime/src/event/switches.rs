@@ -1,18 +1,17 @@
 //! Switches: surfaces in time and state on which a system is not smooth, and the sides of them on
 //! which it is computed.
 //!
-//! They are where a condition of `if` in a declaration changes, and the kinks of `abs`, `sign`,
-//! `min` and `max`. A step across one would lose the order of any method, and a push that is
-//! shorter than a step would be missed. A run therefore fixes the side of every switch: the
-//! equations are then smooth, and continue smoothly beyond the surface. Where a step has led
-//! beyond, the place is located like an event and the motion continues from there on the other
-//! side. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.,
-//! §II.6.
+//! They are the boundaries of `if` conditions in a declaration, and the kinks of `abs`, `sign`,
+//! `min` and `max`. A step across one would lose the order of any method, and would miss a push
+//! that is shorter than a step. A run therefore fixes the side of every switch: the equations are
+//! then smooth, and continue smoothly beyond the surface. If a step leads beyond the surface, the
+//! crossing is located like an event and the motion continues from there on the other side. Source:
+//! Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., §II.6.
 //!
-//! At the end of a step that was computed for x > 0, let x = −10⁻⁹. The force −sign(x) was −1 all
-//! the step long. The step is cut at x = 0, and the next one has the force 1. If that leads back at
-//! once, as −sign(ẋ) does with ẋ = 0, the state would slide along the surface. A function of time
-//! and state does not determine the force there:
+//! At the end of a step that was computed for x > 0, let x = −10⁻⁹. The force −sign(x) was −1
+//! throughout the step. The step is cut at x = 0, and the next one has the force 1. If that leads
+//! back at once, as −sign(ẋ) does with ẋ = 0, the state would slide along the surface. A function
+//! of time and state does not determine the force there:
 //! [`StepFailure::Slides`](crate::integrate::StepFailure::Slides).
 
 use core::array::from_fn;
@@ -32,7 +31,7 @@ pub struct Switches {
 }
 
 impl Switches {
-    /// All of them free.
+    /// All switches free.
     pub const FREE: Switches = Switches { fixed: 0, positive: 0 };
 
     /// Returns the side of each switch, 1 or −1: the fixed one, or the sign of its value.
@@ -95,8 +94,8 @@ pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     }
 }
 
-/// Returns the system on the sides on which a motion from this state starts. What is not finite
-/// there stays free.
+/// Returns the system on the sides on which a motion from this state starts. Switches whose values
+/// are not finite stay free.
 pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -127,9 +126,9 @@ pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
     for (k, (value, found)) in values[system.first()..].iter_mut().zip(found).enumerate() {
         *value = match (found.is_finite(), switches.is_fixed(k)) {
             (true, true) => switches.sign::<M::Scalar>(k) * found,
-            // It has a side now.
+            // It now has a side.
             (true, false) => -one,
-            // Where it is not defined, it either does not matter or shows in the rates.
+            // An undefined value either does not matter or makes the rates undefined.
             (false, _) => one,
         };
     }

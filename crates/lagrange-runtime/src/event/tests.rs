@@ -30,7 +30,7 @@ fn pair() -> Verner98<f64> {
     Verner98::tolerance(1e-13)
 }
 
-/// Times and numbers of all events of the oscillator.
+/// Returns the times and indices of all events of the oscillator.
 fn all<const E: usize>(
     method: &impl Method<Oscillator>,
     t_end: f64,

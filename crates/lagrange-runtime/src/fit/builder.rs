@@ -16,10 +16,10 @@ use crate::integrate::{Method, Verner98};
 use crate::simulate::{Drive, Law, Sensitive, TIME, Undriven, default_method, state_names, unit};
 use crate::system::{ControlledSystem, OdeSystem, OutputSystem, ParametricSystem, split};
 
-/// Steps of a search before it is given up.
+/// Default maximum number of iterations of a search.
 const MOST_ITERATIONS: usize = 200;
 
-/// A fit that can be run: data, what varies, and how motions are found.
+/// A fit ready to be run: the data, the variables, and the method for motions.
 #[must_use = "nothing happens before `.run()`"]
 pub struct FitSearch<'a, M: ParametricSystem<Scalar = f64>, K, D = Undriven> {
     system: &'a M,
@@ -54,7 +54,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
 }
 
 impl<M: ParametricSystem<Scalar = f64>, D> FitSearch<'_, M, Verner98<f64>, D> {
-    /// Sets the tolerated error of a step, 1e-9 by default, as
+    /// Sets the error tolerance of a step, 1e-9 by default, as
     /// [`Simulation::tolerance`](crate::simulate::Simulation::tolerance) does.
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         (self.method.relative, self.method.absolute) = (tolerance, tolerance);
@@ -100,21 +100,21 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         self
     }
 
-    /// Sets the standard deviation of the noise in a column, in units of the column. If one column
-    /// has a level, all need one, as do several columns.
+    /// Sets the standard deviation of the noise in a column, in units of the column. With several
+    /// columns, or if any column has a level, all columns need one.
     pub fn noise(mut self, column: &str, level: f64) -> Self {
         self.noise.push((column.to_string(), level));
         self
     }
 
-    /// Adds a quantity that a column of this name holds: a smooth function of system, time and
-    /// state. Columns of states need none.
+    /// Defines the quantity in the column of this name: a smooth function of system, time and
+    /// state. Columns of states need no definition.
     pub fn measure(mut self, column: &str, value: impl Fn(&M, f64, &M::State) -> f64 + 'a) -> Self {
         self.measured.push((column.to_string(), MeasuredQuantity::Function(Box::new(value))));
         self
     }
 
-    /// Adds the outputs of the declaration as quantities that columns of their names may hold.
+    /// Defines the outputs of the declaration as quantities for columns of the same names.
     pub fn outputs(mut self) -> Self
     where
         M: OutputSystem,
@@ -134,21 +134,21 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         self
     }
 
-    /// Searches from this many points, the first of which are the present values, and takes the
-    /// best end. Points fill the bounds evenly, always the same way. Without a bound they are
-    /// within a factor of ten of the value.
+    /// Searches from this many points, the first of which is the present values, and returns the
+    /// best result. Points fill the bounds evenly and reproducibly. Without a bound they are within
+    /// a factor of ten of the value.
     pub fn starts(mut self, count: usize) -> Self {
         self.starts = count;
         self
     }
 
-    /// Gives up after this many iterations from each start, 200 by default.
+    /// Sets the maximum number of iterations from each start, 200 by default.
     pub fn max_iterations(mut self, most: usize) -> Self {
         self.most_iterations = most;
         self
     }
 
-    /// Finds motions by this method instead of the adaptive one.
+    /// Computes motions by this method instead of the adaptive one.
     pub fn method<L>(self, method: L) -> FitSearch<'a, M, L, D> {
         let FitSearch { system, start, data, varied, noise, measured, from, starts, .. } = self;
         let (most_iterations, drive) = (self.most_iterations, self.drive);
@@ -170,8 +170,8 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
     /// Searches for the values with the smallest sum of squares.
     ///
     /// # Errors
-    /// If data or settings make no sense, or no motion reaches the end of the data. Further if the
-    /// search does not come to an end, or the data do not tell all variables.
+    /// If data or settings are invalid, or no motion reaches the end of the data. Also if the
+    /// search does not converge, or the data do not determine all variables.
     pub fn run<const N: usize>(self) -> Result<Fitted<M>, FitError<M>>
     where
         M: OdeSystem<State = [f64; N]>,
@@ -199,7 +199,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         }
     }
 
-    /// The problem that the settings make, and the data.
+    /// Returns the problem specified by the settings, and the data.
     fn checked(mut self) -> Result<Checked<'a, M, K, D>, FitError<M>> {
         let states = state_names(self.system.description()).collect::<Vec<_>>();
         let begin = self.from.or(self.data.times.first().copied()).unwrap_or(0.0);
@@ -221,7 +221,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         Ok((FitProblem { system, start, span, times, data, quantities, variables, method, drive }, self.data))
     }
 
-    /// The quantity that each column holds.
+    /// Returns the quantity in each column.
     fn quantities(&mut self, states: &[String]) -> Result<Vec<MeasuredQuantity<'a, M>>, FitError<M>> {
         let description = self.system.description();
         let mut quantities = Vec::new();
@@ -248,7 +248,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         Ok(quantities)
     }
 
-    /// The variables with their bounds.
+    /// Returns the variables with their bounds.
     fn variables(&self, states: &[String]) -> Result<Vec<Bounded>, FitError<M>> {
         let (numbers, mut variables) = (self.system.numbers(), Vec::<Bounded>::new());
         for &(name, (low, high)) in &self.varied {
@@ -276,7 +276,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         if variables.is_empty() { Err(FitError::NothingVaries) } else { Ok(variables) }
     }
 
-    /// The noise level of each column; one for a single column without.
+    /// Returns the noise level of each column; one for a single column without a level.
     fn levels(&self) -> Result<Vec<f64>, FitError<M>> {
         let columns = &self.data.columns;
         for (name, level) in &self.noise {
@@ -302,7 +302,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
 /// A problem, and the data.
 type Checked<'a, M, K, D> = (FitProblem<'a, M, K, D>, Data);
 
-/// The search that ended lowest, or why the first did not end, and the cost at the end of each.
+/// Returns the best search, or the error of the first one, and the final cost of each.
 fn best(searches: impl Iterator<Item = Result<Minimum, String>>) -> (Result<Minimum, String>, Vec<f64>) {
     let mut costs = Vec::new();
     let all = searches.inspect(|found| {
@@ -316,7 +316,7 @@ fn best(searches: impl Iterator<Item = Result<Minimum, String>>) -> (Result<Mini
     (best.unwrap_or_else(|| Err(String::new())), costs)
 }
 
-/// Checks times, and that columns have as many values.
+/// Checks the times, and that the number of values in each column equals the number of times.
 fn check_data<M: ParametricSystem<Scalar = f64>>(data: &Data, begin: f64) -> Result<(), FitError<M>> {
     let not_finite = |column: &str, row| FitError::NotFinite { column: column.into(), row };
     if let Some(row) = data.times.iter().position(|time| !time.is_finite()) {

@@ -1,4 +1,4 @@
-//! Comma-separated values as trajectories are saved in them.
+//! Comma-separated values in the format of saved trajectories.
 
 use std::borrow::ToOwned;
 use std::path::Path;
@@ -8,7 +8,7 @@ use std::vec::Vec;
 use super::data::{Data, DataError, Measured};
 use crate::simulate::TIME;
 
-/// Between a name and its unit.
+/// Separator between a name and its unit.
 const UNIT: &str = " in ";
 
 impl Data {
@@ -17,7 +17,7 @@ impl Data {
     /// as in `x in m`. A cell may be empty.
     ///
     /// # Errors
-    /// If the file cannot be read, or contains something else; with the line.
+    /// If the file cannot be read, or has another format; with the line.
     pub fn read_csv(path: impl AsRef<Path>) -> Result<Data, DataError> {
         let path = path.as_ref();
         let text = std::fs::read_to_string(path)
@@ -28,7 +28,7 @@ impl Data {
     /// Reads comma-separated values as [`read_csv`](Self::read_csv) does, from a text.
     ///
     /// # Errors
-    /// If it contains something else; with the line.
+    /// If it has another format; with the line.
     pub fn parse_csv(text: &str) -> Result<Data, DataError> {
         parse(text)
     }
@@ -57,7 +57,7 @@ fn parse(text: &str) -> Result<Data, DataError> {
     Ok(Data { times: times.collect::<Result<_, _>>()?, columns })
 }
 
-/// The number in a cell, if it is not empty.
+/// Returns the number in a cell, if it is not empty.
 fn number(cell: &str, line: usize, column: &Measured) -> Result<Option<f64>, DataError> {
     let cell = cell.trim();
     if cell.is_empty() {
@@ -67,8 +67,8 @@ fn number(cell: &str, line: usize, column: &Measured) -> Result<Option<f64>, Dat
     cell.parse::<f64>().ok().filter(|value| value.is_finite()).map(Some).ok_or_else(wrong)
 }
 
-/// A column without values, from its name with a unit. An apostrophe before a name keeps
-/// spreadsheets from taking it for a formula.
+/// Returns a column without values, from its name with a unit. A leading apostrophe, which keeps
+/// spreadsheets from treating a name as a formula, is removed.
 fn named(cell: &str) -> Measured {
     let cell = cell.trim();
     let cell = cell.strip_prefix('\'').unwrap_or(cell);
@@ -79,7 +79,7 @@ fn named(cell: &str) -> Measured {
     Measured { name: name.trim().to_string(), unit, values: Vec::new() }
 }
 
-/// The cells of a line (RFC 4180, without line ends in cells).
+/// Returns the cells of a line (RFC 4180, without line breaks in cells).
 fn cells(line: &str, number: usize) -> Result<Vec<String>, DataError> {
     let mut cells = Vec::new();
     let mut rest = line;
@@ -100,7 +100,8 @@ fn cells(line: &str, number: usize) -> Result<Vec<String>, DataError> {
     }
 }
 
-/// The text up to the mark that ends a quotation, and what is behind that. Two marks are one.
+/// Returns the text up to the closing quotation mark, and the rest after it. A doubled mark stands
+/// for one.
 fn quotation(text: &str) -> Option<(String, &str)> {
     let mut cell = String::new();
     let mut rest = text;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-/// Measured values in columns, at times that follow each other. Values may be missing.
+/// Measured values in columns, at ascending times. Values may be missing.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Data {
     pub(super) times: Vec<f64>,
@@ -16,18 +16,18 @@ pub struct Data {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Measured {
     pub(super) name: String,
-    /// The unit that was written behind the name.
+    /// The unit written after the name.
     pub(super) unit: Option<String>,
     pub(super) values: Vec<Option<f64>>,
 }
 
 impl Data {
-    /// Returns data without columns, at these times.
+    /// Creates data without columns, at these times.
     pub fn new(times: impl Into<Vec<f64>>) -> Data {
         Data { times: times.into(), columns: Vec::new() }
     }
 
-    /// Adds a column of numbers, or of optional numbers where some are missing.
+    /// Adds a column of numbers, or of optional numbers if some are missing.
     #[must_use]
     pub fn with<T: Into<Option<f64>>>(mut self, name: &str, values: impl IntoIterator<Item = T>) -> Data {
         let values = values.into_iter().map(Into::into).collect();
@@ -35,8 +35,8 @@ impl Data {
         self
     }
 
-    /// Returns the data with these columns only, such as those that the system knows. Names that
-    /// there are no columns for are ignored.
+    /// Returns the data with only these columns, such as those that the system defines. Names
+    /// without a column are ignored.
     #[must_use]
     pub fn only<const N: usize>(mut self, names: [&str; N]) -> Data {
         self.columns.retain(|column| names.contains(&column.name.as_str()));
@@ -60,7 +60,7 @@ impl Data {
     }
 }
 
-/// Why data cannot be read from a file.
+/// An error in reading data from a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum DataError {
@@ -91,7 +91,7 @@ pub enum DataError {
         /// The cell.
         text: String,
     },
-    /// A cell begins with a quotation mark and has no other.
+    /// A cell begins with a quotation mark that is never closed.
     OpenQuotation {
         /// Number of the line, counted from one.
         line: usize,

@@ -11,15 +11,15 @@ use crate::system::ParametricSystem;
 /// Why a fit fails.
 #[non_exhaustive]
 pub enum FitError<M: ParametricSystem<Scalar = f64>> {
-    /// A column of the data is no state and no measured quantity of the system. Or a noise level
-    /// belongs to no column.
+    /// A column of the data is neither a state nor a measured quantity of the system, or a noise
+    /// level has no column.
     UnknownColumn {
         /// Its name.
         name: String,
         /// Known names.
         known: Vec<String>,
     },
-    /// A column of the data has another unit than the system.
+    /// The unit of a column of the data differs from the unit in the system.
     Unit {
         /// Its name.
         column: String,
@@ -28,7 +28,7 @@ pub enum FitError<M: ParametricSystem<Scalar = f64>> {
         /// Unit of the system.
         wanted: &'static str,
     },
-    /// A column has more or fewer values than there are times.
+    /// The number of values of a column differs from the number of times.
     Length {
         /// Its name.
         column: String,
@@ -51,14 +51,14 @@ pub enum FitError<M: ParametricSystem<Scalar = f64>> {
         /// The row of the time, counted from zero.
         row: usize,
     },
-    /// There are fewer values in the data than variables.
+    /// The data have fewer values than there are variables.
     TooFew {
         /// Number of values.
         values: usize,
         /// Number of variables.
         variables: usize,
     },
-    /// Nothing varies.
+    /// No variables were specified.
     NothingVaries,
     /// The system has no parameter, input or state of this name, or it varies twice.
     Variable {
@@ -74,17 +74,17 @@ pub enum FitError<M: ParametricSystem<Scalar = f64>> {
         /// The level, if there is one.
         level: Option<f64>,
     },
-    /// No motion from the first values reaches the end of the data.
+    /// No motion with the initial values of the search reaches the end of the data.
     Motion {
         /// The values, by name.
         values: Vec<(&'static str, f64)>,
         /// The cause.
         cause: String,
     },
-    /// The data do not tell all variables: what is known is in the fit, with the
-    /// [combination](Fitted::weakest) that they do not tell.
+    /// The data do not determine all variables. The fit contains the results so far, and the
+    /// undetermined [combination](Fitted::weakest).
     Undetermined(Box<Fitted<M>>),
-    /// The search did not come to an end: the best values so far.
+    /// The search did not converge; the fit contains the best values so far.
     NotConverged(Box<Fitted<M>>),
 }
 

@@ -13,20 +13,20 @@ use crate::linalg::singular_values::SingularValues;
 use crate::simulate::{Table, unit};
 use crate::system::ParametricSystem;
 
-/// Beside what data tell most, they do not tell a combination below this part: derivatives have
-/// errors of that size.
+/// A combination counts as undetermined below this, relative to the best determined one:
+/// derivatives have errors of this size.
 const UNTOLD: f64 = 1e-7;
-/// Entries of a combination that are smaller are not written.
+/// Entries of a combination below this are not written.
 const UNWRITTEN: f64 = 0.05;
 
-/// A value that was fitted.
+/// A fitted value.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FittedValue {
     /// Name of the parameter, the input, or the state whose initial value it is.
     pub name: &'static str,
     /// Value.
     pub value: f64,
-    /// The standard error; `None` at a bound, or where data do not tell it.
+    /// The standard error; `None` at a bound, or if the data do not determine it.
     pub standard_error: Option<f64>,
     /// True if a bound holds it.
     pub is_at_bound: bool,
@@ -41,8 +41,8 @@ pub struct Fitted<M: ParametricSystem<Scalar = f64>> {
     start: M::State,
     values: Vec<FittedValue>,
     covariance: Option<DenseMatrix>,
-    /// The combination that data tell least, in relative changes of length one, with the relative
-    /// error of it, and true if data tell it.
+    /// The combination that the data determine least, as relative changes of length one. The next
+    /// fields are its relative error, and true if the data determine it.
     weakest: Vec<(&'static str, f64)>,
     weakest_error: f64,
     is_determined: bool,
@@ -138,13 +138,14 @@ impl<M: ParametricSystem<Scalar = f64>> Fitted<M> {
         self.values.iter().find(|value| value.name == name)?.standard_error
     }
 
-    /// Returns the covariance matrix of the values, with zeros for those at a bound. `None` if data
-    /// do not tell all of them, or there are no more values than variables and no noise levels.
+    /// Returns the covariance matrix of the values, with zeros for those at a bound. `None` if the
+    /// data do not determine all of them, or if there are no noise levels and no more values than
+    /// variables.
     pub fn covariance(&self) -> Option<&DenseMatrix> {
         self.covariance.as_ref()
     }
 
-    /// Returns the combination that data tell least. It is a vector of length one of relative
+    /// Returns the combination that the data determine least: a vector of length one of relative
     /// changes, or of changes for values of zero.
     pub fn weakest(&self) -> &[(&'static str, f64)] {
         &self.weakest
@@ -155,18 +156,18 @@ impl<M: ParametricSystem<Scalar = f64>> Fitted<M> {
         self.weakest_error
     }
 
-    /// Returns the sum of squares of all residuals, each over its noise level.
+    /// Returns the sum of squares of all residuals, each divided by its noise level.
     pub fn chi_square(&self) -> f64 {
         self.chi_square
     }
 
-    /// Returns the number of values in the data minus that of the variables that no bound holds.
+    /// Returns the number of values in the data minus the number of variables not held at a bound.
     pub fn degrees_of_freedom(&self) -> usize {
         self.degrees
     }
 
-    /// Returns the table of all columns at the times of the data. Beside measured values it holds
-    /// fitted ones, such as `x (fit)`, and residuals, such as `x (residual)`: fitted minus
+    /// Returns the table of all columns at the times of the data. In addition to measured values it
+    /// contains fitted ones, such as `x (fit)`, and residuals, such as `x (residual)`: fitted minus
     /// measured. Missing values are NaN.
     pub fn table(&self) -> &Table<f64> {
         &self.table
@@ -182,13 +183,13 @@ impl<M: ParametricSystem<Scalar = f64>> Fitted<M> {
         self.evaluations
     }
 
-    /// Returns half the sum of squares at the end of the search from each start, infinite where
-    /// there was no motion.
+    /// Returns half the sum of squares at the end of the search from each start; infinity if there
+    /// was no motion.
     pub fn costs(&self) -> &[f64] {
         &self.costs
     }
 
-    /// Writes the combination that data tell least.
+    /// Writes the combination that the data determine least.
     pub(super) fn write_weakest(&self, f: &mut Formatter<'_>) -> Written {
         let seen = self.weakest.iter().filter(|(_, part)| part.abs() > UNWRITTEN);
         for (index, (name, part)) in seen.enumerate() {
@@ -204,12 +205,12 @@ impl<M: ParametricSystem<Scalar = f64>> Fitted<M> {
     }
 }
 
-/// The knowledge of variables that is in data.
+/// The information about the variables in the data.
 struct Told {
-    /// True if all that are free are known.
+    /// True if all free variables are determined.
     is_all: bool,
     covariance: Option<DenseMatrix>,
-    /// The combination of free variables that is known least, with its error.
+    /// The combination of free variables that is determined least, with its error below.
     weakest: Vec<f64>,
     weakest_error: f64,
 }
@@ -236,8 +237,8 @@ impl Told {
     }
 }
 
-/// The table of measured and fitted values and residuals, and the size of the residuals of each
-/// column.
+/// Returns the table of measured and fitted values and residuals, and the size of the residuals of
+/// each column.
 fn tabulated(data: &Data, points: &[Datum], residuals: &[f64]) -> (Table<f64>, Vec<(String, usize, f64)>) {
     let names = data.columns.iter().map(|column| &column.name);
     let names = names.flat_map(|name| [name.clone(), format!("{name} (fit)"), format!("{name} (residual)")]);
@@ -292,7 +293,7 @@ impl Display for FittedValue {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
         let FittedValue { name, value, standard_error, is_at_bound, unit } = self;
         match standard_error {
-            // Two digits of the error are of interest.
+            // Write two digits of the error.
             Some(error) if *error > 1e-9 && *error < 1e6 && value.abs() < 1e9 => {
                 let decimals = (1.0 - error.log10().floor()).clamp(0.0, 12.0) as usize;
                 write!(f, "{name} = {value:.decimals$} ± {error:.decimals$}")?;

@@ -1,10 +1,10 @@
 //! Levenberg–Marquardt steps between bounds.
 //!
 //! A step δ minimises |r + J δ|² + λ|D δ|² over the variables that are free. D holds the largest
-//! lengths that the columns of J had. Variables at a bound to which the gradient pushes
-//! them are not free. Those that a step would bring beyond a bound go to it, and the others step
-//! anew. λ follows the ratio of the decrease found to that expected. Sources: Moré 1978; Madsen,
-//! Nielsen, Tingleff 2004, §3.2.
+//! lengths that the columns of J had. Variables at a bound against which the gradient pushes them
+//! are not free. Variables that a step would move beyond a bound are set to it, and the step is
+//! recomputed for the others. λ follows the ratio of the actual to the predicted decrease. Sources:
+//! Moré 1978; Madsen, Nielsen, Tingleff 2004, §3.2.
 
 use std::vec::Vec;
 
@@ -13,15 +13,15 @@ use crate::linalg::singular_values::{SingularValues, dot, length};
 
 /// The gradient counts as zero if its angle to the residuals has a cosine below this.
 const LEAST_COSINE: f64 = 1e-9;
-/// Steps end below this part of the variables,
+/// Minimum step, relative to the variables, below which a search ends.
 const LEAST_STEP: f64 = 1e-11;
-/// and where they promise to decrease the sum of squares by less than this part of it.
+/// Minimum predicted relative decrease of the sum of squares, below which a search ends.
 const LEAST_DECREASE: f64 = 1e-12;
-/// A step is taken if it decreases the sum by this part of what it promises.
+/// Minimum ratio of the actual to the predicted decrease for which a step is accepted.
 const LEAST_RATIO: f64 = 1e-4;
-/// The first λ, beside columns of the length one.
+/// The initial λ, for columns of length one.
 const FIRST_DAMPING: f64 = 1e-3;
-/// Steps are given up at this λ.
+/// Maximum λ, at which a search gives up.
 const MOST_DAMPING: f64 = 1e20;
 
 /// Residuals and their derivatives by the variables.
@@ -31,7 +31,7 @@ pub(super) struct Comparison {
     pub(super) jacobian: DenseMatrix,
 }
 
-/// The point that a search ended at.
+/// The final point of a search.
 #[derive(Clone)]
 pub(super) struct Minimum {
     pub(super) values: Vec<f64>,
@@ -46,7 +46,7 @@ pub(super) struct Minimum {
 /// Searches from a point between bounds for a minimum of the sum of squares.
 ///
 /// # Errors
-/// If there are no residuals at the start. Where there are none later, steps are shorter.
+/// If there are no residuals at the start. If a later point has none, the step is shortened.
 pub(super) fn minimise<E>(
     start: Vec<f64>,
     bounds: &[(f64, f64)],
@@ -89,11 +89,11 @@ pub(super) fn minimise<E>(
     Ok(now)
 }
 
-/// A step.
+/// A step between bounds.
 struct BoundedStep {
     values: Vec<f64>,
     step: Vec<f64>,
-    /// The decrease of the cost that linear residuals would have.
+    /// The decrease of the cost predicted by linear residuals.
     decrease: f64,
 }
 
@@ -154,7 +154,7 @@ impl BoundedStep {
     }
 }
 
-/// The part of a product with a row that is due to variables which are not free.
+/// Returns the part of a product with a row that is due to variables that are not free.
 fn fixed_part(row: &[f64], step: &[f64], free: &[usize]) -> f64 {
     let others = (0..step.len()).filter(|j| !free.contains(j));
     others.fold(0.0, |sum, j| sum + row[j] * step[j])
@@ -170,7 +170,7 @@ fn grow(scales: &mut [f64], jacobian: &DenseMatrix) {
     }
 }
 
-/// Variables that are not held at a bound.
+/// Returns the variables that are not held at a bound.
 pub(super) fn free(now: &Minimum, bounds: &[(f64, f64)]) -> Vec<usize> {
     let is_free = |j: &usize| {
         let (value, (low, high)) = (now.values[*j], bounds[*j]);
@@ -219,7 +219,7 @@ mod tests {
         );
     }
 
-    /// With x ≤ ½ the end is (½, ¼). With y ≥ 1.5 it minimises 100 (1.5 − x²)² + (1 − x)².
+    /// With x ≤ ½ the minimum is (½, ¼). With y ≥ 1.5 it minimises 100 (1.5 − x²)² + (1 − x)².
     #[test]
     fn bounds_hold() {
         let minimum = minimise(std::vec![-1.2, 1.0], &[(-2.0, 0.5), FREE], 100, valley).unwrap();
@@ -231,7 +231,7 @@ mod tests {
         assert!(minimum.has_converged && (200.0 * x * x * x - 299.0 * x - 1.0).abs() < 1e-6, "{x}");
     }
 
-    /// Steps to where residuals end are shortened.
+    /// Steps to points without residuals are shortened.
     #[test]
     fn steps_stay_where_there_are_residuals() {
         let cliff = |x: &[f64]| if x[0] > 0.9 { Err(()) } else { valley(x) };

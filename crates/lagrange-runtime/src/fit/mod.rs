@@ -1,8 +1,9 @@
 //! Parameters from data: nonlinear least squares along motions.
 //!
-//! Parameters, inputs of constant value and initial values vary until a motion is nearest to
-//! measured columns. The sum of squares of residuals, each over its noise level, is then smallest.
-//! Derivatives are those of [`sensitivities`](crate::simulate::Simulation::sensitivities).
+//! Parameters, inputs of constant value and initial values vary until a motion is closest to
+//! measured columns. The sum of squares of residuals, each divided by its noise level, is then
+//! smallest. Derivatives are those of
+//! [`sensitivities`](crate::simulate::Simulation::sensitivities).
 //!
 //! ```
 //! use lagrange::fit::{Data, Fits};
@@ -35,13 +36,13 @@
 //!
 //! Masses and stiffnesses of an oscillator may all be doubled without a change of its motion. A fit
 //! that varies both ends with [`FitError::Undetermined`], which names the combination. If data
-//! tell all combinations, a report names the one that they tell least.
+//! determine all combinations, the report names the least determined one.
 //!
 //! # Noise
 //!
-//! With a [noise level](FitSearch::noise) for every column, standard errors follow from these. χ²
-//! per degree of freedom is about one if model and levels are right. A single column needs no
-//! level: it is then that of the residuals.
+//! With a [noise level](FitSearch::noise) for every column, standard errors follow from the levels.
+//! χ² per degree of freedom is about one if model and levels are correct. A single column needs no
+//! level: it is then estimated from the residuals.
 //!
 //! Sources: Nocedal, Wright, *Numerical Optimization*, 2nd ed., §10.3; Moré, "The
 //! Levenberg–Marquardt algorithm", 1978; Madsen, Nielsen, Tingleff, *Methods for Non-Linear Least
@@ -66,7 +67,7 @@ use crate::integrate::Verner98;
 use crate::simulate::{InitialState, Undriven};
 use crate::system::ParametricSystem;
 
-/// Lets systems be fitted to data.
+/// Fits of systems to data.
 pub trait Fits: ParametricSystem<Scalar = f64> {
     /// Starts a fit to data, of motions that start from a state at the first time of the data.
     /// Continue with [`vary`](FitSearch::vary) and [`run`](FitSearch::run).

@@ -1,4 +1,4 @@
-//! Comparison of motions, and their derivatives.
+//! Comparison of motions with data, and derivatives.
 
 use std::boxed::Box;
 use std::format;
@@ -13,13 +13,13 @@ use crate::simulate::{
 };
 use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, State};
 
-/// Number of variables by which one run is differentiated; more take further runs. As it is fixed,
-/// the integration is compiled once.
+/// Number of variables by which one run is differentiated; more variables need further runs. It is
+/// fixed so that the integration is compiled only once.
 const BLOCK: usize = 4;
-/// The rows of a state with as many derivatives.
+/// The rows of a state with this number of derivatives.
 pub(super) const ROWS: usize = BLOCK + 1;
 
-/// A quantity of a system that data may hold.
+/// A quantity of a system that data may contain.
 pub(super) enum MeasuredQuantity<'a, M: MechanicalSystem> {
     /// An entry of the state.
     State(usize),
@@ -56,11 +56,11 @@ pub(super) struct Datum {
     pub(super) noise: f64,
 }
 
-/// A system, data, and how motions are found.
+/// A system, data, and the method for motions.
 pub(super) struct FitProblem<'a, M: ParametricSystem<Scalar = f64>, K, D> {
     pub(super) system: &'a M,
     pub(super) start: M::State,
-    /// When motions start and end.
+    /// Start and end time of motions.
     pub(super) span: [f64; 2],
     pub(super) times: Vec<f64>,
     pub(super) data: Vec<Datum>,
@@ -77,7 +77,7 @@ where
     D::Closed: OdeSystem<State = [f64; N]>,
     K: Method<Sensitive<M, D::Closed, N, ROWS>> + Clone,
 {
-    /// Returns the variables as they are.
+    /// Returns the present values of the variables.
     pub(super) fn values(&self) -> Vec<f64> {
         let value = |variable: &Bounded| match variable.of {
             VariableOf::Number(index) => self.system.number(index).unwrap_or(f64::NAN),
@@ -99,7 +99,7 @@ where
         (system, start)
     }
 
-    /// Computes the residuals, each over its noise level, and their derivatives.
+    /// Computes the residuals, each divided by its noise level, and their derivatives.
     ///
     /// # Errors
     /// If no motion reaches the end of the data, with the reason.
@@ -128,7 +128,7 @@ where
         }
     }
 
-    /// The motion with derivatives by some variables.
+    /// Computes the motion with derivatives by some variables.
     fn motion(&self, system: &M, start: [f64; N], variables: &[Bounded]) -> Result<Trajectory<M>, String> {
         let found = variables.iter().map(|variable| varied(system, &start, variable.name, 1.0));
         let found = found.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
@@ -188,7 +188,7 @@ where
     }
 }
 
-/// The place that a name stands for.
+/// Finds the variable of this name.
 pub(super) fn find(name: &str, numbers: &[&str], states: &[String]) -> Option<VariableOf> {
     let number = numbers.iter().position(|number| *number == name).map(VariableOf::Number);
     number.or_else(|| states.iter().position(|state| state == name).map(VariableOf::Start))

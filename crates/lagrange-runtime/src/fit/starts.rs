@@ -4,12 +4,12 @@ use std::vec::Vec;
 
 use crate::spread::spread;
 
-/// Without a bound, starts are within this factor of the value,
+/// Without a bound, starts are within this factor of a nonzero value.
 const DECADE: f64 = 10.0;
-/// or within this distance of a value of zero.
+/// Without a bound, starts are within this distance of a value of zero.
 const UNIT: f64 = 1.0;
 
-/// Returns points between bounds, the first of which are these values.
+/// Returns points between bounds; the first point is these values.
 pub(super) fn starts(values: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<Vec<f64>> {
     let point = |index: usize| {
         let places = values.iter().zip(bounds).enumerate();
@@ -19,8 +19,8 @@ pub(super) fn starts(values: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec
     (0..count.max(1)).map(|index| if index == 0 { values.to_vec() } else { point(index) }).collect()
 }
 
-/// The point at a part of the way between the bounds. Between bounds of one sign parts are those of
-/// logarithms if the larger is more than ten times the smaller.
+/// Returns the point at a fraction of the way between the bounds. Between bounds of one sign parts
+/// are those of logarithms if the larger is more than ten times the smaller.
 fn within(value: f64, (low, high): (f64, f64), part: f64) -> f64 {
     let (near, far) = match value {
         0.0 => (-UNIT, UNIT),

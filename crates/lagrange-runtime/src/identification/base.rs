@@ -1,4 +1,4 @@
-//! Base parameters: the combinations that forces tell.
+//! Base parameters: the combinations that forces determine.
 
 use std::fmt::{Display, Formatter, Result as Written};
 use std::vec::Vec;
@@ -14,7 +14,7 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// rounding.
 const WITHOUT_EFFECT: f64 = 1e-13;
 
-/// A combination of parameters that forces tell: the first parameter and multiples of others.
+/// A combination of parameters that forces determine: the first parameter plus multiples of others.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BaseParameter {
     /// Names with factors, the first one with the factor one.
@@ -62,7 +62,7 @@ impl Display for BaseParameter {
     }
 }
 
-/// Combinations of parameters that forces tell.
+/// Combinations of parameters that forces determine.
 #[derive(Clone, Debug)]
 pub struct BaseParameters {
     parameters: Vec<BaseParameter>,
@@ -70,7 +70,7 @@ pub struct BaseParameters {
 }
 
 impl BaseParameters {
-    /// Finds them from the columns of regressors.
+    /// Finds the combinations from the columns of regressors.
     ///
     /// A column has no effect if it is rounding. Columns have different units, so that their
     /// lengths alone do not tell: contributions to forces, columns times parameters, have the same.
@@ -106,13 +106,13 @@ impl BaseParameters {
         BaseParameters { parameters, without_effect }
     }
 
-    /// Returns the combinations that forces tell, one by one.
+    /// Returns the combinations that forces determine.
     #[must_use]
     pub fn parameters(&self) -> &[BaseParameter] {
         &self.parameters
     }
 
-    /// Returns the names of parameters that no force shows.
+    /// Returns the names of parameters without effect on forces.
     #[must_use]
     pub fn without_effect(&self) -> &[&'static str] {
         &self.without_effect

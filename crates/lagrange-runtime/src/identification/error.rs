@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Formatter, Result as Written};
 
-/// The cause for which parameters are not identified.
+/// The reason why parameters cannot be identified.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum IdentificationError {
@@ -21,11 +21,11 @@ pub enum IdentificationError {
         /// The largest magnitude of their entries.
         reach: f64,
     },
-    /// There are no more forces than combinations.
+    /// The number of forces does not exceed the number of combinations.
     TooFew {
         /// Number of forces in all states.
         forces: usize,
-        /// Number of combinations that they could tell.
+        /// Number of combinations to be determined.
         combinations: usize,
     },
 }

@@ -10,9 +10,9 @@ use crate::linalg::singular_values::{dot, length};
 
 /// Remainder of columns below which they count as dependent; these are known to be independent.
 const NOTHING: f64 = 0.0;
-/// Weights are found in this many solutions at most,
+/// Maximum number of solutions to find the weights.
 const MOST_WEIGHINGS: usize = 30;
-/// which is when they change by less than this part.
+/// Relative change of the weights below which they are final.
 const SETTLED: f64 = 1e-4;
 /// Fewer degrees of freedom than this are rounding: residuals then say nothing of the noise.
 const LEAST_DEGREES: f64 = 1e-6;
@@ -26,7 +26,7 @@ pub struct EstimatedValue {
     pub known: f64,
     /// Its value by the forces.
     pub value: f64,
-    /// The standard error of that.
+    /// The standard error of the estimated value.
     pub standard_error: f64,
 }
 
@@ -76,7 +76,7 @@ impl Estimate {
         &self.values
     }
 
-    /// Returns the estimate of a parameter that forces tell alone; `None` of any other.
+    /// Returns the estimate of a parameter that forces determine by itself; `None` for any other.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<f64> {
         let is_it =

@@ -13,9 +13,9 @@ use crate::system::RegressorSystem;
 const REACH: f64 = 3.0;
 /// Number of forces in such states for each parameter.
 const FORCES_EACH: usize = 8;
-/// The reach is halved so often where the system is not defined.
+/// Maximum number of halvings of the reach for states in which the system is not defined.
 const HALVINGS: i32 = 8;
-/// The most states that are tried, for each that is wanted.
+/// Maximum number of states tried for each required one.
 const TRIALS_EACH: usize = 64;
 
 /// States with measured forces.
@@ -36,8 +36,8 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
         Regression { system, columns, forces: Vec::new(), velocities: M::Velocities::ZERO.as_ref().len() }
     }
 
-    /// Adds a state with its accelerations and the generalised forces that were measured. These are
-    /// forces beside the declared ones, as the inverse dynamics computes them.
+    /// Adds a state with its accelerations and the measured generalised forces. These are forces in
+    /// addition to the declared ones, as computed by the inverse dynamics.
     pub fn add(
         &mut self,
         t: f64,
@@ -100,10 +100,10 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
         is_defined
     }
 
-    /// Finds the combinations of parameters that forces in these states tell.
+    /// Finds the combinations of parameters that forces in these states determine.
     ///
     /// # Errors
-    /// If something is not finite.
+    /// If a parameter, state or force is not finite.
     pub fn base_parameters(&self) -> Result<BaseParameters, IdentificationError> {
         self.check_finite()?;
         let known = self.system.regressor_parameters();

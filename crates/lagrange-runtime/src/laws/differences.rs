@@ -1,4 +1,4 @@
-//! Derivatives of a system as differences of its Lagrangian alone.
+//! Derivatives of a system, computed from differences of its Lagrangian alone.
 
 use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
@@ -32,8 +32,7 @@ pub(super) struct Nearby<'a, M: LagrangianSystem> {
     pub(super) rates: Positions<M>,
     /// Length of a step of positions and velocities.
     pub(super) step: M::Scalar,
-    /// Length of a step of time, in which no entry changes by more than it does with one of the
-    /// state.
+    /// Length of a time step, in which no entry changes by more than in a step of the state.
     moment: M::Scalar,
 }
 
@@ -49,24 +48,24 @@ impl<'a, M: LagrangianSystem> Nearby<'a, M> {
         Nearby { system, t, q, v, a, rates, step, moment: step / speed }
     }
 
-    /// Number of velocities.
+    /// Returns the number of velocities.
     fn freedoms(&self) -> usize {
         self.v.as_ref().len()
     }
 
-    /// The rounding of a value in a second difference.
+    /// Returns the rounding error of a value in a second difference.
     pub(super) fn noise(&self, value: M::Scalar) -> M::Scalar {
         value.abs() * M::Scalar::epsilon() / (self.step * self.moment)
     }
 
-    /// The displacement of one freedom.
+    /// Returns the unit displacement of one degree of freedom.
     fn unit(&self, index: usize) -> Velocities<M> {
         let mut unit = self.v.zeros();
         unit.as_mut()[index] = M::Scalar::ONE;
         unit
     }
 
-    /// ∂L/∂v of one velocity, where the motion was or will be after a time.
+    /// Computes ∂L/∂v of one velocity, after a time that may be negative.
     fn momentum_after(&self, after: M::Scalar, index: usize) -> M::Scalar {
         let (t, q, v) = self.after(after);
         let moved = |by: M::Scalar| {
@@ -77,7 +76,7 @@ impl<'a, M: LagrangianSystem> Nearby<'a, M> {
         derivative(self.step, moved)
     }
 
-    /// Time, positions and velocities after a time, to first order.
+    /// Returns time, positions and velocities after a time, to first order.
     fn after(&self, after: M::Scalar) -> (M::Scalar, Positions<M>, Velocities<M>) {
         let (mut q, mut v) = (self.q, self.v);
         add(&mut q, after, &self.rates);
@@ -86,17 +85,17 @@ impl<'a, M: LagrangianSystem> Nearby<'a, M> {
         (self.t + after, q, v)
     }
 
-    /// ∂L/∂v of one velocity.
+    /// Computes ∂L/∂v of one velocity.
     pub(super) fn momentum(&self, index: usize) -> M::Scalar {
         self.momentum_after(M::Scalar::ZERO, index)
     }
 
-    /// d/dt ∂L/∂v along the motion.
+    /// Computes d/dt ∂L/∂v along the motion.
     pub(super) fn momentum_rate(&self, index: usize) -> M::Scalar {
         derivative(self.moment, |after| self.momentum_after(after, index))
     }
 
-    /// ∂L/∂q along the displacement of one freedom.
+    /// Computes ∂L/∂q along the displacement of one degree of freedom.
     pub(super) fn slope(&self, index: usize) -> M::Scalar {
         let unit = self.unit(index);
         derivative(self.step, |by| {
@@ -105,9 +104,9 @@ impl<'a, M: LagrangianSystem> Nearby<'a, M> {
         })
     }
 
-    /// p·δv, where δv is what a constant displacement δ along one freedom adds to the velocities.
-    /// With q̇ = N v, N δv = (d/dt N) δ − ∂(N v)/∂q N δ. It is zero where velocities are rates
-    /// (Lurie, *Analytical Mechanics*, §10.1).
+    /// Computes p·δv, where δv is the change of the velocities by a constant displacement δ along
+    /// one degree of freedom. With q̇ = N v, N δv = (d/dt N) δ − ∂(N v)/∂q N δ. It is zero if
+    /// velocities are rates (Lurie, *Analytical Mechanics*, §10.1).
     pub(super) fn turning(&self, index: usize) -> M::Scalar {
         if self.system.description().velocities_are_rates() {
             return M::Scalar::ZERO;
@@ -142,7 +141,7 @@ impl<'a, M: LagrangianSystem> Nearby<'a, M> {
         })
     }
 
-    /// The rate of the energy along the motion.
+    /// Computes the rate of the energy along the motion.
     pub(super) fn energy_rate(&self) -> M::Scalar {
         derivative(self.moment, |after| {
             let (t, q, v) = self.after(after);

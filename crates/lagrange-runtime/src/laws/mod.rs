@@ -74,7 +74,8 @@ fn laws<M: LagrangianSystem>(nearby: &Nearby<'_, M>, y: &M::State) -> Vec<Findin
     laws
 }
 
-/// The rows of the Jacobian, if the system has one, beside differences of its right-hand side.
+/// Compares the rows of the Jacobian, if the system has one, with differences of its right-hand
+/// side.
 fn jacobian<M: LagrangianSystem>(nearby: &Nearby<'_, M>, y: &M::State) -> Vec<Finding<ScalarOf<M>>> {
     let Some(jacobian) = nearby.system.jacobian(nearby.t, y) else { return Vec::new() };
     let entry = |row: usize, column: usize| {
@@ -100,7 +101,8 @@ fn jacobian<M: LagrangianSystem>(nearby: &Nearby<'_, M>, y: &M::State) -> Vec<Fi
     jacobian.as_ref().iter().enumerate().map(law).collect()
 }
 
-/// The name of a velocity: that of the coordinate whose rate it is, if it has none of its own.
+/// Returns the name of a velocity, or of the coordinate whose rate it is, if it has no separate
+/// name.
 fn name<M: LagrangianSystem>(nearby: &Nearby<'_, M>, index: usize) -> &'static str {
     let description = nearby.system.description();
     let names =

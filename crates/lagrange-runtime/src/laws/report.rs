@@ -1,4 +1,4 @@
-//! The deviations that a check found.
+//! The deviations found by a check.
 
 use core::fmt::{self, Display, Formatter, LowerExp};
 use std::string::String;
@@ -14,24 +14,24 @@ const TOLERANCE: f64 = 3.0 / 8.0;
 pub struct Finding<S> {
     /// Its name.
     pub name: String,
-    /// Magnitude of what should be zero.
+    /// Magnitude of the quantity that should be zero.
     pub deviation: S,
     /// Sum of the magnitudes of its terms.
     pub scale: S,
     /// Largest deviation that counts as zero.
     pub tolerance: S,
-    /// False where differences with two steps disagree, as beside a corner, or are not finite.
+    /// False if differences with two steps disagree, as next to a corner, or are not finite.
     pub is_judged: bool,
 }
 
 impl<S: Scalar> Finding<S> {
-    /// The law that the sum of these terms is zero, each of which is known up to `noise`.
+    /// Creates the law that the sum of these terms, each accurate to `noise`, is zero.
     pub(super) fn new(name: String, terms: &[S], noise: S) -> Finding<S> {
         let sum = terms.iter().fold(S::ZERO, |sum, &term| sum + term);
         Finding::of(name, sum.abs(), terms, noise)
     }
 
-    /// The law that a deviation is zero beside these terms.
+    /// Creates the law that a deviation is zero relative to these terms.
     pub(super) fn of(name: String, deviation: S, terms: &[S], noise: S) -> Finding<S> {
         let scale = terms.iter().fold(S::ZERO, |sum, term| sum + term.abs());
         let room = S::from_f64(64.0) * noise;
@@ -39,7 +39,7 @@ impl<S: Scalar> Finding<S> {
         Finding { name, deviation, scale, tolerance, is_judged: (deviation + scale).is_finite() }
     }
 
-    /// The law with half the step, judged if the whole step says the same.
+    /// Returns the law with half the step, judged if the full step agrees.
     pub(super) fn compared(self, fine: Finding<S>) -> Finding<S> {
         let room = self.tolerance.max(fine.tolerance);
         let differ = (self.deviation - fine.deviation).abs().max((self.scale - fine.scale).abs());

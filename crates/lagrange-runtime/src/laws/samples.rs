@@ -1,4 +1,4 @@
-//! Random states in which laws are checked.
+//! Checks of laws in random states.
 
 use core::fmt::{self, Display, Formatter, LowerExp};
 use std::vec::Vec;
@@ -11,10 +11,10 @@ use crate::system::LagrangianSystem;
 
 /// Number of states.
 const STATES: usize = 24;
-/// Number of states that are drawn at most to find them.
+/// Maximum number of states drawn to find them.
 const MOST_DRAWN: usize = 20 * STATES;
 
-/// A state in which a law is broken.
+/// The reason why a check fails.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Broken<S> {
     /// A law does not hold.
@@ -23,10 +23,10 @@ pub enum Broken<S> {
         time: S,
         /// Entries of the state.
         state: Vec<S>,
-        /// All laws there.
+        /// All laws in this state.
         report: Report<S>,
     },
-    /// No state around the given one could be judged.
+    /// No state around the start could be judged.
     NothingJudged,
 }
 
@@ -46,11 +46,11 @@ impl<S: Scalar + Display + LowerExp> Display for Broken<S> {
 
 impl<S: Scalar + Display + LowerExp> core::error::Error for Broken<S> {}
 
-/// Checks the laws in 24 states around `start`, the same in every run. Each entry is off by up to
+/// Checks the laws in 24 states around `start`, the same in every run. Each entry deviates by up to
 /// its magnitude, or one if that is larger. States are moved onto the constraints.
 ///
 /// # Errors
-/// The first state in which a law is broken, or that no state can be judged.
+/// If a law is broken, with the first such state, or if no state can be judged.
 pub fn verify<M: LagrangianSystem>(system: &M, start: &M::State) -> Result<(), Broken<M::Scalar>> {
     let mut judged = 0;
     for index in 0..MOST_DRAWN {

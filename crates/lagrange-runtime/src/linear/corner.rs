@@ -1,15 +1,16 @@
-//! Corners and jumps of the equations: switches on which a state is.
+//! Corners and jumps of the equations: switches whose surface contains the state.
 
 use super::tangent::Blocks;
 use crate::linalg::dense::DenseMatrix;
 use crate::scalar::{Number, Scalar};
 use crate::system::LinearisedSystem;
 
-/// Beside the entries of a matrix, a difference of its two sides that is not larger is rounding.
+/// Relative to the entries of a matrix, differences between both sides up to this count as
+/// rounding.
 const SAME: f64 = 1e-9;
 
-/// Returns the switch on which the state is and whose two sides have other rates or derivatives, in
-/// words.
+/// Returns a description of the switch whose surface contains the state, if rates or derivatives
+/// differ between its sides.
 pub(super) fn corner<M>(system: &M, t: M::Scalar, y: &M::State) -> Option<&'static str>
 where
     M: LinearisedSystem,
@@ -33,12 +34,12 @@ where
     None
 }
 
-/// True if a change of the state or of time by half of its digits passes the switch of this event.
+/// True if a change of the state or of time by half of its digits crosses the switch of this event.
 fn is_near<M: LinearisedSystem>(sided: &M, t: M::Scalar, y: &M::State, event: usize) -> bool {
     let passes = |t: M::Scalar, y: &M::State| {
         let mut values = [M::Scalar::ONE; crate::system::MOST_LOCATED];
         sided.event_values(t, y, &mut values[..sided.events().len()]);
-        // NaN passes, too.
+        // NaN counts as crossing, too.
         let is_kept = values[event] > M::Scalar::ZERO;
         !is_kept
     };

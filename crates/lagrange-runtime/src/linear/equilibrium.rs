@@ -9,14 +9,14 @@
 //!
 //! Multipliers are not among the unknowns, since the accelerations satisfy A a = 0 at rest with
 //! them eliminated. There are then more equations than unknowns. They are consistent at a solution,
-//! so that the least-squares steps of Gauss and Newton converge quadratically. If a coordinate
-//! changes nothing, as the place of a cart on a level track, there are fewer independent equations.
+//! so that the least-squares steps of Gauss and Newton converge quadratically. If a coordinate is
+//! ignorable, like the position of a cart on a level track, there are fewer independent equations.
 //! The shortest step then leads to a nearby equilibrium. Rows are scaled by their derivatives, and
 //! unknowns by their magnitude or one. Sources: Nocedal, Wright, *Numerical Optimization*, 2nd ed.,
 //! §10.3, §11.2; Deuflhard, *Newton Methods for Nonlinear Problems*, §4.
 //!
-//! Example: of a pendulum with g = l = 1, θ̈ = −sin θ. From θ = 1 a step leads to 1 − tan 1 =
-//! −0.557, then to 0.0659, −9.6·10⁻⁵ and 2.9·10⁻¹³, each of which shortens the residual.
+//! Example: a pendulum with g = l = 1, θ̈ = −sin θ. From θ = 1 a step leads to 1 − tan 1 = −0.557,
+//! then to 0.0659, −9.6·10⁻⁵ and 2.9·10⁻¹³, each with a smaller residual.
 
 use std::borrow::ToOwned;
 use std::boxed::Box;
@@ -33,11 +33,12 @@ use crate::system::{
     Component, ControlledSystem, LinearisedSystem, OdeSystem, StateVector, displaced, join, normalised, split,
 };
 
-/// Steps after which a search ends.
+/// Maximum number of steps of a search.
 const MAX_STEPS: u32 = 100;
-/// Halvings after which a step counts as leading nowhere.
+/// Maximum number of halvings of a step.
 const MAX_HALVINGS: u32 = 20;
-/// Beside the largest derivative, those of a whole equation that are smaller are rounding.
+/// Derivatives of an equation that are all below this fraction of the largest derivative are
+/// rounding.
 const FLAT: f64 = 1e-10;
 
 /// A search for an equilibrium near a state.
@@ -53,24 +54,24 @@ pub struct EquilibriumSearch<'a, M: LinearisedSystem> {
     with_inputs: Option<WithInputs<M>>,
 }
 
-/// Returns a system with other inputs.
+/// A function that returns a system with other inputs.
 type WithInputs<M> = fn(&M, &[<M as OdeSystem>::Scalar]) -> M;
 
 /// An equilibrium or a steady motion.
 #[derive(Clone, Debug)]
 pub struct Equilibrium<M: LinearisedSystem> {
-    /// The state, with the velocities that the search was given.
+    /// The state, with the velocities of the start of the search.
     pub state: M::State,
     /// The inputs in the order of their declaration; empty if none were trimmed.
     pub inputs: Vec<M::Scalar>,
-    /// Number of steps that were taken.
+    /// Number of steps taken.
     pub iterations: u32,
     /// Number of independent directions in which equilibria adjoin this one: 0 if it is isolated.
     pub freedom: usize,
 }
 
 impl<M: LinearisedSystem + ControlledSystem> Equilibrium<M> {
-    /// Returns the system with the inputs that were found; with its own if none were trimmed.
+    /// Returns the system with the inputs found, or with its own if none were trimmed.
     #[must_use]
     pub fn system(&self, of: &M) -> M {
         match self.inputs.is_empty() {
@@ -84,7 +85,7 @@ fn with_inputs<M: ControlledSystem>(system: &M, values: &[M::Scalar]) -> M {
     system.with_inputs(M::InputVector::of(values).into())
 }
 
-/// The state and the inputs that a search tries.
+/// The state and the inputs tried by a search.
 struct EquilibriumGuess<M: LinearisedSystem> {
     y: M::State,
     inputs: Vec<M::Scalar>,
@@ -126,8 +127,8 @@ where
         }
     }
 
-    /// Sets the time, which is 0 otherwise. It matters only if the equations contain it; it stands
-    /// still during the search.
+    /// Sets the time, which is 0 by default. It matters only if the equations contain it, and is
+    /// constant during the search.
     pub fn at(self, time: M::Scalar) -> Self {
         EquilibriumSearch { time, ..self }
     }
@@ -138,7 +139,7 @@ where
         self
     }
 
-    /// Makes inputs of these names unknowns, too, from their present values.
+    /// Makes inputs of these names unknowns, too, starting from their present values.
     pub fn trim(mut self, names: &[&str]) -> Self
     where
         M: ControlledSystem,
@@ -150,10 +151,10 @@ where
         self
     }
 
-    /// Searches.
+    /// Runs the search.
     ///
     /// # Errors
-    /// If Newton's method finds no equilibrium, or something there is not finite.
+    /// If Newton's method finds no equilibrium, or a value at the result is not finite.
     pub fn solve(self) -> Result<Equilibrium<M>, EquilibriumError<M>> {
         let mut point = EquilibriumGuess {
             y: normalised::<M>(self.names.state, &self.start.y),
@@ -170,7 +171,8 @@ where
         }
     }
 
-    /// Moves the point to an equilibrium; the number of directions in which others adjoin it.
+    /// Moves the point to an equilibrium; returns the number of directions in which others adjoin
+    /// it.
     fn iterate(
         &self,
         point: &mut EquilibriumGuess<M>,
@@ -189,7 +191,7 @@ where
             let step = values.shortest(&target, self.rounding().sqrt());
             let next = self.shortened(point, &here, &unknowns, &step);
             let next = next.filter(|_| *iterations < MAX_STEPS);
-            // Near a solution the last steps go on as long as they help.
+            // Near a solution, steps continue as long as they help.
             match next {
                 Some((next, is_better)) if !(is_near && was_near && !is_better) => *point = next,
                 _ if is_near => {
@@ -203,7 +205,7 @@ where
         }
     }
 
-    /// Columns of the system matrix for the unknowns.
+    /// Returns the columns of the system matrix for the unknowns.
     fn unknowns(&self) -> Result<Vec<usize>, EquilibriumCause<M::Scalar>> {
         let names = self.names.tangent();
         let positions = &names[..names.len() - self.names.freedoms()];
@@ -236,8 +238,8 @@ where
         })
     }
 
-    /// The values of all equations: accelerations, rates of first-order states, constraints on
-    /// positions.
+    /// Returns the values of all equations: accelerations, rates of first-order states, constraints
+    /// on positions.
     fn residuals(&self, point: &EquilibriumGuess<M>) -> Vec<f64> {
         let (q, v) = split::<M>(&point.y);
         let Names { state, .. } = self.names;
@@ -251,7 +253,7 @@ where
         })
     }
 
-    /// Their names.
+    /// Returns the name of an equation.
     fn equation(&self, index: usize) -> Equation {
         let (n, state) = (self.names.freedoms(), self.names.state);
         if index < n {
@@ -303,7 +305,8 @@ where
         Ok(LocalEquations { jacobian, residuals: self.residuals(point), weights, scales })
     }
 
-    /// The magnitude of each unknown, at least one. Displacements of orientations are angles.
+    /// Returns the magnitude of each unknown, at least one. Displacements of orientations are
+    /// angles.
     fn scales(&self, point: &EquilibriumGuess<M>, unknowns: &[usize]) -> Vec<f64> {
         let (n, system) = (self.names.freedoms(), self.names.state);
         let tangent = 2 * n + system.first_order_states;
@@ -329,7 +332,7 @@ where
         step: &[f64],
     ) -> Option<(EquilibriumGuess<M>, bool)> {
         let before = length(&here.weighted(&here.residuals));
-        // The decrease of |W r| that the linear equations foresee.
+        // The decrease of |W r| predicted by the linear equations.
         let foreseen = here.jacobian.times(&DenseMatrix::from_fn(step.len(), 1, |i, _| step[i])).column(0);
         let slope = dot(&foreseen, &here.weighted(&here.residuals)) / before;
         let mut part = 1.0;
@@ -344,7 +347,7 @@ where
         None
     }
 
-    /// The point less this part of the step.
+    /// Returns the point minus this part of the step.
     fn moved(
         &self,
         point: &EquilibriumGuess<M>,
@@ -372,7 +375,7 @@ where
         EquilibriumGuess { y: join::<M>(&q, &v), inputs }
     }
 
-    /// The equation that is violated most.
+    /// Returns the equation that is violated most.
     fn left(&self, here: &LocalEquations) -> EquilibriumCause<M::Scalar> {
         let weighted = here.weighted(&here.residuals);
         let worse =
@@ -414,7 +417,8 @@ where
         M::Scalar::epsilon().into()
     }
 
-    /// A distance, relative to the scales of the unknowns, at which rounding may end the search.
+    /// Returns the distance, relative to the scales of the unknowns, at which rounding may end the
+    /// search.
     fn tolerance(&self) -> f64 {
         self.rounding().powf(2.0 / 3.0)
     }

@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use super::transfer::Transfer;
 
-/// Number of bisections, after which a frequency is exact but for rounding.
+/// Number of bisections, after which a frequency is exact up to rounding.
 const BISECTIONS: usize = 60;
 /// Less than zero by more than rounding, so that a phase of half a turn is a lag.
 const START: f64 = 1e-6;
@@ -24,7 +24,7 @@ pub struct FrequencyResponse {
 
 /// Distances of a loop with the transfer function G and negative feedback from instability.
 ///
-/// They hold for a loop that is stable, as Nyquist's criterion tells.
+/// They are valid for a loop that is stable by Nyquist's criterion.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StabilityMargins {
     /// The smallest factor above one of G, and its frequency, at which G = −1; `None` without one.

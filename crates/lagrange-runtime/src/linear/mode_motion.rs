@@ -14,22 +14,22 @@ use super::names::Names;
 use crate::scalar::{Number, Scalar};
 use crate::system::{LinearisedSystem, OdeSystem, StateVector, displaced, join, split};
 
-/// Periods that are shown; of a mode that does not oscillate, units of 1/|λ|.
+/// Default number of periods shown, in units of 1/|λ| for a mode that does not oscillate.
 const PERIODS: f64 = 3.0;
-/// More moments than that are no film.
+/// Maximum number of moments.
 const MOST: f64 = 1e5;
-/// Steps between two moments by which orientations of a steady motion are integrated.
+/// Number of integration steps between two moments, for orientations of a steady motion.
 const STEPS: u32 = 16;
 
 /// A time and a state of a system.
 type TimedState<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State);
-/// A result of a look at a mode.
+/// A result concerning the motion of a mode.
 type Shown<M, T> = Result<T, ModeMotionError<<M as OdeSystem>::Scalar>>;
 
 /// A mode as a motion of the system about an equilibrium or a steady motion, by
 /// [`Linearise::mode_motion`](super::Linearise::mode_motion).
 ///
-/// The system stands at its time and the steady motion at its state, unless that is taken
+/// Time and the steady motion are frozen, unless the steady motion is added by
 /// [`along`](Self::along). A growing mode ends with the amplitude, all others begin with it.
 #[must_use = "a mode has no moments before they are asked for"]
 pub struct ModeMotion<'a, M: LinearisedSystem> {
@@ -55,35 +55,35 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
         ModeMotion { system, time, state, mode, amplitude, is_level, is_along, periods, slowness }
     }
 
-    /// Leaves decay or growth out: the amplitude stays. The moments of a whole number of periods
-    /// then repeat without a jump.
+    /// Omits decay and growth: the amplitude is constant. A whole number of periods then repeats
+    /// without a jump.
     pub fn level(self) -> Self {
         ModeMotion { is_level: true, ..self }
     }
 
-    /// Adds the steady motion, by which coordinates and time go on.
+    /// Adds the steady motion, so that coordinates and time advance.
     pub fn along(self) -> Self {
         ModeMotion { is_along: true, ..self }
     }
 
-    /// Sets the number of periods, which is 3 otherwise. Of a mode that does not oscillate, a
-    /// period is 1/|λ|, in which it changes by the factor e.
+    /// Sets the number of periods; 3 by default. For a mode that does not oscillate, a period is
+    /// 1/|λ|, in which it changes by the factor e.
     pub fn periods(self, periods: f64) -> Self {
         ModeMotion { periods, ..self }
     }
 
-    /// Shows everything so many times more slowly.
+    /// Slows the film down by this factor.
     pub fn slowed(self, factor: f64) -> Self {
         ModeMotion { slowness: factor, ..self }
     }
 
-    /// Returns about so many moments in a second of the film, at equal intervals. Each is the
-    /// second at which it is shown, the time of the system, and the state.
+    /// Returns moments at equal intervals, about `a_second` per second of the film. Each consists
+    /// of its time in the film, the time of the system, and the state.
     ///
     /// # Errors
     /// If any of these holds:
-    /// - a number among the settings is not finite, or one that must be positive is not;
-    /// - the mode has another number of components than the system;
+    /// - a setting is not finite, or one that must be positive is not;
+    /// - the numbers of components of the mode and the system differ;
     /// - its eigenvalue is zero up to rounding: nothing moves;
     /// - there would be more than 100 000 moments;
     /// - the constraints cannot be satisfied at this amplitude.
@@ -93,7 +93,7 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
         if count > MOST {
             return Err(ModeMotionError::TooMany { moments: count });
         }
-        // Without decay the last moment would repeat the first.
+        // Without decay, the final moment would repeat the first.
         let last = if self.is_level { count as u32 - 1 } else { count as u32 };
         let (mut moments, step) = (Vec::new(), duration / count);
         let mut steady = self.state;
@@ -110,8 +110,7 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
         Ok(moments)
     }
 
-    /// Returns the two moments at which the largest displacement is the amplitude, and its
-    /// opposite.
+    /// Returns the two moments at which the largest displacement is plus and minus the amplitude.
     ///
     /// # Errors
     /// As [`moments`](Self::moments), but the eigenvalue may be zero.
@@ -121,7 +120,7 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
         Ok([at(0.0)?, at(PI)?])
     }
 
-    /// Returns the duration of a period after a look at the settings.
+    /// Checks the settings and returns the duration of a period.
     fn checked(&self, a_second: f64) -> Shown<M, f64> {
         self.check_numbers(a_second)?;
         let Eigenmode { imaginary, uncertainty, .. } = *self.mode;
@@ -147,7 +146,7 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
         Ok(())
     }
 
-    /// The part of the amplitude at a time, at most one.
+    /// Returns the fraction of the amplitude at a time, at most one.
     fn envelope(&self, passed: f64, duration: f64) -> f64 {
         let rate = self.mode.real;
         (rate * (if rate > 0.0 { passed - duration } else { passed })).exp()
@@ -157,11 +156,11 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
         self.time + M::Scalar::from_f64(passed)
     }
 
-    /// The steady motion at a time, from the moment before. Its velocities are constant.
+    /// Advances the steady motion to a time from the previous moment. Its velocities are constant.
     fn gone_on(&self, passed: f64, before: &M::State, step: f64) -> M::State {
         let (mut q, v) = split::<M>(before);
         if self.system.description().velocities_are_rates() {
-            // Without the roundings of many sums.
+            // This avoids accumulated rounding.
             let (start, _) = split::<M>(&self.state);
             q = displaced(self.system, self.time, &start, [(M::Scalar::from_f64(passed), &v)]);
             return join::<M>(&q, &v);
@@ -181,7 +180,8 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
         join::<M>(&q, &v)
     }
 
-    /// A state that deviates by this part of the amplitude, at a phase of the oscillation.
+    /// Returns a state that deviates by this fraction of the amplitude, at a phase of the
+    /// oscillation.
     fn deviating(&self, (time, from): (M::Scalar, &M::State), part: f64, phase: f64) -> Shown<M, M::State> {
         let names = Names::of(self.system);
         let (n, first, states) = (names.freedoms(), names.first_state(), names.state.first_order_states);

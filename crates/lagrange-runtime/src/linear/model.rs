@@ -20,7 +20,8 @@ use crate::system::{LinearisedSystem, MatrixLayout};
 ///
 /// Here x, u and y are deviations of states, inputs and outputs. States are displacements,
 /// first-order states and velocities, without those that follow from constraints. If the state is
-/// no equilibrium and no steady motion, deviations are from the motion through it, at that instant.
+/// neither an equilibrium nor a steady motion, deviations are from the motion through it, at that
+/// instant.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LinearModel {
     a: DenseMatrix,
@@ -78,57 +79,57 @@ impl LinearModel {
         }
     }
 
-    /// Returns A: the rates of the states by the states.
+    /// Returns A: derivatives of the rates by the states.
     #[must_use]
     pub fn a(&self) -> &DenseMatrix {
         &self.a
     }
 
-    /// Returns B: the rates of the states by the inputs.
+    /// Returns B: derivatives of the rates by the inputs.
     #[must_use]
     pub fn b(&self) -> &DenseMatrix {
         &self.b
     }
 
-    /// Returns C: the outputs by the states.
+    /// Returns C: derivatives of the outputs by the states.
     #[must_use]
     pub fn c(&self) -> &DenseMatrix {
         &self.c
     }
 
-    /// Returns D: the outputs by the inputs.
+    /// Returns D: derivatives of the outputs by the inputs.
     #[must_use]
     pub fn d(&self) -> &DenseMatrix {
         &self.d
     }
 
-    /// Returns the names of the states: of the rows of A and B and of the columns of A and C.
+    /// Returns the names of the states: the rows of A and B, and the columns of A and C.
     #[must_use]
     pub fn states(&self) -> &[String] {
         &self.states
     }
 
-    /// Returns the names of the inputs: of the columns of B and D.
+    /// Returns the names of the inputs: the columns of B and D.
     #[must_use]
     pub fn inputs(&self) -> &[&'static str] {
         self.inputs
     }
 
-    /// Returns the names of the outputs: of the rows of C and D.
+    /// Returns the names of the outputs: the rows of C and D.
     #[must_use]
     pub fn outputs(&self) -> &[&'static str] {
         self.outputs
     }
 
-    /// Returns the names of all displacements, first-order states and velocities, those that follow
-    /// from constraints among them: of the rows of [`basis`](Self::basis).
+    /// Returns the names of all displacements, first-order states and velocities, including those
+    /// that follow from constraints: the rows of [`basis`](Self::basis).
     #[must_use]
     pub fn components(&self) -> &[String] {
         &self.components.names
     }
 
-    /// Returns the matrix T of all displacements, first-order states and velocities T x, which
-    /// satisfy the constraints to first order. It is the unit matrix without constraints.
+    /// Returns the matrix T: T x are all displacements, first-order states and velocities, which
+    /// satisfy the constraints to first order. Without constraints, T is the identity.
     #[must_use]
     pub fn basis(&self) -> &DenseMatrix {
         &self.components.basis
@@ -151,11 +152,11 @@ impl LinearModel {
     }
 
     /// Computes the stationary Kalman–Bucy filter `ẋ = A x + B u + L (y − C x − D u)`. White noise
-    /// of the intensities W and V disturbs the states and the outputs.
+    /// of intensity W acts on the states, and of intensity V on the outputs.
     ///
     /// # Errors
-    /// If intensities are not symmetric and positive, or if the outputs do not show a mode that
-    /// grows.
+    /// If intensities are not symmetric and positive, or if a growing mode is not observable in the
+    /// outputs.
     pub fn observer(&self, w: &DenseMatrix, v: &DenseMatrix) -> Result<Observer, DesignError> {
         observer(self.plant(), &self.c, w, v)
     }
@@ -169,8 +170,8 @@ impl LinearModel {
         Transfer::new(matrices, (self.inputs, input), (self.outputs, output))
     }
 
-    /// Returns the model with the feedback u = r − K x, whose inputs are r. `None` unless K has a
-    /// row for each input and a column for each state.
+    /// Returns the model with the feedback u = r − K x and the inputs r. `None` unless K has a row
+    /// for each input and a column for each state.
     #[must_use]
     pub fn with_feedback(&self, gain: &DenseMatrix) -> Option<LinearModel> {
         if (gain.rows(), gain.columns()) != (self.b.columns(), self.a.rows()) {
@@ -183,8 +184,8 @@ impl LinearModel {
 
     /// Returns the loop of the feedback u = −K x, cut open at one input. The feedback of other
     /// inputs stays closed. The [margins](super::FrequencyResponse::margins) of this transfer
-    /// function are those of the regulator. `None` without such an input, or for a K of another
-    /// shape.
+    /// function are those of the regulator. `None` if there is no such input, or if K has the wrong
+    /// size.
     #[must_use]
     pub fn open_loop(&self, gain: &DenseMatrix, input: &str) -> Option<Transfer> {
         let LinearModel { a, .. } = self.with_feedback(gain)?;
@@ -196,8 +197,8 @@ impl LinearModel {
         Transfer::new([&a, &self.b, &row, &none], (self.inputs, input), (&["feedback"], "feedback")).ok()
     }
 
-    /// Returns the model in discrete time of inputs that are held for a period. `None` if the
-    /// period is not a number, or so long that the matrices overflow.
+    /// Returns the discrete-time model for inputs held over a period. `None` if the period is NaN,
+    /// or so long that the matrices overflow.
     #[must_use]
     pub fn sampled(&self, period: f64) -> Option<SampledModel> {
         let (a, b) = held(&self.a, &self.b, period)?;
@@ -205,13 +206,14 @@ impl LinearModel {
         Some(SampledModel { period, a, b, c, d, states })
     }
 
-    /// Returns the combination of states that the inputs move least; `None` without states.
+    /// Returns the combination of states that the inputs control least; `None` without states.
     #[must_use]
     pub fn weakest_direction(&self) -> Option<WeakestDirection> {
         weakest(&self.a, &self.b, &self.states, Channel::Inputs, |_| true)
     }
 
-    /// Returns the combination of states that the outputs show least; `None` without states.
+    /// Returns the combination of states that is least observable in the outputs; `None` without
+    /// states.
     #[must_use]
     pub fn least_observed_direction(&self) -> Option<WeakestDirection> {
         weakest(&self.a.transposed(), &self.c.transposed(), &self.states, Channel::Outputs, |_| true)

@@ -3,9 +3,9 @@
 //!
 //! Rounding leaves an eigenvalue uncertain by about n ε |A| / |yᴴx|. Here y and x are the unit left
 //! and right eigenvectors of the balanced matrix. Real parts below that are not distinguished from
-//! zero. Where k eigenvectors coincide, yᴴx vanishes and rounding changes eigenvalues by about
-//! ε^(1/k) |A|. Sources: Golub, Van Loan, *Matrix Computations*, 4th ed., §7.2.2, §7.6.1;
-//! Wilkinson, *The Algebraic Eigenvalue Problem*, §2.
+//! zero. If k eigenvectors coincide, yᴴx vanishes and rounding changes eigenvalues by about ε^(1/k)
+//! |A|. Sources: Golub, Van Loan, *Matrix Computations*, 4th ed., §7.2.2, §7.6.1; Wilkinson, *The
+//! Algebraic Eigenvalue Problem*, §2.
 
 use std::fmt::{Display, Formatter, Result as Written};
 use std::string::String;
@@ -17,25 +17,26 @@ use crate::linalg::dense::{DenseMatrix, TriangularFactors};
 use crate::linalg::eigenvalues::{balanced, eigenvalues};
 use crate::linalg::singular_values::{dot, length};
 
-/// Steps of inverse iteration; the second one mends an unfortunate start.
+/// Number of steps of inverse iteration; the second one corrects an unfortunate start.
 const STEPS: usize = 3;
-/// Beside the matrix, what is left of (A − λ) x for an eigenvector x is smaller.
+/// Maximum residual (A − λ) x of an eigenvector x, relative to the matrix.
 const RESIDUAL: f64 = 1e-8;
 
-/// Beside the matrix, the diameter of several eigenvalues that may be one but for rounding.
+/// Maximum diameter, relative to the matrix, of a cluster of eigenvalues that may be equal up to
+/// rounding.
 const CLUSTER: f64 = 1e-3;
 
-/// Displacements of a shape that are smaller beside its other components are rounding.
+/// Displacements of a shape below this, relative to its other components, are rounding.
 const MOTIONLESS: f64 = 1e-12;
 
 /// The verdict of the linear theory on an equilibrium or a steady motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stability {
-    /// All real parts are negative: small deviations decay, those of the nonlinear system, too.
+    /// All real parts are negative: small deviations decay, in the nonlinear system as well.
     AsymptoticallyStable,
     /// No real part is positive, and some are zero up to rounding. The nonlinear terms decide.
     Undecided,
-    /// A real part is positive: some deviations grow, those of the nonlinear system, too.
+    /// A real part is positive: some deviations grow, in the nonlinear system as well.
     Unstable,
 }
 
@@ -49,7 +50,7 @@ impl Display for Stability {
     }
 }
 
-/// A mode: a motion e^{λt} of one shape. Of a pair of complex ones it is that with the positive
+/// A mode: a motion e^{λt} of fixed shape. A complex pair is represented by the mode with positive
 /// imaginary part.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Eigenmode {
@@ -58,7 +59,8 @@ pub struct Eigenmode {
     /// The imaginary part, an angular frequency; not negative.
     pub imaginary: f64,
     /// The real and the imaginary part of each component of the shape, in the order of
-    /// [`Modes::components`]. The largest of the displacements, or of all without any, is one.
+    /// [`Modes::components`]. The largest displacement is one, or the largest component if no
+    /// displacement moves.
     pub shape: Vec<(f64, f64)>,
     /// The uncertainty of λ by rounding.
     pub uncertainty: f64,
@@ -93,7 +95,7 @@ pub struct Modes {
 }
 
 impl Modes {
-    /// The modes of ẋ = A x.
+    /// Computes the modes of ẋ = A x.
     pub(super) fn of(a: &DenseMatrix, components: &Components) -> Result<Modes, NotConverged> {
         let (a, scales) = balanced(a.clone());
         let all = eigenvalues(&a).ok_or(NotConverged)?;
@@ -116,7 +118,7 @@ impl Modes {
         Ok(modes)
     }
 
-    /// The components that belong to an eigenvector of the balanced matrix.
+    /// Returns the components of the shape of an eigenvector of the balanced matrix.
     fn shape(&self, x: &ComplexVector, scales: &[f64]) -> Vec<(f64, f64)> {
         let Components { basis, displacements, .. } = &self.components;
         let all = |part: &[f64]| {
@@ -125,7 +127,7 @@ impl Modes {
         };
         let (real, imaginary) = (all(&x.real), all(&x.imaginary));
         let size = |index: usize| real[index].hypot(imaginary[index]);
-        // Of equal ones the first, though rounding may make another one larger.
+        // The first of equal ones, even if rounding makes another one larger.
         let larger = |best: usize, index| if size(index) > size(best) * (1.0 + 1e-9) { index } else { best };
         let of_all = (0..real.len()).fold(0, larger);
         let of_displacements = (0..*displacements).fold(0, larger);
@@ -146,20 +148,20 @@ impl Modes {
     }
 
     /// Returns the names of the components of shapes: all displacements, first-order states and
-    /// velocities, those that follow from constraints among them.
+    /// velocities, including those that follow from constraints.
     #[must_use]
     pub fn components(&self) -> &[String] {
         &self.components.names
     }
 
-    /// Returns the component of a mode's shape of this name, as real and imaginary part.
+    /// Returns the real and imaginary part of the component of this name in a mode's shape.
     #[must_use]
     pub fn component(&self, mode: usize, name: &str) -> Option<(f64, f64)> {
         let index = self.components.names.iter().position(|component| component == name)?;
         self.modes.get(mode).map(|mode| mode.shape[index])
     }
 
-    /// Returns the verdict on stability. It holds if the model is that of an equilibrium or of a
+    /// Returns the verdict on stability. It is valid if the model is that of an equilibrium or of a
     /// steady motion.
     #[must_use]
     pub fn stability(&self) -> Stability {
@@ -181,7 +183,7 @@ impl Display for Modes {
         for mode in &self.modes {
             let (ratio, frequency) = (mode.damping_ratio(), mode.frequency());
             write!(f, "{:>12.5} {:>12.5} {frequency:>10.4} ", mode.real, mode.imaginary)?;
-            // A coordinate that changes nothing has no damping ratio.
+            // The mode of an ignorable coordinate has no damping ratio.
             match ratio.is_nan() {
                 true => write!(f, "{:>9} ", "–")?,
                 false => write!(f, "{ratio:>9.4} ")?,
@@ -202,8 +204,8 @@ impl Display for Modes {
     }
 }
 
-/// The part of the matrix by which rounding moves an eigenvalue among close ones, k in all:
-/// ε^(1/k), if they share an eigenvector.
+/// Returns the relative change of an eigenvalue by rounding, in a cluster of k: ε^(1/k), if they
+/// share an eigenvector.
 fn of_cluster(all: &[(f64, f64)], eigenvalue: (f64, f64), size: f64) -> f64 {
     let distance = |other: &&(f64, f64)| (eigenvalue.0 - other.0).hypot(eigenvalue.1 - other.1);
     let close = all.iter().filter(|other| distance(other) <= CLUSTER * size).count();
@@ -218,12 +220,12 @@ struct ComplexVector {
 }
 
 impl ComplexVector {
-    /// The real part of yᴴx.
+    /// Returns the real part of yᴴx.
     fn product(&self, y: &ComplexVector) -> f64 {
         dot(&self.real, &y.real) + dot(&self.imaginary, &y.imaginary)
     }
 
-    /// The imaginary part of yᴴx.
+    /// Returns the imaginary part of yᴴx.
     fn conjugate_product(&self, y: &ComplexVector) -> f64 {
         dot(&self.imaginary, &y.real) - dot(&self.real, &y.imaginary)
     }
@@ -234,7 +236,7 @@ impl ComplexVector {
         self
     }
 
-    /// The vector less its part along a unit vector.
+    /// Returns the vector minus its component along a unit vector.
     fn without(mut self, unit: &ComplexVector) -> ComplexVector {
         let (real, imaginary) = (self.product(unit), self.conjugate_product(unit));
         for (k, (x, y)) in unit.real.iter().zip(&unit.imaginary).enumerate() {
@@ -245,8 +247,7 @@ impl ComplexVector {
     }
 }
 
-/// Unit eigenvectors by inverse iteration, independent ones for equal eigenvalues as far as there
-/// are any.
+/// Unit eigenvectors by inverse iteration; for equal eigenvalues independent ones, if they exist.
 struct Eigenvectors {
     a: DenseMatrix,
     found: Vec<((f64, f64), ComplexVector)>,

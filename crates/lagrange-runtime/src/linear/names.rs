@@ -12,13 +12,13 @@ use crate::system::{Component, Description, LinearisedSystem, MatrixLayout, With
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Components {
     pub(super) names: Vec<String>,
-    /// Number of displacements, which are the first.
+    /// Number of displacements, which come first.
     pub(super) displacements: usize,
-    /// A row for each, and a column for each state.
+    /// A row for each component, and a column for each state.
     pub(super) basis: DenseMatrix,
 }
 
-/// Names of everything that a system matrix has rows and columns for.
+/// Names of all rows and columns of a system matrix.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Names {
     /// Names of the state.
@@ -54,7 +54,7 @@ impl Names {
         displacements.chain(states.iter().map(ToString::to_string)).chain(velocities).collect()
     }
 
-    /// The name of the coordinate that a displacement changes, or of the rotation.
+    /// Returns the name of the coordinate that a displacement changes, or of the rotation.
     fn displacement(&self, index: usize) -> String {
         if self.state.velocities_are_rates() {
             return self.state.coordinates[index].to_string();

@@ -2,9 +2,9 @@
 //!
 //! The feedback u = −K x minimises ∫ (xᵀQx + uᵀRu) dt for K = R⁻¹BᵀX, where X solves a [Riccati
 //! equation](super::riccati) with G = BR⁻¹Bᵀ. In discrete time it minimises Σ (xᵀQx + uᵀRu) for K =
-//! (R + BᵀXB)⁻¹BᵀXA. An observer is the regulator of the dual system, with Aᵀ and Cᵀ in the place
-//! of A and B. Its gain is Kᵀ. Source: Kwakernaak, Sivan, *Linear Optimal Control Systems*, 1972,
-//! §§3, 4, 6.
+//! (R + BᵀXB)⁻¹BᵀXA. An observer is the regulator of the dual system, with Aᵀ and Cᵀ in place of A
+//! and B. Its gain is Kᵀ. Source: Kwakernaak, Sivan, *Linear Optimal Control Systems*, 1972, §§3,
+//! 4, 6.
 
 use std::fmt::{Display, Formatter, Result as Written};
 use std::string::String;
@@ -19,25 +19,25 @@ use crate::linalg::eigenvalues::eigenvalues;
 pub struct Regulator {
     /// K, with a row for each input and a column for each state.
     pub gain: DenseMatrix,
-    /// X, the cost xᵀXx of a start from x.
+    /// X; a start from x has the cost xᵀXx.
     pub cost: DenseMatrix,
     /// A − B K
     pub closed_loop: DenseMatrix,
 }
 
-/// The observer whose estimate of the states has the least variance: the stationary Kalman filter.
+/// The observer with the minimum variance of the estimated states: the stationary Kalman filter.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Observer {
     /// L, with a row for each state and a column for each output. The estimate x follows A x + B u +
     /// L (y − C x − D u).
     pub gain: DenseMatrix,
-    /// The covariance of the error of the estimate; in discrete time, before its output is known.
+    /// The covariance of the estimation error; in discrete time, before the output is measured.
     pub covariance: DenseMatrix,
     /// A − L C
     pub error_dynamics: DenseMatrix,
 }
 
-/// Matrices by which a regulator or an observer is chosen.
+/// Design matrices of regulators and observers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DesignMatrix {
     /// Weights of the states in the cost.
@@ -51,7 +51,7 @@ pub enum DesignMatrix {
 }
 
 impl DesignMatrix {
-    /// True if eigenvalues must be positive, not only from 0 on.
+    /// True if eigenvalues must be positive, not just nonnegative.
     fn is_definite(self) -> bool {
         matches!(self, DesignMatrix::Inputs | DesignMatrix::Noise)
     }
@@ -66,13 +66,13 @@ impl DesignMatrix {
     }
 }
 
-/// The cause of a regulator or an observer that does not exist.
+/// The reason why a regulator or an observer does not exist.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum DesignError {
-    /// A matrix has another size than the states, inputs or outputs that it belongs to.
+    /// The size of a matrix differs from the number of states, inputs or outputs.
     Size {
-        /// The number of rows and columns that it must have.
+        /// Required number of rows and columns.
         expected: usize,
         /// The matrix.
         matrix: DesignMatrix,
@@ -84,9 +84,9 @@ pub enum DesignError {
         /// The matrix.
         matrix: DesignMatrix,
     },
-    /// No input stabilises this mode, or no output shows it.
+    /// No input stabilises this mode, or it is not observable in any output.
     OutOfReach(WeakestDirection),
-    /// A mode that neither grows nor decays is not in the weights of the states, or not in the
+    /// A mode that neither grows nor decays is not weighted in the states, or not excited by the
     /// disturbances.
     NotWeighted {
         /// The matrix.

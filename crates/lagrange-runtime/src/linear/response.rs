@@ -24,15 +24,15 @@ impl TimeResponse {
         Some(self.first_at(0.9 * limit)? - self.first_at(0.1 * limit)?)
     }
 
-    /// Returns the largest excess over the limit, as a part of it; zero if there is none.
+    /// Returns the largest excess over the limit, as a fraction of it; zero if there is none.
     #[must_use]
     pub fn overshoot(&self) -> Option<f64> {
         let limit = self.limit.filter(|limit| *limit != 0.0)?;
         Some(self.values.iter().map(|value| value / limit - 1.0).fold(0.0, f64::max))
     }
 
-    /// Returns the time after which the output stays within a part of its limit, such as 0.02.
-    /// `None` if it has no limit, or leaves it again at the end.
+    /// Returns the time after which the output stays within this fraction of its limit, such as
+    /// 0.02. `None` if there is no limit, or the output is still outside at the end.
     #[must_use]
     pub fn settling_time(&self, part: f64) -> Option<f64> {
         let limit = self.limit?;
@@ -43,7 +43,7 @@ impl TimeResponse {
         }
     }
 
-    /// The time at which the output first reaches a value, between samples by a line.
+    /// Returns the time at which the output first reaches a value, by linear interpolation.
     fn first_at(&self, level: f64) -> Option<f64> {
         let reaches = |value: f64| if level >= 0.0 { value >= level } else { value <= level };
         let after = self.values.iter().position(|&value| reaches(value))?;

@@ -4,14 +4,14 @@
 //!
 //! The equation is AᵀX + XA − XGX + Q = 0. Its stabilising solution follows from the matrix sign S
 //! of the Hamiltonian matrix H = [A −G; −Q −Aᵀ]: (S + I) [I; X] = 0. S is the limit of Z ← (cZ +
-//! (cZ)⁻¹)/2 from H, with c = |det Z|^(−1/2n). One step of Newton's method removes what rounding
-//! leaves; its Lyapunov equation is solved by the same iteration. Sources: Roberts, *Linear model
-//! reduction and solution of the algebraic Riccati equation by use of the sign function*, Int. J.
-//! Control 32 (1980) 677–687; Byers, *Solving the algebraic Riccati equation with the matrix sign
-//! function*, Linear Algebra Appl. 85 (1987) 267–279; Kleinman, *On an iterative technique for
-//! Riccati equation computations*, IEEE Trans. Autom. Control 13 (1968) 114–115.
+//! (cZ)⁻¹)/2 from H, with c = |det Z|^(−1/2n). One step of Newton's method removes rounding errors;
+//! its Lyapunov equation is solved by the same iteration. Sources: Roberts, *Linear model reduction
+//! and solution of the algebraic Riccati equation by use of the sign function*, Int. J. Control 32
+//! (1980) 677–687; Byers, *Solving the algebraic Riccati equation with the matrix sign function*,
+//! Linear Algebra Appl. 85 (1987) 267–279; Kleinman, *On an iterative technique for Riccati
+//! equation computations*, IEEE Trans. Autom. Control 13 (1968) 114–115.
 //!
-//! Example: of ẋ = x + u with Q = 3 and G = 1, H = [1 −1; −3 −1] has the eigenvalues ±2, and its
+//! Example: for ẋ = x + u with Q = 3 and G = 1, H = [1 −1; −3 −1] has the eigenvalues ±2, and its
 //! sign is H/2. Then (S + I) [1; X] = [3/2 − X/2; −3/2 + X/2] vanishes for X = 3.
 //!
 //! # In discrete time
@@ -23,13 +23,13 @@
 //! W = I + GH,   A ← AW⁻¹A,   G ← G + AW⁻¹GAᵀ,   H ← H + AᵀHW⁻¹A.
 //! ```
 //!
-//! After k rounds it is the cost of 2ᵏ steps. Policy iteration removes what rounding leaves: the
-//! next cost is that of u = −K x with the gain K of the last one. Sources: Chu, Fan, Lin, Wang, *Structure-preserving
-//! algorithms for periodic discrete-time algebraic Riccati equations*, Int. J. Control 77 (2004)
-//! 767–788; Hewer, *An iterative technique for the computation of the steady state gains for the
-//! discrete optimal regulator*, IEEE Trans. Autom. Control 16 (1971) 382–384.
+//! After k rounds, H is the cost of 2ᵏ steps. Policy iteration removes rounding errors: the next
+//! cost is that of u = −K x with the gain K of the previous cost. Sources: Chu, Fan, Lin, Wang,
+//! *Structure-preserving algorithms for periodic discrete-time algebraic Riccati equations*, Int.
+//! J. Control 77 (2004) 767–788; Hewer, *An iterative technique for the computation of the steady
+//! state gains for the discrete optimal regulator*, IEEE Trans. Autom. Control 16 (1971) 382–384.
 //!
-//! Example: of x⁺ = 2 x + u with Q = G = 1, X² − 4X − 1 = 0 has the solution 2 + √5 = 4.236. The
+//! Example: for x⁺ = 2 x + u with Q = G = 1, X² − 4X − 1 = 0 has the solution 2 + √5 = 4.236. The
 //! rounds give H = 1, 3, 4.2, 4.236.
 
 use std::vec::Vec;
@@ -37,11 +37,12 @@ use std::vec::Vec;
 use crate::linalg::dense::{DenseMatrix, TriangularFactors};
 use crate::linalg::singular_values::SingularValues;
 
-/// Iterations for a matrix sign or rounds of doubling; eight or nine are usual.
+/// Maximum number of iterations for a matrix sign, or of rounds of doubling; eight or nine are
+/// usual.
 const MAX_ITERATIONS: usize = 60;
-/// Policy iterations after doubling; one or two are usual.
+/// Maximum number of policy iterations after doubling; one or two are usual.
 const MAX_REFINEMENTS: usize = 10;
-/// Relative change below which an iteration is the last.
+/// Relative change below which iterations end.
 const ROUNDED: f64 = 1e-14;
 
 /// Returns the stabilising solution of AᵀX + XA − XGX + Q = 0, if there is one.
@@ -70,22 +71,22 @@ pub(super) fn continuous(a: &DenseMatrix, g: &DenseMatrix, q: &DenseMatrix) -> O
     Some(x.plus(1.0, &x.transposed()).scaled(0.5)).filter(DenseMatrix::is_finite)
 }
 
-/// The solution of AᵀX + XA + Q = 0 with eigenvalues of A to the left: with the sign of A, −I, Q
-/// becomes 2 X.
+/// Returns the solution of AᵀX + XA + Q = 0 for eigenvalues of A in the left half-plane. While A
+/// becomes its sign, −I, Q becomes 2 X.
 fn lyapunov(a: DenseMatrix, q: DenseMatrix) -> Option<DenseMatrix> {
     let (_, doubled) = sign(a, Some(q))?;
     doubled.map(|doubled| doubled.scaled(0.5))
 }
 
-/// The sign of a matrix without eigenvalues on the imaginary axis, and what becomes of Q under Q ←
-/// (cQ + Z⁻ᵀQZ⁻¹/c)/2.
+/// Computes the sign of a matrix without eigenvalues on the imaginary axis, and the limit of Q
+/// under Q ← (cQ + Z⁻ᵀQZ⁻¹/c)/2.
 fn sign(mut z: DenseMatrix, mut q: Option<DenseMatrix>) -> Option<(DenseMatrix, Option<DenseMatrix>)> {
     let identity = DenseMatrix::identity(z.rows());
     let mut is_last = false;
     for _ in 0..MAX_ITERATIONS {
         let factors = TriangularFactors::new(z.clone(), 0.0)?;
         let inverse = factors.solve_columns(&identity);
-        // Near the limit scaling would only disturb.
+        // Near the limit, scaling would slow convergence.
         let c = if is_last { 1.0 } else { (-factors.mean_log()).exp() };
         let next = z.scaled(c / 2.0).plus(0.5 / c, &inverse);
         q = q.map(|q| q.scaled(c / 2.0).plus(0.5 / c, &inverse.transposed().times(&q).times(&inverse)));
@@ -115,8 +116,8 @@ pub(super) fn discrete(
     };
     let mut x = doubled(a, g, q)?;
     let mut k = gain(&x)?;
-    // Where modes grow much in a step, doubling loses digits to them. Costs of a feedback are sums
-    // of positive terms and lose none.
+    // If modes grow strongly in a step, doubling loses digits. The cost of a feedback is a sum of
+    // positive terms and loses none.
     for _ in 0..MAX_REFINEMENTS {
         let of_inputs = k.transposed().times(r).times(&k);
         let next = stein(a.plus(-1.0, &b.times(&k)), q.plus(1.0, &of_inputs))?;
@@ -150,8 +151,8 @@ fn doubled(a: &DenseMatrix, g: &DenseMatrix, q: &DenseMatrix) -> Option<DenseMat
     None
 }
 
-/// The solution of X = FᵀXF + E with eigenvalues of F inside the unit circle. It is the sum of
-/// (Fᵀ)ᵏEFᵏ, and each round doubles the number of its terms.
+/// Returns the solution of X = FᵀXF + E for eigenvalues of F inside the unit circle. It is the sum
+/// of (Fᵀ)ᵏEFᵏ, and each round doubles the number of its terms.
 fn stein(mut f: DenseMatrix, mut e: DenseMatrix) -> Option<DenseMatrix> {
     for _ in 0..MAX_ITERATIONS {
         let more = f.transposed().times(&e).times(&f);

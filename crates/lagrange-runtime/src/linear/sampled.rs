@@ -12,7 +12,7 @@ use std::vec::Vec;
 use super::regulator::{DesignError, Observer, Plant, Regulator, Time, observer, regulator};
 use crate::linalg::dense::{DenseMatrix, TriangularFactors};
 
-/// The largest norm at which the approximant is exact but for rounding.
+/// The largest norm for which the approximant is exact up to rounding.
 const PADE_NORM: f64 = 5.371_920_351_148_152;
 /// Coefficients of the numerator, by powers of the matrix.
 const PADE: [f64; 14] = [
@@ -37,13 +37,13 @@ const PADE: [f64; 14] = [
 pub struct SampledModel {
     /// The period in units of time.
     pub period: f64,
-    /// A: the states after a period by those before.
+    /// A: derivatives of the states after a period by the states before.
     pub a: DenseMatrix,
-    /// B: the states after a period by the inputs.
+    /// B: derivatives of the states after a period by the inputs.
     pub b: DenseMatrix,
-    /// C: the outputs by the states, at the beginning of a period.
+    /// C: derivatives of the outputs by the states, at the beginning of a period.
     pub c: DenseMatrix,
-    /// D: the outputs by the inputs.
+    /// D: derivatives of the outputs by the inputs.
     pub d: DenseMatrix,
     /// The names of the states.
     pub states: Vec<String>,
@@ -62,8 +62,8 @@ impl SampledModel {
     /// a disturbance of covariance W to the states, and noise of covariance V to the outputs.
     ///
     /// # Errors
-    /// If covariances are not symmetric and positive, or if the outputs do not show a mode that
-    /// grows.
+    /// If covariances are not symmetric and positive, or if a growing mode is not observable in the
+    /// outputs.
     pub fn observer(&self, w: &DenseMatrix, v: &DenseMatrix) -> Result<Observer, DesignError> {
         observer(self.plant(), &self.c, w, v)
     }
@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn closed_forms_are_met() {
-        // An oscillator that a force is held on, over angles far beyond the scale.
+        // An oscillator under a held force, over angles far beyond the scale.
         for angle in [1e-6, 0.3_f64, 2.0, 40.0, 1000.0] {
             let a = DenseMatrix::from_rows(&[[0.0, 1.0], [-1.0, 0.0]]);
             let b = DenseMatrix::from_rows(&[[0.0], [1.0]]);

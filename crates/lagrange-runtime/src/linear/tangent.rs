@@ -6,7 +6,7 @@ use super::names::Names;
 use crate::linalg::dense::DenseMatrix;
 use crate::system::LinearisedSystem;
 
-/// Beside the largest entry of a scaled row, what elimination leaves of a dependent row is
+/// Entries that elimination leaves below this, relative to the largest entry of a scaled row, are
 /// rounding.
 const DEPENDENT: f64 = 1e-10;
 
@@ -39,33 +39,33 @@ impl Blocks {
         Blocks { matrix, freedoms, tangent, outputs: names.beyond.outputs.len() }
     }
 
-    /// The columns of the inputs.
+    /// Returns the columns of the inputs.
     pub(super) fn inputs(&self) -> Vec<usize> {
         (self.tangent..self.matrix.columns()).collect()
     }
 
-    /// The first column of the velocities, and the first row of their rates.
+    /// Returns the first column of the velocities, which is also the first row of their rates.
     pub(super) fn velocities(&self) -> usize {
         self.tangent - self.freedoms
     }
 
-    /// The row of the constraint velocity at this index.
+    /// Returns the row of the constraint velocity at this index.
     pub(super) fn constraint_row(&self, index: usize) -> usize {
         self.tangent + self.outputs + index
     }
 }
 
-/// The row and the column of the first entry that is not finite.
+/// Returns the row and the column of the first entry that is not finite.
 pub(super) fn first_undefined(matrix: &DenseMatrix) -> Option<(usize, usize)> {
     let places = (0..matrix.rows()).flat_map(|i| (0..matrix.columns()).map(move |j| (i, j)));
     { places }.find(|&place| !matrix[place].is_finite())
 }
 
 /// Directions in which a state can change on its constraints, to first order. All displacements,
-/// states and velocities are `basis` times the free ones. Inputs occur in no constraint, as their
-/// rates are unknown.
+/// states and velocities are `basis` times the free ones. Inputs occur in no constraint, because
+/// their rates are unknown.
 pub(super) struct TangentSpace {
-    /// Indices of the free entries among all.
+    /// Indices of the free entries.
     pub(super) free: Vec<usize>,
     pub(super) basis: DenseMatrix,
 }
@@ -121,8 +121,8 @@ impl TangentSpace {
     }
 }
 
-/// Equations solved for some of their first unknowns, which occur in no other row (Gauss and
-/// Jordan).
+/// Equations solved for some of their first unknowns, which occur in no other row (Gauss–Jordan
+/// elimination).
 struct Eliminated {
     matrix: DenseMatrix,
     /// A row and the unknown that it is solved for.
@@ -131,8 +131,8 @@ struct Eliminated {
 
 impl Eliminated {
     /// Solves for unknowns among the first `unknowns`, with pivots in the first `preferred` rows as
-    /// long as these have any. Of equal pivots the last unknown is taken, so that those declared
-    /// first stay free.
+    /// long as these have any. Among equal pivots, the last unknown is chosen, so that those
+    /// declared first stay free.
     fn new(mut a: DenseMatrix, (unknowns, preferred): (usize, usize)) -> Eliminated {
         for i in 0..a.rows() {
             let largest = (0..unknowns).fold(0.0, |most: f64, j| most.max(a[(i, j)].abs()));
@@ -161,7 +161,7 @@ impl Eliminated {
     }
 }
 
-/// The place of the largest entry in a row that is not solved for anything.
+/// Returns the position of the largest entry in a row without a pivot.
 fn largest(
     a: &DenseMatrix,
     rows: core::ops::Range<usize>,

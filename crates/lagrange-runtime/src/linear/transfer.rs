@@ -1,4 +1,4 @@
-//! One input and one output of a linear model, and what connects them.
+//! Transfer functions from one input to one output of a linear model.
 
 use core::fmt::{self, Display, Formatter};
 use std::string::{String, ToString};
@@ -9,9 +9,9 @@ use crate::linalg::dense::{DenseMatrix, TriangularFactors};
 
 /// Number of frequencies and of times of a response.
 const POINTS: usize = 500;
-/// Part of the largest eigenvalue that rounding may leave of a real part.
+/// Real parts below this fraction of the largest eigenvalue may be rounding.
 const ROUNDING: f64 = 1e-12;
-/// Factor of frequencies beyond the slowest and the fastest mode.
+/// Factor by which frequencies extend beyond the slowest and the fastest mode.
 const BEYOND: f64 = 10.0;
 
 /// The transfer function G(s) = C (s − A)⁻¹ B + D from one input to one output.
@@ -29,12 +29,12 @@ pub struct Transfer {
     pub output: &'static str,
 }
 
-/// A name that is no input or no output of a linear model.
+/// A name that is not an input or not an output of a linear model.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NoSuchChannel {
     /// The name.
     pub name: String,
-    /// The names that there are.
+    /// The existing names.
     pub known: Vec<&'static str>,
 }
 
@@ -48,7 +48,7 @@ impl Display for NoSuchChannel {
 impl core::error::Error for NoSuchChannel {}
 
 impl Transfer {
-    /// Takes the row and the column of the matrices A, B, C and D that belong to two names.
+    /// Selects the row and the column of the matrices A, B, C and D for two names.
     pub(super) fn new(
         [a, b, c, d]: [&DenseMatrix; 4],
         (inputs, input): (&[&'static str], &str),
@@ -65,7 +65,7 @@ impl Transfer {
         })
     }
 
-    /// Computes G(iω) as its real and its imaginary part. It is not finite where the model has an
+    /// Computes G(iω) as its real and its imaginary part. It is not finite if the model has an
     /// undamped mode of this frequency.
     #[must_use]
     pub fn at(&self, frequency: f64) -> (f64, f64) {
@@ -109,7 +109,7 @@ impl Transfer {
         let modes = self.a.eigenvalues().unwrap_or_default();
         let sizes = modes.into_iter().map(|(real, imaginary)| real.hypot(imaginary));
         let largest = sizes.clone().fold(0.0, f64::max);
-        // A mode of rigid motion has the eigenvalue zero, but for rounding.
+        // A rigid-body mode has the eigenvalue zero, up to rounding.
         let moving = sizes.filter(|size| *size > 1e-7 * largest);
         let smallest = moving.fold(f64::INFINITY, f64::min);
         let (from, to) = if largest > 0.0 { (smallest / BEYOND, largest * BEYOND) } else { (0.01, 100.0) };
@@ -117,8 +117,8 @@ impl Transfer {
         (0..POINTS).map(|index| from * (ratio * index as f64).exp()).collect()
     }
 
-    /// Computes the output after the input has become one, from the state zero until a time. It is
-    /// exact at its 500 samples. `None` if the time is not positive, or if the states overflow.
+    /// Computes the output from the state zero until a time, after the input has jumped to one. It
+    /// is exact at its 500 samples. `None` if the time is not positive, or if the states overflow.
     #[must_use]
     pub fn step_response(&self, until: f64) -> Option<TimeResponse> {
         let zero = std::vec![0.0; self.a.rows()];
@@ -153,7 +153,8 @@ impl Transfer {
         values.iter().all(|value| value.is_finite()).then_some(TimeResponse { names, times, values, limit })
     }
 
-    /// The output for an input of one after all motion has decayed; `None` if it does not decay.
+    /// Returns the output for an input of one after all motion has decayed; `None` if it does not
+    /// decay.
     fn limit(&self) -> Option<f64> {
         let modes = self.a.eigenvalues()?;
         let largest = modes.iter().map(|(real, imaginary)| real.hypot(*imaginary)).fold(0.0, f64::max);

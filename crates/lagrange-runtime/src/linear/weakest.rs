@@ -1,9 +1,10 @@
 //! Controllability of modes by inputs, and their observability by outputs.
 //!
 //! An eigenvalue λ is controllable if [A − λI, B] has full rank (Hautus, *Controllability and
-//! observability conditions of linear autonomous systems*, Indag. Math. 31 (1969) 443–448). Its
-//! smallest singular value is the distance from where it is not (Eising, *Between controllable and
-//! uncontrollable*, Syst. Control Lett. 4 (1984) 263–264). Outputs show what inputs Cᵀ of Aᵀ move.
+//! observability conditions of linear autonomous systems*, Indag. Math. 31 (1969) 443–448). The
+//! smallest singular value is the distance from an uncontrollable system (Eising, *Between
+//! controllable and uncontrollable*, Syst. Control Lett. 4 (1984) 263–264). Observability in the
+//! outputs is controllability of Aᵀ by inputs Cᵀ.
 
 use std::fmt::{Display, Formatter, Result as Written};
 use std::string::String;
@@ -13,29 +14,30 @@ use crate::linalg::dense::DenseMatrix;
 use crate::linalg::eigenvalues::{balanced, eigenvalues};
 use crate::linalg::singular_values::SingularValues;
 
-/// Beside the matrices, a smaller distance from an uncontrollable system is rounding.
+/// Distances from an uncontrollable system below this, relative to the matrices, are rounding.
 const UNCONTROLLABLE: f64 = 1e-10;
-/// Entries of a direction that are smaller beside the largest are not written.
+/// Entries of a direction below this fraction of the largest are not written.
 const UNWRITTEN: f64 = 0.01;
 
-/// The side of a system from which its modes are seen.
+/// The side of a system: inputs or outputs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Channel {
-    /// Inputs move modes.
+    /// Inputs, which control modes.
     Inputs,
-    /// Outputs show modes.
+    /// Outputs, in which modes are observed.
     Outputs,
 }
 
-/// The combination of states that the inputs move least, or that the outputs show least.
+/// The combination of states that the inputs control least, or that is least observable in the
+/// outputs.
 #[derive(Clone, PartialEq, Debug)]
 pub struct WeakestDirection {
     /// Inputs or outputs.
     pub channel: Channel,
     /// The real and the imaginary part of the eigenvalue of its mode.
     pub eigenvalue: (f64, f64),
-    /// The distance from a system in which they do not move or show it, relative to the matrices: 0
-    /// if they do not.
+    /// The distance from an uncontrollable or unobservable system, relative to the matrices: 0 for
+    /// such a system.
     pub distance: f64,
     /// The combination: each state with its magnitude, the largest of which is one. They are equal
     /// in scale, after balancing.
@@ -43,7 +45,7 @@ pub struct WeakestDirection {
 }
 
 impl WeakestDirection {
-    /// True if the inputs move all modes by more than rounding, or the outputs show them.
+    /// True if all modes are controllable, or observable, by more than rounding.
     #[must_use]
     pub fn is_controllable(&self) -> bool {
         self.distance > UNCONTROLLABLE
@@ -72,8 +74,8 @@ impl Display for WeakestDirection {
     }
 }
 
-/// The combination of states, among the modes of these eigenvalues, that the inputs B move least.
-/// For outputs, A and B are Aᵀ and Cᵀ.
+/// Returns the combination of states, among the modes of these eigenvalues, that the inputs B
+/// control least. For outputs, A and B are Aᵀ and Cᵀ.
 pub(super) fn weakest(
     a: &DenseMatrix,
     b: &DenseMatrix,
@@ -83,7 +85,7 @@ pub(super) fn weakest(
 ) -> Option<WeakestDirection> {
     let (a, scales) = balanced(a.clone());
     let size = a.largest().max(f64::MIN_POSITIVE);
-    // Each input as strong as the matrix: units of inputs do not matter.
+    // Scale each input to the strength of the matrix, so that units of inputs do not matter.
     let strength = |j: usize| (0..b.rows()).fold(0.0, |most: f64, i| most.max((b[(i, j)] / scales[i]).abs()));
     let b = DenseMatrix::from_fn(b.rows(), b.columns(), |i, j| {
         let strength = strength(j);
@@ -103,7 +105,8 @@ pub(super) fn weakest(
     Some(WeakestDirection { channel, eigenvalue, distance, direction })
 }
 
-/// [A − λI, B]ᴴ in real numbers: its columns are real and imaginary parts of combinations of rows.
+/// Returns [A − λI, B]ᴴ in real numbers: its columns are real and imaginary parts of combinations
+/// of rows.
 fn pencil(a: &DenseMatrix, b: &DenseMatrix, (real, imaginary): (f64, f64)) -> DenseMatrix {
     let (n, m) = (a.rows(), b.columns());
     DenseMatrix::from_fn(2 * (n + m), 2 * n, |row, column| {

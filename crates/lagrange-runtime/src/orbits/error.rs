@@ -1,29 +1,29 @@
-//! Reasons for which there is no orbit.
+//! Errors in the search for orbits.
 
 use std::error::Error;
 use std::fmt::{Display, Formatter, Result as Written};
 use std::string::String;
 
-/// A reason for which there is no orbit.
+/// The reason why no orbit was found.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum OrbitError {
-    /// A setting makes no sense: its reason.
+    /// A setting is invalid, for this reason.
     Setting(&'static str),
-    /// There is no coordinate of this name that could advance.
+    /// There is no coordinate of this name to advance.
     UnknownCoordinate {
         /// Requested name.
         name: String,
         /// Names of all coordinates.
         known: &'static [&'static str],
     },
-    /// A motion or its derivatives fail: the reason, as the run states it.
+    /// A motion or its derivatives fail, with the message of the run.
     Motion(String),
     /// An event ends a motion at this time.
     Ends(f64),
     /// The search for an orbit of a free period ended at rest, which repeats after any time.
     AtRest,
-    /// The search found no orbit near its start. It ended where the motion misses its start by this
+    /// The search found no orbit near its start. At its end, the motion misses its start by this
     /// distance.
     NotFound {
         /// Distance of the end of the motion from its start.

@@ -1,13 +1,13 @@
 //! Lyapunov exponents.
 //!
 //! The exponents are the mean rates at which the axes of a small ball of states grow. Vectors are
-//! carried along by the derivatives of the motion, over one interval after the other. Behind each
-//! they are made orthogonal, and the logarithms of their lengths add up. Sources: Benettin,
+//! propagated by the derivatives of the motion, interval by interval. After each interval they are
+//! made orthogonal, and the logarithms of their lengths are accumulated. Sources: Benettin,
 //! Galgani, Giorgilli, Strelcyn, "Lyapunov characteristic exponents for smooth dynamical systems",
 //! *Meccanica* 15 (1980) 9–30; Wolf, Swift, Swinney, Vastano, *Physica D* 16 (1985) 285–317.
 //!
-//! The exponents of a motion with the divergence −c of its rates have the sum −c. Those of a
-//! Hamiltonian system are in pairs ±λ.
+//! If the rates have the divergence −c, the exponents have the sum −c. Exponents of a Hamiltonian
+//! system come in pairs ±λ.
 
 use std::vec::Vec;
 
@@ -17,7 +17,7 @@ use crate::linalg::dense::DenseMatrix;
 use crate::linalg::singular_values::{dot, length};
 use crate::system::{OdeSystem, ParametricSystem};
 
-/// The tolerated error of steps of the integration.
+/// Default error tolerance of integration steps.
 const TOLERANCE: f64 = 1e-10;
 
 /// A computation of Lyapunov exponents.
@@ -43,23 +43,22 @@ where
         LyapunovSearch { from: time, ..self }
     }
 
-    /// Leaves out so many first intervals, in which the motion and the vectors find their
-    /// directions.
+    /// Omits this many initial intervals, in which the motion and the vectors settle.
     pub fn transient(self, intervals: usize) -> Self {
         LyapunovSearch { transient: intervals, ..self }
     }
 
-    /// Sets the tolerated error of a step of the integration, 1e-10 by default.
+    /// Sets the error tolerance of integration steps, 1e-10 by default.
     pub fn tolerance(self, tolerance: f64) -> Self {
         LyapunovSearch { tolerance, ..self }
     }
 
-    /// Computes the exponents, the largest first, over so many intervals of a length. In an
-    /// interval vectors must not grow so much that they point in one direction but for rounding.
-    /// That is about a few times the reciprocal of the largest exponent.
+    /// Computes the exponents, the largest first, over `intervals` intervals of length `interval`.
+    /// Within an interval, vectors must not grow so much that they are parallel up to rounding.
+    /// This limits it to a few times the reciprocal of the largest exponent.
     ///
     /// # Errors
-    /// If a motion fails, or a setting makes no sense.
+    /// If a motion fails, or a setting is invalid.
     pub fn run(self, interval: f64, intervals: usize) -> Result<Vec<f64>, OrbitError> {
         if !(interval > 0.0 && interval.is_finite()) || intervals == 0 {
             return Err(OrbitError::Setting("there must be intervals, of a positive length"));
@@ -81,8 +80,8 @@ where
     }
 }
 
-/// Makes columns orthogonal unit vectors, and returns their lengths before, each without its part
-/// along those to its left. Twice, since the first time leaves rounding of long columns behind.
+/// Orthonormalises columns, and returns the length of each one's component orthogonal to those to
+/// its left. Done twice, since rounding of long columns remains after the first pass.
 fn orthonormalise(vectors: &mut DenseMatrix) -> Vec<f64> {
     let mut done = Vec::<Vec<f64>>::new();
     let mut lengths = Vec::new();

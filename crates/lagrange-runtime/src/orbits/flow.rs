@@ -1,4 +1,4 @@
-//! Ends of motions, with their derivatives by the start.
+//! Final states of motions, with their derivatives by the initial state.
 
 use std::string::ToString;
 
@@ -7,21 +7,21 @@ use crate::linalg::dense::DenseMatrix;
 use crate::simulate::Simulate;
 use crate::system::{OdeSystem, ParametricSystem};
 
-/// Names of the initial values by which one run is differentiated; more take further runs. As their
-/// number is fixed, the integration is compiled once.
+/// Names of the initial values by which one run is differentiated; more need further runs. Their
+/// number is fixed so that the integration is compiled only once.
 const NAMES: [&str; 4] = ["first", "second", "third", "fourth"];
 
 /// The end of a motion.
 pub(super) struct FlowEnd<const N: usize> {
     pub(super) state: [f64; N],
-    /// Derivatives of the end by the start: a column for each entry of it.
+    /// Derivatives of the final state by the initial one, a column for each entry of the latter.
     pub(super) matrix: DenseMatrix,
 }
 
 /// Returns the end of the motion from a state over a time.
 ///
 /// # Errors
-/// If it does not get there.
+/// If the motion fails or ends early.
 pub(super) fn flow<M, const N: usize>(
     system: &M,
     start: &[f64; N],

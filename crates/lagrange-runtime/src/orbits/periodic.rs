@@ -6,12 +6,12 @@
 //! (Φ − I) δ + f(φ) τ = y + w − φ,    f(y) · δ = 0,    Φ = ∂φ/∂y,
 //! ```
 //!
-//! where w is what coordinates advance by in a period. Without a free period there is neither τ nor
-//! the second equation, which chooses a state along the orbit. Orbits of conservative systems come
-//! in families; the shortest step leads to a member nearby. Where such a step does not lead to half
-//! of the distance, damped ones are tried, which stay short in nearly singular directions. The
-//! eigenvalues of Φ are Floquet's multipliers: perturbations of the orbit grow by them in a period.
-//! One of an autonomous system is 1, along the orbit.
+//! where w is the advance of coordinates in a period. Without a free period there is neither τ nor
+//! the second equation, which selects a state along the orbit. Orbits of conservative systems come
+//! in families; the shortest step leads to a nearby member. If such a step does not halve the
+//! distance, damped ones are tried, which stay short in nearly singular directions. The eigenvalues
+//! of Φ are Floquet's multipliers: perturbations of the orbit grow by these factors in a period.
+//! For an autonomous system one of them is 1, along the orbit.
 //!
 //! Sources: Nayfeh, Balachandran, *Applied Nonlinear Dynamics*, §3.2, §6.5; Seydel, *Practical
 //! Bifurcation and Stability Analysis*, 3rd ed., §7.1–7.4.
@@ -27,21 +27,21 @@ use crate::linalg::dense::DenseMatrix;
 use crate::linalg::singular_values::{SingularValues, length};
 use crate::system::{OdeSystem, ParametricSystem};
 
-/// Steps of Newton's method.
+/// Maximum number of steps of Newton's method.
 const MAX_STEPS: u32 = 50;
-/// Number of dampings of a step, each ten times as strong as the one before,
+/// Number of dampings of a step, each ten times as strong as the one before.
 const MAX_DAMPINGS: i32 = 13;
-/// beside the largest singular value squared and this.
+/// Smallest damping, relative to the square of the largest singular value.
 const LEAST_DAMPING: f64 = 1e-8;
-/// Beside the largest singular value, smaller ones are rounding.
+/// Singular values below this fraction of the largest one are rounding.
 const RANK: f64 = 1e-9;
-/// The tolerated error of steps of the integration.
+/// Default error tolerance of integration steps.
 const TOLERANCE: f64 = 1e-12;
-/// Beside the state, a motion that misses its start by less is an orbit.
+/// A motion is an orbit if it misses its start by less than this, relative to the state.
 const CLOSED: f64 = 1e-9;
-/// Beside the rates at the start, those of rest are smaller.
+/// A state is at rest if its rates are below this fraction of the rates at the start.
 const RESTING: f64 = 1e-6;
-/// A multiplier of this size beyond one is one but for rounding.
+/// A multiplier whose magnitude exceeds one by less than this is one up to rounding.
 const ROUNDING: f64 = 1e-6;
 
 /// A search for a periodic orbit.
@@ -64,7 +64,7 @@ pub struct PeriodicOrbit<const N: usize> {
     pub state: [f64; N],
     /// The period.
     pub period: f64,
-    /// Floquet's multipliers, real and imaginary parts; those of pairs follow each other.
+    /// Real and imaginary parts of Floquet's multipliers; pairs are adjacent.
     pub multipliers: Vec<(f64, f64)>,
     /// Derivatives of the state after a period by the state: the monodromy matrix.
     pub monodromy: DenseMatrix,
@@ -73,8 +73,8 @@ pub struct PeriodicOrbit<const N: usize> {
 }
 
 impl<const N: usize> PeriodicOrbit<N> {
-    /// True if no multiplier lies outside the unit circle, up to rounding. If one lies on it,
-    /// beside that along the orbit, nonlinear terms decide.
+    /// True if no multiplier lies outside the unit circle, up to rounding. If one lies on it, other
+    /// than that along the orbit, nonlinear terms decide.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|(re, im)| re.hypot(*im) <= 1.0 + ROUNDING)
@@ -95,13 +95,13 @@ where
         OrbitSearch { from: time, ..self }
     }
 
-    /// Lets the period change, too: of motions without anything that depends on time. Rest, which
-    /// has any period, is an error.
+    /// Makes the period an unknown, too, for systems that do not depend on time. Rest, which has
+    /// any period, is reported as an error.
     pub fn free_period(self) -> Self {
         OrbitSearch { is_period_free: true, ..self }
     }
 
-    /// Lets a coordinate advance in each period, such as an angle by 2π.
+    /// Makes a coordinate advance in each period, such as an angle by 2π.
     pub fn advancing(mut self, coordinate: &str, by: f64) -> Self {
         let known = self.system.description().coordinates;
         match known.iter().position(|name| *name == coordinate) {
@@ -111,7 +111,7 @@ where
         self
     }
 
-    /// Sets the tolerated error of a step of the integration, 1e-12 by default.
+    /// Sets the error tolerance of integration steps, 1e-12 by default.
     pub fn tolerance(self, tolerance: f64) -> Self {
         OrbitSearch { tolerance, ..self }
     }
@@ -119,7 +119,7 @@ where
     /// Searches for the orbit.
     ///
     /// # Errors
-    /// If a motion fails, or none is found near the start.
+    /// If a motion fails, or no orbit is found near the start.
     pub fn solve(self) -> Result<PeriodicOrbit<N>, OrbitError> {
         if let Some(mistake) = self.mistake {
             return Err(mistake);
@@ -131,10 +131,10 @@ where
         for iterations in 0..MAX_STEPS {
             let (distance, size) = (now.distance(), length(&now.state).max(1.0));
             let is_closed = distance <= CLOSED * size;
-            // Below rounding, steps that lead nearer mean nothing.
+            // Below rounding, steps that come closer are meaningless.
             match self.next(&now).filter(|_| distance > f64::EPSILON * size) {
                 Some(next) => now = next,
-                // Rounding: no step leads nearer.
+                // Rounding: no step comes closer.
                 None if is_closed && self.is_at_rest(&now) => return Err(OrbitError::AtRest),
                 None if is_closed => return now.orbit(),
                 None => return Err(OrbitError::NotFound { distance, iterations }),
@@ -143,7 +143,7 @@ where
         Err(OrbitError::NotFound { distance: now.distance(), iterations: MAX_STEPS })
     }
 
-    /// True if nothing moves any more, so that any period would do.
+    /// True if the state is at rest, which has any period.
     fn is_at_rest(&self, now: &OrbitTrial<N>) -> bool {
         let speed = |y: &[f64; N]| length(&self.system.rhs(self.from, y));
         self.is_period_free && speed(&now.state) <= RESTING * speed(&self.near)
@@ -155,8 +155,8 @@ where
         Ok(OrbitTrial { state, period, end, missing })
     }
 
-    /// A trial that misses its start by less: the first by less than half, or the best, of Newton's
-    /// step and damped ones.
+    /// Returns a trial that misses its start by less, from Newton's step and damped ones: the first
+    /// that halves the distance, or the best.
     fn next(&self, now: &OrbitTrial<N>) -> Option<OrbitTrial<N>> {
         let (matrix, right) = self.equations(now);
         let values = SingularValues::of(&matrix)?;
@@ -180,7 +180,7 @@ where
         best
     }
 
-    /// The equations of Newton's step of the state, and of the period behind it if that is free.
+    /// Returns the equations of Newton's step for the state, followed by the period if it is free.
     fn equations(&self, now: &OrbitTrial<N>) -> (DenseMatrix, Vec<f64>) {
         let size = if self.is_period_free { N + 1 } else { N };
         let rates = |time: f64, y: &[f64; N]| self.system.rhs(time, y);
@@ -202,7 +202,7 @@ struct OrbitTrial<const N: usize> {
     state: [f64; N],
     period: f64,
     end: FlowEnd<N>,
-    /// The start, advanced, less the end.
+    /// The advanced start minus the end.
     missing: [f64; N],
 }
 
@@ -211,7 +211,7 @@ impl<const N: usize> OrbitTrial<N> {
         length(&self.missing)
     }
 
-    /// The state and the period after a step.
+    /// Returns the state and the period after a step.
     fn moved(&self, step: &[f64]) -> ([f64; N], f64) {
         let period = self.period + step.get(N).copied().unwrap_or(0.0);
         (core::array::from_fn(|i| self.state[i] + step[i]), period)

@@ -1,4 +1,4 @@
-//! The system of a run as it is at present.
+//! The present system of a run.
 
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
@@ -17,11 +17,11 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         Current { given, switched: None }
     }
 
-    /// Becomes the system as a motion starts from this time and state towards `end`, after `act`
-    /// was applied to it. Steppers of the kind T take it on.
+    /// Applies `act` to the system and sets its modes for a motion from this time and state towards
+    /// `end`, by steppers of type T.
     ///
     /// # Errors
-    /// If no motion starts there; the system is then unchanged.
+    /// If no motion can start there; the system is then unchanged.
     pub fn begin<T: Stepper<M>>(
         &mut self,
         (t, y): (M::Scalar, &M::State),
@@ -54,7 +54,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         self.switched
     }
 
-    /// Goes on with this system, if it is another one.
+    /// Replaces the system, if there is another one.
     #[inline]
     pub fn switch(&mut self, system: Option<M>) {
         if system.is_some() {
@@ -63,7 +63,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
     }
 }
 
-/// Checks that clocks tick at times that differ, and that the run meets them forwards.
+/// Checks that ticks of clocks are distinct in time, and that the run is not backwards.
 fn check_clocks<M: OdeSystem>(
     system: &M,
     t: M::Scalar,
@@ -86,7 +86,7 @@ fn check_clocks<M: OdeSystem>(
 /// not follow from the present.
 ///
 /// # Errors
-/// If it may not, or if there are more events than can be looked for.
+/// If the direction is excluded, or there are more events than can be located.
 pub fn check_direction<M: OdeSystem>(
     system: &M,
     [t, end]: [M::Scalar; 2],

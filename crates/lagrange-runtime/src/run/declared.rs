@@ -1,4 +1,4 @@
-//! The events that the declaration of a system states.
+//! The events in the declaration of a system.
 
 use super::events::{Events, Found, Next, Origin, Replacement};
 use super::margins::{Margins, exact_values};
@@ -10,11 +10,11 @@ use crate::system::{
     Action, DeclaredEvent, Direction, MOST_LOCATED, OdeSystem, Reacted, Response, StepFailure,
 };
 
-/// The events that the declaration of the system M states.
+/// The events in the declaration of the system M.
 pub struct DeclaredEvents<M: OdeSystem> {
     pending: Pending<M::Scalar, M::State, MOST_LOCATED>,
     margins: Margins<M::Scalar>,
-    /// When the run started.
+    /// Start time of the run.
     start: M::Scalar,
     /// The last change of a side.
     change: Option<Change<M::Scalar>>,
@@ -27,21 +27,21 @@ pub struct DeclaredEvents<M: OdeSystem> {
 struct Change<S> {
     event: usize,
     time: S,
-    /// The value of its event right after.
+    /// Value of its event function right after the change.
     value: S,
-    /// Number of changes without having left its surface.
+    /// Number of changes without leaving its surface.
     returns: u32,
 }
 
-/// A switch that returns so often without having left its surface stays there,
+/// Number of returns without leaving the surface after which a switch counts as sliding.
 const MOST_RETURNS: u32 = 5;
-/// which it has not if it was never farther from it than this many times as far as right after the
+/// A switch has left its surface if its value exceeds this multiple of the value right after the
 /// change.
 const NEAR: f64 = 4.0;
 
 impl<M: OdeSystem> DeclaredEvents<M> {
-    /// Starts to look at a time and state, if there are any events that steppers of the kind T
-    /// leave to be found.
+    /// Starts the search at a time and state, if there are any events that steppers of type T do
+    /// not find themselves.
     pub fn new<T: Stepper<M>>(system: &M, t: M::Scalar, y: &M::State) -> Option<Self> {
         if !are_left(system.events(), T::FINDS_MODES) {
             return None;
@@ -63,10 +63,10 @@ impl<M: OdeSystem> DeclaredEvents<M> {
         core::iter::once(event).chain(others)
     }
 
-    /// Counts how often a switch returns to its surface without having left it.
+    /// Counts the returns of a switch to its surface without leaving it.
     ///
     /// # Errors
-    /// If that is so often that the state slides along it.
+    /// If there are so many that the state slides along the surface.
     fn check_sliding(
         &mut self,
         system: &M,
@@ -92,8 +92,8 @@ impl<M: OdeSystem> DeclaredEvents<M> {
     }
 }
 
-/// True if steps leave one of these events to be found, apart from those of modes if they find
-/// these.
+/// True if any of these events must be searched for. Events of modes need not be if steps find
+/// them.
 fn are_left(events: &[DeclaredEvent], finds_modes: bool) -> bool {
     events.iter().any(|event| !finds_modes || !event.is_of_mode())
 }
@@ -171,7 +171,7 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     }
 }
 
-/// Sides that are passed at the same time, as far as times are located.
+/// Sides passed at the same time, within the accuracy of located times.
 struct Passage<S> {
     is_passed: [bool; MOST_LOCATED],
     /// A time at which all of them are passed.
@@ -179,7 +179,7 @@ struct Passage<S> {
 }
 
 impl<S: Scalar> Passage<S> {
-    /// Looks for the sides that are passed with this event.
+    /// Finds the sides that are passed together with this event.
     fn new<M>(system: &M, stepper: &mut impl Stepper<M>, first: &Occurrence<S, M::State>) -> Self
     where
         M: OdeSystem<Scalar = S>,
@@ -189,7 +189,8 @@ impl<S: Scalar> Passage<S> {
         Passage::of((first.event, first.time), system.events(), (end, &at_end))
     }
 
-    /// The sides that are passed with this event, given the values at the end of its instant.
+    /// Returns the sides that are passed with this event, given the values at the end of its
+    /// instant.
     fn of(
         (event, time): (usize, S),
         events: &[DeclaredEvent],
@@ -201,20 +202,21 @@ impl<S: Scalar> Passage<S> {
         Passage { is_passed, end: if is_alone { time } else { end } }
     }
 
-    /// The largest of these values among sides that are passed: negative once all of them are.
+    /// Returns the largest of these values among the sides that are passed; it is negative once all
+    /// are passed.
     fn last(&self, values: &[S; MOST_LOCATED]) -> S {
         let passed = values.iter().zip(self.is_passed).filter(|(_, is_passed)| *is_passed);
         passed.fold(-S::ONE / S::ZERO, |last, (value, _)| last.max(*value))
     }
 
-    /// Returns the sides but for that of this event.
+    /// Returns the passed sides other than that of this event.
     fn others(&self, event: usize) -> [bool; MOST_LOCATED] {
         core::array::from_fn(|k| self.is_passed[k] && k != event)
     }
 
-    /// Puts the event where the last of the sides passes its surface, as well as times are spaced.
-    /// What is passed late, however little, adds up: a body that bounces in a valley with a kink
-    /// would gain energy.
+    /// Moves the event to the time at which the last side passes its surface, within the spacing of
+    /// times. Even tiny delays would accumulate: a body that bounces in a valley with a kink would
+    /// gain energy.
     fn on_surface<M>(
         &self,
         system: &M,

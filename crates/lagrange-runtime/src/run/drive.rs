@@ -1,4 +1,4 @@
-//! Runs of which nothing is kept.
+//! Runs that keep nothing.
 
 use super::current::Current;
 use super::events::Events;
@@ -6,7 +6,7 @@ use super::steps::{Run, Sink, Turn};
 use crate::integrate::{IntegrationError, Method, Outcome, Stepper, Work, explained};
 use crate::system::OdeSystem;
 
-/// The end of a run of which nothing else is kept.
+/// The end of a run that keeps nothing else.
 #[derive(Clone, Copy, Debug)]
 pub struct RunEnd<S, Y> {
     /// Time of the end, or of the event that stopped the run.
@@ -17,10 +17,10 @@ pub struct RunEnd<S, Y> {
     pub work: Work,
 }
 
-/// Goes from a start to the end, or to where an event stops the run.
+/// Integrates from a start to the end, or until an event stops the run.
 ///
-/// `observe` sees the start, the end of every step, and both states of an event that replaces one
-/// by another.
+/// `observe` receives the start, the end of every step, and both states of an event that replaces
+/// the state.
 pub(super) fn drive<M, K, E>(
     system: &M,
     (t0, y0): (M::Scalar, M::State),
@@ -57,7 +57,7 @@ where
     Ok(RunEnd { time: t_end, state: *run.state(), work: run.work() })
 }
 
-/// A function that sees times and states.
+/// A function that receives times and states.
 struct ObservingSink<F>(F);
 
 impl<M: OdeSystem, F: FnMut(M::Scalar, &M::State)> Sink<M> for ObservingSink<F> {

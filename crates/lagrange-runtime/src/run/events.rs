@@ -1,4 +1,4 @@
-//! The events that a run looks for: those of its system's declaration, those passed to it, or none.
+//! The events of a run: declared by its system, passed to the run, or none.
 
 use crate::event::Occurrence;
 use crate::integrate::Stepper;
@@ -8,7 +8,7 @@ use crate::system::{Action, OdeSystem, Reacted, Response, StepFailure};
 /// The owner of an event.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Origin {
-    /// The declaration's.
+    /// The declaration.
     Declared,
     /// The function given under this index.
     Given(usize),
@@ -29,19 +29,19 @@ pub type Next<M> = Result<Option<(Origin, <M as OdeSystem>::Scalar)>, StepFailur
 /// An event with the state reached.
 pub type Found<M> = Occurrence<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
-/// Functions of time and state that are searched for zeros, with the responses to these.
+/// Functions of time and state that are searched for zeros, with the responses to the zeros.
 pub trait Events<M: OdeSystem> {
-    /// True if there is nothing to look for.
+    /// True if there are no events.
     fn is_empty(&self) -> bool;
 
-    /// Finds the next event in the last step of a run to `end`: of those at the same time, the one
-    /// given first.
+    /// Finds the next event in the last step of a run to `end`. Among simultaneous events, the one
+    /// specified first comes first.
     ///
     /// # Errors
     /// As [`Detector::next`](crate::event::Detector::next).
     fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>, end: M::Scalar) -> Next<M>;
 
-    /// Takes the event that was found; the next search finds the one after it.
+    /// Removes and returns the event found; the next search finds the one after it.
     fn take(&mut self, origin: Origin) -> Option<Found<M>>;
 
     /// Returns the response to an event.
@@ -50,16 +50,16 @@ pub trait Events<M: OdeSystem> {
     /// If the motion cannot continue.
     fn react(&mut self, system: &M, origin: Origin, event: &Found<M>) -> Reacted<M>;
 
-    /// Goes on from another state.
+    /// Continues from another state.
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State, by: Replacement);
 
-    /// Goes on where the system is another one, with other inputs.
+    /// Continues with another system, such as one with other inputs.
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State);
 }
 
-/// The events of a declaration together with those that a run was given.
+/// The events of a declaration together with those passed to a run.
 pub struct AllEvents<D, G> {
-    /// Declared events, which precede others at the same time.
+    /// Declared events, which precede other events at the same time.
     pub declared: D,
     /// Events passed to the run.
     pub given: G,
@@ -134,7 +134,7 @@ impl<M: OdeSystem, E: Events<M>> Events<M> for Option<E> {
     }
 }
 
-/// No events: not even memory for them.
+/// No events, and no memory for them.
 pub struct NoEvents;
 
 impl<M: OdeSystem> Events<M> for NoEvents {

@@ -1,4 +1,4 @@
-//! From a start to an end without keeping anything.
+//! Integration from a start to an end without keeping anything.
 
 use super::declared::DeclaredEvents;
 use super::drive::{RunEnd, drive};
@@ -6,14 +6,15 @@ use super::events::NoEvents;
 use crate::integrate::{Method, Outcome};
 use crate::system::OdeSystem;
 
-/// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
+/// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the final state.
 ///
-/// `observe` is called with time and state at the start and after every step. Where an event of the
-/// declaration replaced the state, it is called before and after. This is the loop for
-/// microcontrollers and inner loops: no heap, nothing kept.
+/// `observe` is called with time and state at the start and after every step. If an event of the
+/// declaration replaces the state, it is called with both states. Use this for microcontrollers and
+/// inner loops: it needs no heap and keeps nothing.
 ///
 /// # Errors
-/// If the method fails, with the last good state; `observe` never sees one that is not finite.
+/// If the method fails, with the last good state; `observe` never receives a state that is not
+/// finite.
 ///
 /// # Example
 ///

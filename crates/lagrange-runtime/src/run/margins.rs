@@ -1,9 +1,8 @@
-//! Switches are looked for a little beyond their surfaces.
+//! Margins of switches, which are located slightly beyond their surfaces.
 //!
-//! Otherwise rounding on a surface would pass it again and again. The rounding error of a switching
-//! function follows from two values. One is the largest that it had so far, the other its change if
-//! each entry of the state is rounded. Other entries of the state have no effect on it, unless
-//! constraints hold them together.
+//! Otherwise rounding on a surface would cross it again and again. The rounding error of a
+//! switching function is estimated from its largest value so far and its change under rounding of
+//! the state. Entries that it does not depend on have no effect, unless constraints couple them.
 
 use crate::event::rounded;
 use crate::scalar::{Number, Scalar};
@@ -13,15 +12,15 @@ use crate::tolerance::SURFACE;
 /// The distances beyond their surfaces at which switches change their sides; zero for other events.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Margins<S> {
-    /// When they were found.
+    /// Time at which the margins were computed.
     pub(super) time: S,
     margins: [S; MOST_LOCATED],
-    /// True if events that change modes of contacts and friction are not looked for.
+    /// True if events that change modes of contacts and friction are not searched for.
     finds_modes: bool,
 }
 
 impl<S: Scalar> Margins<S> {
-    /// Finds them at a state, where functions have had magnitudes up to `ranges` so far.
+    /// Computes the margins at a state, for functions with magnitudes up to `ranges` so far.
     pub(super) fn new<M>(system: &M, time: S, y: &M::State, ranges: &[S; MOST_LOCATED]) -> Self
     where
         M: OdeSystem<Scalar = S>,
@@ -36,12 +35,12 @@ impl<S: Scalar> Margins<S> {
         Margins { time, margins, finds_modes: false }
     }
 
-    /// Leaves out the events that change modes of contacts and friction, if steps find these.
+    /// Omits the events that change modes of contacts and friction, if steps find them.
     pub(super) fn without_modes(self, finds_modes: bool) -> Self {
         Margins { finds_modes, ..self }
     }
 
-    /// Finds them at another state.
+    /// Computes the margins at another state.
     pub(super) fn again<M>(&self, system: &M, time: S, y: &M::State, ranges: &[S; MOST_LOCATED]) -> Self
     where
         M: OdeSystem<Scalar = S>,
@@ -49,8 +48,8 @@ impl<S: Scalar> Margins<S> {
         Margins::new(system, time, y, ranges).without_modes(self.finds_modes)
     }
 
-    /// The values of all declared events, and of others that never happen. Those of switches are
-    /// zero a little beyond their surfaces.
+    /// Returns the values of all declared events, padded with ones. The values of switches vanish
+    /// slightly beyond their surfaces.
     pub(super) fn values<M>(&self, system: &M, t: S, y: &M::State) -> [S; MOST_LOCATED]
     where
         M: OdeSystem<Scalar = S>,
@@ -58,7 +57,7 @@ impl<S: Scalar> Margins<S> {
         self.beyond(system.events(), exact_values(system, t, y))
     }
 
-    /// These values of the events, with those of switches a little beyond their surfaces.
+    /// Adds the margins to these values of the events.
     fn beyond(&self, events: &[DeclaredEvent], mut values: [S; MOST_LOCATED]) -> [S; MOST_LOCATED] {
         for (k, value) in values.iter_mut().enumerate() {
             let is_left_out = self.finds_modes && events.get(k).is_some_and(DeclaredEvent::is_of_mode);
@@ -73,8 +72,8 @@ fn have_sides(events: &[DeclaredEvent]) -> bool {
     events.iter().any(|event| event.is_side)
 }
 
-/// The margins of sides with these values here and where the state is rounded, and with these
-/// ranges. Constraints share the rounding of the largest entry.
+/// Returns the margins of sides from their values here, their values at the rounded state, and
+/// their ranges. Constraints share the rounding of the largest entry.
 fn of_sides<S: Scalar>(
     events: &[DeclaredEvent],
     [here, rounded, ranges]: [&[S; MOST_LOCATED]; 3],
@@ -89,7 +88,7 @@ fn of_sides<S: Scalar>(
     margins
 }
 
-/// The values of all declared events, and of others that never happen.
+/// Returns the values of all declared events, padded with ones.
 pub(super) fn exact_values<M: OdeSystem>(
     system: &M,
     t: M::Scalar,

@@ -1,8 +1,8 @@
-//! Runs: a method's steps from a start to an end, and what happens in them.
+//! Runs: a method's steps from a start to an end, and the events within them.
 //!
-//! [`Run`] is the one loop: [`integrate()`] and [`integrate_with_events`] drive it without heap and
-//! keep nothing, `simulate` keeps what was requested. It is driven turn by turn, so that others may
-//! act between the turns.
+//! [`Run`] is the only loop. [`integrate()`] and [`integrate_with_events`] drive it without heap
+//! and keep nothing; `simulate` keeps the requested data. It is driven turn by turn, so that
+//! callers can act between turns.
 
 mod current;
 mod declared;

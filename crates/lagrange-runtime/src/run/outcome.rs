@@ -3,23 +3,23 @@
 use crate::integrate::Stepper;
 use crate::system::{Action, OdeSystem, Response, StepFailure};
 
-/// The combined outcome of simultaneous events. Stopping prevails.
+/// The combined outcome of simultaneous events. Stopping takes precedence.
 pub(super) struct EventOutcome<M: OdeSystem> {
     action: Action<M::State>,
-    /// The system that goes on, if events switched it.
+    /// The system that continues, if events switched it.
     pub(super) system: Option<M>,
 }
 
-/// The state that a motion goes on from, and the system if it is another one.
+/// The state from which a motion continues, and the system if it changed.
 type Continuation<M> = Result<(<M as OdeSystem>::State, Option<M>), StepFailure<<M as OdeSystem>::Scalar>>;
 
 impl<M: OdeSystem> EventOutcome<M> {
-    /// To go on.
+    /// Creates the outcome of no events: the motion continues.
     pub(super) fn new() -> Self {
         EventOutcome { action: Action::Continue, system: None }
     }
 
-    /// Another event happened at this state.
+    /// Adds the response to another event at this state.
     pub(super) fn add(&mut self, answer: Response<M, M::Scalar, M::State>, state: M::State) {
         let later = match answer.action {
             Action::Continue if answer.system.is_some() => Action::Replace(state),
@@ -37,16 +37,17 @@ impl<M: OdeSystem> EventOutcome<M> {
         matches!(self.action, Action::Continue)
     }
 
-    /// The state that was left, if it is another one.
+    /// Returns the replaced state, if any.
     pub(super) fn state(&self) -> Option<M::State> {
         if let Action::Replace(state) = self.action { Some(state) } else { None }
     }
 
-    /// The state to go on from, put onto the constraints, and the system if it is another one than
-    /// `system`; `None` if the motion ends. Steppers of the kind T take it on.
+    /// Returns the state from which the motion continues, on the constraints, and the system if it
+    /// differs from `system`. `None` if the state was not replaced. T is the type of the stepper
+    /// that continues.
     ///
     /// # Errors
-    /// If no motion goes on from there.
+    /// If no motion can continue from that state.
     pub(super) fn resume<T: Stepper<M>>(self, system: &M, t: M::Scalar) -> Option<Continuation<M>> {
         self.state().map(|mut state| {
             let next = match self.system {

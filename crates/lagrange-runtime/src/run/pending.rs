@@ -1,4 +1,4 @@
-//! An event ahead: the next one of several functions, kept until its turn comes.
+//! Pending events: the next event of several functions, kept until its turn comes.
 
 use super::events::Replacement;
 use crate::event::{Detector, Occurrence};
@@ -6,7 +6,7 @@ use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StepFailure};
 
-/// A detector, and the event that it found next.
+/// A detector, and the next event that it found.
 #[derive(Clone, Copy, Debug)]
 pub struct Pending<S, Y, const K: usize> {
     detector: Detector<S, K>,
@@ -42,28 +42,27 @@ impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
         Ok(self.time())
     }
 
-    /// Returns the largest magnitude that each function was found to have.
+    /// Returns the largest magnitude observed for each function.
     pub fn ranges(&self) -> [S; K] {
         self.detector.ranges()
     }
 
-    /// Counts the zeros of these functions, which have these values, as parts of the event that was
-    /// found.
+    /// Counts the zeros of these functions, which have these values, as parts of the event found.
     pub fn fire_together(&mut self, values: &[S; K], is_fired: &[bool; K]) {
         self.detector.fire_together(values, |k| is_fired[k]);
     }
 
-    /// Returns the time of the event that was found.
+    /// Returns the time of the event found.
     pub fn time(&self) -> Option<S> {
         self.next.as_ref().map(|next| next.time)
     }
 
-    /// Takes the event that was found.
+    /// Removes and returns the event found.
     pub fn take(&mut self) -> Option<Occurrence<S, Y>> {
         self.next.take()
     }
 
-    /// Goes on from another state, in which the functions have these values.
+    /// Continues from another state, in which the functions have these values.
     pub fn restart(&mut self, t: S, values: [S; K], by: Replacement) {
         self.next = None;
         match by {
@@ -72,7 +71,7 @@ impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
         }
     }
 
-    /// Goes on where the functions jumped to these values.
+    /// Continues after the functions jumped to these values.
     pub fn jump(&mut self, values: [S; K]) {
         self.detector.jump(values);
     }

@@ -1,25 +1,25 @@
 //! Times at which a step ends and a new one starts.
 //!
-//! A right-hand side that jumps at a known time, or whose derivatives do, is integrated up to that
-//! time and from there on. The methods themselves know nothing of it: each step is limited, and the
-//! method restarted from the state that it reached. A system with fixed sides continues from that
-//! very time, on another side. Otherwise steps end two roundings of time before the jump and start
-//! two after it. Every evaluation then lies on one side of it, wherever its definition puts the
-//! instant itself.
+//! If a right-hand side or its derivatives jump at a known time, it is integrated up to that time
+//! and then from there. The methods are not involved: each step is limited, and the method
+//! restarted from the state reached. A system with fixed sides continues from exactly that time, on
+//! another side. Otherwise steps end two roundings of time before the jump and start two after it.
+//! Every evaluation then lies on one side of the jump, whichever side its definition assigns the
+//! instant to.
 
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StepFailure};
 use crate::tolerance::{RESTART, Roundings};
 
-/// Restarts of a run: at the times that were given, and at those that the system names.
+/// Restarts of a run: at specified times, and at those provided by the system.
 #[derive(Clone, Copy, Debug)]
 pub struct Restarts<'a, S> {
     end: S,
     is_backwards: bool,
-    /// In the order in which the run meets them.
+    /// Specified times, in the order of the run.
     given: &'a [S],
-    /// The one that the last step ended at, if it did.
+    /// The restart at which the last step ended, if any.
     due: Option<Restart<S>>,
 }
 
@@ -32,13 +32,13 @@ struct Restart<S> {
 }
 
 impl<'a, S: Scalar> Restarts<'a, S> {
-    /// Returns the restarts of a run between these times, with the `given` times in the order in
-    /// which it meets them.
+    /// Returns the restarts of a run between these times, with the `given` times in the order of
+    /// the run.
     pub fn new(start: S, end: S, given: &'a [S]) -> Self {
         Restarts { end, is_backwards: end < start, given, due: None }
     }
 
-    /// Restarts the method where that is due, before a step. Returns the system for the
+    /// Restarts the method before a step, if a restart is due. Returns the system for the
     /// continuation, if it differs.
     ///
     /// # Errors
@@ -53,7 +53,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         Ok(other)
     }
 
-    /// Takes one step towards the end, to the next restart at most; `instant` is one more.
+    /// Takes one step towards the end, at most to the next restart; `instant` is an additional one.
     ///
     /// States within the last step are available until the next one is taken. `is_of_interest` is
     /// true if states between two times will be requested. Such a step is repeated, shorter, until
@@ -82,7 +82,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         }
     }
 
-    /// Returns the time that was reached: that of the restart if the last step ended there.
+    /// Returns the time reached: the time of the restart if the last step ended at one.
     pub fn time<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,
@@ -90,8 +90,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.at)
     }
 
-    /// Returns the time from which the motion continues: after the restart if the last step ended
-    /// there.
+    /// Returns the time from which the motion continues: just after the restart if the last step
+    /// ended at one.
     pub fn beyond<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,
@@ -108,12 +108,12 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.due_at(stepper.time()).is_some()
     }
 
-    /// The restart that is due where this time was reached.
+    /// Returns the restart that is due at this time.
     fn due_at(&self, t: S) -> Option<Restart<S>> {
         self.due.filter(|restart| restart.before == t)
     }
 
-    /// The first restart after `t`.
+    /// Returns the first restart after `t`.
     fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S, instant: Option<S>) -> Option<Restart<S>> {
         let mut named = None;
         if let Some(time) = system.next_restart(t, self.end) {
@@ -123,7 +123,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.first(t, named, instant)
     }
 
-    /// The first restart after `t`: a given one, the one that the system names, or an instant.
+    /// Returns the first restart after `t`: a specified one, one provided by the system, or an
+    /// instant.
     fn first(&self, t: S, named: Option<(S, Roundings)>, instant: Option<S>) -> Option<Restart<S>> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
         let given = self.given[past..].iter().find_map(|time| self.between(t, *time, RESTART));
@@ -142,7 +143,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     }
 
     /// Returns a restart at `at` on the way from `t`, with this many roundings of time on both
-    /// sides. `None` without room for steps, too.
+    /// sides. `None` also if there is no room for steps.
     fn between(&self, t: S, at: S, roundings: Roundings) -> Option<Restart<S>> {
         let rounding = roundings.part::<S>() * t.abs().max(at.abs());
         let gap = if self.is_backwards { -rounding } else { rounding };
@@ -151,7 +152,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         has_room.then_some(restart)
     }
 
-    /// True if the run meets `later` after `time`; not so if one of them is NaN.
+    /// True if `later` comes after `time` in the run; false if either is NaN.
     fn is_ahead(&self, time: S, later: S) -> bool {
         if self.is_backwards { later < time } else { time < later }
     }

@@ -1,9 +1,9 @@
 //! A run in progress, turn by turn.
 //!
-//! One turn is a step of the method and all that happens in it. There are restarts at known times
-//! and events one by one in the order of time. An event may replace the state or the system, from
-//! which the motion continues. A [`Sink`] receives everything visible. Loops that keep nothing, and
-//! simulations, which keep what was requested, are therefore the same.
+//! One turn is a step of the method with its restarts at known times and its events, one by one in
+//! order of time. An event may replace the state or the system, from which the motion continues. A
+//! [`Sink`] receives everything visible. The same loop therefore serves runs that keep nothing and
+//! simulations, which keep the requested data.
 
 use super::current::Current;
 use super::events::{Events, Found, Origin, Replacement};
@@ -23,19 +23,17 @@ pub trait Sink<M: OdeSystem> {
     /// Receives an event.
     fn happen(&mut self, _origin: Origin, _event: &Found<M>, _kind: EventKind<M::Scalar>) {}
 
-    /// Receives the end of the last step, which counts as this time. True if the motion is to
-    /// continue.
+    /// Receives the end of the last step, which counts as this time. True if the motion continues.
     fn reach_end(&mut self, system: &M, stepper: &mut impl Stepper<M>, time: M::Scalar) -> bool;
 
-    /// Receives an event at this time and state in the last step. True if the motion is to
-    /// continue.
+    /// Receives an event at this time and state in the last step. True if the motion continues.
     fn reach(&mut self, system: &M, stepper: &mut impl Stepper<M>, reached: (M::Scalar, &M::State)) -> bool;
 
     /// Receives another system, valid from here on.
     fn switch(&mut self, _system: &M) {}
 
-    /// Receives the state from which the motion continues at the time that was reached, after a
-    /// reported event unless it `is_silent`.
+    /// Receives the state from which the motion continues at the time reached. The event before it
+    /// was reported unless it `is_silent`.
     fn replace(&mut self, system: &M, from: (M::Scalar, &M::State), is_silent: bool);
 
     /// Receives other inputs or the state after a tick, from this time and state on.
@@ -56,13 +54,13 @@ pub enum Turn<S, Y> {
 /// The result of one turn of a run of the system M.
 type Turned<M> = Outcome<M, Turn<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
 
-/// The next event of the system M and whose it is, if there is one, or E.
+/// The next event of the system M with its origin, if there is one, or the error E.
 type NextEvent<M, E> = Result<Option<(Origin, Found<M>)>, E>;
 
 /// The outcome of events, and true if the first of them was not reported.
 type Reaction<M> = Result<(EventOutcome<M>, bool), StepFailure<<M as OdeSystem>::Scalar>>;
 
-/// A run of a system by a method, whose stepper this is, with events of the kind E.
+/// A run of a system by a stepper of type T, with events of type E.
 pub struct Run<'r, 's, M: OdeSystem, T, E> {
     current: &'r mut Current<'s, M>,
     stepper: T,
@@ -74,7 +72,7 @@ pub struct Run<'r, 's, M: OdeSystem, T, E> {
 }
 
 impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
-    /// Starts a run, with `restarts` in the order in which it meets them.
+    /// Starts a run, with `restarts` in the order of the run.
     pub fn new(
         current: &'r mut Current<'s, M>,
         stepper: T,
@@ -101,18 +99,18 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.time()
     }
 
-    /// Returns the time that was reached: that of the restart if the last step ended there.
+    /// Returns the time reached: the time of the restart if the last step ended at one.
     pub fn time(&self) -> M::Scalar {
         self.restarts.time(&self.stepper)
     }
 
-    /// Returns the time from which the motion continues: after the restart if the last step ended
-    /// there.
+    /// Returns the time from which the motion continues: just after the restart if the last step
+    /// ended at one.
     pub fn beyond(&self) -> M::Scalar {
         self.restarts.beyond(&self.stepper)
     }
 
-    /// Returns the state that was reached.
+    /// Returns the state reached.
     pub fn state(&self) -> &M::State {
         self.stepper.state()
     }
@@ -122,7 +120,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.work()
     }
 
-    /// Takes a step, to `instant` at most, and handles its events up to one that changes or ends
+    /// Takes a step, at most to `instant`, and handles its events up to one that changes or ends
     /// the motion.
     ///
     /// # Errors
@@ -148,13 +146,13 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         Ok(if goes_on { Turn::GoesOn } else { Turn::Cancelled })
     }
 
-    /// Goes on with this system from the time and state that were reached, as with other inputs.
+    /// Continues with this system, such as one with other inputs, from the time and state reached.
     ///
     /// # Errors
     /// If the method cannot continue from there.
     pub fn exchange(&mut self, sink: &mut impl Sink<M>, system: M) -> Result<(), StepFailure<M::Scalar>> {
         let (time, state) = (self.time(), *self.stepper.state());
-        // Several surfaces may have been passed by the jump.
+        // The jump may have crossed several surfaces.
         let on_sides = system.on_sides(time, &state);
         self.current.switch(on_sides.or(Some(system)));
         let system = self.current.system();
@@ -167,7 +165,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.restart(system, time, &state)
     }
 
-    /// Lets the clocks tick that are due at the time that was reached, once.
+    /// Ticks the clocks that are due at the time reached, once.
     #[inline]
     fn tick(&mut self, sink: &mut impl Sink<M>) -> Result<(), StepFailure<M::Scalar>> {
         let (time, system) = (self.time(), self.current.system());
@@ -199,15 +197,15 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.restarts.step(self.current.system(), &mut self.stepper, instant, is_of_interest)
     }
 
-    /// The end of the run, or of the last step if clocks tick there. A function that is zero there
-    /// has an event, whatever follows.
+    /// Returns the end of the run, or of the last step if clocks tick there. A function that is
+    /// zero there has an event, whatever follows.
     fn last_instant(&self) -> M::Scalar {
         let (time, state) = (self.stepper.time(), self.stepper.state());
         let ticks = self.ticked != Some(time) && self.current.system().tick(time, state).is_some();
         if ticks { time } else { self.end }
     }
 
-    /// The next event of the last step.
+    /// Returns the next event of the last step.
     #[inline]
     fn next_event(&mut self) -> NextEvent<M, IntegrationError<M::Scalar, M::State>> {
         let (end, system) = (self.last_instant(), self.current.system());
@@ -220,8 +218,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         }
     }
 
-    /// Returns the outcome of an event and of those at the same time, each starting from the state
-    /// that the last one left.
+    /// Returns the outcome of simultaneous events, each starting from the state that the previous
+    /// one left.
     fn react(&mut self, sink: &mut impl Sink<M>, origin: Origin, first: Found<M>) -> Reaction<M> {
         let time = first.time;
         let mut outcome = EventOutcome::new();
@@ -234,8 +232,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         Ok((outcome, !is_told))
     }
 
-    /// Adds what comes of an event; whether it was told. A contact may touch without an impact and
-    /// without closing, which is not an event.
+    /// Adds the outcome of an event; true if the event was reported. A contact that touches without
+    /// impact and without closing is not an event.
     fn answer(
         &mut self,
         sink: &mut impl Sink<M>,
@@ -254,9 +252,9 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         Ok(is_told)
     }
 
-    /// The next event that cannot be told from `time`, taken to find the state as it was replaced
-    /// by then, if it was. What contacts and friction do is not among them: they have been settled,
-    /// or are once the motion goes on.
+    /// Returns the next event that cannot be distinguished from `time`, at the state left by
+    /// earlier ones. Events of contacts and friction are excluded: they are already settled, or
+    /// will be when the motion continues.
     fn next_at_once(
         &mut self,
         outcome: &EventOutcome<M>,
@@ -264,7 +262,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     ) -> NextEvent<M, StepFailure<M::Scalar>> {
         let (from, to, end) = (self.stepper.last_time(), self.stepper.time(), self.last_instant());
         loop {
-            // Behind the event the step is not part of the motion: functions may be anything there.
+            // After the event the step is not part of the motion: functions may have any values
+            // there.
             let next = match self.events.look(self.current.system(), &mut self.stepper, end) {
                 Ok(next) => next,
                 Err(cause @ StepFailure::Slides { .. }) => return Err(cause),
@@ -280,7 +279,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         }
     }
 
-    /// Goes on after events at this time and state, unless they stop the motion.
+    /// Continues after events at this time and state, unless they stop the motion.
     fn resume(
         &mut self,
         sink: &mut impl Sink<M>,
@@ -311,7 +310,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     }
 }
 
-/// True if an event is that of a contact, of friction or of a switch, by which a mode ends.
+/// True for an event of a contact, friction or a switch, which ends a mode.
 fn is_switch<M: OdeSystem>(system: &M, origin: Origin, event: &Found<M>) -> bool {
     origin == Origin::Declared && system.events()[event.event].is_switch
 }

@@ -1,4 +1,4 @@
-//! Methods on systems with constraints: what projection keeps, and what it must not spoil.
+//! Methods on systems with constraints: projection must enforce them without losing accuracy.
 
 use std::vec::Vec;
 
@@ -18,7 +18,7 @@ const BEAD: System<Bead, 2, 1> = System(Bead { rate: 1.0 });
 const LOOP: System<Parallelogram, 6, 6> = System(Parallelogram);
 const SPHERICAL: System<Spherical, 3, 1> = System(Spherical);
 
-/// Calls a generic function with each method, at a step or a tolerance that suits it.
+/// Calls a generic function with each method, at a suitable step or tolerance.
 macro_rules! each_method {
     ($step:expr, $call:expr) => {
         let (step, call) = ($step, $call);
@@ -85,7 +85,7 @@ fn every_method_stays_on_constraints_that_depend_on_each_other() {
     each_method!(0.02, Follow { system: &LOOP, start, residual: |t, y| LOOP.residual(t, y), bound: 1e-13 });
 }
 
-/// The error at the end of the step's method with this many steps.
+/// Returns the final errors of a method with different numbers of steps.
 fn errors<M: OdeSystem<Scalar = f64>, K: Method<M>>(
     system: &M,
     start: M::State,
@@ -107,7 +107,7 @@ fn assert_order((error, order): (f64, f64), wanted: f64) {
     assert!((order - wanted).abs() < 0.1 + 0.05 * wanted, "{order} instead of {wanted}, errors from {error}");
 }
 
-/// The state of a skate that turns at the rate w and runs at the speed s.
+/// Returns the state of a skate that turns at the rate w and moves at the speed s.
 fn glide(t: f64, (s, w): (f64, f64)) -> [f64; 6] {
     let (sine, cosine) = (w * t).sin_cos();
     [s / w * sine, s / w * (1.0 - cosine), w * t, s * cosine, s * sine, w]

@@ -1,4 +1,4 @@
-//! From a start to an end, with actions upon events.
+//! Integration from a start to an end, with actions at events.
 
 use super::declared::DeclaredEvents;
 use super::drive::drive;
@@ -9,7 +9,7 @@ use crate::integrate::{Method, Outcome, Stepper};
 use crate::system::{Action, Direction, OdeSystem, Reacted, Response};
 
 /// Integrates from `y0` at `t0` towards `t_end` and calls `act` at each zero of the E functions
-/// `values` that has the given direction. Returns time and state at the end, which is before
+/// `values` that has the given direction. Returns the final time and state; the time is before
 /// `t_end` if an action stopped the run.
 ///
 /// # Errors
@@ -17,7 +17,7 @@ use crate::system::{Action, Direction, OdeSystem, Reacted, Response};
 ///
 /// # Example
 ///
-/// A ball bounces and loses half of its speed each time:
+/// A ball bounces and loses half of its speed at each bounce:
 ///
 /// ```
 /// use lagrange::event::{Direction, Action, integrate_with_events};
@@ -70,7 +70,7 @@ where
     Ok((end.time, end.state))
 }
 
-/// E functions, and what to do at their zeros.
+/// E functions, and the action at their zeros.
 struct GivenFunctions<S, Y, V, A, const E: usize> {
     pending: Pending<S, Y, E>,
     values: V,

@@ -15,11 +15,11 @@ use crate::simulate::sampling::Sampling;
 use crate::system::{Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, ScalarOf};
 use crate::tolerance::DEFAULT_TOLERANCE;
 
-/// A run that can be started: what to integrate, how, and what to keep of it.
+/// A run to be started: the system, the method, and the results to keep.
 ///
-/// K is the method, D drives the inputs, and E tells if the run has an end: [`Ended`] or
-/// [`Unended`]. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only;
-/// other methods have their own settings:
+/// K is the method, D drives the inputs, and E is [`Ended`] or [`Unended`], depending on whether an
+/// end was specified. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method
+/// only; other methods have their own settings:
 ///
 /// ```compile_fail,E0599
 /// # lagrange::system! {
@@ -47,16 +47,16 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven, E = Ended> {
     pub(super) end: PhantomData<E>,
 }
 
-/// The run ends at a time.
+/// A run with an end time.
 #[derive(Clone, Copy, Debug)]
 pub enum Ended {}
 
-/// The run has no end yet: it needs [`until`](Simulation::until) or
+/// A run without an end time, which still needs [`until`](Simulation::until) or
 /// [`lasting`](Simulation::lasting).
 #[derive(Clone, Copy, Debug)]
 pub enum Unended {}
 
-/// A run that knows when it ends.
+/// A run with an end time.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "the run has no end",
@@ -67,7 +67,7 @@ pub trait KnowsItsEnd {}
 
 impl KnowsItsEnd for Ended {}
 
-/// The start of a run, which still needs an end.
+/// A run with a start, which still needs an end.
 pub type Start<'a, M> = Simulation<'a, M, Verner98<ScalarOf<M>>, Undriven, Unended>;
 
 impl<'a, M: MechanicalSystem> Start<'a, M> {
@@ -106,7 +106,7 @@ impl<'a, M: MechanicalSystem, K, D> Simulation<'a, M, K, D, Unended> {
         Simulation { system, state, plan, reporter, method, drive, end: PhantomData }
     }
 
-    /// Ends when this much time has passed; backwards if it is negative.
+    /// Ends after this duration; runs backwards if it is negative.
     pub fn lasting(self, duration: M::Scalar) -> Simulation<'a, M, K, D> {
         let end = self.plan.settings.span[0] + duration;
         self.until(end)
@@ -115,7 +115,7 @@ impl<'a, M: MechanicalSystem, K, D> Simulation<'a, M, K, D, Unended> {
 
 /// The name of the column that [`Simulation::energy`] adds.
 pub(crate) const ENERGY: &str = "energy";
-/// The tolerance of the default method if none is given, where numbers are fine enough.
+/// Default tolerance of the default method, if the number type is precise enough.
 const TOLERANCE: f64 = 1e-9;
 
 /// Returns the default method of runs.
@@ -124,18 +124,19 @@ pub(crate) fn default_method<S: Scalar>() -> Verner98<S> {
 }
 
 impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
-    /// Sets the tolerated error of a step. It is relative for components of the state that are
-    /// larger than one, and absolute for smaller ones. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
+    /// Sets the error tolerance of a step. It is relative for components of the state that are
+    /// larger than one, and absolute for smaller ones. The default is 1e-9 for `f64` and 1.2e-6 for
+    /// `f32`.
     ///
-    /// The error at the end is the sum of these errors as the motion carries them on.
+    /// The error at the end is the sum of these errors, as propagated by the motion.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.relative = tolerance;
         self.method.absolute = tolerance;
         self
     }
 
-    /// Sets the tolerated error of a step in the units of the state. Call it after
-    /// [`tolerance`](Self::tolerance), which then is relative only.
+    /// Sets the absolute error tolerance of a step, in the units of the state. Call it after
+    /// [`tolerance`](Self::tolerance), which then applies only to the relative error.
     pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.absolute = tolerance;
         self
@@ -161,28 +162,28 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
 
     /// Keeps a sample at the start, at the end, and at start + k `interval` between them.
     ///
-    /// The method steps as it would without samples; what lies within a step is interpolated.
+    /// Samples do not affect the steps of the method; states within a step are interpolated.
     pub fn every(mut self, interval: M::Scalar) -> Self {
         self.plan.settings.sampling = Sampling::Every(interval);
         self
     }
 
-    /// Keeps a sample at the start, at the end, and at each of these times between them, as those
-    /// of a measurement. They must be in the order of the run.
+    /// Keeps a sample at the start, at the end, and at each of these times between them, such as
+    /// the times of a measurement. Times must be in the order of the run.
     pub fn at_times(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
         self.plan.settings.sampling = Sampling::Times;
         self.plan.settings.times = times.into_iter().collect();
         self
     }
 
-    /// Keeps a sample at the start and at the end only.
+    /// Keeps samples only at the start and at the end.
     pub fn ends_only(mut self) -> Self {
         self.plan.settings.sampling = Sampling::Ends;
         self
     }
 
-    /// Keeps besides the samples what [`Trajectory::at`](super::Trajectory::at) needs to know the
-    /// state at any time: order + 2 states a step, 6 at least.
+    /// Keeps, in addition to the samples, the data for [`Trajectory::at`](super::Trajectory::at) at
+    /// any time: order + 2 states per step, at least 6.
     pub fn dense(mut self) -> Self {
         self.plan.settings.is_dense = true;
         self
@@ -227,20 +228,20 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Adds a column for each acceleration, such as `theta_ddot` of a coordinate `theta`, and
-    /// `w_dot` of a velocity that is called `w`.
+    /// Adds a column for each acceleration, such as `theta_ddot` for a coordinate `theta`, or
+    /// `w_dot` for a velocity named `w`.
     pub fn accelerations(mut self) -> Self {
         self.plan
             .observe(acceleration_names(self.system.description()), Box::new(columns_of(M::acceleration)));
         self
     }
 
-    /// Records each zero of a function of time and state that is passed in this direction, under
+    /// Records each zero of a function of time and state that is crossed in this direction, under
     /// this name in [`Trajectory::events`](super::Trajectory::events).
     ///
-    /// Zeros are found as in [`crate::event`]: within a step, to 10⁻¹³ of it. Functions receive the
-    /// system of that time, with its closed contacts and sticking friction. Events of the
-    /// declaration are always recorded.
+    /// Zeros are located as in [`crate::event`]: within a step, to 10⁻¹³ of its length. Functions
+    /// receive the system of that time, with its closed contacts and sticking friction. Events of
+    /// the declaration are always recorded.
     pub fn event(
         self,
         name: &str,
@@ -250,7 +251,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self.event_with(name, direction, value, |_, _| Action::Continue)
     }
 
-    /// Ends the run at the first such zero, which is recorded, too.
+    /// Ends the run at the first zero crossed in this direction, which is also recorded.
     pub fn stop_at(
         self,
         name: &str,
@@ -260,8 +261,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
-    /// Records each such zero. The run then continues, stops, or continues from another state, as
-    /// after an impact.
+    /// Records each zero crossed in this direction. The run then continues, stops, or continues
+    /// from another state, as after an impact.
     pub fn event_with(
         mut self,
         name: &str,
@@ -273,28 +274,27 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Gives up with an error after this many steps, rejected ones included. The default method is
-    /// limited to a hundred million steps; others have no limit.
+    /// Sets the maximum number of steps, including rejected ones, after which an error is returned.
+    /// The default method is limited to a hundred million steps; other methods have no limit.
     pub fn max_steps(mut self, limit: u64) -> Self {
         self.plan.settings.max_steps = Some(limit);
         self
     }
 
-    /// Takes no step longer than this, so that nothing that lasts about a quarter of it is stepped
-    /// over. By default, steps of the adaptive method are no longer than a twentieth of the run,
-    /// and a two-hundredth while the system is at rest. For methods with a fixed step length it is
-    /// an error.
+    /// Sets the maximum length of a step, so that steps do not skip effects that last about a
+    /// quarter of it. By default, steps of the adaptive method are at most a twentieth of the run,
+    /// or a two-hundredth while the system is at rest. Methods with a fixed step length report an
+    /// error.
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
         self.plan.settings.longest_step = Some(longest);
         self
     }
 
-    /// Ends a step at each of these times and starts another one there, for a force that jumps or
-    /// has a kink at known times. Times that are not between start and end have no effect; further
-    /// calls add times.
+    /// Ends a step at each of these times and starts the next one there, for forces with jumps or
+    /// kinks at known times. Times outside the run have no effect; further calls add times.
     ///
-    /// Nothing is evaluated at such a time itself. The side of the time to which a jump belongs
-    /// therefore has no effect.
+    /// Nothing is evaluated exactly at such a time, so it does not matter which side a jump belongs
+    /// to.
     pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
         self.plan.settings.restarts.extend(times);
         self
@@ -303,8 +303,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// Calls back about 200 times during the run, as for a progress bar.
     ///
     /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the run, which then
-    /// returns the trajectory so far. It is also called, ever more seldom, while a run takes many
-    /// steps and gets nowhere.
+    /// returns the trajectory so far. It is also called, at growing intervals, while a run takes
+    /// many steps without progress.
     pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<M::Scalar>) -> V + 'a) -> Self {
         Simulation { reporter: Some(Reporter::new(callback)), ..self }
     }

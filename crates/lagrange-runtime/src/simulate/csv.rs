@@ -12,8 +12,8 @@ use crate::system::MechanicalSystem;
 use lagrange_files::{csv_cell, save};
 
 impl<M: MechanicalSystem> Trajectory<M> {
-    /// Writes all columns to a file, as [`write_csv`](Trajectory::write_csv) does; an older file
-    /// stays until the new one is whole.
+    /// Writes all columns to a file, as [`write_csv`](Trajectory::write_csv) does; an existing file
+    /// is replaced only when the new one is complete.
     ///
     /// # Errors
     /// If the operating system cannot write the file, with its path.
@@ -27,10 +27,9 @@ impl<M: MechanicalSystem> Trajectory<M> {
     }
 
     /// Writes all columns as comma-separated values: a line of names, the first being `t`, then a
-    /// line for each sample. Names of columns whose [unit](Trajectory::unit) is known end in it, as
-    /// in `t in s,x in m`. Names that spreadsheets would take for formulas, since they begin with
-    /// `=`, `+`, `-`, `@` or a control character, have an apostrophe before them, which makes them
-    /// text there.
+    /// line for each sample. Known [units](Trajectory::unit) are appended to names, as in `t in s,x
+    /// in m`. Names that begin with `=`, `+`, `-`, `@` or a control character get a leading
+    /// apostrophe, so that spreadsheets treat them as text, not formulas.
     ///
     /// Every `f64` or `f32` is written with enough digits to read back the same bits, and other
     /// numbers in their `Debug` form.

@@ -1,4 +1,4 @@
-//! The cause of a run that stopped early, and its data until then.
+//! The error of a run that stopped early, with the data recorded so far.
 
 use std::boxed::Box;
 use std::error::Error;
@@ -9,21 +9,21 @@ use crate::simulate::table::repeated;
 use crate::simulate::trajectory::Trajectory;
 use crate::system::{EventName, EventSource, MechanicalSystem, SettingError, StepFailure, explain};
 
-/// A run stopped before its end.
+/// The error of a run that stopped before its end.
 ///
-/// The data until then are kept; the last sample is the last good state.
+/// The data up to the failure are kept; the last sample is the last good state.
 pub struct SimulationError<M: MechanicalSystem> {
-    /// Why.
+    /// Cause of the failure.
     pub cause: StepFailure<M::Scalar>,
     /// Name of the event or column that the cause concerns, if any.
     pub name: Option<String>,
-    /// Data recorded up to the failure. Every sample is finite, except that the first is the given
-    /// initial state.
+    /// Data recorded up to the failure. Every sample is finite, except that the first is the
+    /// initial state as specified.
     pub trajectory: Box<Trajectory<M>>,
 }
 
 impl<M: MechanicalSystem> SimulationError<M> {
-    /// An error of a run to which events with these names were `given`.
+    /// Creates the error of a run to which the events named in `given` were added.
     pub(super) fn new(cause: StepFailure<M::Scalar>, given: &[String], trajectory: Trajectory<M>) -> Self {
         let name = match (cause, cause.event()) {
             (StepFailure::Setting(SettingError::RepeatedColumn), _) => repeated(trajectory.names()).cloned(),
@@ -61,8 +61,7 @@ impl<M: MechanicalSystem> Display for SimulationError<M> {
     }
 }
 
-/// Writes why and when a run stopped, and what the event or the column is called that the cause is
-/// about.
+/// Writes the cause and time of a failure, with the name of the event or column concerned.
 pub(crate) fn explain_run<S: Copy + Debug + PartialEq>(
     cause: &StepFailure<S>,
     name: Option<&str>,

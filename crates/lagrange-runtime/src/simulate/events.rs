@@ -13,17 +13,17 @@ use crate::system::{
     Action, Direction, EventKind, EventSource, MechanicalSystem, Reacted, Response, ScalarOf, State,
 };
 
-/// Something that happened during a run.
+/// An event that occurred during a run.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Event<S, Y> {
-    /// Name.
+    /// Name of the event.
     pub name: String,
-    /// When it happened.
+    /// Time of the event.
     pub time: S,
-    /// The state then, before any reaction.
+    /// State at the event, before any reaction.
     pub state: Y,
-    /// Kind: more than a zero for the event of a contact or of dry friction.
+    /// Kind of the event, with details for contacts and dry friction.
     pub kind: EventKind<S>,
 }
 
@@ -36,7 +36,7 @@ pub(crate) type Value<'a, M> = Box<dyn FnMut(&M, ScalarOf<M>, &State<M>) -> Scal
 /// The response to an event.
 pub(crate) type React<'a, M> = Box<dyn FnMut(&M, &EventOf<M>) -> Action<State<M>> + 'a>;
 
-/// A function whose zeros are looked for, and the response to them.
+/// A function whose zeros are located, and the response to them.
 pub(crate) type Watch<'a, M> = (Value<'a, M>, React<'a, M>);
 
 /// An event of a run and its next occurrence.
@@ -47,11 +47,11 @@ struct Watcher<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
     pending: Pending<M::Scalar, C::State, 1>,
 }
 
-/// The events that a run looks for.
+/// The events added to a run.
 pub(super) struct Watchers<'a, M: MechanicalSystem, C: ClosedLoop<M>>(Vec<Watcher<'a, M, C>>);
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
-    /// Starts to watch at a time and state for events with these names and directions.
+    /// Starts watching, at a time and state, for events with these names and directions.
     pub(super) fn new(
         events: &[(String, Direction)],
         watches: Vec<Watch<'a, M>>,
@@ -67,7 +67,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
     }
 }
 
-/// Returns the value of a function for the system as it is at this time and state.
+/// Returns the value of a function for the system at this time and state.
 fn ask<M: MechanicalSystem, C: ClosedLoop<M>>(
     value: &mut Value<'_, M>,
     system: &C,

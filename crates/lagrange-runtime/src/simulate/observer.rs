@@ -1,4 +1,4 @@
-//! Columns beside the state.
+//! Columns in addition to the state.
 
 use std::boxed::Box;
 use std::string::{String, ToString};
@@ -8,7 +8,7 @@ use crate::system::{
     ControlledSystem, Description, EnergyFunction, MechanicalSystem, ScalarOf, State, WithSuffix, split,
 };
 
-/// Adds one value for each column of an observer to a row.
+/// A function that adds one value for each column of an observer to a row.
 pub(crate) type Extend<'a, M> = Box<dyn FnMut(&M, ScalarOf<M>, &State<M>, &mut Vec<ScalarOf<M>>) + 'a>;
 
 /// Returns a function that adds values at positions and velocities to a row.
@@ -46,7 +46,7 @@ pub(crate) fn state_names(system: &Description) -> impl Iterator<Item = String> 
     system.coordinates.iter().map(ToString::to_string).chain(velocity_names(system))
 }
 
-/// The names of the velocities.
+/// Returns the names of the velocities.
 fn velocity_names(system: &Description) -> Vec<String> {
     if system.velocities_are_rates() {
         return system.coordinates.iter().map(|name| WithSuffix::velocity(name).to_string()).collect();
@@ -54,7 +54,7 @@ fn velocity_names(system: &Description) -> Vec<String> {
     system.velocities.iter().map(ToString::to_string).collect()
 }
 
-/// The names of the accelerations.
+/// Returns the names of the accelerations.
 pub(super) fn acceleration_names(system: &Description) -> Vec<String> {
     velocity_names(system).iter().map(|velocity| WithSuffix::rate_of(velocity).to_string()).collect()
 }

@@ -32,7 +32,7 @@ where
     M::Scalar: Into<f64>,
 {
     /// Writes all columns to a Parquet file, as [`write_parquet`](Trajectory::write_parquet) does;
-    /// an older file stays until the new one is whole.
+    /// an existing file is replaced only when the new one is complete.
     ///
     /// # Errors
     /// If the operating system or the writer fails, with the path.
@@ -41,9 +41,10 @@ where
         save(path, |error| cannot_write(path, &error).into(), |file| self.write_parquet(file))
     }
 
-    /// Writes all columns in Apache Parquet format: required columns of type `DOUBLE`, not
-    /// compressed, the first being the time `t`. A column whose [unit](Trajectory::unit) is known
-    /// has it under `lagrange.unit.` and its name among the file's key–value metadata.
+    /// Writes all columns in Apache Parquet format: required, uncompressed columns of type
+    /// `DOUBLE`, the first being the time `t`. If the [unit](Trajectory::unit) of a column is
+    /// known, the file's key–value metadata have it under `lagrange.unit.` and the name of the
+    /// column.
     ///
     /// # Errors
     /// If the writer fails.
@@ -68,7 +69,8 @@ where
     }
 }
 
-/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time.
+/// Returns the encodings and metadata. Values of a motion hardly repeat, so a dictionary would only
+/// cost time.
 fn properties(system: &Description, names: &[String]) -> WriterProperties {
     let columns = std::iter::once(TIME).chain(names.iter().map(String::as_str));
     let units: Vec<_> = units(system, columns).collect();
@@ -76,7 +78,7 @@ fn properties(system: &Description, names: &[String]) -> WriterProperties {
     builder.set_key_value_metadata((!units.is_empty()).then_some(units)).build()
 }
 
-/// Entries of metadata for the units of these columns.
+/// Returns metadata entries with the units of these columns.
 pub(crate) fn units<'n>(
     system: &Description,
     names: impl Iterator<Item = &'n str>,
@@ -84,7 +86,7 @@ pub(crate) fn units<'n>(
     names.filter_map(|name| Some(KeyValue::new(format!("{UNIT}{name}"), unit(system, name)?.to_string())))
 }
 
-/// One column of doubles for each name, after the time.
+/// Returns a schema with a column of doubles for the time and for each name.
 fn schema<S: Copy>(table: &Table<S>) -> Result<Type, ParquetError> {
     let names = std::iter::once(TIME).chain(table.names().iter().map(String::as_str));
     let column = |name: &str| {

@@ -1,4 +1,4 @@
-//! The plan of a run: all of its settings but system, start, method and drive.
+//! The plan of a run: all settings except system, start, method and drive.
 
 use std::cmp::Ordering;
 use std::string::{String, ToString};
@@ -34,23 +34,23 @@ pub(crate) struct RunSettings<S> {
     /// The times of start and end.
     pub(crate) span: [S; 2],
     pub(crate) sampling: Sampling<S>,
-    /// Times of samples, if they are given, in the order of the run.
+    /// Times of samples, if specified, in the order of the run.
     pub(crate) times: Vec<S>,
     pub(crate) is_dense: bool,
     pub(crate) max_steps: Option<u64>,
     pub(crate) longest_step: Option<S>,
     pub(crate) restarts: Vec<S>,
-    /// Names of the columns after those of the state.
+    /// Names of the columns after the state.
     pub(crate) columns: Vec<String>,
     pub(crate) events: Vec<(String, Direction)>,
     /// The periods of controllers.
     pub(crate) periods: Vec<S>,
-    /// The first setting that makes no sense whatever the others are.
+    /// The first setting that is invalid regardless of the others.
     pub(crate) fault: Option<SettingError<S>>,
 }
 
 impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
-    /// Returns the plan of a run that lasts for no time and has these samples.
+    /// Returns the plan of a run of zero duration with this sampling.
     pub(crate) fn new(sampling: Sampling<M::Scalar>) -> Self {
         let settings = RunSettings {
             span: [M::Scalar::ZERO; 2],
@@ -68,7 +68,7 @@ impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
         Plan { settings, columns: Vec::new(), watches: Vec::new(), controllers: Vec::new(), inputs: None }
     }
 
-    /// Adds columns that one function computes.
+    /// Adds columns computed by one function.
     pub(crate) fn observe(&mut self, names: impl IntoIterator<Item = impl ToString>, extend: X) {
         let before = self.settings.columns.len();
         self.settings.columns.extend(names.into_iter().map(|name| name.to_string()));
@@ -106,11 +106,11 @@ impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
 }
 
 impl<S: Scalar> RunSettings<S> {
-    /// Checks all that can be checked before the run, the names of its columns among it, and
-    /// returns the method with its longest step.
+    /// Checks everything that can be checked before the run, including the names of its columns.
+    /// Returns the method with its longest step.
     ///
     /// # Errors
-    /// If a setting makes no sense.
+    /// If a setting is invalid.
     pub(crate) fn check<C, K>(
         &self,
         system: &impl OdeSystem<Scalar = S>,
@@ -143,8 +143,8 @@ impl<S: Scalar> RunSettings<S> {
         Ok(())
     }
 
-    /// Returns the reason for an error of [`check`](Self::check), with the name of a column that it
-    /// is about.
+    /// Returns the message for an error of [`check`](Self::check), with the name of the column
+    /// concerned.
     #[cfg(feature = "ensemble")]
     pub(crate) fn explain(names: &[String], error: SettingError<S>) -> String {
         let name = repeated(names).filter(|_| error == SettingError::RepeatedColumn);
@@ -156,20 +156,20 @@ impl<S: Scalar> RunSettings<S> {
         self.events.iter().map(|(name, _)| name.clone()).collect()
     }
 
-    /// Keeps the first setting that makes no sense.
+    /// Records an invalid setting, unless an earlier one was recorded.
     pub(crate) fn refuse(&mut self, error: SettingError<S>) {
         self.fault = self.fault.or(Some(error));
     }
 
-    /// Returns the names of all columns: coordinates, velocities, and those that were added.
+    /// Returns the names of all columns: coordinates, velocities, and added columns.
     pub(crate) fn names(&self, system: &Description) -> Vec<String> {
         state_names(system).chain(self.columns.iter().cloned()).collect()
     }
 
-    /// Returns the times of samples between start and end, if an interval gives them.
+    /// Returns the times of samples between start and end, if an interval was specified.
     ///
     /// # Errors
-    /// If the interval makes no sense.
+    /// If the interval is invalid.
     pub(crate) fn grid(&self) -> Result<Option<Grid<S>>, SettingError<S>> {
         self.interval().map(|interval| Grid::new(self.span, interval)?.checked()).transpose()
     }
@@ -179,7 +179,7 @@ impl<S: Scalar> RunSettings<S> {
         if let Sampling::Every(interval) = self.sampling { Some(interval) } else { None }
     }
 
-    /// Returns the times of restart in the order in which the run meets them.
+    /// Returns the times of restart in the order of the run.
     pub(crate) fn restarts_in_order(&self) -> Vec<S> {
         let mut times = self.restarts.clone();
         times.sort_by(|one, other| one.partial_cmp(other).unwrap_or(Ordering::Equal));

@@ -16,14 +16,14 @@ use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
 /// A column and its points.
 type NamedCurve<'n> = (&'n str, Vec<(f64, f64)>);
 
-/// Up to this many coordinates have a panel each.
+/// Maximum number of coordinates with a panel each.
 const SEPARATE: usize = 4;
 /// Sizes of figures and panels.
 const WIDE: (u32, u32) = (860, 420);
 const SMALL: (u32, u32) = (480, 230);
 const SQUARE: (u32, u32) = (560, 520);
-/// Energies that change by more than this part of their initial value are not set in relation to
-/// it.
+/// Energies that change by more than this fraction of their initial value are not plotted relative
+/// to it.
 const LARGE_DRIFT: f64 = 0.1;
 /// A drift that grows by more than this factor after the first tenth of the run is shown on a
 /// logarithmic axis.
@@ -33,16 +33,16 @@ impl<M: MechanicalSystem> Trajectory<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Plots coordinates and velocities against time. Up to four coordinates have a panel each.
-    /// Otherwise there is one panel for all coordinates and one for all velocities, also if their
-    /// numbers differ. First-order states have a separate panel.
+    /// Plots coordinates and velocities against time. Up to four coordinates have a panel each. For
+    /// more coordinates, or a different number of velocities, there is one panel for all
+    /// coordinates and one for all velocities. First-order states have a separate panel.
     ///
     /// Here and in all plots, symbols are written as in formulas: θ̇₁ for `theta1_dot`, ẍ for
-    /// `x_ddot`, x₂ for `x[2]`. Words, and names that would look like others, stay as they are.
-    /// Units of a declaration stand behind names, as in x in m: at the axis, and in the legend if
-    /// curves have several.
+    /// `x_ddot`, x₂ for `x[2]`. Words, and names whose symbols would be ambiguous, are unchanged.
+    /// Units of a declaration follow names, as in x in m: at the axis, or in the legend if units
+    /// differ between curves.
     ///
-    /// The extension of the file selects its format, here and in all plots: `svg` for drawings and
+    /// In all plots, the extension of the file selects its format: `svg` for vector graphics and
     /// `png` for pixels.
     ///
     /// # Errors
@@ -133,8 +133,8 @@ where
     /// magnitude.
     ///
     /// # Errors
-    /// If the run was not asked to observe its [`energy`](crate::simulate::Simulation::energy), or
-    /// the file cannot be written.
+    /// If the run did not record its [`energy`](crate::simulate::Simulation::energy), or the file
+    /// cannot be written.
     pub fn plot_energy(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let energies = self.numbers(ENERGY).map_err(|_| PlotError::NoEnergy)?;
         let (drift, [signed, absolute], is_relative) = drift(&energies);
@@ -148,13 +148,13 @@ where
         Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
-    /// A panel for each coordinate, with one for its velocity beside it.
+    /// Returns a panel for each coordinate, each followed by a panel for its velocity.
     fn pairs(&self, coordinates: &[String], velocities: &[String]) -> Result<Vec<Panel>, PlotError> {
         let names = coordinates.iter().zip(velocities).flat_map(|(q, v)| [q, v]);
         names.map(|name| self.over_time(name, std::slice::from_ref(name))).collect()
     }
 
-    /// Columns against time.
+    /// Returns a panel of columns against time.
     fn over_time(&self, title: &str, names: &[String]) -> Result<Panel, PlotError> {
         let curves = names.iter().map(|name| self.curve(self.seconds(), name));
         Ok(self.panel(time_axis(), title, curves.collect::<Result<_, PlotError>>()?))
@@ -165,8 +165,8 @@ where
         Ok((name, x.zip(self.numbers(name)?).collect()))
     }
 
-    /// Returns a panel for columns. Units stand at the axes, and in the legend where curves have
-    /// several.
+    /// Returns a panel for columns. Units are at the axes, or in the legend if they differ between
+    /// curves.
     fn panel(&self, x: Label, y: &str, curves: Vec<NamedCurve<'_>>) -> Panel {
         let columns = Columns::new(self.names().iter().map(String::as_str));
         let mut units = curves.iter().map(|(name, _)| unit(self.description, name));
@@ -199,12 +199,12 @@ where
     }
 }
 
-/// Returns the label of the time axis; SI units, as everywhere.
+/// Returns the label of the time axis, in SI units as everywhere.
 pub(crate) fn time_axis() -> Label {
     Label::from("time ").then("t").then(" in s")
 }
 
-/// Refuses a plot without columns.
+/// Returns an error for a plot without columns.
 fn some(names: &[&str]) -> Result<(), PlotError> {
     if names.is_empty() { Err(PlotError::NoColumns) } else { Ok(()) }
 }

@@ -11,22 +11,21 @@ use crate::system::{
     ControlledSystem, MechanicalSystem, OutputSystem, SettingError, StepFailure, Undefined, split,
 };
 
-// What is asked of a system stands at each method, so that the compiler says what is missing in its
-// own words.
+// Each method has its own bounds on the system, so that compiler messages name the missing trait.
 impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
     /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a
     /// force over time.
     ///
-    /// The law is part of the equations: methods evaluate it at trial states in any order, so that
-    /// it cannot have a memory. It is given the system with the inputs that were declared, set or
-    /// [sampled](Simulation::sampled); inputs that it does not compute it takes from there.
-    /// Contacts, friction, events and whatever is observed know the inputs that it gives. Every
-    /// input becomes a column.
+    /// The law is part of the equations: methods evaluate it at trial states in any order, so it
+    /// cannot have memory. It receives the system with the declared, set or
+    /// [sampled](Simulation::sampled) inputs, from which it copies those that it does not compute.
+    /// Contacts, friction, events and observers see the inputs of the law. Every input becomes a
+    /// column.
     ///
-    /// Jumps and kinks of a law are not located. Where they matter, write them into the
-    /// declaration, such as `min(u, 20)` for a force that saturates. The compiler then knows where
-    /// the motion is not smooth, and runs locate these points. For implicit methods its derivatives
-    /// are found by difference quotients.
+    /// Jumps and kinks of a law are not located. If they matter, put them into the declaration,
+    /// such as `min(u, 20)` for a force that saturates. Runs then locate the points where the
+    /// motion is not smooth. Implicit methods compute the derivatives of a law by difference
+    /// quotients.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -58,16 +57,15 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
 }
 
 impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
-    /// Sets the inputs by a controller that is asked at the start and then every `period`, and
-    /// holds them in between (a zero-order hold).
+    /// Sets the inputs by a controller that is called at the start and then every `period`. Inputs
+    /// are held in between (a zero-order hold).
     ///
-    /// A step ends at each of these instants, so that no step sees two values of an input. The
-    /// controller may have a memory, such as the integral of a deviation. It is called at the start
-    /// and then exactly once at each instant, in their order, with the state there. It is not
-    /// called at the end of a run. It receives the system with its present inputs, and takes from
-    /// there those that it does not compute. Several controllers at the same instant act in the
-    /// order of their declaration. Every input becomes a column, which at an instant holds the new
-    /// value.
+    /// A step ends at each of these instants, so no step sees two values of an input. The
+    /// controller may have memory, such as the integral of a deviation. It is called exactly once
+    /// at the start and at each instant, in order, with the current state. It is not called at the
+    /// end of a run. It receives the system with its present inputs, from which it copies those
+    /// that it does not compute. Several controllers at the same instant act in the order in which
+    /// they were added. Every input becomes a column, which holds the new value at an instant.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -102,7 +100,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     }
 }
 
-/// Returns a controller as a function that gives a system its inputs, if they are finite.
+/// Returns a controller as a function that sets the inputs of a system, if they are finite.
 pub(crate) fn held<'a, M, F>(mut control: F) -> Act<'a, M>
 where
     M: ControlledSystem,
@@ -125,8 +123,8 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         self
     }
 
-    /// Adds the columns of this output, or of this component of one, such as `tip` or `tip.x`. An
-    /// output that is not declared is an error of the run.
+    /// Adds the columns of an output or of one component, such as `tip` or `tip.x`. An undeclared
+    /// output is reported as an error by the run.
     pub fn record(mut self, output: &'static str) -> Self
     where
         M: OutputSystem,

@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 pub struct Progress<S> {
     /// The time at which the run started.
     pub start: S,
-    /// The time that was reached.
+    /// The time reached so far.
     pub time: S,
     /// The time at which the run will end.
     pub end: S,
@@ -20,7 +20,7 @@ pub struct Progress<S> {
 }
 
 impl<S: Scalar + Into<f64>> Progress<S> {
-    /// Returns the completed part of the time, from 0 to 1.
+    /// Returns the completed fraction of the time, from 0 to 1.
     pub fn fraction(&self) -> f64 {
         if self.time == self.end {
             return 1.0;
@@ -47,19 +47,19 @@ impl Verdict for ControlFlow<()> {
     }
 }
 
-/// A callback, called when another part of the time is done, and more and more rarely if it is not.
-/// A run without progress can therefore be cancelled, too.
+/// A callback, called whenever another part of the time is done, and at growing intervals of steps
+/// otherwise. A run that makes no progress can therefore be cancelled, too.
 pub(super) struct Reporter<'a, S> {
     callback: Box<dyn FnMut(Progress<S>) -> bool + 'a>,
-    /// Parts of the time whose end was reported.
+    /// Number of parts of the time that were reported.
     reported: u32,
-    /// The number of steps to report at in any case.
+    /// Number of steps at which to report in any case.
     patience: u64,
 }
 
-/// A run is divided into this many parts.
+/// Number of parts into which a run is divided.
 const PARTS: u32 = 200;
-/// Steps after which a part that is not done is reported; doubled each time.
+/// Number of steps after which an unfinished part is reported; doubled each time.
 const PATIENCE: u64 = 1 << 12;
 
 impl<'a, S: Scalar> Reporter<'a, S> {
@@ -68,7 +68,7 @@ impl<'a, S: Scalar> Reporter<'a, S> {
         Reporter { callback, reported: 0, patience: PATIENCE }
     }
 
-    /// Reports if it is time to; whether to go on.
+    /// Reports progress if it is due; true to continue.
     pub(super) fn step(&mut self, progress: Progress<S>) -> bool {
         let done = self.parts_done(&progress);
         let is_long = progress.steps >= self.patience;

@@ -1,4 +1,4 @@
-//! The run itself: steps, and what happens in them.
+//! The run itself: its steps and their events.
 
 #[cfg(feature = "ensemble")]
 use crate::integrate::Work;
@@ -30,8 +30,8 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         drive.close(system, |closed| run(closed, self))
     }
 
-    /// Returns the trajectory of this run, given the samples after its start, the last of which is
-    /// its end, as lanes computed them.
+    /// Returns the trajectory of this run from samples computed in lanes. They follow the start,
+    /// and the last one is the end.
     #[cfg(feature = "ensemble")]
     pub(crate) fn assemble(
         self,
@@ -113,7 +113,7 @@ where
     }
 }
 
-/// The cause by name, of a run that stopped at this time and state.
+/// Returns the cause with names, for a run that stopped at this time and state.
 fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     cause: StepFailure<M::Scalar>,
     system: &C,
@@ -128,8 +128,8 @@ fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     }
 }
 
-/// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with
-/// it methods say.
+/// Returns the start, moved onto the constraints if it nearly satisfies them. Errors in it are
+/// reported by methods.
 fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scalar, M::State) {
     let mut admitted = y;
     match system.admit(t, &mut admitted) {
@@ -138,8 +138,7 @@ fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scal
     }
 }
 
-/// Follows a run to its end. Controllers act between its turns, when their instants have been
-/// reached.
+/// Follows a run to its end. Controllers act between its turns, when their instants are reached.
 fn follow<M, C, T, E>(
     mut run: Run<'_, '_, C, T, E>,
     record: &mut Record<'_, M, C>,

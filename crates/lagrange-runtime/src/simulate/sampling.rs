@@ -4,14 +4,14 @@ use crate::scalar::Scalar;
 use crate::system::SettingError;
 use crate::tolerance::SAME_INSTANT;
 
-/// The sampling times of a run, beside its start and its end.
+/// The sampling times of a run, in addition to its start and its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Sampling<S> {
     /// The end of every step.
     EveryStep,
     /// The start plus multiples of this interval.
     Every(S),
-    /// Times that were given.
+    /// Times specified one by one.
     Times,
     /// None.
     Ends,
@@ -27,21 +27,21 @@ pub(crate) struct Grid<S> {
     index: u64,
 }
 
-/// No more samples than this are kept: beyond it a run would fill any memory.
+/// Maximum number of samples; more would exhaust memory.
 const MOST_SAMPLES: f64 = 1e8;
-/// A time this part of the interval away from the end is the end.
+/// A time within this fraction of the interval from the end counts as the end.
 const SNAP: f64 = 1e-9;
 
 impl<S: Scalar> Grid<S> {
     /// Returns the times of a run over this span.
     ///
     /// # Errors
-    /// If the interval makes no sense. Methods report a span that is not finite.
+    /// If the interval is invalid. Methods report a span that is not finite.
     pub(crate) fn new([start, end]: [S; 2], interval: S) -> Result<Self, SettingError<S>> {
         if !(interval > S::ZERO && interval.is_finite()) {
             return Err(SettingError::Invalid("the sampling interval must be positive and finite"));
         }
-        // Otherwise instants next to each other would be the same, or taken to be.
+        // Otherwise neighbouring instants would be equal, or be treated as equal.
         let rounding = SAME_INSTANT.times(2).part::<S>() * start.abs().max(end.abs());
         if rounding.is_finite() && interval <= rounding {
             return Err(SettingError::Invalid(
@@ -51,10 +51,10 @@ impl<S: Scalar> Grid<S> {
         Ok(Grid { start, interval: if end < start { -interval } else { interval }, end, index: 1 })
     }
 
-    /// Returns these times if as many samples fit into memory.
+    /// Returns these times if their number is not too large.
     ///
     /// # Errors
-    /// If they do not.
+    /// If there are too many samples.
     pub(crate) fn checked(self) -> Result<Self, SettingError<S>> {
         let samples = (self.end - self.start) / self.interval;
         let most = S::from_f64(MOST_SAMPLES);
@@ -71,13 +71,13 @@ impl<S: Scalar> Grid<S> {
         self.interval < S::ZERO
     }
 
-    /// The next time, if it comes before the end.
+    /// Returns the next time, if it comes before the end.
     #[cfg(feature = "ensemble")]
     pub(crate) fn next(&mut self) -> Option<S> {
         self.up_to(self.end)
     }
 
-    /// The next time, if it comes before the end and not after `reached`.
+    /// Returns the next time, if it comes before the end and not after `reached`.
     pub(super) fn up_to(&mut self, reached: S) -> Option<S> {
         let time = self.start + S::from_f64(self.index as f64) * self.interval;
         if self.is_after(time, reached) || self.is_end(time) {
@@ -91,8 +91,8 @@ impl<S: Scalar> Grid<S> {
         if self.interval > S::ZERO { time > other } else { time < other }
     }
 
-    /// True if a time is the end or beyond it, except for rounding. It may be closer than a part of
-    /// the interval, or the neighbouring number.
+    /// True if a time is the end or beyond it, up to rounding: within a small fraction of the
+    /// interval, or the neighbouring number.
     fn is_end(&self, time: S) -> bool {
         let left = self.end - time;
         let middle = time + left / S::from_f64(2.0);

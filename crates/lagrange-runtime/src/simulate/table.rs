@@ -1,4 +1,4 @@
-//! Columns of numbers with names.
+//! Named columns of numbers.
 
 use std::string::String;
 use std::vec::Vec;
@@ -17,7 +17,7 @@ pub struct Table<S> {
 }
 
 impl<S: Copy> Table<S> {
-    /// A table without samples.
+    /// Creates a table without samples.
     pub(crate) fn new(names: Vec<String>) -> Self {
         let columns = names.iter().map(|_| Vec::new()).collect();
         Table { times: Vec::new(), names, columns }
@@ -40,7 +40,8 @@ impl<S: Copy> Table<S> {
         self.columns.iter_mut().zip(later.columns).for_each(|(column, later)| column.extend(later));
     }
 
-    /// Adds samples of the first columns, with one number of each further column for all of them.
+    /// Adds samples of the first columns, with one number for each further column, repeated in all
+    /// samples.
     #[cfg(all(feature = "ensemble", feature = "parquet"))]
     pub(crate) fn extend(&mut self, samples: &Self, further: impl Iterator<Item = S>) {
         self.times.extend_from_slice(&samples.times);
@@ -49,7 +50,7 @@ impl<S: Copy> Table<S> {
         others.iter_mut().zip(further).for_each(|(column, value)| column.resize(self.times.len(), value));
     }
 
-    /// Takes the last sample away.
+    /// Removes the last sample.
     pub(super) fn pop(&mut self) {
         self.times.pop();
         self.columns.iter_mut().for_each(|column| {
@@ -72,7 +73,7 @@ impl<S: Copy> Table<S> {
         &self.times
     }
 
-    /// Returns the names of the columns, in their order; time has none.
+    /// Returns the names of the columns, in order; time has no name.
     pub fn names(&self) -> &[String] {
         &self.names
     }
@@ -89,14 +90,14 @@ impl<S: Copy> Table<S> {
     }
 }
 
-/// Returns a name that stands twice in a list, the first in alphabetical order.
+/// Returns the first name, in alphabetical order, that occurs twice in a list.
 pub(super) fn repeated(names: &[String]) -> Option<&String> {
     let mut sorted: Vec<_> = names.iter().collect();
     sorted.sort_unstable();
     sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
-/// Access by index, for the named columns that are emitted with a system.
+/// Provides access by index for the named columns emitted with a system.
 impl<S: Copy> Columns for Table<S> {
     type Scalar = S;
 

@@ -16,12 +16,12 @@ use crate::system::{Description, MechanicalSystem, normalised};
 
 /// The result of a run: samples in named columns, and the work of the run.
 ///
-/// Columns are the coordinates and velocities and then what observers added. There is at least one
-/// sample, the initial state, and the last sample is where the run ended.
+/// Columns are the coordinates and velocities, then the columns of observers. There is at least one
+/// sample, the initial state, and the last sample is the end of the run.
 ///
 /// For an emitted system, the columns of the state are also methods, such as `trajectory.theta()`
-/// and `trajectory.theta_dot()`. If a column has the name of another method of this type,
-/// [`column`](Trajectory::column) finds it.
+/// and `trajectory.theta_dot()`. If a column has the name of another method of this type, use
+/// [`column`](Trajectory::column).
 pub struct Trajectory<M: MechanicalSystem> {
     pub(super) columns: M::Columns<Table<M::Scalar>>,
     pub(super) dense: Option<Dense<M::Scalar, M::State>>,
@@ -34,10 +34,10 @@ pub struct Trajectory<M: MechanicalSystem> {
     pub(super) inputs: Option<InputColumns<M>>,
     /// Number of variables by which the state is differentiated, in the last columns.
     pub(super) variables: usize,
-    /// The system as it was in the end, if it was switched. Shared, so that trajectories can be
-    /// cloned whatever it is.
+    /// The system at the end of the run, if it was switched. Shared, so that trajectories can be
+    /// cloned even if systems cannot.
     pub(super) system: Option<Arc<M>>,
-    /// Names and units.
+    /// Names and units of the system.
     pub(super) description: &'static Description,
 }
 
@@ -51,7 +51,7 @@ pub enum Ending {
     Stopped,
     /// The progress callback cancelled it.
     Cancelled,
-    /// It failed; only the trajectory within an error has this end.
+    /// It failed; only the trajectory within an error has this ending.
     Failed,
 }
 
@@ -62,12 +62,12 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.table().len()
     }
 
-    /// Returns the times of the samples, in the order of the run: falling if it ran backwards.
+    /// Returns the times of the samples, in the order of the run: descending if it ran backwards.
     pub fn times(&self) -> &[M::Scalar] {
         self.table().times()
     }
 
-    /// Returns the names of the columns, in their order; time has none.
+    /// Returns the names of the columns, in order; time has no name.
     pub fn names(&self) -> &[String] {
         self.table().names()
     }
@@ -79,8 +79,8 @@ impl<M: MechanicalSystem> Trajectory<M> {
     }
 
     /// Returns the unit of the column of this name, such as `rad/s`; `s` for `t` and `1` for plain
-    /// numbers. `None` if it is not known: the declaration has no units, or an observer added the
-    /// column under a new name.
+    /// numbers. `None` if the unit is not known: the declaration has no units, or an observer added
+    /// the column under a new name.
     pub fn unit(&self, name: &str) -> Option<&'static str> {
         unit(self.description, name)
     }
@@ -99,9 +99,9 @@ impl<M: MechanicalSystem> Trajectory<M> {
         Some(state)
     }
 
-    /// Returns the derivatives of the state of a sample, counted from zero: a vector like the state
-    /// for each variable of [`sensitivities`](crate::simulate::Simulation::sensitivities), in their
-    /// order. `None` if there is no such sample.
+    /// Returns the derivatives of the state of a sample, counted from zero: one vector per variable
+    /// of [`sensitivities`](crate::simulate::Simulation::sensitivities), in order. `None` if there
+    /// is no such sample.
     pub fn sensitivities(&self, index: usize) -> Option<Vec<M::State>> {
         let length = self.first().as_ref().len();
         let before = self.names().len() - self.variables * length;
@@ -119,7 +119,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
         (0..self.len()).filter_map(|index| self.state(index))
     }
 
-    /// Times and states of the samples.
+    /// Returns the times and states of the samples.
     pub fn iter(&self) -> impl Iterator<Item = (M::Scalar, M::State)> + '_ {
         self.times().iter().copied().zip(self.states())
     }
@@ -139,16 +139,16 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.last.1
     }
 
-    /// Returns the system at the end of the run, if contacts or friction switched it on the way or
-    /// controllers set its inputs. `None` if it is still the original one. A law of inputs is not
-    /// part of it, and must be given again. To continue a run, start from it and from
-    /// [`last`](Trajectory::last).
+    /// Returns the system at the end of the run, if contacts or friction switched it or controllers
+    /// set its inputs. `None` if it is still the original one. To continue a run, start from this
+    /// system and from [`last`](Trajectory::last). A law of inputs is not part of the system, and
+    /// must be specified again.
     pub fn system_at_end(&self) -> Option<&M> {
         self.system.as_deref()
     }
 
-    /// Returns a system with the inputs of this sample, counted from zero; `None` if the run set
-    /// none. Where a law sets them they are others between samples.
+    /// Returns a system with the inputs of this sample, counted from zero; `None` if the run set no
+    /// inputs. Inputs set by a law vary between samples.
     pub fn with_inputs_at(&self, index: usize, system: &M) -> Option<M> {
         self.inputs.and_then(|inputs| inputs.at(self.table(), index, system))
     }
@@ -161,11 +161,11 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// Returns the state at any time of a run that was
     /// [`dense`](crate::simulate::Simulation::dense); at the time of an impact, the state after it.
     ///
-    /// The error is that of the method's own interpolation, plus a few roundings. Unit quaternions
-    /// are brought to length one.
+    /// The error is that of the method's own interpolation, plus a few roundings. Quaternions are
+    /// normalised to unit length.
     ///
     /// # Errors
-    /// If the run was not asked to be dense, or did not pass this time.
+    /// If the run was not dense, or did not pass this time.
     pub fn at(&self, t: M::Scalar) -> Result<M::State, NotKept<M::Scalar>> {
         let dense = self.dense.as_ref().ok_or(NotKept::NotDense)?;
         if t == self.end_time() {
@@ -217,7 +217,7 @@ impl<M: MechanicalSystem> Clone for Trajectory<M> {
     }
 }
 
-/// Not the samples, which may be millions.
+/// Omits the samples, of which there may be millions.
 impl<M: MechanicalSystem> Debug for Trajectory<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Trajectory")
@@ -232,15 +232,15 @@ impl<M: MechanicalSystem> Debug for Trajectory<M> {
     }
 }
 
-/// Why a state between samples is not known.
+/// The reason why a state between samples is not available.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum NotKept<S> {
-    /// The run kept its samples only.
+    /// The run kept only its samples.
     NotDense,
     /// The run did not pass this time.
     Outside {
-        /// This time.
+        /// The requested time.
         time: S,
         /// Start of the run.
         start: S,

@@ -9,10 +9,10 @@ use crate::system::Description;
 #[cfg(feature = "plot")]
 use lagrange_plot::{label::Label, notation};
 
-/// The unit of plain numbers, which labels leave out.
+/// The unit of plain numbers, which labels omit.
 const PLAIN: &str = "1";
 
-/// The unit of a column or a parameter of this name, if it is known; that of plain numbers is `1`.
+/// Returns the unit of a column or a parameter of this name, if it is known; `1` for plain numbers.
 pub(crate) fn unit(system: &Description, name: &str) -> Option<&'static str> {
     let declared = |name: &str| system.units.iter().find(|(known, _)| *known == name).map(|(_, unit)| *unit);
     let of_array = || name.split_once('[').and_then(|(array, _)| declared(array));
@@ -24,7 +24,7 @@ pub(crate) fn unit(system: &Description, name: &str) -> Option<&'static str> {
     })
 }
 
-/// A name with its unit, as in `x in m`.
+/// Returns a name with its unit, as in `x in m`.
 pub(super) fn with_unit<'n>(name: &'n str, unit: Option<&str>) -> Cow<'n, str> {
     match unit {
         None | Some(PLAIN) => name.into(),

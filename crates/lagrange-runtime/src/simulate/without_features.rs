@@ -1,7 +1,7 @@
-//! Compiler messages for methods of trajectories behind a missing feature.
+//! Compiler messages for methods of trajectories that require a missing feature.
 //!
-//! The methods exist without their features, too, with bounds that nothing fulfils and that name
-//! the feature; none is ever called.
+//! The methods exist even without their features, with unsatisfiable bounds that name the feature.
+//! They are never called.
 
 use std::convert::Infallible;
 use std::path::Path;
@@ -18,7 +18,7 @@ macro_rules! without_feature {
             $(fn $method:ident($($argument:ty),*) -> $result:ty;)*
         })*
     ) => {
-        /// A type with this feature; there is none.
+        /// A type with this feature; no type implements this.
         #[doc(hidden)]
         #[diagnostic::on_unimplemented(message = $message, label = $label, note = $note)]
         pub trait $required {

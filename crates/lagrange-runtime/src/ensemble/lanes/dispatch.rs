@@ -2,15 +2,16 @@
 
 use pulp::{Arch, NullaryFnOnce};
 
-/// Something to compute, all of whose functions are inlined.
+/// A computation all of whose functions are inlined.
 pub(super) trait Task {
     type Output;
 
-    /// Computes it, with products fused if FUSED; the bits of the result depend on that alone.
+    /// Computes the result, with fused products if FUSED. The bits of the result depend on nothing
+    /// else.
     fn compute<const FUSED: bool>(self) -> Self::Output;
 }
 
-/// Computes a task with the instructions that the processor has.
+/// Computes a task with the widest instructions that the processor supports.
 pub(super) fn compute<T: Task>(task: T) -> T::Output {
     compute_on(Arch::new(), task)
 }
@@ -44,7 +45,7 @@ pub(in crate::ensemble) fn is_fused() -> bool {
     compute(Ask)
 }
 
-/// Numbers with fused products.
+/// A task computed with fused products.
 struct Fused<T>(T);
 
 impl<T: Task> NullaryFnOnce for Fused<T> {
@@ -66,7 +67,7 @@ mod tests {
     use super::{Task, compute_on};
     use crate::scalar::{Lanes, Number};
 
-    /// A sum of all elementary functions along a recursion.
+    /// A recursion over all elementary functions.
     struct Recursion;
 
     impl Task for Recursion {

@@ -1,8 +1,8 @@
 //! Ensembles in lanes: several motions in the lanes of vector instructions.
 //!
-//! A chunk of motions runs in lanes if its system provides its equations for that, the method can,
-//! and only ends and samples were requested. Lanes leave all exceptions to single runs: motions
-//! that fail, with their cause, and those of systems with a known time of a jump.
+//! A chunk of motions runs in lanes if the system and the method support it, and only ends and
+//! samples were requested. All exceptions are left to single runs: motions that fail, to report
+//! their cause, and motions with a jump at a known time.
 
 mod dispatch;
 mod refill;
@@ -28,17 +28,17 @@ use crate::scalar::{Number, Scalar};
 use crate::simulate::{ClosedLoop, Drive, Grid, Sampling, Trajectory};
 use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, ScalarOf};
 
-/// Samples of motions that are computed together, at most: some megabytes of a small system. Beyond
-/// that
+/// Maximum number of samples of motions that are computed together: a few megabytes for a small
+/// system.
 const MOST_SAMPLES: f64 = 1_048_576.0;
-/// as many motions are, two for each lane,
+/// Minimum number of motions computed together, whatever their samples: two per lane.
 const LEAST_TOGETHER: usize = 16;
-/// and never more than these if there are samples of them.
+/// Maximum number of motions computed together if they have samples.
 const MOST_TOGETHER: usize = 256;
 
 /// The outcome of a motion.
 pub(super) enum MotionOutcome<M: MechanicalSystem> {
-    /// It was a run by itself.
+    /// It was a separate run.
     Run(RunResult<M>),
     /// It reached its end in a lane.
     Arrival(ArrivalOf<M>),
@@ -54,7 +54,7 @@ where
     /// True if motions are computed in lanes, several at a time with each instruction of the
     /// processor.
     ///
-    /// They are if all of this holds:
+    /// This requires all of the following:
     /// - the declaration has `emit { lanes }`, and neither constraints nor events, contacts or
     ///   friction;
     /// - the method is [`Verner98`](crate::integrate::Verner98),
@@ -65,11 +65,12 @@ where
     /// - only ends, samples and columns are requested: no laws, sensitivities, controllers, events
     ///   or restarts.
     ///
-    /// A motion that fails, or jumps at a time known in advance, is a single run in any case.
+    /// A motion that fails, or jumps at a time known in advance, is always a single run.
     ///
-    /// The bits of a motion then depend neither on other motions nor on threads or shards, but on
-    /// whether the processor fuses products and sums. They agree with those of a single run to
-    /// within the tolerance only. [`one_by_one`](Self::one_by_one) gives the bits of single runs.
+    /// The bits of a motion in a lane do not depend on other motions, threads or shards. They
+    /// depend on whether the processor has fused multiply-add. They agree with the bits of a single
+    /// run only within the tolerance. [`one_by_one`](Self::one_by_one) gives the bits of single
+    /// runs.
     pub fn is_in_lanes(&self) -> bool {
         let is_plain = D::Closed::IS_PLANT
             && !self.batch.needs_runs()
@@ -78,10 +79,10 @@ where
         is_plain && self.method.in_lanes(Ask).is_ok() && M::with_lanes(Ask).is_ok()
     }
 
-    /// Checks the settings, and returns threads and chunks for them.
+    /// Checks the settings, and returns an engine with suitable threads and chunks.
     ///
     /// # Errors
-    /// If a setting makes no sense, or threads cannot be started.
+    /// If a setting is invalid, or threads cannot be started.
     pub(super) fn engine(&self) -> Result<Engine, EnsembleError> {
         self.check()?;
         let (engine, motions) = (Engine::new(self.batch.threads)?, self.batch.motions().len());
@@ -92,8 +93,7 @@ where
         })
     }
 
-    /// Computes motions and hands over in their order what came of them, until the ensemble is
-    /// cancelled.
+    /// Computes motions and passes on their outcomes in order, until the ensemble is cancelled.
     pub(super) fn each(
         &self,
         motions: Range<usize>,
@@ -199,8 +199,8 @@ where
         ends.unwrap_or_else(|| starts.iter().map(|_| None).collect())
     }
 
-    /// The trajectory of a motion that went in a lane: its start, its samples and its end, with all
-    /// columns.
+    /// Returns the trajectory of a motion computed in a lane: its start, its samples and its end,
+    /// with all columns.
     pub(super) fn trajectory_of(&self, index: usize, system: &M, arrival: &ArrivalOf<M>) -> Trajectory<M> {
         let ((_, start), Arrival { state, samples, work }) = (self.batch.origin(index), arrival);
         let end = (self.batch.span()[1], *state);
@@ -208,7 +208,7 @@ where
         run.assemble(samples.iter().copied().chain([end]), *work)
     }
 
-    /// The samples of a motion, however it was computed.
+    /// Returns the samples of a motion, whether computed in a lane or as a single run.
     pub(super) fn samples_of(&self, index: usize, system: &M, outcome: MotionOutcome<M>) -> RunResult<M> {
         match outcome {
             MotionOutcome::Run(result) => result,
@@ -217,7 +217,7 @@ where
     }
 }
 
-/// Asks whether something can be done in lanes.
+/// A visitor that only checks for support of lanes.
 struct Ask;
 
 impl<T: Scalar> LanesMethodVisitor<T> for Ask {

@@ -1,7 +1,7 @@
-//! A few motions at a time, one in each lane; a lane whose motion has ended takes the next one.
+//! Motions in lanes, one per lane; a lane whose motion has ended is refilled with the next one.
 //!
-//! Motions are started one by one, each in its own lane. What methods do there once costs little,
-//! and a copy of it for all lanes would be a third of the compiled code.
+//! Motions are started one by one, each in a single lane. The start of a method costs little at run
+//! time. A copy of it for all lanes would be a third of the compiled code.
 
 use std::vec::Vec;
 
@@ -13,23 +13,23 @@ use crate::scalar::{Lanes, Mask, Scalar};
 use crate::simulate::Grid;
 use crate::system::{Equations, LanesSystem, MechanicalSystem, OdeSystem, ScalarOf, SideBySide, StateVector};
 
-/// Motions that fill a register of the widest instructions twice, or four times one of the usual.
+/// Number of lanes: two of the widest vector registers, or four of the usual ones.
 const LANES: usize = 8;
-/// Number of lanes where products are not fused, which concerns few processors: a single register,
-/// so this costs little to compile.
+/// Number of lanes on processors without fused products, which are few. A single register costs
+/// little to compile.
 const LANES_APART: usize = 2;
-/// Stands for the motion in a free lane.
+/// Motion index of a free lane.
 const FREE: usize = usize::MAX;
 
 /// The start of a motion.
 pub(in crate::ensemble) struct MotionStart<M: MechanicalSystem> {
-    /// Its system, if that is not the one of all.
+    /// Its system, unless it is the common one.
     pub(in crate::ensemble) system: Option<M>,
     pub(in crate::ensemble) state: M::State,
 }
 
 impl<M: MechanicalSystem> MotionStart<M> {
-    /// Its system, which may be the one of all.
+    /// Returns the system of the motion, given the common one.
     pub(in crate::ensemble) fn system<'s>(&'s self, all: &'s M) -> &'s M {
         self.system.as_ref().unwrap_or(all)
     }
@@ -49,11 +49,11 @@ pub(in crate::ensemble) type ArrivalOf<M> = Arrival<<M as OdeSystem>::Scalar, <M
 /// Final states of motions, in order; `None` for a motion that a single run must compute.
 pub(in crate::ensemble) type EndsOf<M> = Vec<Option<ArrivalOf<M>>>;
 
-/// Motions that are to be computed, with samples if they are `SAMPLED`.
+/// Motions to be computed, with samples if they are `SAMPLED`.
 pub(super) struct Queue<'q, 'a, M: MechanicalSystem, const SAMPLED: bool> {
     pub(super) system: &'q M,
     pub(super) starts: &'q [MotionStart<M>],
-    /// The places of those that are to be computed.
+    /// The indices of the starts to be computed.
     pub(super) motions: &'q [usize],
     pub(super) from: M::Scalar,
     pub(super) end: M::Scalar,
@@ -107,19 +107,19 @@ type SamplerOf<M, L, S> = Sampler<
 >;
 
 impl<E, T> LanesGroup<E, T> {
-    /// A lane with a motion.
+    /// Returns a lane with a motion.
     fn busy_lane(&self) -> Option<usize> {
         self.motions.iter().position(|motion| *motion != FREE)
     }
 }
 
 impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
-    /// The system of a motion.
+    /// Returns the system of a motion.
     fn system(&self, motion: usize) -> &M {
         self.starts[motion].system(self.system)
     }
 
-    /// A motion that was started in a lane of its own.
+    /// Starts a motion in a single lane.
     #[inline(always)]
     fn started<L, O>(&self, method: &L, motion: usize) -> StepperOf<M, L, O>
     where
@@ -135,7 +135,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
         method.start(&equations, self.from, &state, self.end)
     }
 
-    /// Lanes without motions.
+    /// Returns lanes without motions.
     #[inline(always)]
     fn lanes<L, S>(&self, method: &L) -> LanesGroupOf<M, L, S>
     where
@@ -167,8 +167,8 @@ where
     let mut progress = QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler };
     progress.ends.resize_with(queue.starts.len(), || None);
     loop {
-        // One place of call each for starts, steps and samples, so that the right-hand side is
-        // inlined no more often.
+        // Starts, steps and samples have one call site each, so that the right-hand side is inlined
+        // only once in each.
         if progress.busy < S::LANES && progress.has_more() {
             progress.refill(&mut running);
         }
@@ -205,7 +205,7 @@ where
     next: usize,
     /// Number of motions in lanes.
     busy: usize,
-    /// There is one if motions are `SAMPLED`.
+    /// `Some` if motions are `SAMPLED`.
     sampler: Option<SamplerOf<M, L, S>>,
 }
 
@@ -215,12 +215,12 @@ where
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {
-    /// True if there are motions that were not started, and that are still wanted.
+    /// True if there are motions left to start, and the ensemble was not cancelled.
     fn has_more(&self) -> bool {
         self.next < self.queue.motions.len() && !self.queue.counter.is_cancelled()
     }
 
-    /// A motion is put into this lane.
+    /// Registers a new motion in this lane.
     fn fill(&mut self, lane: usize) {
         self.busy += 1;
         if SAMPLED && let Some(sampler) = &mut self.sampler {
@@ -228,7 +228,7 @@ where
         }
     }
 
-    /// Tries a step in every lane, and keeps the samples within.
+    /// Tries a step in every lane, and keeps the samples within it.
     #[inline(always)]
     fn step(&mut self, LanesGroup { equations, stepper, .. }: &mut LanesGroupOf<M, L, S>) {
         if SAMPLED && let Some(sampler) = &mut self.sampler {
@@ -240,7 +240,7 @@ where
         }
     }
 
-    /// Starts motions in lanes that have none, as long as there are more.
+    /// Starts motions in free lanes, as long as any are left.
     #[inline(always)]
     fn refill(&mut self, running: &mut LanesGroupOf<M, L, S>) {
         for lane in 0..S::LANES {
@@ -261,7 +261,7 @@ where
         }
     }
 
-    /// Takes the ends of motions out of their lanes, and those that are given up.
+    /// Removes motions that have ended or were given up from their lanes.
     #[inline(always)]
     fn settle(&mut self, running: &mut LanesGroupOf<M, L, S>) {
         let (time, suspicion) = (running.stepper.time(), running.stepper.suspicion());
@@ -288,7 +288,7 @@ where
         }
     }
 
-    /// Frees a lane. The samples of its motion.
+    /// Frees a lane and returns the samples of its motion.
     fn free(
         &mut self,
         running: &mut LanesGroupOf<M, L, S>,
@@ -302,8 +302,8 @@ where
         }
     }
 
-    /// Puts another motion once more into a lane that is free: NaN would take the slow way through
-    /// elementary functions.
+    /// Copies a running motion into a free lane, because NaN would take the slow path of elementary
+    /// functions.
     #[cold]
     fn replace(&self, running: &mut LanesGroupOf<M, L, S>, lane: usize) {
         if let Some(busy) = running.busy_lane() {

@@ -7,14 +7,14 @@ use crate::scalar::{Mask, Number, Scalar};
 use crate::simulate::Grid;
 use crate::system::{Equations, SideBySide, StateVector};
 
-/// Samples of the motions that are in lanes at present, of states Y, with what is known of the last
-/// steps, W.
+/// Samples of the motions that are in lanes at present, with states of type Y. The type W holds the
+/// data of the last steps.
 pub(super) struct Sampler<S: SideBySide, Y, W> {
-    /// The times of the samples of every motion,
+    /// The times of the samples of every motion.
     grid: Grid<S::Element>,
-    /// and those that the motion in each lane has yet to reach.
+    /// The times of the samples that the motion in each lane has yet to reach.
     ahead: [Grid<S::Element>; MOST_LANES],
-    /// The first of them; NaN if there is none.
+    /// The time of the next sample in each lane; NaN after the last one.
     next: S,
     last: W,
     kept: [SamplesWithin<S::Element, Y>; MOST_LANES],
@@ -31,20 +31,20 @@ where
     Y: StateVector<S::Element>,
     W: Copy,
 {
-    /// Samples at the times of a grid.
+    /// Creates a sampler for the times of a grid.
     pub(super) fn new(grid: Grid<S::Element>, last: W) -> Self {
         let kept = core::array::from_fn(|_| Vec::new());
         Sampler { grid, ahead: [grid; MOST_LANES], next: S::NAN, last, kept, number: 0 }
     }
 
-    /// A motion starts in this lane.
+    /// Prepares this lane for a new motion.
     pub(super) fn start(&mut self, lane: usize) {
         self.ahead[lane] = self.grid;
         self.kept[lane] = Vec::with_capacity(self.number);
         self.advance(lane);
     }
 
-    /// The motion in this lane has ended or was given up; what was kept of it.
+    /// Returns the samples of the motion in this lane, which has ended or was given up.
     pub(super) fn end(&mut self, lane: usize) -> SamplesWithin<S::Element, Y> {
         let kept = core::mem::take(&mut self.kept[lane]);
         self.number = self.number.max(kept.len());
@@ -52,14 +52,14 @@ where
         kept
     }
 
-    /// A step is about to be tried.
+    /// Prepares for the attempt of a step.
     #[inline(always)]
     pub(super) fn begin<E: Equations<S>>(&mut self, stepper: &impl LanesStepper<S, E, LastStep = W>) {
         stepper.begin(&mut self.last);
     }
 
-    /// Keeps what samples there are of the last steps, of which those are taken back that do not
-    /// tell states within them.
+    /// Keeps the samples within the last steps. Steps whose interpolation is not good enough are
+    /// taken back.
     #[inline(always)]
     pub(super) fn keep<E: Equations<S>>(
         &mut self,

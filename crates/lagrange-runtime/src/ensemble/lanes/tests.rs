@@ -1,4 +1,4 @@
-//! Motions in lanes beside runs by themselves.
+//! Motions in lanes compared with single runs.
 
 use core::mem::discriminant;
 use std::string::ToString;
@@ -20,7 +20,8 @@ use crate::system::{
     StepFailure, Unnamed,
 };
 
-/// A system of one or two freedoms whose formulas are written for any numbers.
+/// Declares a system of one or two degrees of freedom whose formulas are generic over the number
+/// type.
 macro_rules! system {
     ($name:ident { $($parameter:ident = $value:expr),* }, $freedoms:literal, $names:expr, $rhs:expr) => {
         #[derive(Clone, Copy, Debug)]
@@ -95,7 +96,7 @@ system!(Servo { damping = 1.0 }, 1, ["x"], servo);
 
 impl<S: Scalar> SeparableSystem for Spring<S> {}
 
-/// Two masses, the second of which is this part of both, on rods of unit length.
+/// Two masses on rods of unit length; `ratio` is the second mass as a part of both.
 #[inline(always)]
 fn double_pendulum<S: Number>(system: &DoublePendulum<S>, _t: S, [a, b, v, w]: &[S; 4]) -> [S; 4] {
     let (sine, cosine) = (*a - *b).sin_cos();
@@ -162,7 +163,7 @@ where
     refilled::<M, _, S, SAMPLED>(&queue, &method)
 }
 
-/// The largest difference between ends in lanes and those of runs by themselves.
+/// Returns the largest difference between ends in lanes and ends of single runs.
 fn largest_difference<K>(method: K, end: f64) -> f64
 where
     K: Method<DoublePendulum<f64>> + LanesMethod<f64> + Sync,
@@ -195,7 +196,7 @@ fn ends_are_those_of_runs_to_within_the_tolerance() {
 
 type Pendulums<'a> = Ensemble<'a, DoublePendulum<f64>, Verner98<f64>>;
 
-/// As many double pendulums that differ in start and parameter, and how they go.
+/// Returns an ensemble of double pendulums that differ in start and parameter.
 fn pendulums(system: &DoublePendulum<f64>, number: usize) -> Pendulums<'_> {
     let motions =
         system.ensemble(number).start(|_, random| [random.uniform(-2.0..2.0), 1.0, 0.0, random.normal()]);
@@ -245,7 +246,7 @@ fn columns_are_those_of_runs() {
     assert_eq!(twice[3], 2.0 * 0.3 * lanes.state(3).expect("ended")[0]);
 }
 
-/// Asserts that motions fail in lanes as they do by themselves.
+/// Asserts that motions fail in lanes as they do in single runs.
 fn assert_same_failures<M, K>(ensemble: impl Fn() -> Ensemble<'static, M, K>, expected: &[usize])
 where
     M: MechanicalSystem<Scalar = f64, State = [f64; 2]> + Send + Sync + 'static,
@@ -294,7 +295,7 @@ fn motions_fail_as_they_do_alone_and_others_go_on() {
     assert_same_failures(move || springs(3.0).until(-1.0).longest_step(0.1), &[]);
 }
 
-/// What is too fast for a step is looked for where it began: where it led to is another place.
+/// A step that is too long is recognised by its start, since it ends at an unrelated state.
 #[test]
 fn steps_that_are_too_long_are_refused_as_they_are_alone() {
     let system = DoublePendulum::default();
@@ -325,7 +326,7 @@ fn stiff_motions_are_refused_as_they_are_alone() {
     assert!(matches!(ends.failures()[0].cause, StepFailure::Stiff { .. }), "{:?}", ends.failures());
 }
 
-/// Lanes in which time would stand still are given up before their first step.
+/// Lanes whose step is lost in the rounding of time are given up before their first step.
 #[test]
 fn steps_lost_in_the_rounding_of_time_are_refused_as_they_are_alone() {
     const SPRING: Spring<f64> = Spring { stiffness: 1.0 };

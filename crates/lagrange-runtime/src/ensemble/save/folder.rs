@@ -1,4 +1,4 @@
-//! The folder that parts are saved in, of which nobody else writes the same parts.
+//! Folders of parts, locked against other processes that would write the same parts.
 
 use core::ops::Range;
 use std::collections::BTreeSet;
@@ -15,14 +15,14 @@ use crate::ensemble::error::EnsembleError;
 use crate::ensemble::shard::Shard;
 use lagrange_files::{UNFINISHED, save};
 
-/// A folder with parts, into which nothing is written before it is [locked](Folder::lock).
+/// A folder with parts. Nothing is written to it before it is [locked](Folder::lock).
 pub(super) struct Folder {
     path: PathBuf,
-    /// Parts that were looked into.
+    /// Parts that were checked.
     checked: BTreeSet<usize>,
 }
 
-/// The kind of a file in a folder, by its name.
+/// The kind of a file, judged by its name.
 enum Kind {
     Part(usize),
     /// The unfinished file of a part whose process was killed.
@@ -39,16 +39,16 @@ const ENDING: &str = ".parquet";
 const LOCK: &str = ".lock";
 
 impl Folder {
-    /// A folder, which need not be there.
+    /// Opens a folder, which need not exist.
     pub(super) fn open(path: &Path) -> Self {
         Folder { path: path.into(), checked: BTreeSet::new() }
     }
 
-    /// Makes the folder if there is none, and keeps others from writing the parts of this shard
+    /// Creates the folder if needed, and keeps other processes from writing the parts of this shard
     /// until the lock is dropped.
     ///
     /// # Errors
-    /// If somebody else writes the same parts there.
+    /// If another process writes the same parts.
     pub(super) fn lock(&self, shard: Shard, parts: &Range<usize>) -> Result<Lock, EnsembleError> {
         fs::create_dir_all(&self.path)
             .map_err(|source| EnsembleError::File { path: self.path.clone(), source })?;
@@ -56,9 +56,9 @@ impl Folder {
         let lock = Lock::take(self.path.join(format!("shard-{index}-of-{count}{LOCK}")))?;
         for (path, kind) in self.files()? {
             match kind {
-                // Shards of another number are others.
+                // With another number of shards, the parts of a shard differ.
                 Kind::Lock(other) if other != count => drop(Lock::take(path)?),
-                // Where it cannot be deleted, it is no part.
+                // If it cannot be deleted, it does no harm: it is not a part.
                 Kind::Unfinished(part) if parts.contains(&part) => drop(fs::remove_file(path)),
                 _ => {}
             }
@@ -66,8 +66,8 @@ impl Folder {
         Ok(lock)
     }
 
-    /// Returns the parts that exist. The parts of this shard, and one of another, are checked, each
-    /// once.
+    /// Returns the parts that exist. The parts of this shard, and one part of another shard, are
+    /// checked, each once.
     ///
     /// # Errors
     /// If one of these is damaged or belongs to another ensemble, or another file has a name like a
@@ -92,10 +92,10 @@ impl Folder {
         Ok(parts.into_iter().map(|(_, index)| index).collect())
     }
 
-    /// The parts that are there, in their order.
+    /// Returns the parts that exist, in order.
     ///
     /// # Errors
-    /// If a file is called nearly like a part.
+    /// If the name of a file is similar to that of a part.
     pub(super) fn parts(&self) -> Result<Vec<(PathBuf, usize)>, EnsembleError> {
         let mut parts = Vec::new();
         for (path, kind) in self.files()? {
@@ -110,8 +110,7 @@ impl Folder {
 
     /// Writes a part, as a whole or not at all.
     ///
-    /// `write` is given the file, and what makes an error of what the operating system says about
-    /// it.
+    /// `write` receives the file, and a function that converts an error of the operating system.
     ///
     /// # Errors
     /// If `write` fails, or the operating system cannot write the file.
@@ -125,7 +124,7 @@ impl Folder {
         save(&path, wrong, |file| write(file, &wrong))
     }
 
-    /// The files in the order of their names, none if there is no folder.
+    /// Returns the files in the order of their names; none if the folder does not exist.
     fn files(&self) -> Result<Vec<(PathBuf, Kind)>, EnsembleError> {
         let wrong = |source| EnsembleError::File { path: self.path.clone(), source };
         let entries = match fs::read_dir(&self.path) {
@@ -144,7 +143,7 @@ impl Folder {
 }
 
 /// # Errors
-/// If the label of a file is not what is expected of it.
+/// If the label of a file is not the expected one.
 pub(super) fn refuse_other(path: &Path, label: &Label, expected: &Label) -> Result<(), EnsembleError> {
     if let Some(differs) = difference(&label.settings, &expected.settings) {
         return Err(EnsembleError::OtherEnsemble { path: path.into(), differs });
@@ -174,7 +173,7 @@ fn kind(path: &Path) -> Kind {
     }
 }
 
-/// The number of shards in the name of a lock.
+/// Returns the number of shards in the name of a lock.
 fn shards(name: &str) -> Option<u64> {
     name.strip_prefix("shard-")?.split_once("-of-")?.1.parse().ok()
 }

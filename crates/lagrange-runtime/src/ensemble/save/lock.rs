@@ -1,7 +1,7 @@
-//! Files that keep other processes off.
+//! Lock files that keep other processes out.
 //!
 //! The operating system keeps a lock on such a file while its process lives, in any container or
-//! namespace. The file names its owner. File systems do not always keep locks between machines, so
+//! namespace. The file names its owner. File systems do not always honour locks across machines, so
 //! a lock of another machine is never taken over.
 
 use std::format;
@@ -13,7 +13,7 @@ use std::string::{String, ToString};
 
 use crate::ensemble::error::EnsembleError;
 
-/// A file that says that this process writes; it is deleted when this is dropped.
+/// A lock file of this process. The file is deleted when the lock is dropped.
 pub(super) struct Lock {
     path: PathBuf,
     /// File that the operating system keeps locked.
@@ -21,10 +21,10 @@ pub(super) struct Lock {
 }
 
 impl Lock {
-    /// Takes the lock, that of a process of this machine that is gone, too.
+    /// Takes the lock, even from a process of this machine that no longer exists.
     ///
     /// # Errors
-    /// If another process has it, or may have.
+    /// If another process holds it, or may hold it.
     pub(super) fn take(path: PathBuf) -> Result<Self, EnsembleError> {
         let taken = loop {
             match attempt(&path) {
@@ -43,7 +43,7 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // What stays is taken over, or explained, by the next process.
+        // A file that cannot be deleted is taken over, or reported, by the next process.
         drop(fs::remove_file(&self.path));
     }
 }
@@ -51,7 +51,7 @@ impl Drop for Lock {
 /// The result of one attempt to take a lock.
 enum LockAttempt {
     Taken(File),
-    /// Somebody else has it, who calls himself like this.
+    /// Another process holds it, with this description.
     Held(String),
     /// It was given up, with its file, between two looks at it.
     Deleted,
@@ -61,11 +61,11 @@ fn attempt(path: &Path) -> io::Result<LockAttempt> {
     let Some((mut file, is_new)) = open(path)? else { return Ok(LockAttempt::Deleted) };
     let is_locked = match file.try_lock() {
         Ok(()) => true,
-        // Where nothing can be locked, whoever makes the file has the lock.
+        // If files cannot be locked, the process that created the file holds the lock.
         Err(TryLockError::Error(_)) => is_new,
         Err(TryLockError::WouldBlock) => false,
     };
-    // Not every system lets others read what is locked.
+    // Some systems do not let other processes read a locked file.
     let mut holder = String::new();
     drop(file.read_to_string(&mut holder));
     if !(is_locked && is_gone(&holder)) {
@@ -79,7 +79,7 @@ fn attempt(path: &Path) -> io::Result<LockAttempt> {
     Ok(LockAttempt::Taken(file))
 }
 
-/// The file, and whether it was made; none if it was deleted meanwhile.
+/// Returns the file, and true if it was created; `None` if it was deleted meanwhile.
 fn open(path: &Path) -> io::Result<Option<(File, bool)>> {
     let mut options = OpenOptions::new();
     options.read(true).write(true);
@@ -93,7 +93,7 @@ fn open(path: &Path) -> io::Result<Option<(File, bool)>> {
     }
 }
 
-/// True if this is the file at the path, and not one that was deleted from there.
+/// True if this is the file at the path, and not one that was deleted from it.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     use std::os::unix::fs::MetadataExt;
@@ -105,13 +105,13 @@ fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     Ok((this.dev(), this.ino()) == (there.dev(), there.ino()))
 }
 
-/// Elsewhere a file that is open is not deleted from its path.
+/// True: on other systems, an open file is not deleted from its path.
 #[cfg(not(unix))]
 fn is_at(_: &File, _: &Path) -> io::Result<bool> {
     Ok(true)
 }
 
-/// Writes into the file who this is; without room for it there is no file.
+/// Writes the name of this process to the file, and deletes the file if that fails.
 fn say(file: &mut File, path: &Path) -> io::Result<()> {
     let written =
         file.set_len(0).and_then(|()| file.rewind()).and_then(|()| file.write_all(this().as_bytes()));
@@ -121,8 +121,8 @@ fn say(file: &mut File, path: &Path) -> io::Result<()> {
     written
 }
 
-/// True if the process of this name is gone, given that this one could take its lock. Either it is
-/// unnamed, or it ran on this machine, which keeps locks.
+/// True if the process of this name no longer exists, given that this one could take its lock.
+/// Either it is unnamed, or it ran on this machine, which honours locks.
 fn is_gone(holder: &str) -> bool {
     let boot = |text: &str| Some(text.split_once(BOOT)?.1.split_once(';')?.0.to_string());
     let this = this();
@@ -131,8 +131,8 @@ fn is_gone(holder: &str) -> bool {
 
 const BOOT: &str = " (boot ";
 
-/// Returns the name of this process in lock files. It has its number and machine and, where known,
-/// the boot time of the machine, its PID namespace and its start time there.
+/// Returns the name of this process in lock files. The name has the process number and machine. If
+/// known, it also has the boot ID of the machine, the PID namespace and the start time.
 fn this() -> String {
     let read = |path| fs::read_to_string(path).unwrap_or_default().trim().to_string();
     let [name, boot] = ["/proc/sys/kernel/hostname", "/proc/sys/kernel/random/boot_id"].map(read);
@@ -143,7 +143,7 @@ fn this() -> String {
     }
     let namespace = fs::read_link("/proc/self/ns/pid").unwrap_or_default();
     let stat = read("/proc/self/stat");
-    // The twenty-second of the fields, the second of which is a name in brackets.
+    // The start time is field 22; field 2 is a name in parentheses.
     let start = stat.rsplit_once(") ").and_then(|(_, rest)| rest.split(' ').nth(19)).unwrap_or_default();
     format!("process {id} on {name}{BOOT}{boot}; {}; start {start})\n", namespace.display())
 }
@@ -167,7 +167,7 @@ mod tests {
         assert!(!is_gone("process 4711 on elsewhere\n") && !is_gone("mine"));
     }
 
-    /// Whatever a lock says, nobody has it whom the operating system does not know.
+    /// Whatever its text, a lock is held only by a process for which the operating system holds it.
     #[test]
     fn a_lock_is_held_by_who_holds_it() {
         let path = std::env::temp_dir().join(format!("lagrange_lock_{}.lock", std::process::id()));

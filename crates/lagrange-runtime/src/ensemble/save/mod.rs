@@ -1,5 +1,5 @@
-//! Ensembles as Parquet files, part by part, so that memory is bounded and nothing that was
-//! finished is lost.
+//! Ensembles as Parquet files, written part by part, so that memory is bounded and finished parts
+//! are never lost.
 
 mod folder;
 mod lock;
@@ -34,9 +34,9 @@ use crate::simulate::Drive;
 pub struct Saved {
     /// Files that were written.
     pub written: usize,
-    /// Files of this shard that were there already.
+    /// Files of this shard that already existed.
     pub found: usize,
-    /// Files that are not there yet: those of other shards that did not come so far.
+    /// Files that do not exist yet, because other shards have not written them.
     pub missing: usize,
     /// Motions that failed, in the files that were written.
     pub failed: u64,
@@ -54,42 +54,44 @@ where
     /// Parquet files in a folder. The files are `part-000000.parquet` and so on, in the order of
     /// motions.
     ///
-    /// A file has a row for each motion, or for each of its samples. Columns are
+    /// A file has a row for each motion, or for each of its samples. The columns are
     ///
-    /// - `index`, the place of the motion, counted from zero;
+    /// - `index`, the index of the motion, counted from zero;
     /// - all parameters, if motions have separate [parameters](super::Motions::parameters);
-    /// - `t`, the time, of an end that at which the motion ended;
-    /// - positions, velocities and what was [observed](Self::observe);
-    /// - `cause`, text where the motion failed and null elsewhere. The end of a failed motion is
-    ///   NaN except for its parameters. Its samples are those until it failed, the last of which
-    ///   has the cause.
+    /// - `t`, the time of the sample, or the time at which the motion ended;
+    /// - positions, velocities and [observed](Self::observe) columns;
+    /// - `cause`, a text if the motion failed and null otherwise. The end of a failed motion is NaN
+    ///   except for its parameters. Its samples are those up to the failure, and the last one has
+    ///   the cause.
     ///
-    /// Columns whose unit is known have it under `lagrange.unit.` and their name among the
-    /// key–value metadata, as [trajectories](crate::simulate::Trajectory::write_parquet) do.
+    /// If the unit of a column is known, the key–value metadata have it under `lagrange.unit.` and
+    /// the name of the column, as [trajectories](crate::simulate::Trajectory::write_parquet) do.
     ///
     /// Rows are written in groups of at least 131 072. Memory holds one group and the motions that
-    /// threads have computed ahead, at most a part. A file is written under another name and
-    /// renamed when it is complete. Existing files are not computed again: an ensemble that was
-    /// cancelled or killed continues where it was, and the final files have the same bytes.
+    /// threads have computed ahead, at most one part. A file is written under another name and
+    /// renamed when it is complete. Existing files are not recomputed: an ensemble that was
+    /// cancelled or killed resumes, and the final files have the same bytes.
     ///
     /// Files identify their ensemble:
     /// - the declaration of the system by its
     ///   [fingerprint](crate::system::MechanicalSystem::FINGERPRINT), the requested results, the
     ///   method and its settings, and the seed;
     /// - the bits of start, rates, parameters and first steps of the first, the middle and the last
-    ///   motion. They distinguish closures and functions of your crate.
+    ///   motion. They reveal changes in closures and functions of your crate.
     ///
-    /// They also identify their part, and have a checksum of all their bytes. Existing parts are
-    /// checked for all of this; [`verify`](fn@verify) does so without computing anything.
+    /// Files also identify their part, and contain a checksum of all their bytes. All of this is
+    /// checked for existing parts; [`verify`](fn@verify) does so without computing anything.
     ///
-    /// While a shard is written a file `shard-0-of-1.lock` keeps other processes off; what a
-    /// process of this machine left that is gone is taken over. A folder in which nothing is
-    /// missing is only read. Files with other names are passed over.
+    /// While a shard is written, a file such as `shard-0-of-1.lock` keeps other processes out. A
+    /// lock left by a process of this machine that no longer exists is taken over. A complete
+    /// folder is only read. Files with other names are ignored.
     ///
     /// # Errors
-    /// As for [`run`](Self::run). Also in these cases, in which finished parts are kept:
+    /// See [`run`](Self::run). An error is also returned in these cases, in which finished parts
+    /// are kept:
     /// - a file cannot be written, as on a full disk;
-    /// - the folder holds a damaged or foreign part, or a file that is no part;
+    /// - the folder contains a damaged or foreign part, or a file that is named like a part and is
+    ///   not one;
     /// - another process writes the same parts.
     pub fn save_parquet(self, folder: impl AsRef<Path>) -> Result<Saved, EnsembleError> {
         self.check()?;
@@ -100,7 +102,7 @@ where
         let label = Label { settings, part: parts.start, number: self.batch.number_of_parts() };
         let mut found = folder.find(&parts, &label)?;
         let is_whole = found.range(parts.clone()).count() == parts.len();
-        // A folder of which nothing is missing is only read.
+        // A folder with all parts of this shard is only read.
         let lock = if is_whole { None } else { Some(folder.lock(self.batch.shard, &parts)?) };
         if lock.is_some() {
             found = folder.find(&parts, &label)?;
@@ -136,7 +138,7 @@ where
         Ok(saved)
     }
 
-    /// Computes motions and hands their rows over, chunk by chunk in their order.
+    /// Computes motions and passes on their rows, chunk by chunk, in order.
     fn sheets(
         &self,
         engine: &Engine,

@@ -27,14 +27,14 @@ use crate::system::description_of_type;
 
 /// Name of the schema.
 const SCHEMA: &str = "motions";
-/// Under which name the settings are kept.
+/// Metadata key of the settings.
 const SETTINGS: &str = "lagrange.ensemble";
-/// Under which name it is kept which part a file is.
+/// Metadata key of the index of the part and the number of parts.
 const PART: &str = "lagrange.part";
 const INDEX: &str = "index";
 const TIME: &str = "t";
 const CAUSE: &str = "cause";
-/// A row group is written when so many rows wait: a megabyte a column.
+/// Number of pending rows at which a row group is written: a megabyte per column.
 const ROWS_PER_GROUP: usize = 1 << 17;
 
 /// The metadata of a part.
@@ -44,15 +44,15 @@ pub(super) struct Label {
     pub(super) settings: String,
     /// Index of the part.
     pub(super) part: usize,
-    /// and how many there are.
+    /// Number of parts.
     pub(super) number: usize,
 }
 
 impl Label {
-    /// Reads the label of a file, all of whose bytes are checked before.
+    /// Reads the label of a file after checking all of its bytes.
     ///
     /// # Errors
-    /// If it is no part, is damaged or cannot be read.
+    /// If it is not a part, is damaged or cannot be read.
     pub(super) fn read(path: &Path) -> Result<Label, EnsembleError> {
         let wrong = |source| EnsembleError::File { path: path.into(), source };
         let file = File::open(path).map_err(wrong)?;
@@ -83,11 +83,11 @@ impl Label {
     }
 }
 
-/// A file that rows are added to, of which only a row group lies in memory.
+/// A file to which rows are appended. Only one row group is held in memory.
 pub(super) struct PartFile<'f, M: SharedSystem> {
     file: &'f File,
     label: &'f Label,
-    /// None before the first row group.
+    /// `None` before the first row group.
     writer: Option<SerializedFileWriter<BufWriter<&'f File>>>,
     waiting: Sheet<M>,
     failed: usize,
@@ -101,13 +101,14 @@ where
         PartFile { file, label, writer: None, waiting: Sheet::new(), failed: 0 }
     }
 
-    /// Adds the rows of the motions that follow.
+    /// Appends the rows of the motions that follow.
     pub(super) fn add(&mut self, sheet: Sheet<M>) -> io::Result<()> {
         self.waiting.merge(sheet);
         if self.waiting.len() >= ROWS_PER_GROUP { self.write_group() } else { Ok(()) }
     }
 
-    /// Writes what waits, the end of the file and its checksum. How many motions failed.
+    /// Writes the pending rows, the end of the file and its checksum. Returns the number of failed
+    /// motions.
     pub(super) fn finish(mut self) -> io::Result<usize> {
         if self.waiting.len() > 0 {
             self.write_group()?;
@@ -130,7 +131,7 @@ where
     }
 }
 
-/// A file with the columns of these rows.
+/// Creates the writer of a file with the columns of these rows.
 fn writer<'f, M: SharedSystem>(
     file: &'f File,
     sheet: &Sheet<M>,
@@ -168,7 +169,7 @@ where
     group.close().map(drop)
 }
 
-/// Writes the next column: values, and for each row whether there is one.
+/// Writes the next column: its values, and for each row 1 or 0 for present or absent.
 fn write_column<T: DataType>(
     group: &mut SerializedRowGroupWriter<'_, BufWriter<&File>>,
     values: &[T::T],
@@ -180,9 +181,9 @@ fn write_column<T: DataType>(
     column.close()
 }
 
-/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time. Parameters
-/// do, the first columns, and times behind them, and indices are one more than those before, or the
-/// same.
+/// Returns the encodings and metadata. Values of a motion hardly repeat, so a dictionary would only
+/// cost time. Parameters, the first columns, and times, the next one, do repeat. An index equals
+/// the one before it or is one more.
 fn properties<M: SharedSystem>(names: &[&str], parameters: usize, label: &Label) -> WriterProperties {
     let system = description_of_type::<M>();
     let metadata = label.pairs().into_iter().chain(units(system, names.iter().copied()));
@@ -196,7 +197,7 @@ fn properties<M: SharedSystem>(names: &[&str], parameters: usize, label: &Label)
     names.iter().take(parameters + 1).fold(builder, repeat).build()
 }
 
-/// A column whose name may hold dots.
+/// Returns the path of a column whose name may contain dots.
 fn path(name: &str) -> ColumnPath {
     ColumnPath::new(vec![name.to_string()])
 }

@@ -1,7 +1,7 @@
 //! Checksums of whole files.
 //!
-//! The metadata at the end of a file hold the XXH64 of all its bytes, with zeros instead of the
-//! checksum. Other readers of Parquet pass it over.
+//! The metadata at the end of a file contain the XXH64 of all its bytes, with zeros in place of the
+//! checksum. Other readers of Parquet ignore it.
 
 use core::hash::Hasher;
 use std::format;
@@ -12,16 +12,16 @@ use std::vec::Vec;
 
 use twox_hash::XxHash64;
 
-/// The name of the checksum among the metadata,
+/// Metadata key of the checksum.
 pub(super) const KEY: &str = "lagrange.checksum";
-/// and its value in a file that is not sealed.
+/// Value of the checksum in a file that is not sealed.
 pub(super) const UNSEALED: &str = "xxh64:0000000000000000";
 const LABEL: &str = "xxh64:";
 const ZEROS: [u8; 16] = [b'0'; 16];
-/// Last bytes of a file, after the length of its metadata.
+/// Last bytes of a Parquet file, after the length of its metadata.
 const END: &[u8; 4] = b"PAR1";
 
-/// Writes the checksum of a file, whose metadata have a place for it.
+/// Writes the checksum into the place reserved for it in the metadata of a file.
 pub(super) fn seal(mut file: &File) -> io::Result<()> {
     let place = place(file)?.ok_or_else(|| io::Error::other("there is no place for the checksum"))?;
     let digits = format!("{:016x}", checksum(file, place)?);
@@ -29,8 +29,8 @@ pub(super) fn seal(mut file: &File) -> io::Result<()> {
     file.write_all(digits.as_bytes())
 }
 
-/// True if the file has all bytes that it had when it was sealed; none if it never was, as far as
-/// its metadata tell.
+/// True if the file has the same bytes as when it was sealed; `None` if no checksum is found in its
+/// metadata.
 pub(super) fn is_intact(mut file: &File) -> io::Result<Option<bool>> {
     let Some(place) = place(file)? else { return Ok(None) };
     let digits = format!("{:016x}", checksum(file, place)?);
@@ -53,14 +53,14 @@ fn place(mut file: &File) -> io::Result<Option<u64>> {
     let mut metadata = vec![0; (end - start) as usize];
     file.seek(SeekFrom::Start(start))?;
     file.read_exact(&mut metadata)?;
-    // In the compact protocol of Thrift the value is the next field, a text, and its length one
+    // In Thrift's compact protocol the value is the next field, a text, and its length takes one
     // byte.
     let before: Vec<u8> = [KEY.as_bytes(), &[0x18, UNSEALED.len() as u8], LABEL.as_bytes()].concat();
     let found = metadata.windows(before.len() + ZEROS.len()).rposition(|bytes| bytes.starts_with(&before));
     Ok(found.map(|found| start + (found + before.len()) as u64))
 }
 
-/// The checksum of a file with zeros in its place.
+/// Computes the checksum of a file, with zeros in place of the checksum.
 fn checksum(mut file: &File, place: u64) -> io::Result<u64> {
     let mut sum = Sum(XxHash64::with_seed(0));
     file.seek(SeekFrom::Start(0))?;
@@ -71,7 +71,7 @@ fn checksum(mut file: &File, place: u64) -> io::Result<u64> {
     Ok(sum.0.finish())
 }
 
-/// Sums up what is written to it.
+/// A writer that accumulates the checksum of its input.
 struct Sum(XxHash64);
 
 impl Write for Sum {

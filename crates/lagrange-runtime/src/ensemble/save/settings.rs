@@ -1,5 +1,5 @@
-//! The identity of an ensemble, in lines of text, so that its parts are never mixed with those of
-//! another.
+//! The identity of an ensemble as lines of text, so that parts of different ensembles are never
+//! mixed.
 
 use core::fmt::Debug;
 use std::any::type_name;
@@ -19,7 +19,7 @@ use crate::simulate::ClosedLoop;
 use crate::simulate::{Drive, RunSettings, Sampling};
 use crate::system::OdeSystem;
 
-/// The number of what follows, to be raised when it changes.
+/// Version of the format below, to be incremented when the format changes.
 const FORMAT: u32 = 4;
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
@@ -30,10 +30,10 @@ where
     K: Method<D::Closed> + Clone + Debug + Sync,
     P: Keep,
 {
-    /// Returns the identity of this ensemble in lines of text, independent of how it is computed.
+    /// Returns the identity of this ensemble as lines of text, independent of threads and shards.
     ///
     /// # Errors
-    /// If a closure that was given panics.
+    /// If a closure of the user panics.
     pub(super) fn settings(&self) -> Result<String, EnsembleError> {
         let (batch, [from, until]) = (&self.batch, self.batch.span());
         let mut lines = Vec::from([
@@ -46,7 +46,7 @@ where
             format!("from {from:?} until {until:?}"),
             format!("method {} {:?}", self.method.name(), self.method),
         ]);
-        // Bits of runs are another matter than bits of lanes, and these depend on the processor.
+        // Runs and lanes yield different bits, and the bits of lanes depend on the processor.
         if self.is_in_lanes() {
             lines.push(format!("in lanes, products {}", if is_fused() { "fused" } else { "rounded" }));
         }
@@ -59,7 +59,7 @@ where
         Ok(lines.join("\n"))
     }
 
-    /// The bits of state, rates and parameters with which a motion starts.
+    /// Returns a line with the bits of state, rates and parameters at the start of a motion.
     fn probe(&self, index: usize) -> String {
         let (varied, state) = self.batch.origin(index);
         let system = varied.as_ref().unwrap_or(self.batch.system);
@@ -71,7 +71,7 @@ where
         format!("motion {index} starts at {start} with rates {rates} and parameters {parameters}")
     }
 
-    /// The bits of the last time and columns of a motion that was given up after its first steps.
+    /// Returns a line with the bits of time and columns of a motion after its first steps.
     fn outset(&self, index: usize) -> String {
         let (varied, state) = self.batch.origin(index);
         let system = varied.as_ref().unwrap_or(self.batch.system);
@@ -83,7 +83,7 @@ where
     }
 }
 
-/// Returns the settings of runs in words.
+/// Returns the settings of runs as text.
 fn words<S: Scalar>(settings: &RunSettings<S>) -> Vec<String> {
     let RunSettings { max_steps, longest_step, restarts, columns, events, periods, .. } = settings;
     let mut words = Vec::new();
@@ -99,20 +99,22 @@ fn words<S: Scalar>(settings: &RunSettings<S>) -> Vec<String> {
     words
 }
 
-/// Numbers by their bits.
+/// Returns the bits of numbers in hexadecimal.
 fn bits<S: Copy + Into<f64>>(values: &[S]) -> String {
     let bits = values.iter().map(|value| format!("{:016x}", Into::<f64>::into(*value).to_bits()));
     bits.collect::<Vec<_>>().join(" ")
 }
 
-/// Number of steps whose bits identify what names do not: methods, functions of the user's crate,
-/// inputs and columns.
+/// Number of steps whose bits identify methods, functions of the user's crate, inputs and columns,
+/// beyond their names.
 const STEPS: u64 = 8;
 
-/// Prefix of lines about single motions. They differ if other lines do, which are more informative.
+/// Prefix of lines about single motions. If other lines differ too, those are reported, being more
+/// informative.
 const MOTION: &str = "motion ";
 
-/// The first line of each that the other has not, if there are such; nothing if the other has all.
+/// Returns the first line of each identity that is missing from the other, or an empty text if none
+/// is missing. `None` if the identities are equal.
 pub(super) fn difference(there: &str, here: &str) -> Option<[String; 2]> {
     let differing = |is_motion: bool| {
         let lines = |text| str::lines(text).filter(|line| line.starts_with(MOTION) == is_motion).collect();
@@ -120,7 +122,7 @@ pub(super) fn difference(there: &str, here: &str) -> Option<[String; 2]> {
         let only = |one: &[&str], other: &[&str]| {
             one.iter().find(|line| !other.contains(line)).map(ToString::to_string).unwrap_or_default()
         };
-        // The same lines in another order are another ensemble: columns have another order.
+        // The same lines in another order are a different ensemble, with columns in another order.
         (there != here).then(|| [only(&there, &here), only(&here, &there)])
     };
     differing(false).or_else(|| differing(true))

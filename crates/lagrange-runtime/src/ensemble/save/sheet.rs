@@ -8,7 +8,7 @@ use crate::ensemble::plan::SharedSystem;
 use crate::ensemble::rows::Rows;
 use crate::simulate::Table;
 
-/// The rows of motions that follow each other, and to which motion each belongs.
+/// The rows of consecutive motions, with the index of the motion of each row.
 pub(super) struct Sheet<M: SharedSystem> {
     rows: Rows<M>,
     /// The index of the motion of each row.
@@ -26,7 +26,7 @@ impl<M: SharedSystem> Sheet<M> {
         self.motions.resize(self.rows.table.as_ref().map_or(0, Table::len), index as i64);
     }
 
-    /// Adds the motions that follow.
+    /// Appends the rows of the motions that follow.
     pub(super) fn merge(&mut self, later: Self) {
         self.rows.merge(later.rows);
         self.motions.extend(later.motions);
@@ -42,22 +42,23 @@ impl<M: SharedSystem> Sheet<M> {
         self.rows.failures.len()
     }
 
-    /// The columns with their names: parameters, time under the name that is given, and the rest.
+    /// Returns the columns with their names: parameters, time under the given name, and the rest.
     pub(super) fn columns<'s>(&'s self, time: &'s str) -> Vec<(&'s str, &'s [M::Scalar])> {
         let Some(table) = &self.rows.table else { return Vec::new() };
         let named = table.names().iter().map(String::as_str).zip(table.columns());
         let mut columns: Vec<_> = named.chain([(time, table.times())]).collect();
-        // Behind the state and what was observed lie the parameters, and then the time.
+        // The parameters, and then the time, follow the state and the observed columns.
         columns.rotate_right(self.rows.parameters + 1);
         columns
     }
 
-    /// Returns the number of parameter columns, the first ones.
+    /// Returns the number of parameter columns, which come first.
     pub(super) fn parameters(&self) -> usize {
         self.rows.parameters
     }
 
-    /// Why motions failed, and for each row whether it is the last of one that did.
+    /// Returns the causes of failures, and for each row, true if it is the last one of a failed
+    /// motion.
     pub(super) fn causes(&self) -> (Vec<String>, Vec<bool>) {
         let mut is_there = vec![false; self.len()];
         let rows = &self.rows.failures;

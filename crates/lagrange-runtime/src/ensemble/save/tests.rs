@@ -1,4 +1,4 @@
-//! What is saved reads back.
+//! Saved files can be read back.
 
 use std::fs::{self, File};
 use std::path::PathBuf;
@@ -12,12 +12,12 @@ use crate::ensemble::tests::Pendulum;
 use crate::ensemble::{Ensemble, Ensembles, Random};
 use crate::integrate::{RungeKutta4, Verner98};
 
-/// The folder of a test.
+/// Returns the folder of a test.
 fn folder(name: &str) -> PathBuf {
     std::env::temp_dir().join(std::format!("lagrange_{name}_{}", std::process::id()))
 }
 
-/// Motions of which the third fails on its way, and the eighth at its start.
+/// Returns motions of which the third fails midway, and the eighth at its start.
 fn ensemble(pendulum: &Pendulum) -> Ensemble<'_, Pendulum, Verner98<f64>> {
     let start = |i: usize, _: &mut Random| match i {
         2 => [99.5, 1.0],
@@ -28,7 +28,7 @@ fn ensemble(pendulum: &Pendulum) -> Ensemble<'_, Pendulum, Verner98<f64>> {
     motions.until(2.0).motions_per_part(4).observe("twice", |_, t, _| 2.0 * t)
 }
 
-/// The columns, the numbers of row groups and all rows of the parts in a folder.
+/// Returns the columns, the numbers of row groups and all rows of the parts in a folder.
 fn rows(folder: &PathBuf, parts: usize) -> (Vec<String>, Vec<usize>, Vec<Row>) {
     let (mut names, mut groups, mut rows) = (Vec::new(), Vec::new(), Vec::new());
     for part in 0..parts {
@@ -57,7 +57,7 @@ fn columns_have_their_units_among_the_metadata() {
     assert_eq!(units.collect::<Vec<_>>(), [("g", "1/s^2"), ("t", "s"), ("x", "rad")]);
 }
 
-/// The bits of the numbers of a row, and its cause.
+/// Returns the index of a row, the bits of its numbers, and its cause.
 fn content(row: &Row, names: &[String]) -> (i64, Vec<u64>, Option<String>) {
     let cause = names.len() - 1;
     let bits = (1..cause).map(|place| row.get_double(place).expect("a double").to_bits());
@@ -117,14 +117,14 @@ fn samples_beyond_a_row_group_begin_another() {
     let ensemble = pendulum.ensemble(66).start(|_, _| [1.0, 0.0]).until(1.0).threads(2);
     let ensemble = ensemble.method(RungeKutta4 { step: 0.5 }).every(1.0 / 2048.0);
     ensemble.save_parquet(&folder).expect("saves");
-    // 64 motions of 2049 samples are enough for a group.
+    // 64 motions of 2049 samples fill a group.
     let (names, groups, rows) = rows(&folder, 1);
     assert_eq!(names, ["index", "t", "x", "x_dot", "cause"]);
     assert_eq!((groups, rows.len()), (Vec::from([2]), 66 * 2049));
     assert!(rows.iter().zip((0..66).flat_map(|i| [i; 2049])).all(|(row, i)| row.get_long(0).ok() == Some(i)));
 }
 
-/// Nothing is computed: memory is asked for first.
+/// Nothing is computed: available memory is checked first.
 #[test]
 fn samples_that_cannot_lie_in_memory_together_are_refused() {
     let pendulum = Pendulum { g: 1.0 };

@@ -1,4 +1,4 @@
-//! Folders of parts, looked through without computing anything.
+//! Verification of folders of parts, without computing anything.
 
 use std::path::Path;
 
@@ -10,21 +10,21 @@ use crate::ensemble::error::EnsembleError;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Verified {
-    /// Parts that are there, with all bytes that were written.
+    /// Parts that exist and are intact.
     pub parts: usize,
-    /// Parts that are not there yet.
+    /// Parts that do not exist yet.
     pub missing: usize,
 }
 
 /// Checks every byte of all parts that [`save_parquet`](crate::ensemble::Ensemble::save_parquet)
-/// wrote into a folder, and that they are parts of one ensemble in their places. Nothing is
+/// wrote into a folder, and that they are parts of one ensemble under the right names. Nothing is
 /// written.
 ///
 /// # Errors
-/// If there are no parts, a file is no part or cannot be read, or a part:
+/// If there are no parts, a file is not a part or cannot be read, or a part:
 /// - is damaged,
 /// - has the name of another one,
-/// - or belongs to another ensemble than the first.
+/// - or belongs to a different ensemble than the first.
 pub fn verify(folder: impl AsRef<Path>) -> Result<Verified, EnsembleError> {
     let (mut first, mut parts) = (None::<Label>, 0);
     for (path, index) in Folder::open(folder.as_ref()).parts()? {

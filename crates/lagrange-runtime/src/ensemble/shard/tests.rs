@@ -1,10 +1,10 @@
-//! Shares, and environments as launchers make them.
+//! Shares, and the environments that launchers create.
 
 use std::string::{String, ToString};
 
 use super::Shard;
 
-/// The shard of an environment, or what is said about it.
+/// Returns the shard of an environment, or the error message.
 fn shard(variables: &[(&str, &str)]) -> Result<(u64, u64), String> {
     let variables = variables.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
     let found = Shard::from_variables(&variables).map(|shard| (shard.index(), shard.count()));
@@ -39,7 +39,7 @@ fn tasks_of_an_array_start_several_processes() {
     assert_eq!(shard(&[&array[..], &ranks].concat()), Ok((9, 12)));
 }
 
-/// Each process would compute everything.
+/// Otherwise each process would compute everything.
 #[test]
 fn a_launcher_that_is_not_known_is_not_passed_over() {
     for place in [

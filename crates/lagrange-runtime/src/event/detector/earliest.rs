@@ -10,31 +10,30 @@ use crate::integrate::EventSource::Given;
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
-/// A step is halved so often in search of a hop that is shorter.
+/// Maximum number of halvings in search of a short hop.
 const MOST_HALVINGS: u32 = 60;
 
 /// The first event in a piece.
 pub(super) enum First<S> {
-    /// There is none.
+    /// No event.
     None,
-    /// The event of this function at this time.
+    /// An event of this function at this time.
     At(usize, S),
-    /// None of this function, which goes on through the zero that it had when the state was
-    /// replaced.
+    /// No event: this function continues through the zero that it had when the state was replaced.
     Passing(usize),
-    /// A shorter piece would tell.
+    /// Undecided; a shorter piece is needed.
     Unclear,
 }
 
-/// The functions that are noise in all of a piece, as far as they have been looked at.
+/// The functions that are noise throughout a piece, among those examined so far.
 struct Noise<S, const K: usize> {
     are: [bool; K],
-    /// The change of each function by rounding, once it is needed.
+    /// The change of each function by rounding, computed on demand.
     roundings: Option<[S; K]>,
 }
 
 impl<S: Scalar, const K: usize> Noise<S, K> {
-    /// Looks at a function that was found to have this sight; true if it is noise.
+    /// True if this function, evaluated as `sight`, is noise throughout the piece.
     fn holds(
         &mut self,
         (event, function): (usize, &EventFunction<S>),
@@ -42,7 +41,7 @@ impl<S: Scalar, const K: usize> Noise<S, K> {
         piece: &Piece<S, K>,
         at: &mut EventValues<'_, S, K>,
     ) -> bool {
-        // At its end a run may end on a zero.
+        // A run may end on a zero at the end of the piece.
         let is_suspect = *sight != Sight::Nothing || piece.values[POINTS - 1][event] == S::ZERO;
         if is_suspect && function.may_be_noise() {
             let roundings = self.roundings.get_or_insert_with(|| piece.roundings(at));
@@ -53,8 +52,8 @@ impl<S: Scalar, const K: usize> Noise<S, K> {
 }
 
 impl<S: Scalar, const K: usize> Detector<S, K> {
-    /// The first event in a piece, and true for each function that might have one but is noise in
-    /// all of the piece.
+    /// Returns the first event in a piece, and true for each function that might have one but is
+    /// noise throughout the piece.
     pub(super) fn earliest(
         &self,
         piece: &Piece<S, K>,
@@ -66,7 +65,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
             return Ok((First::Unclear, noise.are));
         }
         let is_shortest = self.search.is_shortest();
-        // What had no time to leave zero since the last event was not meant to go on through it.
+        // Functions that had no time to leave zero since the last event do not continue through it.
         let passable = (self.repetitions <= 1).then_some(self.started);
         let mut first: Option<Candidate<S, K>> = None;
         for (event, function) in self.functions.iter().enumerate() {

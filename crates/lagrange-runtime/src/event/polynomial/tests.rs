@@ -8,7 +8,7 @@ fn of(function: impl Fn(f64) -> f64) -> Polynomial<f64> {
     Polynomial::new(&points().map(function))
 }
 
-/// All changes of sign, as intervals.
+/// Returns all changes of sign, as intervals.
 fn changes(function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let polynomial = of(&function);
     let (mut sign, mut x, mut found) = (function(0.0), 0.0, Vec::new());
@@ -82,12 +82,12 @@ fn where_it_heads_for_is_seen_at_its_start() {
     assert!([1.0, -1.0].iter().all(|sign| of(|x| -x * x).rise(*sign) == 0.0), "it starts at rest");
 }
 
-/// Places of short numbers next to one are so far apart that a part could be too narrow to lead on.
+/// The spacing of `f32` near one is so coarse that a part could be too narrow to advance.
 #[test]
 fn the_search_ends_in_short_numbers_too() {
     let mut ends = 0;
     for bits in 0..2000_u16 {
-        // A parabola that falls through zero within some roundings of its end.
+        // A parabola that falls through zero within a few roundings of its end.
         let (drop, slope) = (f32::from(bits % 40) * 1e-5 - 2e-4, 0.01 + f32::from(bits) * 1e-4);
         let values = points::<f32>().map(|x| slope * (drop + (1.0 - x) * (1.0 + 0.02 * (1.0 - x))));
         for x in [0.0, 0.5, 0.999_937_3, 0.999_999_94] {

@@ -16,7 +16,7 @@ use crate::system::{
 struct Marks {
     /// How far the second event moves the state.
     jump: f64,
-    /// Where the last function stops to be a number.
+    /// The state beyond which the last function is NaN.
     edge: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Events that replace the state, ever faster.
+//! Events that replace the state at ever shorter intervals.
 
 use std::vec::Vec;
 
@@ -8,9 +8,9 @@ use crate::integrate::{Method, RungeKutta4, Verner98};
 use crate::run::integrate_with_events;
 use crate::system::{Action, Direction, EventSource, StepFailure};
 
-/// Lets a ball fall by 5 m onto a floor at this height, where it keeps a part of its speed, and
-/// follows it beyond the time at which it comes to rest. What came of it, and the lowest place that
-/// was seen above the floor.
+/// Lets a ball fall by 5 m onto a floor at this height, where it keeps a part of its speed. Follows
+/// the ball beyond the time at which it comes to rest. Returns the outcome, and the lowest height
+/// observed above the floor.
 fn bounce(
     method: &impl Method<Ball>,
     floor: f64,
@@ -35,8 +35,8 @@ fn bounce(
     (result, lowest, times)
 }
 
-/// Nothing falls through the floor: infinitely many bounces are an error, and every bounce that can
-/// be told from rounding happens.
+/// Nothing falls through the floor: infinitely many bounces are an error, and every bounce that
+/// exceeds rounding occurs.
 #[test]
 fn no_ball_tunnels_through_a_floor() {
     for floor in [0.0, -3.7, 100.0] {
@@ -69,8 +69,8 @@ fn no_ball_tunnels_through_a_floor() {
     }
 }
 
-/// A ball that is slowed down at a surface sinks through it: that happens once, however little is
-/// left of its speed.
+/// A ball that is slowed down at a surface sinks through it. This is one event, however little
+/// speed remains.
 #[test]
 fn what_goes_on_in_its_direction_has_one_event() {
     for kept in [1.0, 0.5, 1e-3, 1e-6] {
@@ -91,7 +91,7 @@ fn what_goes_on_in_its_direction_has_one_event() {
     }
 }
 
-/// A reset to somewhere else starts afresh there, on whichever side of zero.
+/// A reset to another state starts afresh, on whichever side of zero it is.
 #[test]
 fn what_is_taken_elsewhere_counts_from_there() {
     for (to, wanted) in [(5.0, 3), (-7.0, 1), (1.25, 5)] {

@@ -8,7 +8,7 @@ use crate::integrate::{Method, RungeKutta4, Verner98};
 use crate::run::integrate_with_events;
 use crate::system::{Action, Direction, OdeSystem};
 
-/// ẏ = 0: all that happens is what functions of time say.
+/// ẏ = 0: events depend on functions of time alone.
 struct Rest;
 
 impl OdeSystem for Rest {
@@ -20,7 +20,7 @@ impl OdeSystem for Rest {
     }
 }
 
-/// Numbers and times of all events of functions of time.
+/// Returns the indices and times of all events of functions of time.
 fn all<const E: usize>(
     method: &impl Method<Rest>,
     end: f64,
@@ -37,14 +37,14 @@ fn all<const E: usize>(
     found
 }
 
-/// The times at which a function of time passes zero, in steps of any method.
+/// Returns the times at which a function of time crosses zero, in steps of any method.
 fn crossings(method: &impl Method<Rest>, end: f64, function: impl Fn(f64) -> f64) -> Vec<f64> {
     let found = all(method, end, [Direction::Crossing], |t| [function(t)]);
     found.into_iter().map(|(_, time)| time).collect()
 }
 
-/// Asserts that these zeros are found in single steps of any length and in those of the pair, and
-/// no others.
+/// Asserts that exactly these zeros are found, in fixed steps of several lengths and in adaptive
+/// steps.
 fn assert_zeros(what: &str, end: f64, wanted: &[f64], function: impl Fn(f64) -> f64) {
     let steps = [end, end / 3.0, end / 17.0].map(|step| crossings(&RungeKutta4 { step }, end, &function));
     for found in steps.into_iter().chain([crossings(&pair(), end, &function)]) {
@@ -119,7 +119,7 @@ fn several_fast_functions_come_in_the_order_of_time() {
     assert!(found.windows(2).all(|pair| pair[0].1 <= pair[1].1));
 }
 
-/// Smooth functions cost what they did when steps were cut in eight, and noise is bounded.
+/// Smooth functions take eight evaluations per step, and the cost of noise is bounded.
 #[test]
 fn functions_are_evaluated_eight_times_a_step_if_they_are_smooth() {
     let calls = |step: f64, function: fn(f64) -> f64| {
@@ -149,8 +149,8 @@ impl OdeSystem for Driven {
     }
 }
 
-/// Along a chaotic motion as many zeros are found as a search in five thousand places a second
-/// finds.
+/// Along a chaotic motion, the same number of zeros is found as by sampling five thousand times per
+/// second.
 #[test]
 fn zeros_along_a_chaotic_motion_are_those_of_a_close_look() {
     let functions: [fn(&[f64; 2]) -> f64; 3] =
@@ -182,7 +182,7 @@ fn zeros_along_a_chaotic_motion_are_those_of_a_close_look() {
     }
 }
 
-/// Random numbers in the unit interval, always the same.
+/// Reproducible random numbers in the unit interval.
 struct Random(u64);
 
 impl Random {

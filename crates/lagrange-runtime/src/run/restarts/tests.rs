@@ -12,9 +12,9 @@ use crate::system::{Action, Direction, OdeSystem};
 /// ẍ = 0 before the time 0, then 1, −2, 3, … between jumps one second apart.
 #[derive(Clone, Copy)]
 struct Pushed {
-    /// Whether the instant of a jump belongs to the push before it.
+    /// True if the instant of a jump belongs to the push before it.
     is_late: bool,
-    /// Whether it tells when it jumps.
+    /// True if it provides the times of its jumps.
     tells: bool,
 }
 
@@ -37,8 +37,8 @@ fn push(second: f64) -> f64 {
     if second.rem_euclid(2.0) == 0.0 { second + 1.0 } else { -(second + 1.0) }
 }
 
-/// The state after so many whole seconds and half of the next, from rest at the origin, where
-/// nothing pushes before the time 0.
+/// Returns the state half a second after this many seconds, from rest at the origin. No force acts
+/// before time 0.
 fn half_past(seconds: i32) -> [f64; 2] {
     let pushed = |[x, v]: [f64; 2], second: i32, time: f64| {
         let a = push(f64::from(second));
@@ -55,7 +55,7 @@ fn assert_near(found: [f64; 2], wanted: [f64; 2], what: &str) {
 
 const SYSTEMS: [Pushed; 2] = [Pushed { is_late: false, tells: true }, Pushed { is_late: true, tells: true }];
 
-/// Formulas that are exact for constant forces are exact across jumps, however jumps are defined.
+/// Methods that are exact for constant forces are exact across jumps, however jumps are defined.
 #[test]
 fn no_step_sees_a_jump() {
     for system in SYSTEMS {
@@ -111,7 +111,7 @@ fn nothing_is_tried_in_vain() {
     }
 }
 
-/// A hook that names times that are past, not numbers, or at the end is as good as none.
+/// Restart times that are past, NaN, or at the end are ignored.
 #[test]
 fn times_that_are_not_ahead_do_nothing() {
     struct Odd(f64);

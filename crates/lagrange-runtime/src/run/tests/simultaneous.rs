@@ -8,8 +8,8 @@ use crate::integrate::{RungeKutta4, Verner98};
 use crate::run::integrate;
 use crate::system::{DeclaredEvent, OdeSystem, Reacted, StepFailure};
 
-/// N oscillators ẍ = −x − |x|/2, with L = 2 N entries of the state. It counts evaluations of the
-/// functions of its events.
+/// N oscillators ẍ = −x − |x|/2, with L = 2 N entries of the state. Evaluations of event functions
+/// are counted.
 #[derive(Clone, Copy)]
 struct Row<'a, const N: usize, const L: usize> {
     switches: Switches,
@@ -59,7 +59,7 @@ impl<const N: usize, const L: usize> SwitchedSystem<N> for Row<'_, N, L> {
 
 const HALVES: [f64; 2] = [1.5, 0.5];
 
-/// The motion from rest at x = 1: cosines and sines of ω² = 3/2 above zero and 1/2 below.
+/// Returns the motion from rest at x = 1: cosines and sines with ω² = 3/2 above zero and 1/2 below.
 fn exact(t: f64) -> f64 {
     let [above, below] = HALVES.map(f64::sqrt);
     let [first, second] = [above, below].map(|w| core::f64::consts::PI / w);
@@ -72,8 +72,8 @@ fn exact(t: f64) -> f64 {
     }
 }
 
-/// Evaluations of event functions in a run from these amplitudes, and its largest error relative to
-/// them.
+/// Returns the number of evaluations of event functions in a run from these amplitudes, and its
+/// largest error relative to them.
 fn run<const N: usize, const L: usize>(amplitude: impl Fn(usize) -> f64, is_fixed: bool) -> (usize, f64) {
     let evaluations = Cell::new(0);
     let row = Row::<N, L> { switches: Switches::FREE, evaluations: &evaluations };
@@ -106,7 +106,7 @@ fn runs(amplitude: impl Fn(usize) -> f64 + Copy, is_fixed: bool) -> Vec<(usize, 
 fn many_switches_that_change_together_take_hardly_more_evaluations_than_few() {
     let amplitudes: [fn(usize) -> f64; 3] = [
         |_| 1.0,
-        // The same phase, but for rounding.
+        // The same phase, up to rounding.
         |k| 1.0 + k as f64 / 7.0,
         |k| if k % 2 == 0 { 1e-3 } else { 1e3 },
     ];

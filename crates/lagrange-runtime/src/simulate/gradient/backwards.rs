@@ -1,4 +1,4 @@
-//! From the end of a trace to its start.
+//! The backward pass, from the end of a trace to its start.
 
 use core::marker::PhantomData;
 use std::vec::Vec;
@@ -13,10 +13,10 @@ use crate::system::{OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFai
 
 /// The name of the state in errors about events without derivative.
 const STATE: &str = "the state";
-/// The cause if a system does not know its derivatives.
+/// Message for systems without derivatives.
 const WITHOUT_JACOBIAN: &str = "a gradient needs derivatives: add `emit { jacobian }` to the declaration";
 
-/// Places for the stages of a step by the method K, and slopes by parameters so far.
+/// Workspace for the stages of a step by the method K, and the derivatives by parameters so far.
 pub(super) struct Backwards<'a, M: OdeSystem, K, const N: usize> {
     system: &'a M,
     /// Parameters and inputs, their places, and slopes by them.
@@ -52,7 +52,7 @@ where
         }
     }
 
-    /// Goes from the end of a trace to its start and adds up the costs of samples.
+    /// Runs from the end of a trace to its start and sums the costs of samples.
     ///
     /// # Errors
     /// If a system does not know its derivatives, or an event has none.
@@ -135,7 +135,7 @@ where
         Ok(())
     }
 
-    /// The states at the starts of these steps and at the end of the last one.
+    /// Computes the states at the starts of these steps and at the end of the last one.
     fn between(
         &mut self,
         times: &[M::Scalar],
@@ -160,7 +160,8 @@ where
         }
     }
 
-    /// Turns the slope by the end of a step into that by its start.
+    /// Converts the derivative by the state at the end of a step into the derivative by the state
+    /// at its start.
     fn pull_back(
         &mut self,
         times: &[M::Scalar],
@@ -183,7 +184,7 @@ where
         Ok(())
     }
 
-    /// Adds to the slopes by parameters, and returns (∂f/∂y)ᵀ times the adjoint of a rate.
+    /// Adds to the derivatives by parameters, and returns (∂f/∂y)ᵀ times the adjoint of a rate.
     fn through(
         &mut self,
         t: M::Scalar,

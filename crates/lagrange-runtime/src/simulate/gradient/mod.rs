@@ -1,4 +1,4 @@
-//! Gradients of costs by many parameters, backwards along the steps of a run.
+//! Gradients of costs with respect to many parameters, computed backwards along the steps of a run.
 
 mod backwards;
 mod jump;
@@ -34,24 +34,24 @@ const STATE: &str =
 pub struct Gradient<S, const N: usize> {
     /// The cost.
     pub value: S,
-    /// Slopes by parameters and inputs, in the order of their names.
+    /// Derivatives by parameters and inputs, in the order of the names.
     pub by: Vec<S>,
-    /// Slopes by the entries of the state at the start.
+    /// Derivatives by the entries of the initial state.
     pub by_start: [S; N],
     /// Number of steps.
     pub steps: usize,
-    /// Number of states that were kept at once.
+    /// Maximum number of states kept at the same time.
     pub kept_states: usize,
 }
 
 impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
-    /// Computes a cost of the motion with its slopes by parameters and inputs of these names, and
-    /// by the state at the start. The work hardly depends on the number of names.
+    /// Computes a cost of the motion with its derivatives by the named parameters and inputs, and
+    /// by the initial state. The work hardly depends on the number of names.
     ///
-    /// `cost` receives a time and the state there, writes its slopes by the state to the vector of
-    /// zeros, and returns its value. It is called once for the end or, with
-    /// [`every`](Simulation::every), for each sample, the last one first; values and slopes are
-    /// added up. To integrate a cost along the motion, declare it as a `state`.
+    /// `cost` receives a time, the state and a vector of zeros, writes its derivatives by the state
+    /// to the vector, and returns its value. It is called once for the end or, with
+    /// [`every`](Simulation::every), for each sample, the last one first. Values and derivatives
+    /// are summed. To integrate a cost along the motion, declare it as a `state`.
     ///
     /// The gradient is that of the motion as computed: each step is differentiated, with its length
     /// held. It requires `emit { jacobian }`. At most 3 √n + 2 states
@@ -138,7 +138,7 @@ fn checked<M: ParametricSystem, K: Method<M>>(
     }
 }
 
-/// The times of samples, of which the last is the end.
+/// Returns the times of samples, the last of which is the end.
 fn samples<S: Scalar>(settings: &RunSettings<S>) -> Result<Vec<S>, SettingError<S>> {
     let [start, end] = settings.span;
     let mut samples = Vec::new();
@@ -146,7 +146,7 @@ fn samples<S: Scalar>(settings: &RunSettings<S>) -> Result<Vec<S>, SettingError<
         samples.push(start);
         samples.extend(std::iter::from_fn(|| grid.up_to(end)));
     }
-    // A run that lasts for no time has one sample.
+    // A run of zero duration has one sample.
     if samples.last() != Some(&end) {
         samples.push(end);
     }

@@ -1,4 +1,4 @@
-//! Derivatives of motions by parameters, inputs and initial values.
+//! Derivatives of motions with respect to parameters, inputs and initial values.
 
 mod slope;
 mod stacked;
@@ -26,23 +26,23 @@ use crate::system::{
 
 impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// Adds the derivatives of the state by parameters, inputs of constant value and initial
-    /// values: a column such as `d(theta)/d(m)` for each pair. At most 24 names are taken.
+    /// values: a column such as `d(theta)/d(m)` for each pair. At most 24 names are accepted.
     ///
-    /// Names are those of parameters, inputs and states, where that of a state stands for its
-    /// initial value. Derivatives are at fixed times, also of motions that an event stops.
+    /// Names refer to parameters, inputs and states; the name of a state stands for its initial
+    /// value. Derivatives are taken at fixed times, even for motions that an event stops.
     /// [`Trajectory::sensitivities`](super::Trajectory::sensitivities) returns them as vectors.
     ///
-    /// They are unknowns of the integration, and their errors count as those of the state do. They
-    /// are measured in changes of the state per relative change of the variable. Steps are
-    /// therefore shorter; [`sensitivities_alongside`](Self::sensitivities_alongside) takes those of
-    /// the state.
+    /// The derivatives are unknowns of the integration, and their errors count like errors of the
+    /// state. They are measured as changes of the state per relative change of the variable. Steps
+    /// are therefore shorter; [`sensitivities_alongside`](Self::sensitivities_alongside) keeps the
+    /// steps of the state alone.
     ///
-    /// With `emit { jacobian }` rates of derivatives are exact. Otherwise, as for systems with
-    /// contacts, they are differences with errors of about 10⁻¹². So are changes at events. The
-    /// reaction to an event is asked several times, and must be a function of system, time and
-    /// state. A run ends with
-    /// [`NotDifferentiable`](crate::integrate::StepFailure::NotDifferentiable) where a motion has
-    /// no derivative, as at an event that is only touched.
+    /// With `emit { jacobian }`, rates of derivatives are exact. Otherwise, as for systems with
+    /// contacts, they are differences with errors of about 10⁻¹². Changes at events are always
+    /// differences. The reaction to an event is called several times, and must be a function of
+    /// system, time and state. A run ends with
+    /// [`NotDifferentiable`](crate::integrate::StepFailure::NotDifferentiable) if a motion has no
+    /// derivative, as at an event that is only touched.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -74,8 +74,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self.differentiated::<V, N>(names.into(), Number::ONE)
     }
 
-    /// Adds derivatives as [`sensitivities`](Self::sensitivities) does, along steps that are chosen
-    /// for the state alone. Their errors are not controlled.
+    /// Adds derivatives as [`sensitivities`](Self::sensitivities) does, with steps chosen for the
+    /// state alone. Errors of the derivatives are not controlled.
     pub fn sensitivities_alongside<V, const N: usize>(
         self,
         names: V,
@@ -103,14 +103,15 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     }
 }
 
-/// Returns the weight of derivatives whose errors do not count beside an absolute tolerance.
+/// Returns a weight of derivatives whose errors are negligible compared with an absolute tolerance.
 pub(crate) fn uncounted<S: Scalar>() -> S {
     S::epsilon().powi(4)
 }
 
 #[cfg(feature = "linear")]
 impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
-    /// Adds the derivatives by initial values, from one of them on, under fewer than R names.
+    /// Adds the derivatives by initial values, starting with index `first`, under fewer than R
+    /// names.
     pub(crate) fn by_initial_values<const N: usize, const R: usize>(
         self,
         first: usize,
@@ -128,7 +129,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
 }
 
 impl<S: Scalar> RunSettings<S> {
-    /// Finds variables by their names, and refuses unknown ones.
+    /// Finds variables by name; unknown names are recorded as errors.
     pub(crate) fn find_variables<M: ParametricSystem<Scalar = S>>(
         &mut self,
         system: &M,
@@ -145,7 +146,7 @@ impl<S: Scalar> RunSettings<S> {
     }
 }
 
-/// Finds a variable by its name.
+/// Finds a variable by name.
 pub(crate) fn varied<M: ParametricSystem>(
     system: &M,
     start: &M::State,
@@ -161,7 +162,7 @@ pub(crate) fn varied<M: ParametricSystem>(
     Ok(of_place(name, place, system, start, weight))
 }
 
-/// The variable of a place.
+/// Returns the variable at a place.
 fn of_place<M: ParametricSystem>(
     name: &'static str,
     place: VariedPlace,
@@ -181,7 +182,7 @@ pub trait Variables: Into<Vec<&'static str>> {
     /// The drive D, with derivatives of a state of N entries by as many variables.
     type Sensitive<M: MechanicalSystem, D, const N: usize>;
 
-    /// Returns it.
+    /// Returns that drive.
     fn around<M: MechanicalSystem, D, const N: usize>(
         drive: D,
         variables: Arc<[Varied<M::Scalar>]>,
@@ -242,14 +243,14 @@ where
         })
     }
 
-    /// Measures changes by the values that parameters and initial values have in this motion.
+    /// Scales changes by the values of parameters and initial values in this motion.
     fn for_motion(&self, system: &M, start: &M::State) -> Self {
         let variables = self.variables.iter().map(|variable| variable.scaled(system, start));
         Differentiated { drive: self.drive.for_motion(system, start), variables: variables.collect() }
     }
 }
 
-/// Restarts are compared up to this number.
+/// Maximum number of restarts to compare.
 const MOST_RESTARTS: usize = 1000;
 
 impl<M, L, const N: usize, const R: usize> ClosedLoop<M> for Sensitive<M, L, N, R>

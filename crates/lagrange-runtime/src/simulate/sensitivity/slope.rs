@@ -1,28 +1,28 @@
-//! Slopes of functions by differences of order four.
+//! Derivatives of functions by differences of order four.
 //!
 //! Events have no emitted derivatives, and their outcomes may be closures. The step is the fifth
-//! root of rounding. Errors are then about that of rounding over the step: 3·10⁻¹³ in double
-//! precision. Source: Fornberg, "Generation of finite difference formulas on arbitrarily spaced
-//! grids", 1988.
+//! root of the rounding error. Errors are then about the rounding error divided by the step:
+//! 3·10⁻¹³ in double precision. Source: Fornberg, "Generation of finite difference formulas on
+//! arbitrarily spaced grids", 1988.
 
 use crate::scalar::Scalar;
 
-/// A twelfth of these times the difference of the values at the first place and the second, in
-/// steps from a point, are its slope. What is constant has none, without rounding.
+/// Rules with entries (w, [a, b]): the derivative is the sum of w (f(a h) − f(b h)), divided by 12
+/// h. For constants it is exactly zero.
 type Differences = &'static [(f64, [f64; 2])];
 
 const AROUND: Differences = &[(8.0, [1.0, -1.0]), (-1.0, [2.0, -2.0])];
 const ASIDE: Differences = &[(48.0, [1.0, 0.0]), (-36.0, [2.0, 0.0]), (16.0, [3.0, 0.0]), (-3.0, [4.0, 0.0])];
 
-/// A step is divided by this until two in a row agree,
+/// Divisor of the step, applied until two successive results agree.
 const REFINEMENT: f64 = 8.0;
-/// but no more often than this.
+/// Maximum number of refinements.
 const MOST_REFINEMENTS: usize = 4;
 
-/// Returns the derivative at zero of a function of one number. It is taken to change noticeably
-/// when its argument changes by one over `rate`, and the step is reduced if it does so earlier.
-/// Differences are one-sided where the function is not defined on the other side; `None` if it is
-/// not defined on either.
+/// Returns the derivative at zero of a function of one number. The function is assumed to change
+/// noticeably when its argument changes by 1/`rate`. The step is reduced if it changes faster.
+/// Differences are one-sided if the function is undefined on the other side; `None` if it is
+/// undefined on both.
 pub(crate) fn slope<S: Scalar, const N: usize>(
     rate: S,
     mut function: impl FnMut(S) -> Option<[S; N]>,
@@ -54,7 +54,7 @@ pub(crate) fn slope<S: Scalar, const N: usize>(
 /// so would be a quotient with it. That of x³ at 10⁻¹⁶, for instance, is 10⁻¹³ of its change.
 const ROUNDINGS: f64 = 4.0;
 
-/// The differences with this step.
+/// Computes the differences with this step.
 fn differences<S: Scalar, const N: usize>(
     step: S,
     rate: S,
@@ -78,7 +78,7 @@ fn differences<S: Scalar, const N: usize>(
     { slopes(AROUND, step) }.or_else(|| slopes(ASIDE, step)).or_else(|| slopes(ASIDE, -step))
 }
 
-/// The largest distance of two entries.
+/// Returns the largest distance between two corresponding entries.
 fn distance<S: Scalar, const N: usize>(one: &[S; N], other: &[S; N]) -> S {
     one.iter().zip(other).fold(S::ZERO, |most, (one, other)| most.max((*one - *other).abs()))
 }

@@ -1,10 +1,10 @@
-//! States followed by derivatives of them.
+//! States followed by their derivatives.
 
 use crate::scalar::Number;
 use crate::system::StateVector;
 
-/// A state of N entries, followed by as many entries for each variable by which it is
-/// differentiated. There is room for R rows, and `count` of them are used.
+/// A state of N entries, followed by its N derivatives for each variable. There is room for R rows,
+/// `count` of which are used.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Stacked<S, const N: usize, const R: usize> {
     pub(super) rows: [[S; N]; R],
@@ -72,7 +72,7 @@ impl<S: Number, const N: usize, const R: usize> StateVector<S> for Stacked<S, N,
     }
 }
 
-/// A square matrix in rows.
+/// A square matrix, stored by rows.
 #[derive(Clone, Copy, Debug)]
 pub struct StackedSquare<S, const N: usize, const R: usize> {
     rows: [[Stacked<S, N, R>; N]; R],

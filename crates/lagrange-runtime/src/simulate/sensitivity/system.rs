@@ -1,4 +1,4 @@
-//! A system with the derivatives of its state as further unknowns.
+//! Systems with the derivatives of the state as additional unknowns.
 //!
 //! Along a motion ẏ = f(t, y, p), the derivatives s = ∂y/∂p at fixed times obey the variational
 //! equations ṡ = ∂f/∂y s + ∂f/∂p. At an event g(t, y, p) = 0 the motion continues from R(t, y, p),
@@ -27,12 +27,12 @@ use crate::system::{
 /// A parameter, input or initial value by which a motion is differentiated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Varied<S> {
-    /// Its name.
+    /// Name of the variable.
     pub(super) name: &'static str,
     pub(super) place: VariedPlace,
-    /// Derivatives are kept as changes of the state per change of the variable by this.
+    /// Derivatives are stored as changes of the state per change of the variable by this amount.
     pub(super) scale: S,
-    /// The relative change of the variable that the scale is.
+    /// The scale as a relative change of the variable.
     pub(super) weight: S,
 }
 
@@ -70,7 +70,7 @@ impl<S: Scalar> Varied<S> {
         }
     }
 
-    /// Returns the variable with the scale that its value in a motion gives: one if it is zero.
+    /// Returns the variable scaled by its value in a motion, or by one if that is zero.
     pub(super) fn scaled<M: ParametricSystem<Scalar = S>>(self, system: &M, start: &M::State) -> Self {
         let value = match self.place {
             VariedPlace::Number(index) => system.number(index),
@@ -103,7 +103,7 @@ where
         Sensitive { closed, variables: Arc::clone(&self.variables) }
     }
 
-    /// Asks the loop as it is with a variable changed by this many of its scales.
+    /// Evaluates a function of the loop with a variable changed by this multiple of its scale.
     pub(super) fn moved<T>(
         &self,
         variable: &Varied<M::Scalar>,
@@ -120,8 +120,8 @@ where
         }
     }
 
-    /// The derivative of a function of the loop, time and state along a change of the time, the
-    /// state and a variable.
+    /// Computes the derivative of a function of the loop, time and state along a change of the
+    /// time, the state and a variable.
     pub(super) fn along<const C: usize>(
         &self,
         (t, y): (M::Scalar, &M::State),
@@ -147,7 +147,8 @@ where
         })
     }
 
-    /// The rates of derivatives by the Jacobians that the plant knows; false if it knows none.
+    /// Computes the rates of derivatives from the Jacobians of the plant; false if it provides
+    /// none.
     fn linear_rates(
         &self,
         t: M::Scalar,
@@ -185,8 +186,8 @@ where
         true
     }
 
-    /// The state after an event. Given are the function that vanishes there, the outcome for a loop
-    /// at a time and state, and the loop and the state that follow.
+    /// Returns the state after an event. Arguments are the function that vanishes at the event, the
+    /// outcome for a loop at a time and state, and the subsequent loop and state.
     pub(super) fn after(
         &self,
         (t, y): (M::Scalar, &Stacked<M::Scalar, N, R>),
@@ -215,7 +216,7 @@ where
         Ok(stacked)
     }
 
-    /// The state after a declared event, in the modes in which the motion goes on.
+    /// Returns the state after a declared event, in the modes in which the motion continues.
     fn settled(
         closed: &L,
         event: usize,
@@ -257,8 +258,8 @@ where
         self.closed.undefined(t, &y.rows[0], &rates.rows[0]).or_else(own)
     }
 
-    /// Returns a block of ∂f/∂y for the state and for each derivative. How ∂f/∂y changes with the
-    /// state is left out: Newton's method finds the state first and then the rest.
+    /// Returns a block ∂f/∂y for the state and for each derivative. The change of ∂f/∂y with the
+    /// state is omitted: Newton's method finds the state first and then the rest.
     fn jacobian(&self, t: M::Scalar, y: &Self::State) -> Option<StateMatrix<Self>> {
         let block = self.closed.jacobian(t, &y.rows[0])?;
         let mut jacobian = y.zero_square();
@@ -372,7 +373,7 @@ where
     }
 }
 
-/// The largest magnitude of an entry.
+/// Returns the largest magnitude of an entry.
 fn largest<S: Scalar>(vector: &[S]) -> S {
     vector.iter().fold(S::ZERO, |most, entry| most.max(entry.abs()))
 }

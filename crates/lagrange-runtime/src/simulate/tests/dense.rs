@@ -73,8 +73,8 @@ fn a_polynomial_of_the_degree_comes_back() {
     }
 }
 
-/// However near to a point of a polynomial a time is, and however small or large times and states
-/// are.
+/// Holds for times arbitrarily close to a point of a polynomial, and for very small or large times
+/// and states.
 #[test]
 fn states_next_to_points_are_those_there() {
     for order in [1, 4, 9] {

@@ -1,4 +1,4 @@
-//! What happens between samples.
+//! Events between samples.
 
 use std::f64::consts::PI;
 use std::string::ToString;
@@ -43,7 +43,7 @@ fn a_run_stops_at_an_event() {
     }
 }
 
-/// The oscillator in front of a wall at 0 bounces as if it swung through, mirrored.
+/// With a wall at 0 the oscillator moves as without it, but mirrored.
 #[test]
 fn a_run_goes_on_from_another_state() {
     let simulation = || {

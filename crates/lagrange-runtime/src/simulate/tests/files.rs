@@ -1,4 +1,4 @@
-//! What is written reads back.
+//! Written files can be read back.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::{Oscillator, START};
 use crate::simulate::{Simulate, Trajectory};
 
-/// A run with columns of very small, very large and no numbers.
+/// Returns a run with columns of very small numbers, very large numbers and NaN.
 fn run() -> Trajectory<Oscillator> {
     let simulation = Oscillator.simulate(START).from(-0.1).until(5.0).every(0.1).energy();
     simulation
@@ -86,7 +86,7 @@ fn a_file_that_cannot_be_written_is_an_error() {
 #[cfg(unix)]
 const CHILD: &str = "LAGRANGE_TEST_FOLDER";
 
-/// Files may not grow beyond a kilobyte, as on a full disk.
+/// Limits files to a kilobyte, as on a full disk.
 #[cfg(unix)]
 #[test]
 fn older_files_survive_a_full_disk() {
@@ -112,7 +112,7 @@ fn older_files_survive_a_full_disk() {
     shell.args(["-c", "trap '' XFSZ; ulimit -f 2; exec \"$@\"", "sh"]);
     shell.arg(env::current_exe().expect("is known"));
     shell.args(["--exact", "simulate::tests::files::older_files_survive_a_full_disk"]);
-    // What it says could go to a file that may not grow.
+    // Its output might go to a file that is limited, too.
     shell.stdout(Stdio::null()).stderr(Stdio::null()).env(CHILD, &folder);
     assert!(shell.status().expect("starts").success());
     let after = files();

@@ -1,4 +1,4 @@
-//! Runs that end early, and what tells how far they are.
+//! Runs that end early, and progress reports.
 
 use std::f64::consts::FRAC_PI_3;
 use std::ops::ControlFlow;
@@ -55,7 +55,7 @@ fn an_initial_state_that_is_not_finite_is_refused_and_shown() {
     }
 }
 
-/// Also where samples are wanted, or controllers would act, at times that cannot be counted.
+/// Holds even if samples or controllers would need infinitely many times.
 #[test]
 fn a_span_that_is_not_finite_is_named_before_its_samples() {
     for time in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -1,4 +1,4 @@
-//! The front door on hand-written systems whose solutions are known.
+//! Tests of the public interface on handwritten systems with known solutions.
 
 mod dense;
 mod events;
@@ -49,7 +49,7 @@ impl EnergyFunction for Oscillator {
     }
 }
 
-/// ẍ = −x until x falls below a bound, NaN from there on.
+/// ẍ = −x until x falls below a bound, NaN afterwards.
 struct Broken(f64);
 
 impl OdeSystem for Broken {
@@ -78,7 +78,7 @@ impl MechanicalSystem for Broken {
 
 const START: [f64; 2] = [1.0, 0.0];
 
-/// The state of the oscillator this long after its start.
+/// Returns the state of the oscillator this long after its start.
 fn exact(t: f64) -> [f64; 2] {
     [t.cos(), -t.sin()]
 }

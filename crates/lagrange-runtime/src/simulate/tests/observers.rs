@@ -1,4 +1,4 @@
-//! Columns besides the state.
+//! Columns in addition to the state.
 
 use std::string::ToString;
 use std::vec::Vec;

@@ -1,4 +1,4 @@
-//! One call, one picture.
+//! Plots, one per call.
 
 use std::path::PathBuf;
 use std::string::String;
@@ -9,7 +9,7 @@ use crate::integrate::RungeKutta4;
 use crate::simulate::{PlotError, Simulate, Trajectory};
 use crate::system::{MechanicalSystem, OdeSystem, Unnamed};
 
-/// A bead that nothing moves, with two currents that decay.
+/// A bead at rest, with two decaying currents.
 struct Circuit;
 
 impl OdeSystem for Circuit {
@@ -53,7 +53,7 @@ fn run() -> Trajectory<Oscillator> {
     Oscillator.simulate(START).until(10.0).tolerance(1e-10).every(0.05).energy().run().expect("runs")
 }
 
-/// What a plot writes to a file of this name.
+/// Returns the content that a plot writes to a file of this name.
 pub(super) fn written(name: &str, plot: impl FnOnce(PathBuf) -> Result<(), PlotError>) -> String {
     let path = std::env::temp_dir().join(std::format!("lagrange_{}_{name}.svg", std::process::id()));
     plot(path.clone()).expect("plots");

@@ -1,4 +1,4 @@
-//! Restarts at times that are given.
+//! Restarts at specified times.
 
 use std::vec::Vec;
 
@@ -7,7 +7,7 @@ use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
 use crate::system::{MechanicalSystem, OdeSystem, SettingError, StepFailure, Unnamed};
 
-/// ẍ = 6 t until one second, −2 from then on.
+/// ẍ = 6 t until one second, −2 afterwards.
 struct Switched;
 
 impl OdeSystem for Switched {
@@ -34,7 +34,7 @@ impl MechanicalSystem for Switched {
     }
 }
 
-/// The state of [`Switched`] from rest at the origin.
+/// Returns the state of [`Switched`], started from rest at the origin.
 fn exact(t: f64) -> [f64; 2] {
     let after = t - 1.0;
     if t < 1.0 { [t.powi(3), 3.0 * t * t] } else { [1.0 + after * (3.0 - after), 3.0 - 2.0 * after] }

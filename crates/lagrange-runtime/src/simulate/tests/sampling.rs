@@ -1,4 +1,4 @@
-//! Which times are kept.
+//! Sampling times.
 
 use std::vec;
 use std::vec::Vec;

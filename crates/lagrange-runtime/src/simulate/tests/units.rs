@@ -1,4 +1,4 @@
-//! Units of a system stand where its columns do.
+//! Units of a system appear wherever its columns do.
 
 use std::string::String;
 use std::vec::Vec;
@@ -7,7 +7,7 @@ use crate::constraint::Unprojected;
 use crate::simulate::{Simulate, Trajectory};
 use crate::system::{EnergyFunction, MechanicalSystem, OdeSystem, Unnamed};
 
-/// A bead and a disk that nothing moves.
+/// A bead and a disk at rest.
 struct Free;
 
 impl OdeSystem for Free {

@@ -14,17 +14,17 @@ use crate::scalar::Lanes;
 use crate::simulate::{Grid, Table, Undriven};
 use crate::system::{LanesSystem, SideBySide};
 
-/// More than twice as many as there are lanes.
+/// More than twice the number of lanes.
 const MOTIONS: usize = 37;
 const UNTIL: f64 = 0.4;
 const INTERVAL: f64 = 0.03;
 
-/// A method that goes in lanes with a system.
+/// A method that runs in lanes with a system.
 trait Goes<M: Subject>: Method<M> + LanesMethod<f64> + core::fmt::Debug + Sync {}
 
 impl<M: Subject, K: Method<M> + LanesMethod<f64> + core::fmt::Debug + Sync> Goes<M> for K {}
 
-/// A system of doubles that goes in lanes.
+/// A system of doubles that runs in lanes.
 trait Subject: SharedSystem<Scalar = f64, Columns<Table<f64>>: Send> + LanesSystem + Default {}
 
 impl<M: SharedSystem<Scalar = f64, Columns<Table<f64>>: Send> + LanesSystem + Default> Subject for M {}
@@ -49,7 +49,7 @@ fn bits_of_samples<M: Subject>(samples: &Samples<M>) -> Vec<Bits> {
     samples.iter().map(|(_, trajectory)| bits(trajectory.iter())).collect()
 }
 
-/// The motions of an ensemble in lanes of the type S.
+/// Computes the motions of an ensemble in lanes of the type S.
 fn in_lanes<M: Subject, K: Goes<M>, S: SideBySide<Element = f64>, const SAMPLED: bool>(
     ensemble: &Ensemble<'_, M, K>,
 ) -> Vec<Bits> {
@@ -64,7 +64,7 @@ fn in_lanes<M: Subject, K: Goes<M>, S: SideBySide<Element = f64>, const SAMPLED:
     starts.iter().zip(ends).map(rows).collect()
 }
 
-/// Ends or samples in four, eight and sixteen lanes.
+/// Computes ends or samples in four, eight and sixteen lanes.
 fn in_all_lanes<M: Subject, K: Goes<M>, const FUSED: bool, const SAMPLED: bool>(
     ensemble: &Ensemble<'_, M, K>,
 ) -> [Vec<Bits>; 3] {
@@ -75,7 +75,7 @@ fn in_all_lanes<M: Subject, K: Goes<M>, const FUSED: bool, const SAMPLED: bool>(
     ]
 }
 
-/// Threads, and motions that one of them computes together.
+/// Returns engines with different numbers of threads and chunk sizes.
 fn engines() -> impl Iterator<Item = Engine> {
     [(1, 64), (1, 7), (2, 64), (2, 5), (2, 1)].into_iter().map(|(threads, chunk)| {
         let mut engine = Engine::new(Some(threads)).expect("threads");
@@ -84,12 +84,12 @@ fn engines() -> impl Iterator<Item = Engine> {
     })
 }
 
-/// Three processes.
+/// Returns the shards of three processes.
 fn shards() -> impl Iterator<Item = Shard> {
     (0..3).map(|process| Shard::of(process, 3))
 }
 
-/// Asserts that all ways to the ends and samples of an ensemble lead to the same bits.
+/// Asserts that ends and samples of an ensemble have the same bits however they are computed.
 fn assert_same<M: Subject, K: Goes<M>>(name: &str, ensemble: &dyn Fn() -> Ensemble<'static, M, K>) {
     let sampled = || -> Ensemble<'static, M, K, Undriven, KeepSamples> { ensemble().every(INTERVAL) };
     let (ends, samples) = (ensemble().run().expect("runs"), sampled().run().expect("runs"));
@@ -124,7 +124,7 @@ fn assert_same<M: Subject, K: Goes<M>>(name: &str, ensemble: &dyn Fn() -> Ensemb
     }
 }
 
-/// Files in the place of memory.
+/// Files instead of memory.
 #[cfg(feature = "parquet")]
 mod saved {
     use std::fs;
@@ -135,8 +135,7 @@ mod saved {
     use crate::ensemble::{Ensemble, EnsembleError, Keep, SharedSystem};
     use crate::simulate::Undriven;
 
-    /// Asserts that an ensemble that was interrupted goes on to the same files, and that shards
-    /// write them.
+    /// Asserts that an interrupted ensemble resumes to the same files, and that shards write them.
     pub(super) fn assert_same<M: SharedSystem, K, P: Keep>(
         name: &str,
         kept: &str,
@@ -165,14 +164,14 @@ mod saved {
 static PENDULUM: DoublePendulum<f64> = DoublePendulum { ratio: 0.5, gravity: 9.81 };
 static SPRING: Spring<f64> = Spring { stiffness: 1.0 };
 
-/// Double pendulums that differ in start and parameter.
+/// Returns double pendulums that differ in start and parameter.
 fn pendulums<K: Method<DoublePendulum<f64>>>(method: K) -> Ensemble<'static, DoublePendulum<f64>, K> {
     let motions =
         PENDULUM.ensemble(MOTIONS).start(|_, random| [random.uniform(-2.0..2.0), 1.0, 0.0, random.normal()]);
     motions.parameters(|index, system| system.ratio = 0.2 + 0.01 * index as f64).until(UNTIL).method(method)
 }
 
-/// Springs that do.
+/// Returns springs that differ in start and parameter.
 fn springs<K: Method<Spring<f64>>>(method: K) -> Ensemble<'static, Spring<f64>, K> {
     let motions = SPRING.ensemble(MOTIONS).start(|_, random| [random.normal(), 1.0]);
     motions.parameters(|index, system| system.stiffness = 1.0 + index as f64).until(UNTIL).method(method)

@@ -1,4 +1,4 @@
-//! Samples of motions in lanes beside those of runs by themselves.
+//! Samples of motions in lanes compared with samples of single runs.
 
 use std::string::ToString;
 use std::vec::Vec;
@@ -10,8 +10,7 @@ use crate::simulate::Undriven;
 
 type Sampled<'a, M, K> = Ensemble<'a, M, K, Undriven, KeepSamples>;
 
-/// The largest difference between samples in lanes and those of runs, of which there are so many
-/// for each motion.
+/// Returns the largest difference between samples in lanes and in single runs, `number` per motion.
 fn largest_difference<K>(
     ensemble: impl Fn() -> Sampled<'static, DoublePendulum<f64>, K>,
     number: usize,

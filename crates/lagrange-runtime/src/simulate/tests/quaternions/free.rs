@@ -1,4 +1,4 @@
-//! A body on which no forces act.
+//! A free rigid body.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -68,7 +68,7 @@ impl EnergyFunction for FreeBody {
 }
 
 impl FreeBody {
-    /// The angular momentum in the world.
+    /// Returns the angular momentum in the world.
     fn angular_momentum(&self, y: &[f64; 7]) -> Vector {
         let (q, w) = split::<Self>(y);
         turned(q, times(self.0, w))
@@ -79,7 +79,7 @@ const BODY: FreeBody = FreeBody([1.0, 2.0, 3.0]);
 /// Close to the middle axis, about which it tumbles.
 const START: [f64; 7] = [0.5, 0.5, -0.5, 0.5, 0.1, 2.0, -0.05];
 
-/// The largest deviation of the lengths of all samples from one, and that of the angular momentum.
+/// Returns the largest deviations of the quaternion's length from one and of the angular momentum.
 fn deviations(trajectory: &Trajectory<FreeBody>) -> [f64; 2] {
     let start = BODY.angular_momentum(&START);
     trajectory.states().fold([0.0_f64; 2], |[unit, momentum], y| {
@@ -142,7 +142,8 @@ fn motions_run_backwards() {
     assert!(deviations(&back)[0] < 4e-16);
 }
 
-/// At a tolerance that leaves quaternions within steps far from unit length.
+/// The tolerance is so loose that quaternions within steps are far from unit length before
+/// normalisation.
 #[test]
 fn states_within_steps_have_unit_length() {
     let loose = || BODY.simulate(START).until(20.0).tolerance(1e-3);
@@ -265,7 +266,7 @@ fn displacements_lead_back() {
         let way = BODY.displacement(0.0, &q, &p);
         let reached = crate::system::displaced(&BODY, 0.0, &q, [(1.0, &way)]);
         let [real, ..] = product(conjugate(reached), p);
-        // The second order of what is missing is none: ½ δ ⊗ (0, δ) is real.
+        // There is no second-order error: ½ δ ⊗ (0, δ) is real.
         assert!((real.abs() - 1.0).abs() < 1e-8, "{real}");
         assert!(length(&rotation(reached, p)) < length(&way).powi(3), "{way:?}");
     }

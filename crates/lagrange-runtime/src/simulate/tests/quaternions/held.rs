@@ -21,7 +21,7 @@ const INERTIA: Vector = [1.5, 1.0, 0.8];
 /// position.
 const WEIGHT: f64 = 9.81;
 const AXIS: Vector = [1.0, 0.0, 0.0];
-/// The directions in the world at right angles to which the axis is held.
+/// The directions in the world to which the axis is held perpendicular.
 const ACROSS: [Vector; 2] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// (R e₁)·n = 0 for two directions n, so that the body turns about its first axis only.
@@ -36,7 +36,7 @@ impl Hinged {
         ACROSS.map(|n| cross(AXIS, turned(conjugate(*q), n)))
     }
 
-    /// What is left of the rates of ċ without acceleration: ω·(e₁ × (m × ω)).
+    /// Returns c̈ without the acceleration terms: ω·(e₁ × (m × ω)).
     fn drift(q: &Quaternion, w: &Vector) -> [f64; 2] {
         ACROSS.map(|n| dot(*w, cross(AXIS, cross(turned(conjugate(*q), n), *w))))
     }
@@ -133,7 +133,7 @@ impl ConstrainedSystem for Hinged {
     }
 }
 
-/// What is left of unit length and of the constraints.
+/// Returns the residual of unit length and of the constraints.
 fn residual(y: &[f64; 7]) -> f64 {
     let (q, w) = split::<Hinged>(y);
     let residuals = [Hinged.position_residuals(0.0, &q), Hinged.velocity_residuals(0.0, &q, &w)];
@@ -200,7 +200,7 @@ fn projection_from_afar_ends_on_the_constraints_at_unit_length() {
         // stays.
         assert!(way[0].abs() < 1e-13, "{way:?}");
         assert!((w[0] - 1.0).abs() < 1e-14 && w[1].abs() + w[2].abs() < 1e-14, "{w:?}");
-        // Of all orientations that the hinge admits, none is nearer.
+        // No orientation that the hinge admits is nearer.
         for angle in [-2.0, -0.1, -1e-3, 1e-3, 0.1, 2.0] {
             let other = rotation(product(q, turn(angle, AXIS)), from);
             assert!(length(&other) > length(&way), "{start:?} {angle}");

@@ -1,5 +1,5 @@
-//! A body that falls to the ground on a corner: positions of which some are rates' and some are a
-//! unit quaternion.
+//! A body that falls to the ground on a corner: some positions have their rates as velocities,
+//! others form a unit quaternion.
 
 use super::{Quaternion, Vector, conjugate, cross, dot, length, rates, rotation, times, to_unit, turned};
 use crate::contact::{self, Contact, ContactSystem, EventKind, Mode, Terms};
@@ -12,11 +12,11 @@ use crate::system::{
 const MASS: f64 = 2.0;
 const INERTIA: Vector = [0.3, 0.4, 0.2];
 const GRAVITY: f64 = 9.81;
-/// The corner from the centre of mass, along the axes of the body.
+/// The position of the corner relative to the centre of mass, in body axes.
 const CORNER: Vector = [0.3, 0.2, -0.4];
 const UP: Vector = [0.0, 0.0, 1.0];
 
-/// Its centre of mass is (x, y, z).
+/// A body with its centre of mass at (x, y, z).
 #[derive(Clone, Copy, Debug)]
 struct Falling {
     restitution: f64,
@@ -140,7 +140,7 @@ impl ContactSystem<6, 1> for Falling {
     }
 }
 
-/// At rest in the air, askew.
+/// At rest in the air, tilted.
 const START: [f64; 13] = [0.0, 0.0, 1.0, 0.8, 0.6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.3, 0.0];
 
 #[test]

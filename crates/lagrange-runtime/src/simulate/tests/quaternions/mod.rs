@@ -31,24 +31,24 @@ fn pure([x, y, z]: Vector) -> Quaternion {
     [0.0, x, y, z]
 }
 
-/// Components in the world of those along the axes of the body.
+/// Converts components along the body axes into components in the world.
 fn turned(q: Quaternion, x: Vector) -> Vector {
     let [_, x, y, z] = product(product(q, pure(x)), conjugate(q));
     [x, y, z]
 }
 
-/// ½ q ⊗ (0, ω)
+/// Returns ½ q ⊗ (0, ω).
 fn rates(q: Quaternion, w: Vector) -> Quaternion {
     product(q, pure(w)).map(|entry| entry / 2.0)
 }
 
-/// 2 Im(q̄ ⊗ p), the shorter way.
+/// Returns 2 Im(q̄ ⊗ p), with the sign of the shorter rotation.
 fn rotation(q: Quaternion, p: Quaternion) -> Vector {
     let [real, x, y, z] = product(conjugate(q), p);
     [x, y, z].map(|entry| 2.0 * entry * real.signum())
 }
 
-/// The turn by `angle` about a unit vector.
+/// Returns the rotation by `angle` about a unit vector.
 fn turn(angle: f64, axis: Vector) -> Quaternion {
     let (sine, cosine) = (angle / 2.0).sin_cos();
     let [x, y, z] = axis.map(|entry| sine * entry);
