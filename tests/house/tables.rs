@@ -126,10 +126,11 @@ const CORE: &[Layer] = &[
 
 const DYNAMIC: &[Layer] = &[
     Layer {
-        modules: &["inline", "items", "names", "refusal", "source"],
+        modules: &["inline", "items", "names", "refusal", "rust_file"],
         purpose: "vectors of a length known at run time; items to draw from their numbers; interned names; \
-                  unsupported systems; texts with declarations",
+                  unsupported systems; declarations in files of Rust",
     },
+    Layer { modules: &["source"], purpose: "texts with declarations" },
     Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
     Layer {
@@ -193,10 +194,11 @@ const PAGE: &[Layer] = &[
 
 const FMI: &[Layer] = &[
     Layer {
-        modules: &["archive", "dependencies", "error", "quantities"],
-        purpose: "archives; variables that rates and outputs depend on; reasons why a unit cannot be built; \
-                  units of measurement as defined by the standard",
+        modules: &["archive", "dependencies", "quantities", "version"],
+        purpose: "archives; variables that rates and outputs depend on; units of measurement as defined by the \
+                  standard; the versions of the standard",
     },
+    Layer { modules: &["error"], purpose: "reasons why a unit cannot be built" },
     Layer { modules: &["compile", "variables"], purpose: "compiled libraries; the variables of a unit" },
     Layer {
         modules: &["binding", "description"],

@@ -62,6 +62,7 @@ mod motion;
 mod names;
 mod refusal;
 mod run;
+mod rust_file;
 mod source;
 mod system;
 #[cfg(feature = "trade")]
