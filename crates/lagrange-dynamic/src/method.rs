@@ -117,6 +117,12 @@ pub enum MethodError {
 impl Display for MethodError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
+            MethodError::Unknown(name) if name == "taylor" => {
+                write!(
+                    f,
+                    "the method `taylor` takes compiled systems with `emit {{ taylor }}`: take `verner`"
+                )
+            }
             MethodError::Unknown(name) => {
                 write!(f, "unknown method `{name}`: there are `verner`, `radau`, `rk4` and `gauss`")
             }
