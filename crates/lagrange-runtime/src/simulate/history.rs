@@ -153,7 +153,7 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
     }
 }
 
-/// As many signals as these, none of which is known.
+/// Returns unknown signals, as many as these.
 fn unknown<S: Scalar, Y: StateVector<S>>(mut signals: Y) -> Y {
     signals.as_mut().fill(S::from_f64(f64::NAN));
     signals
