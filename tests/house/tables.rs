@@ -272,9 +272,9 @@ const RUNTIME: &[Layer] = &[
                   table, with reasons and the tests that depend on them",
     },
     Layer {
-        modules: &["body", "inertia", "linalg", "root", "table"],
-        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; algebraic \
-                  unknowns and tables of declarations",
+        modules: &["body", "inertia", "linalg", "manifold", "root", "table"],
+        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; contact \
+                  points of blocks; algebraic unknowns and tables of declarations",
     },
     Layer {
         modules: &["system"],
