@@ -14,7 +14,7 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 20] = [
+pub(crate) const LIBRARIES: [Library; 21] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-c", layers: C },
@@ -27,6 +27,7 @@ pub(crate) const LIBRARIES: [Library; 20] = [
     Library { name: "lagrange-files", layers: &[] },
     Library { name: "lagrange-fmi", layers: FMI },
     Library { name: "lagrange-import", layers: IMPORT },
+    Library { name: "lagrange-jit", layers: JIT },
     Library { name: "lagrange-language", layers: LANGUAGE },
     Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },
@@ -130,7 +131,7 @@ const DYNAMIC: &[Layer] = &[
         purpose: "vectors of a length known at run time; items to draw from their numbers; interned names; \
                   unsupported systems; texts with declarations",
     },
-    Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
+    Layer { modules: &["system"], purpose: "a system read at run time, with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
     Layer {
         modules: &["linearised", "motion"],
@@ -167,6 +168,11 @@ const PYTHON: &[Layer] = &[
         purpose: "final states of many motions; parameters from data; equilibria and linear models; runs, with Python functions as inputs",
     },
     Layer { modules: &["system"], purpose: "declared systems" },
+];
+
+const JIT: &[Layer] = &[
+    Layer { modules: &["machine"], purpose: "calls of machine code, and functions that it calls" },
+    Layer { modules: &["translate"], purpose: "programs as intermediate representation of Cranelift" },
 ];
 
 const C: &[Layer] = &[
