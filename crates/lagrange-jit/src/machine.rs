@@ -1,5 +1,5 @@
-//! The boundary between Rust and machine code, with all that the compiler of Rust cannot check:
-//! the call of compiled code, and the functions that compiled code calls.
+//! The boundary between Rust and machine code, with all that the compiler of Rust cannot check.
+//! Here are the call of compiled code, and the functions that compiled code calls.
 //!
 //! Compiled code reads and writes no memory but its stack, the lists of numbers and the outputs. It
 //! reads each list up to the length that the translation found, and writes as many outputs as the
@@ -27,11 +27,11 @@ pub(crate) struct Machine {
     /// Owner of the memory in which the code is; locked by nobody but `drop`.
     module: Mutex<Option<JITModule>>,
     entry: Entry,
-    /// What code takes, and what it calls: it holds addresses of the functions in it.
+    /// Numbers that the code takes, and functions that it calls by their addresses.
     taken: Taken,
 }
 
-/// What compiled code takes and calls.
+/// Numbers that compiled code takes, and functions that it calls.
 pub(crate) struct Taken {
     /// Lengths that the lists of numbers have at least.
     pub(crate) lengths: [usize; LISTS],
@@ -76,8 +76,8 @@ impl Code for Machine {
             outputs.len() == self.taken.outputs && lists.iter().zip(&self.taken.lengths).all(is_long);
         if suffices {
             let starts: [*const f64; LISTS] = lists.map(<[f64]>::as_ptr);
-            // SAFETY: the code is in memory as long as `self`, which owns it, and nobody writes
-            // there after it was made, so that threads may share it. It reads `starts`, and lists
+            // SAFETY: the code is in memory as long as `self`, which owns it. Nobody writes there
+            // after it was made, so that threads may share it. It reads `starts`, and lists
             // within the lengths checked above. It writes `taken.outputs` numbers to `outputs`,
             // which is exclusive. Functions that it calls are in `taken`, and do not unwind: panics
             // in functions of the convention of C end the process.
@@ -125,8 +125,8 @@ pub(crate) extern "C" fn sines_and_cosines(angles: *const f64, pairs: *mut f64, 
 
 /// Values of a function without a formula; NaN where it has fewer than are expected.
 pub(crate) extern "C" fn values_of(bound: *const Bound, arguments: *const f64, results: *mut f64) {
-    // SAFETY: compiled code passes the address of a function in its `Taken`, and places on its
-    // stack for as many arguments and results as the function has.
+    // SAFETY: compiled code passes the address of a function in its `Taken`. It has places on its
+    // stack for as many arguments and results.
     let (bound, arguments, results) = unsafe {
         let bound = &*bound;
         (bound, from_raw_parts(arguments, bound.arguments), from_raw_parts_mut(results, bound.results))

@@ -113,7 +113,7 @@ struct Routine {
 /// All programs of a system.
 #[derive(Debug)]
 pub(super) struct Routines {
-    /// By the addresses of the programs, which do not move as long as somebody holds them.
+    /// Found by the addresses of the programs, which do not move as long as somebody holds them.
     routines: HashMap<usize, Routine>,
     /// True if no program calls functions of the user's crate, directly or to solve equations.
     is_closed: bool,
