@@ -264,9 +264,9 @@ const RUNTIME: &[Layer] = &[
                   depend on them",
     },
     Layer {
-        modules: &["body", "inertia", "linalg", "root", "table"],
-        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; algebraic \
-                  unknowns and tables of declarations",
+        modules: &["body", "inertia", "linalg", "manifold", "root", "table"],
+        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; contact \
+                  points of blocks; algebraic unknowns and tables of declarations",
     },
     Layer {
         modules: &["system"],
