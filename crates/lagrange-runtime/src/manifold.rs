@@ -146,7 +146,7 @@ pub fn manifold<S: Scalar>(first: &Block<S>, second: &Block<S>) -> Manifold<S> {
     let found = separation(first, second, size);
     let radius = first.radius + second.radius;
     let mut manifold = match found {
-        Separation { distance, .. } if !(distance <= size) => far(first, second, &found),
+        Separation { distance, .. } if distance > size || !distance.is_finite() => far(first, second, &found),
         Separation { face: Some(_), .. } => {
             let faces = between_faces(first, second, &found);
             match faces.count > 0 && faces.gap() <= found.distance + slack(size) {

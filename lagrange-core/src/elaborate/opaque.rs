@@ -7,6 +7,7 @@ use super::evaluator::Evaluator;
 use super::messages;
 use super::operand::Operand;
 use lagrange_expr::diagnostics::Report;
+use lagrange_expr::number::Number;
 use lagrange_expr::opaque::{Opaque, OpaqueFunction, Source};
 use lagrange_language::syntax::ast::{AstId, CONTACT_POINT_LENGTH, ExternalFunction, Name};
 
@@ -68,7 +69,7 @@ pub(super) fn evaluate_contact_point(evaluator: &mut Evaluator<'_>, arguments: &
     let scalars = arguments.iter().map(|&argument| evaluator.scalar(argument, what)).collect::<Vec<_>>();
     let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
     let [place, count, blocks @ ..] = &scalars[..] else { return None };
-    let [place, count] = [place, count].map(|&id| evaluator.graph.as_number(id).and_then(|n| n.to_i32()));
+    let [place, count] = [place, count].map(|&id| evaluator.graph.as_number(id).and_then(Number::to_i32));
     let (place, count) = (usize::try_from(place?).ok()?, usize::try_from(count?).ok()?);
     let named = |number: usize| {
         format!("contact_point_{}_{}", number / CONTACT_POINT_LENGTH, number % CONTACT_POINT_LENGTH)

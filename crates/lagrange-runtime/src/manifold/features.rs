@@ -21,6 +21,9 @@ struct Edge<S> {
     half: S,
 }
 
+/// An edge of the first cuboid and one of the second.
+type EdgePair<S> = (Edge<S>, Edge<S>);
+
 /// The contact of the closest points of two cuboids. Cuboids that overlap touch where the edges of
 /// the found direction do, or at the middle of both if it has none.
 pub(super) fn closest_features<S: Scalar>(
@@ -76,10 +79,7 @@ fn supporting<S: Scalar>(block: &Block<S>, axis: usize, direction: &Vector<S>) -
 }
 
 /// The closest points of two cuboids that are apart, and the edges on which they are, if they are.
-fn closest_pair<S: Scalar>(
-    first: &Block<S>,
-    second: &Block<S>,
-) -> (Option<Pair<S>>, Option<(Edge<S>, Edge<S>)>) {
+fn closest_pair<S: Scalar>(first: &Block<S>, second: &Block<S>) -> (Option<Pair<S>>, Option<EdgePair<S>>) {
     let (mut best, mut on_edges) = (None::<Pair<S>>, None);
     for a in edges(first) {
         for b in edges(second) {

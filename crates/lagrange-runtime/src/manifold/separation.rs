@@ -32,7 +32,9 @@ pub(super) fn separation<S: Scalar>(first: &Block<S>, second: &Block<S>, size: S
     };
     let mut best: Option<Separation<S>> = None;
     let mut offer = |found: Separation<S>| {
-        let is_better = |best: &Separation<S>| !(found.distance <= best.distance + slack(size));
+        let is_better = |best: &Separation<S>| {
+            found.distance > best.distance + slack(size) || !found.distance.is_finite()
+        };
         if best.as_ref().is_none_or(is_better) {
             best = Some(found);
         }
