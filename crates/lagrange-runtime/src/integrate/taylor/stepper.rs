@@ -34,7 +34,7 @@ struct StepLength<S> {
     /// True if it is as short as it can be and leads to another piece of a table, where rates may
     /// have jumped.
     is_across: bool,
-    /// How often it may still be refused because the series turns away from zero.
+    /// Number of further refusals because the series turns away from zero.
     turns_left: u32,
 }
 
@@ -42,7 +42,7 @@ struct StepLength<S> {
 const MOST_TURNS: u32 = 8;
 
 /// The result of a step that was tried.
-enum Attempt<S> {
+enum SeriesStep<S> {
     Taken,
     Rejected,
     /// A straight step of this length leads a component to zero, where the series turns away.
@@ -126,7 +126,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         system: &M,
         next: StepLength<M::Scalar>,
         limit: M::Scalar,
-    ) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
+    ) -> Result<SeriesStep<M::Scalar>, StepFailure<M::Scalar>> {
         let mut clock = self.clock.with_step(next.length);
         let h = clock.advance(limit);
         if self.clock.is_stopped(&clock) {
@@ -141,7 +141,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         system: &M,
         (clock, h): (Clock<M::Scalar>, M::Scalar),
         StepLength { is_across, turns_left, .. }: StepLength<M::Scalar>,
-    ) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
+    ) -> Result<SeriesStep<M::Scalar>, StepFailure<M::Scalar>> {
         let mut state = self.state;
         let [change, slope] = self.ahead().advance(&self.rule, h);
         state.add(&change);
@@ -154,14 +154,14 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         self.present = 1 - self.present;
         self.expand(system, clock.time(), &y);
         let rates = check_finite(clock.time(), &self.ahead().coefficients[0]);
-        let mut outcome = Attempt::Rejected;
+        let mut outcome = SeriesStep::Rejected;
         if rates.is_ok() && (is_across || self.last().fits(&self.rule, h, &slope, self.ahead())) {
             match self.last().landing(&self.rule, h, &slope, self.ahead()) {
-                Some(length) if turns_left > 0 => outcome = Attempt::Turned(length),
+                Some(length) if turns_left > 0 => outcome = SeriesStep::Turned(length),
                 _ => {
                     (self.clock, self.state) = (clock, state);
                     self.work.steps += 1;
-                    return Ok(Attempt::Taken);
+                    return Ok(SeriesStep::Taken);
                 }
             }
         }
@@ -181,7 +181,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         self.work.evaluations += 1;
         self.expansions[self.present].straighten(&self.rule, h, &rates);
         let step = StepLength { length, is_across: false, turns_left: 0 };
-        let is_taken = matches!(self.follow(system, (clock, h), step), Ok(Attempt::Taken));
+        let is_taken = matches!(self.follow(system, (clock, h), step), Ok(SeriesStep::Taken));
         if !is_taken {
             self.expand(system, t, &y);
         }
@@ -232,10 +232,10 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
                 return Err(lost.unwrap_or(StepFailure::StepUnderflow { step: next.length }));
             }
             match self.attempt(system, next, limit) {
-                Ok(Attempt::Taken) => return Ok(()),
-                Ok(Attempt::Turned(length)) if self.land(system, length, limit) => return Ok(()),
-                Ok(Attempt::Turned(_)) => next.turns_left -= 1,
-                Ok(Attempt::Rejected) => lost = None,
+                Ok(SeriesStep::Taken) => return Ok(()),
+                Ok(SeriesStep::Turned(length)) if self.land(system, length, limit) => return Ok(()),
+                Ok(SeriesStep::Turned(_)) => next.turns_left -= 1,
+                Ok(SeriesStep::Rejected) => lost = None,
                 Err(cause @ StepFailure::StepUnderflow { .. }) => return Err(lost.unwrap_or(cause)),
                 Err(cause) => lost = Some(cause),
             }
