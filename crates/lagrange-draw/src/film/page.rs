@@ -31,9 +31,9 @@ pub(crate) struct Page<'a> {
     pub(crate) timeline: &'a Timeline,
     /// CSS rules in addition to the common ones.
     pub(crate) style: &'a str,
-    /// Content that the viewer shows and changes.
+    /// Content displayed and changed by the viewer.
     pub(crate) picture: String,
-    /// Fields of JSON that the viewer reads.
+    /// JSON fields for the viewer.
     pub(crate) shown: String,
     /// A script with a function `viewer`. It returns a function that displays the moment between a
     /// picture and the next.
