@@ -1,5 +1,5 @@
-//! A derived system that can be evaluated without compiling it: for tests, tools, build scripts and
-//! systems that are read at run time.
+//! A derived system that can be evaluated without compilation: for tests, tools, build scripts and
+//! systems read at run time.
 
 use std::sync::Arc;
 
@@ -20,14 +20,14 @@ use lagrange_expr::symbol::Role;
 #[derive(Clone, Debug)]
 pub struct NumericSystem {
     programs: Arc<Programs>,
-    /// Parameters, then inputs.
+    /// Values of parameters, then inputs.
     fields: Vec<f64>,
-    /// Sides of the switches, as far as they are fixed.
+    /// Sides of the switches, where they are fixed.
     sides: Vec<Option<f64>>,
     callables: Callables,
 }
 
-/// Time and state and, where they matter, accelerations and multipliers.
+/// Time and state and, if needed, accelerations and multipliers.
 #[derive(Clone, Copy, Debug)]
 struct Instant<'a> {
     t: f64,
@@ -42,13 +42,12 @@ fn are_finite(values: &[f64]) -> bool {
 }
 
 impl NumericSystem {
-    /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are
-    /// set.
+    /// Lowers all parts of `derived`. Parameters without a default are NaN until they are set.
     pub fn new(derived: &Derived) -> NumericSystem {
         NumericSystem::of(Arc::new(Programs::new(derived)))
     }
 
-    /// Lowers everything that a reduced type holds.
+    /// Lowers all parts of a reduced type.
     pub fn of_part(part: &DerivedPart) -> NumericSystem {
         NumericSystem::of(Arc::new(Programs::of_part(part)))
     }
@@ -61,20 +60,20 @@ impl NumericSystem {
         NumericSystem { programs, fields, sides, callables }
     }
 
-    /// Returns the programs, with the names of everything.
+    /// Returns the programs, which include all names.
     pub fn programs(&self) -> &Arc<Programs> {
         &self.programs
     }
 
-    /// Sets a parameter or an input, by its name as it is declared, `k[0]` of an array; true if
-    /// there is one of that name.
+    /// Sets a parameter or an input, by its declared name, such as `k[0]` for an array element.
+    /// Returns true if the name exists.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
         let index = self.programs.variables.fields.iter().position(|known| known == name);
         index.is_some_and(|index| self.set_field(index, value))
     }
 
-    /// Sets the parameter or input with this place among all, parameters first; true if there is
-    /// one.
+    /// Sets the parameter or input with this index, parameters first. Returns true if the index
+    /// exists.
     pub fn set_field(&mut self, index: usize, value: f64) -> bool {
         self.fields.get_mut(index).map(|field| *field = value).is_some()
     }
@@ -84,13 +83,13 @@ impl NumericSystem {
         &self.fields
     }
 
-    /// Fixes the sides of switches: 1 or −1, or the side of the state for `None`.
+    /// Fixes the sides of switches: 1 or −1, or `None` to follow the state.
     pub fn fix_sides(&mut self, sides: impl IntoIterator<Item = Option<f64>>) {
         self.sides.iter_mut().zip(sides).for_each(|(side, fixed)| *side = fixed);
     }
 
-    /// Computes a function of the user's crate, or a derivative of one, by the name under which
-    /// emitted code calls it; whether anything calls it. What is not computed is NaN.
+    /// Defines a function of the user's crate, or one of its derivatives, by its name in emitted
+    /// code. Returns true if anything calls it. Undefined functions are NaN.
     ///
     /// ```
     /// use lagrange_core::derive::StrategyChoice;
@@ -126,7 +125,7 @@ impl NumericSystem {
         self.run_on(program, at, &sides)
     }
 
-    /// The sides of the switches, those of the state where none is fixed.
+    /// Returns the sides of the switches, determined by the state unless fixed.
     fn sides(&self, at: Instant<'_>) -> Vec<f64> {
         if let Some(fixed) = self.sides.iter().copied().collect::<Option<_>>() {
             return fixed;
@@ -185,29 +184,29 @@ impl NumericSystem {
         }
     }
 
-    /// The accelerations by elimination, if they are finite and their digits can be trusted.
+    /// Returns the accelerations by elimination, if they are finite and accurate enough.
     fn straight_way(&self, at: Instant<'_>) -> Option<Vec<f64>> {
         let mut found = self.trusted(&self.programs.accelerations, at)?;
         found.truncate(self.degrees_of_freedom());
         (!self.programs.is_redundant).then_some(found)
     }
 
-    /// Results by elimination, if they are finite and their digits can be trusted.
+    /// Returns results by elimination, if they are finite and accurate enough.
     fn trusted(&self, program: &Program, at: Instant<'_>) -> Option<Vec<f64>> {
         let [found, growth] = self.eliminated(program, at);
         (are_finite(&found) && growth.into_iter().all(is_regular)).then_some(found)
     }
 
-    /// Results by elimination, and the growth of their rounding errors.
+    /// Returns results by elimination, and the growth of their rounding errors.
     fn eliminated(&self, program: &Program, at: Instant<'_>) -> [Vec<f64>; 2] {
         let mut found = self.run(program, at);
         let growth = found.split_off(found.len() - self.programs.growths);
         [found, growth]
     }
 
-    /// Computes accelerations and multipliers from the undivided equations. Without such equations,
-    /// they follow from elimination all the same. So they do where the equations have no solution
-    /// although no pivot was to vanish: some accelerations may be finite.
+    /// Computes accelerations and multipliers from the undivided equations. Without these, the
+    /// results of elimination are used. They are also used if the equations have no solution
+    /// although no pivot was expected to vanish, since some accelerations may be finite.
     fn second_way(&self, at: Instant<'_>) -> [Vec<f64>; 2] {
         let (n, values) = (self.degrees_of_freedom(), self.run(&self.programs.undivided, at));
         let constraints = if values.is_empty() { 0 } else { values.len() / (n + 1) - n };
@@ -238,8 +237,8 @@ impl NumericSystem {
     }
 
     /// Computes a product at a state: one value for an energy, one per coordinate for a vector,
-    /// rows one after the other for a matrix. Jacobians have only the rows of the accelerations.
-    /// `None` if it was not derived.
+    /// consecutive rows for a matrix. Jacobians only have the rows of the accelerations. `None` if
+    /// it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         Some(self.evaluate(self.programs.product(product)?, t, q, v))
     }
@@ -251,13 +250,13 @@ impl NumericSystem {
     }
 
     /// Computes the regressor of the inverse dynamics in rows. Its columns multiply
-    /// [`regressor_parameters`](Self::regressor_parameters), whose names
-    /// [`Variables`](crate::emit::Variables) has. `None` if it was not derived.
+    /// [`regressor_parameters`](Self::regressor_parameters), whose names are in
+    /// [`Variables`](crate::emit::Variables). `None` if it was not derived.
     pub fn regressor(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
         self.with_accelerations(Product::Regressor, (t, q, v, a))
     }
 
-    /// Computes the parameters that the columns of the regressor multiply.
+    /// Computes the parameters that multiply the columns of the regressor.
     pub fn regressor_parameters(&self) -> Vec<f64> {
         let nothing = Instant { t: f64::NAN, q: &[], v: &[], a: &[], multipliers: &[] };
         self.run(&self.programs.regressor_parameters, nothing)
@@ -278,8 +277,8 @@ impl NumericSystem {
         Some(self.evaluate(program, t, q, v))
     }
 
-    /// Runs one of the programs of the system at a state. The accelerations and multipliers that it
-    /// takes are those of the motion.
+    /// Runs a program of the system at a state, with the accelerations and multipliers of the
+    /// motion.
     pub fn evaluate(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let takes_accelerations = takes(program, |role| matches!(role, Role::Acceleration(_)));
         let takes_multipliers = takes(program, |role| matches!(role, Role::Multiplier(_)));
@@ -293,8 +292,8 @@ impl NumericSystem {
         self.run(&self.programs.mass_times, Instant { t, q, v, a, multipliers: &[] })
     }
 
-    /// Computes the smallest change by mass that removes residuals of the constraints to first
-    /// order.
+    /// Computes the smallest change, measured by mass, that removes residuals of the constraints to
+    /// first order.
     pub fn correction(&self, t: f64, q: &[f64], v: &[f64], residuals: &[f64]) -> Vec<f64> {
         let at = Instant { t, q, v, a: &[], multipliers: residuals };
         let trusted = self.trusted(&self.programs.correction, at);

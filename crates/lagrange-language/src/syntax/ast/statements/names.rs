@@ -1,4 +1,4 @@
-//! Names in statements, as they stand in the text.
+//! Names in statements, as written.
 
 use super::StatementKind;
 use crate::syntax::ast::bodies::SceneStatement;
@@ -6,8 +6,8 @@ use crate::syntax::ast::mobilizers::MobilizerKind;
 use crate::syntax::ast::{AstId, Expression, Expressions, Name};
 
 impl StatementKind {
-    /// Returns all names outside of expressions, to be read or replaced. They are the names that
-    /// the statement declares, without derived ones, and those that it mentions. Names within loops
+    /// Returns mutable references to all names outside of expressions. These are the names that the
+    /// statement declares, without derived ones, and those that it refers to. Names within loops
     /// are excluded.
     pub fn names_mut(&mut self) -> Vec<&mut Name> {
         match self {
@@ -56,7 +56,7 @@ impl StatementKind {
         }
     }
 
-    /// Returns the names that a `let` gives to expressions of the text.
+    /// Returns the names that a `let` gives to expressions in the text.
     pub fn named_expressions(&self, expressions: &Expressions) -> Vec<(&Name, AstId)> {
         match self {
             StatementKind::Let(name, value) => vec![(name, *value)],
@@ -69,7 +69,7 @@ impl StatementKind {
     }
 
     /// Returns the names that a statement declares, except those of types. Each is a name in the
-    /// text and a suffix: a quaternion `hip` declares `hip` with `_qw` behind it.
+    /// text and a suffix: a quaternion `hip` declares `hip` with the suffix `_qw`.
     pub fn written_names(&self) -> Vec<(&Name, String)> {
         match self {
             StatementKind::Quaternion(quaternion) => made_of(&quaternion.name, quaternion.names()),
