@@ -42,6 +42,7 @@
 //! | [`mod@integrate`] | integration methods, without heap allocation |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
+//! | [`mod@manifold`] | contact points of cuboids and capsules |
 //! | [`mod@table`], [`mod@root`] | evaluation of tables and algebraic unknowns |
 //! | [`mod@scene`], `draw` (feature) | descriptions of scenes; pictures and films of systems |
 //! | `plot` (feature) | figures of curves over numbers |
@@ -101,8 +102,8 @@ pub use lagrange_runtime::simulate::{self, Simulate};
 pub use lagrange_runtime::trade;
 #[doc(inline)]
 pub use lagrange_runtime::{
-    Number, Portable, Scalar, body, constraint, contact, inertia, kinematics, root, scalar, scene, system,
-    table,
+    Number, Portable, Scalar, body, constraint, contact, inertia, kinematics, manifold, root, scalar, scene,
+    system, table,
 };
 #[cfg(feature = "fit")]
 #[doc(inline)]

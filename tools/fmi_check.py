@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares units of the Functional Mock-up Interface, run by FMPy, with `lagrange simulate` and with SciPy.
+"""Compares units of the Functional Mock-up Interface 2.0 and 3.0, run by FMPy, with `lagrange simulate` and SciPy.
 
     tools/fmi_check.py PATH_OF_LAGRANGE
 """
@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi2 import FMU2Model, FMU2Slave
+from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
@@ -80,6 +81,8 @@ SYSTEMS = {
     "sampled": (SAMPLED, {}, {}, {}),
 }
 
+VERSIONS = (2, 3)
+
 # Largest differences that are accepted, of co-simulation and of model exchange by CVode.
 STEPPING, EXCHANGE = 1e-9, 1e-7
 
@@ -117,14 +120,20 @@ def simulated(unit, kind, names, values, inputs, **more):
 
 
 def compare(lagrange, folder, name):
-    """Compares one system with `lagrange simulate`; returns the end of its co-simulation."""
+    """Compares one system with `lagrange simulate`; returns the ends of its co-simulations."""
     text, parameters, starts, inputs = SYSTEMS[name]
-    file, unit = folder / "system.lag", folder / f"{name.replace(' ', '_')}.fmu"
+    file = folder / "system.lag"
     file.write_text(text)
-    command(lagrange, "fmu", file, "-o", unit, *assignments("start", starts))
+    reference = expected(lagrange, folder, file, {**parameters, **inputs}, starts)
+    return [compare_version(lagrange, folder, name, version, reference) for version in VERSIONS]
+
+
+def compare_version(lagrange, folder, name, version, reference):
+    _, parameters, starts, inputs = SYSTEMS[name]
+    unit = folder / f"{name.replace(' ', '_')}_{version}.fmu"
+    command(lagrange, "fmu", folder / "system.lag", "--fmi", version, "-o", unit, *assignments("start", starts))
     problems = validate_fmu(str(unit))
     assert not problems, problems
-    reference = expected(lagrange, folder, file, {**parameters, **inputs}, starts)
     names = [column for column in reference if column != "t"]
     differences, last = [], None
     for kind, limit in (("CoSimulation", STEPPING), ("ModelExchange", EXCHANGE)):
@@ -136,7 +145,7 @@ def compare(lagrange, folder, name):
         differences.append(max(np.abs(result[column][rows] - reference[column]).max() / scale[column] for column in names))
         assert differences[-1] < limit, f"{name}, {kind}: {differences[-1]}"
         last = last if last is not None else {column: result[column][-1] for column in names}
-    print(f"{name:16} co-simulation {differences[0]:.1e}   model exchange {differences[1]:.1e}")
+    print(f"{name:16} FMI {version}.0   co-simulation {differences[0]:.1e}   model exchange {differences[1]:.1e}")
     return last
 
 
@@ -174,14 +183,15 @@ def compare_with_scipy(ends):
         "swing": (("theta", "theta_dot"), solved(lambda _, y: [y[1], -0.81 * math.sin(y[0])], [0.7, 0])),
     }
     for name, (names, answer) in answers.items():
-        difference = max(abs(ends[name][column] - value) for column, value in zip(names, answer))
+        pairs = [(end[column], value) for end in ends[name] for column, value in zip(names, answer)]
+        difference = max(abs(found - value) for found, value in pairs)
         print(f"{name:16} beside SciPy or closed forms {difference:.1e}")
         assert difference < STEPPING, name
 
 
-def compare_signal(folder):
+def compare_signal(folder, version):
     """A target that jumps at t = 1."""
-    unit = folder / "servo.fmu"
+    unit = folder / f"servo_{version}.fmu"
     signal = np.array([(0, 0.0), (1, 0.0), (1, 0.7), (END, 0.7)], [("time", float), ("target", float)])
     rates = lambda target: lambda _, y: [y[1], (30 * (target - y[0]) - 3 * y[1] - math.sin(y[0])) / 0.4]
     answer = solved(rates(0.7), solved(rates(0.0), [0.1, 0], 1.0), END, 1.0)
@@ -189,30 +199,45 @@ def compare_signal(folder):
         result = simulate_fmu(str(unit), fmi_type=kind, stop_time=END, output_interval=EVERY, input=signal,
                               output=["angle", "angle_dot"], relative_tolerance=1e-12, **solver)
         difference = max(abs(result[-1][1] - answer[0]), abs(result[-1][2] - answer[1]))
-        print(f"jump of an input, {kind} {difference:.1e}")
+        print(f"jump of an input, FMI {version}.0, {kind} {difference:.1e}")
         assert difference < limit
 
 
 class Opened:
-    """A unit by the functions of the standard, with the messages that it logs."""
+    """A unit by the functions of the standard, the same for both versions."""
 
-    def __init__(self, unit, kind, guid=None):
-        self.folder = extract(str(unit))
+    def __init__(self, unit, is_exchange, guid=None):
         self.description = read_model_description(str(unit))
         self.reference = {variable.name: variable.valueReference for variable in self.description.modelVariables}
-        section = self.description.coSimulation if kind is FMU2Slave else self.description.modelExchange
-        self.fmu = kind(guid=guid or self.description.guid, unzipDirectory=self.folder,
-                        modelIdentifier=section.modelIdentifier, instanceName="check")
+        self.is_three = self.description.fmiVersion.startswith("3")
+        kinds = (FMU3Slave, FMU3Model) if self.is_three else (FMU2Slave, FMU2Model)
+        section = self.description.modelExchange if is_exchange else self.description.coSimulation
+        self.fmu = kinds[is_exchange](guid=guid or self.description.guid or self.description.instantiationToken,
+                                      unzipDirectory=extract(str(unit)), modelIdentifier=section.modelIdentifier,
+                                      instanceName="check")
 
     def start(self):
         self.fmu.instantiate()
-        self.fmu.setupExperiment(tolerance=1e-12, startTime=0.0)
-        self.fmu.enterInitializationMode()
+        if self.is_three:
+            self.fmu.enterInitializationMode(tolerance=1e-12, startTime=0.0)
+        else:
+            self.fmu.setupExperiment(tolerance=1e-12, startTime=0.0)
+            self.fmu.enterInitializationMode()
         self.fmu.exitInitializationMode()
         return self.fmu
 
+    def read(self, references):
+        return self.fmu.getFloat64(references) if self.is_three else self.fmu.getReal(references)
+
     def get(self, *names):
-        return self.fmu.getReal([self.reference[name] for name in names])
+        return self.read([self.reference[name] for name in names])
+
+    def set(self, reference, value):
+        write = self.fmu.setFloat64 if self.is_three else self.fmu.setReal
+        return write([reference], [value])
+
+    def other_type(self):
+        return self.fmu.getInt32([0]) if self.is_three else self.fmu.getInteger([0])
 
 
 def fails(action):
@@ -225,74 +250,112 @@ def fails(action):
     raise AssertionError("no error")
 
 
-def check_errors(folder):
-    unit = folder / "servo.fmu"
-    wrong = Opened(unit, FMU2Slave, "{00000000-0000-0000-0000-000000000000}")
+def check_sizes(opened):
+    """Version 3.0 passes numbers of values along."""
+    fmu, one = opened.fmu, [opened.reference["angle"]]
+    for action in (
+        lambda: fmu.getFloat64(one, nValues=2),
+        lambda: fmu.setFloat64([opened.reference["target"]], [0.0, 1.0]),
+        lambda: fmu.getDirectionalDerivative(one, one, [1.0, 1.0]),
+        lambda: fmu.getAdjointDerivative(one, one, [math.nan]),
+        lambda: fmu.getOutputDerivatives(one, [1]),
+        lambda: fmu.enterConfigurationMode(),
+        lambda: fmu.enterStepMode(),
+    ):
+        fails(action)
+
+
+def check_errors(folder, version):
+    unit = folder / f"servo_{version}.fmu"
+    wrong = Opened(unit, False, "{00000000-0000-0000-0000-000000000000}")
     fails(wrong.fmu.instantiate)
-    opened = Opened(unit, FMU2Slave)
+    opened = Opened(unit, False)
     fmu = opened.start()
     for action in (
-        lambda: fmu.getReal([4711]),
-        lambda: fmu.setReal([4711], [1.0]),
-        lambda: fmu.getInteger([0]),
-        lambda: fmu.setReal([opened.reference["target"]], [math.nan]),
-        lambda: fmu.setReal([opened.reference["moment"]], [1.0]),
+        lambda: opened.read([4711]),
+        lambda: opened.set(4711, 1.0),
+        opened.other_type,
+        lambda: opened.set(opened.reference["target"], math.nan),
+        lambda: opened.set(opened.reference["moment"], 1.0),
+        lambda: opened.set(opened.reference["t"], 1.0),
         lambda: fmu.doStep(math.nan, 0.1),
         lambda: fmu.doStep(0.0, -0.1),
         lambda: fmu.doStep(5.0, 0.1),
     ):
         fails(action)
+    if version == 3:
+        check_sizes(opened)
     # It goes on after all of these.
     fmu.doStep(0.0, 0.5)
     state = fmu.getFMUState()
-    before = opened.get("angle", "angle_dot")
+    before = opened.get("angle", "angle_dot", "t")
     fmu.doStep(0.5, 0.25)
-    once = opened.get("angle", "angle_dot")
+    once = opened.get("angle", "angle_dot", "t")
     fmu.setFMUState(state)
-    assert opened.get("angle", "angle_dot") == before != once
+    assert opened.get("angle", "angle_dot", "t") == before != once
     bytes_of_state = fmu.serializeFMUState(state)
     fmu.doStep(0.5, 0.25)
-    assert opened.get("angle", "angle_dot") == once
-    fmu.setFMUState(fmu.deSerializeFMUstate(bytes_of_state))
-    assert opened.get("angle", "angle_dot") == before
+    assert opened.get("angle", "angle_dot", "t") == once
+    fmu.setFMUState(fmu.deserializeFMUState(bytes_of_state))
+    assert opened.get("angle", "angle_dot", "t") == before
     fmu.freeFMUState(state)
+    fails(lambda: fmu.deserializeFMUState(bytes_of_state[:-1]))
     fmu.terminate()
     fmu.freeInstance()
-    print("errors and copies of the state")
+    print(f"errors and copies of the state, FMI {version}.0")
 
 
-def check_derivatives(folder):
+def check_derivatives(folder, version):
     """Derivatives of the servo, by hand."""
-    opened = Opened(folder / "servo.fmu", FMU2Model)
+    opened = Opened(folder / f"servo_{version}.fmu", True)
     fmu = opened.start()
     angle = 0.9
-    fmu.setReal([opened.reference["angle"]], [angle])
+    opened.set(opened.reference["angle"], angle)
     unknowns = [opened.reference[name] for name in ("der(angle)", "der(angle_dot)", "moment")]
-    for known, answer in (
-        ("angle", [0, (-30 - math.cos(angle)) / 0.4, -30]), ("angle_dot", [1, -3 / 0.4, -3]), ("target", [0, 30 / 0.4, 30]),
-    ):
+    answers = {
+        "angle": [0, (-30 - math.cos(angle)) / 0.4, -30], "angle_dot": [1, -3 / 0.4, -3], "target": [0, 30 / 0.4, 30],
+    }
+    for known, answer in answers.items():
         found = fmu.getDirectionalDerivative(unknowns, [opened.reference[known]], [2.0])
         assert np.allclose(found, 2 * np.array(answer), rtol=1e-14), (known, found)
+    knowns = [opened.reference[name] for name in answers]
+    if version == 3:
+        found = fmu.getAdjointDerivative(unknowns, knowns, [2.0, 3.0, -1.0])
+        assert np.allclose(found, np.array(list(answers.values())) @ [2.0, 3.0, -1.0], rtol=1e-14), found
+    # Parameters are no knowns, rates neither; parameters are no unknowns.
+    for name in ("k", "der(angle)"):
+        fails(lambda: fmu.getDirectionalDerivative(unknowns, [opened.reference[name]], [1.0]))
+    fails(lambda: fmu.getDirectionalDerivative([opened.reference["j"]], knowns[:1], [1.0]))
     fmu.freeInstance()
-    print("directional derivatives")
+    print(f"directional derivatives, FMI {version}.0")
 
 
-def check_failure(lagrange, folder):
+def check_end(lagrange, folder):
+    """A declared end: version 2.0 discards the step, version 3.0 asks for the end."""
+    file, unit = folder / "drop.lag", folder / "drop.fmu"
+    file.write_text(BOUNCE.replace("{ dot(h) = -e * dot(h); }", "stop;"))
+    command(lagrange, "fmu", file, "--fmi", 3, "-o", unit)
+    opened = Opened(unit, False)
+    _, is_end, is_early, time = opened.start().doStep(0.0, 1.0)
+    assert is_end and not is_early and abs(time - math.sqrt(2 / 9.81)) < 1e-12, (is_end, is_early, time)
+    print("a declared end")
+
+
+def check_failure(lagrange, folder, version):
     """A motion that cannot go on stands at its last good state."""
     file, unit = folder / "root.lag", folder / "root.fmu"
     file.write_text("struct Root; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = -1 - 0.1 * sqrt(x);")
-    command(lagrange, "fmu", file, "-o", unit)
-    opened = Opened(unit, FMU2Slave)
+    command(lagrange, "fmu", file, "--fmi", version, "-o", unit)
+    opened = Opened(unit, False)
     fmu = opened.start()
     fails_at_end = False
     try:
         fmu.doStep(0.0, 2.0)
     except Exception as error:
         fails_at_end = "iscard" in str(error) or "status 2" in str(error)
-    x, _ = opened.get("x", "x_dot")
-    time = fmu.getRealStatus(2)
+    x, time = opened.get("x", "t")
     assert fails_at_end and 0 < x < 1e-3 and 1.3 < time < 1.5, (fails_at_end, x, time)
-    print("a failure")
+    print(f"a failure, FMI {version}.0")
 
 
 def main():
@@ -301,10 +364,12 @@ def main():
         folder = Path(place)
         ends = {name: compare(lagrange, folder, name) for name in SYSTEMS}
         compare_with_scipy(ends)
-        compare_signal(folder)
-        check_errors(folder)
-        check_derivatives(folder)
-        check_failure(lagrange, folder)
+        check_end(lagrange, folder)
+        for version in VERSIONS:
+            compare_signal(folder, version)
+            check_errors(folder, version)
+            check_derivatives(folder, version)
+            check_failure(lagrange, folder, version)
 
 
 if __name__ == "__main__":

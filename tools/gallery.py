@@ -3,7 +3,7 @@
 
     tools/gallery.py            writes the pictures into docs/gallery
     tools/gallery.py --check    says which of them differ, and fails if one does
-    tools/gallery.py --check --made     the same of what lies in target/gallery already
+    tools/gallery.py --check --made     the same of what lies in target/gallery already, and of live pages
 
 Each command is run as it stands there and writes its pictures to target/gallery. Those with `--release` take minutes, of chaotic
 motions, which round differently elsewhere: they are run only by the first of these lines. Text (SVG, HTML) may differ by a
@@ -19,9 +19,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 KEPT = ROOT / "docs" / "gallery"
 MADE = ROOT / "target" / "gallery"
-COMMAND = re.compile(r"`(cargo run .*?)`")
+COMMAND = re.compile(r"`(cargo run [^`]*)`")
 PICTURE = re.compile(r"\]\((\w+\.\w+)\)")
 LONG = "--release"
+QUICK = "-p lagrange-cli"
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 LEEWAY = 0.011
 
@@ -30,7 +31,7 @@ def main():
     text = (KEPT / "README.md").read_text(encoding="utf-8")
     writes_all = not sys.argv[1:]
     commands = [command for command in dict.fromkeys(COMMAND.findall(text)) if writes_all or LONG not in command]
-    for command in commands if "--made" not in sys.argv[1:] else []:
+    for command in [command for command in commands if "--made" not in sys.argv[1:] or QUICK in command]:
         print(command, flush=True)
         subprocess.run(command.split(), cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     # The pictures of each command stand before it.

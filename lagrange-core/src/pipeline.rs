@@ -13,6 +13,7 @@ mod numeric;
 mod orthogonal;
 mod phases;
 mod programs;
+mod routines;
 mod second_way;
 mod system;
 
@@ -32,6 +33,7 @@ pub use drawn::{DrawnScene, PlacedItem, PlacedPart};
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
 pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};
+pub use routines::{Backend, Call, Code, LISTS, Numbers};
 pub use system::{Derived, System, parse, parse_with};
 
 /// Expands the macro: writes all items emitted for a declaration, including errors.

@@ -263,3 +263,26 @@ fn bits_depend_on_seed_and_index_alone() {
     assert_eq!(Some(alone.last()), one.state(150));
     assert_ne!(one.theta_dot()[1], one.theta_dot()[2]);
 }
+
+/// The words of a run that fails.
+fn failure<K: Method<Particle>>(particle: &Particle, method: K) -> String {
+    let run = integrate(particle, 0.0, [0.0, 1.5], 1.0, &method, |_, _| {});
+    run.expect_err("does not run").to_string()
+}
+
+#[test]
+fn what_cannot_be_integrated_is_said() {
+    let particle = Particle::default();
+    let by_default = particle.simulate([0.0, 1.5]).until(1.0).run().map(drop).expect_err("has noise");
+    assert!(by_default.to_string().contains("`EulerMaruyama` and `StochasticRungeKutta4`"), "{by_default}");
+    let verner = failure(&particle, lagrange::integrate::Verner98::tolerance(1e-6));
+    assert!(verner.contains("`EulerMaruyama` and `StochasticRungeKutta4`"), "{verner}");
+    let negative = Particle { density: -0.1, ..particle.clone() };
+    let said = failure(&negative, euler(0.1, WienerPath::of_seed(1)));
+    assert!(said.contains("is the density of a noise negative here?"), "{said}");
+    // Without a density there is no noise.
+    let silent = Particle { density: 0.0, ..particle };
+    let method = runge_kutta(0.01, WienerPath::of_seed(1));
+    let [_, v] = integrate(&silent, 0.0, [0.0, 1.5], 1.0, &method, |_, _| {}).expect("runs");
+    assert!((v - 1.5 * (-0.5_f64).exp()).abs() < 1e-11);
+}

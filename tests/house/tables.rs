@@ -14,7 +14,7 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 20] = [
+pub(crate) const LIBRARIES: [Library; 21] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-c", layers: C },
@@ -27,6 +27,7 @@ pub(crate) const LIBRARIES: [Library; 20] = [
     Library { name: "lagrange-files", layers: &[] },
     Library { name: "lagrange-fmi", layers: FMI },
     Library { name: "lagrange-import", layers: IMPORT },
+    Library { name: "lagrange-jit", layers: JIT },
     Library { name: "lagrange-language", layers: LANGUAGE },
     Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },
@@ -126,11 +127,12 @@ const CORE: &[Layer] = &[
 
 const DYNAMIC: &[Layer] = &[
     Layer {
-        modules: &["inline", "items", "names", "refusal", "source"],
+        modules: &["inline", "items", "names", "refusal", "rust_file"],
         purpose: "vectors of a length known at run time; items to draw from their numbers; interned names; \
-                  unsupported systems; texts with declarations",
+                  unsupported systems; declarations in files of Rust",
     },
-    Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
+    Layer { modules: &["source"], purpose: "texts with declarations" },
+    Layer { modules: &["system"], purpose: "a system read at run time, with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
     Layer {
         modules: &["linearised", "motion"],
@@ -169,6 +171,11 @@ const PYTHON: &[Layer] = &[
     Layer { modules: &["system"], purpose: "declared systems" },
 ];
 
+const JIT: &[Layer] = &[
+    Layer { modules: &["machine"], purpose: "calls of machine code, and functions that it calls" },
+    Layer { modules: &["translate"], purpose: "programs as intermediate representation of Cranelift" },
+];
+
 const C: &[Layer] = &[
     Layer {
         modules: &["names", "refusal"],
@@ -193,10 +200,11 @@ const PAGE: &[Layer] = &[
 
 const FMI: &[Layer] = &[
     Layer {
-        modules: &["archive", "dependencies", "error", "quantities"],
-        purpose: "archives; variables that rates and outputs depend on; reasons why a unit cannot be built; \
-                  units of measurement as defined by the standard",
+        modules: &["archive", "dependencies", "quantities", "version"],
+        purpose: "archives; variables that rates and outputs depend on; units of measurement as defined by the \
+                  standard; the versions of the standard",
     },
+    Layer { modules: &["error"], purpose: "reasons why a unit cannot be built" },
     Layer { modules: &["compile", "variables"], purpose: "compiled libraries; the variables of a unit" },
     Layer {
         modules: &["binding", "description"],
@@ -264,9 +272,9 @@ const RUNTIME: &[Layer] = &[
                   table, with reasons and the tests that depend on them",
     },
     Layer {
-        modules: &["body", "inertia", "linalg", "root", "table"],
-        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; algebraic \
-                  unknowns and tables of declarations",
+        modules: &["body", "inertia", "linalg", "manifold", "root", "table"],
+        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; contact \
+                  points of blocks; algebraic unknowns and tables of declarations",
     },
     Layer {
         modules: &["system"],

@@ -15,6 +15,7 @@ mod damped_runs;
 mod drift;
 mod elliptic;
 mod ends;
+mod extinction;
 #[path = "../mechanisms/four_bar.rs"]
 mod four_bar;
 mod free_bodies;

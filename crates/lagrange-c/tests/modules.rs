@@ -123,25 +123,31 @@ fn main_of(cases: &[Case]) -> String {
     let list = |values: &[f64]| {
         values.iter().chain(&[0.0]).map(|value| format!("{value:?}")).collect::<Vec<_>>().join(", ")
     };
-    let mut body = String::new();
+    // Each call is a function behind a pointer: compilers need minutes for one that holds all.
+    let mut calls = Vec::new();
     for case in cases {
         for (Sample { t, y, p }, function) in
             case.samples.iter().flat_map(|sample| case.functions().into_iter().map(move |f| (sample, f)))
         {
             let count = case.expected(function, &case.samples[0]).len();
-            body += &format!(
-                "    {{\n        const double y[] = {{ {} }}, p[] = {{ {} }};\n        double out[{count}];\n        \
-                 {}_{function}({t:?}, y, p, out);\n        print({count}, out);\n    }}\n",
+            calls.push(format!(
+                "static void call_{}(void)\n{{\n    const double y[] = {{ {} }}, p[] = {{ {} }};\n    \
+                 double out[{count}];\n    {}_{function}({t:?}, y, p, out);\n    print({count}, out);\n}}\n",
+                calls.len(),
                 list(y),
                 list(p),
                 case.module.name
-            );
+            ));
         }
     }
+    let names = (0..calls.len()).map(|call| format!("    call_{call},\n")).collect::<String>();
+    let calls = calls.concat();
     let includes = cases.iter().map(|case| format!("#include \"{}.h\"\n", case.module.name));
     format!(
         "#include <stdio.h>\n{}\nstatic void print(int n, const double *x)\n{{\n    for (int i = 0; i < n; i++)\n        \
-         printf(\"%.17g \", x[i]);\n    printf(\"\\n\");\n}}\n\nint main(void)\n{{\n{body}    return 0;\n}}\n",
+         printf(\"%.17g \", x[i]);\n    printf(\"\\n\");\n}}\n\n{calls}\n\
+         static void (*const calls[])(void) = {{\n{names}}};\n\nint main(void)\n{{\n    \
+         for (unsigned i = 0; i < sizeof calls / sizeof *calls; i++)\n        calls[i]();\n    return 0;\n}}\n",
         includes.collect::<String>()
     )
 }

@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use lagrange_core::code::Precision;
+use lagrange_fmi::Version;
 use lagrange_import::urdf::Options;
 use lexopt::{Arg, Error, Parser, ValueExt};
 
@@ -24,7 +25,7 @@ Commands:
   statements FILE   write the declaration in plain statements: no arrays, loops or bodies
   rust FILE         write the code that the macro emits
   c FILE            write a module of C: NAME.h and NAME.c, named for the struct
-  fmu FILE          write a unit of the Functional Mock-up Interface 2.0: NAME.fmu
+  fmu FILE          write a unit of the Functional Mock-up Interface 2.0 or 3.0: NAME.fmu
   page FILE         write a page in which the system moves: HTML with sliders, plots and drawing
   kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
@@ -35,7 +36,8 @@ Commands:
   urdf FILE         write the declaration of a robot that a URDF file describes
   watch COMMAND …   run a command with its options, and again whenever its files change
 
-A file holds one declaration, alone or in `lagrange::system! { … }`.
+A file holds a declaration alone, or is Rust with `lagrange::system! { … }`; of several in one
+file, FILE#NAME selects that with this name.
 A file named `-` is the standard input. Tables are files beside the declaration.
 
 Options:
@@ -72,6 +74,7 @@ Options:
                       `rk4` or `gauss` in equal steps; systems with noise by `maruyama` or
                       `stochastic` (simulate, film, ensemble)
       --tolerance E   tolerated error of a step, 1e-9 by default (simulate, film, ensemble)
+      --fmi N         version of the interface, 2 by default, or 3 (fmu)
       --sources       leave the compilation to the program that imports the unit (fmu)
       --step TIME     length of equal steps (simulate, film, ensemble)
       --energy        add a column for the energy (simulate), or its curve (film)
@@ -137,6 +140,8 @@ pub(crate) enum Action {
         values: Values,
         /// True without a compiled library.
         is_source: bool,
+        /// Version of the standard.
+        version: Version,
     },
     /// Writes a page in which the system moves, from these values at the start.
     Page(Values),
@@ -300,6 +305,15 @@ impl TradeOptions {
     }
 }
 
+/// A version of the Functional Mock-up Interface.
+fn fmi_version(parser: &mut Parser) -> Result<Version, Error> {
+    match &*parser.value()?.string()? {
+        "2" | "2.0" => Ok(Version::Two),
+        "3" | "3.0" => Ok(Version::Three),
+        other => Err(format!("`--fmi {other}` is not supported: write `--fmi 2` or `--fmi 3`").into()),
+    }
+}
+
 /// A name and its value.
 fn assignment(option: &str, parser: &mut Parser) -> Result<(String, String), Error> {
     let text = parser.value()?.string()?;
@@ -330,7 +344,7 @@ impl Action {
             "statements" => Action::Write(Text::Statements),
             "rust" => Action::Write(Text::Rust),
             "c" => Action::Module,
-            "fmu" => Action::Unit { values: Values::default(), is_source: false },
+            "fmu" => Action::Unit { values: Values::default(), is_source: false, version: Version::Two },
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "page" => Action::Page(Values::default()),
             "simulate" => Action::Simulate(Settings::default()),
@@ -369,6 +383,7 @@ impl Action {
     /// Reads the value of an option; false if the action has none of this name.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match (self, option) {
+            (Action::Unit { version, .. }, "fmi") => *version = fmi_version(parser)?,
             (Action::Unit { values, .. } | Action::Page(values), _) => return values.read(option, parser),
             (Action::Simulate(settings) | Action::Film(settings), _) => return settings.read(option, parser),
             (Action::Ensemble(options), _) => return options.read(option, parser),

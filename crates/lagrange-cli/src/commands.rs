@@ -11,7 +11,7 @@ use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, Programs, System};
 use lagrange_dynamic::{DeclaredSystem, Source};
 use lagrange_files::save_bytes;
-use lagrange_fmi::{ExportError, MockupUnit, Start};
+use lagrange_fmi::{ExportError, MockupUnit, Start, Version};
 use lagrange_import::listing;
 use lagrange_import::urdf::{Import, Options, import};
 use lagrange_page::{PageError, page};
@@ -60,7 +60,7 @@ impl Command {
             Action::Linearise(point) => return self.linearise(point),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
             Action::Page(values) => return self.page(values),
-            Action::Unit { values, is_source } => return self.unit(values, *is_source),
+            Action::Unit { values, is_source, version } => return self.unit(values, *is_source, *version),
             Action::Urdf(options) => self.source().and_then(|source| robot(&source, options)),
             Action::Write(text) => self.source().and_then(|source| written(&source, *text)),
         };
@@ -132,7 +132,7 @@ impl Command {
     }
 
     /// Writes a unit of the Functional Mock-up Interface.
-    fn unit(&self, values: &Values, is_source: bool) -> Ended {
+    fn unit(&self, values: &Values, is_source: bool, version: Version) -> Ended {
         let system = self.source().and_then(|source| {
             let derived = with_derivatives(&source)?;
             let mut programs = Programs::new(&derived);
@@ -145,7 +145,7 @@ impl Command {
             Err(failure) => return failed(failure),
         };
         let refused = |error: ExportError| print_error(&format!("{name}: {error}"));
-        let packed = MockupUnit::new(system.programs(), &start).and_then(|unit| {
+        let packed = MockupUnit::new(system.programs(), &start, version).and_then(|unit| {
             let compiler = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
             let binary = (!is_source).then(|| unit.compile(&compiler)).transpose()?;
             Ok((unit.archive(binary.as_ref())?, unit.name))

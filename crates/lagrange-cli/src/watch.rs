@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
+use lagrange_dynamic::Source;
+
 use crate::arguments::Command;
 use crate::source;
 
@@ -30,7 +32,7 @@ pub(crate) fn watch(command: &Command) -> ! {
 
 /// Returns the files that a command reads, and those that they include.
 fn files(command: &Command) -> Vec<PathBuf> {
-    let mut files = command.inputs.clone();
+    let mut files = command.inputs.iter().map(|path| Source::file(path).to_owned()).collect::<Vec<_>>();
     for source in command.inputs.iter().filter_map(|path| source::read(path).ok()) {
         files.extend(source.included());
     }

@@ -165,8 +165,12 @@ fn units_of_fmi_are_archives_in_a_folder_or_of_a_name() {
     let compiled = read("clock.fmu");
     assert!(compiled.contains("binaries/") && compiled.contains("<Real unit=\"m\" start=\"0.5\"/>"));
     assert!(compiled.contains(&format!("<Real unit=\"rad\" start=\"{:?}\"/>", std::f64::consts::PI)));
+    assert_eq!(written(&["fmu", &swing, "--fmi", "3", "-o", &path("three.fmu"), "--sources"]), "");
+    let three = read("three.fmu");
+    assert!(three.contains("fmiVersion=\"3.0\"") && three.contains("sources/buildDescription.xml"));
     for (declaration, options, code, message) in [
-        ("coord h; kinetic = dot(h)^2; event floor = h, falling => impact(1/2);", &[][..], 1, "`floor`"),
+        ("coord h = 1; kinetic = dot(h)^2;", &["--fmi", "1"][..], 2, "write `--fmi 2` or `--fmi 3`"),
+        ("coord h; kinetic = dot(h)^2; event floor = h, falling => impact(1/2);", &[], 1, "`floor`"),
         ("coord h = 1; param m; kinetic = m * dot(h)^2;", &[], 2, "`m` has no value: write `--set m=1`"),
         ("coord h; kinetic = dot(h)^2;", &[], 2, "the start of `h` is missing"),
         ("coord h = 1; kinetic = dot(h)^2;", &["--set", "k=2"], 2, "`k`"),
@@ -252,4 +256,39 @@ fn a_declaration_may_stand_in_its_macro() {
     let line = |place: &str| place.split(':').next().and_then(|line| line.parse::<u32>().ok());
     let (alone, moved) = (place(&listing(&text)), place(&wrapped));
     assert_eq!(line(&moved), line(&alone).map(|line| line + 2), "{wrapped}");
+}
+
+#[test]
+fn declarations_are_found_in_files_of_rust() {
+    let swing = "/// Swings.\n    pub struct Swing;\n    coord a = 0.1; kinetic = dot(a)^2; potential = a^2;";
+    let spring = "struct Spring; coord x = 1; kinetic = dot(x)^2; potential = k * x^2;";
+    let one = format!(
+        "//! A program.\nuse lagrange::Simulate;\n\nlagrange::system! {{\n    {swing}\n}}\nfn main() {{}}\n"
+    );
+    let two = format!("{one}mod other {{ use lagrange::system; system! {{ {spring} }} }}\n");
+    let folder = temporary("rust");
+    fs::create_dir_all(&folder).expect("a folder");
+    let [one, two] = [("one.rs", one), ("two.rs", two)].map(|(name, text)| {
+        let path = folder.join(name);
+        fs::write(&path, text).expect("written");
+        path.to_str().expect("UTF-8").to_owned()
+    });
+    assert!(written(&["statements", &one]).contains("coord a"));
+    assert_eq!(written(&["statements", &one]), written(&["statements", &format!("{two}#Swing")]));
+    let refused = |path: &str| {
+        let result = run(&["check", path]);
+        assert_eq!(result.status.code(), Some(1), "{path}");
+        errors(&result)
+    };
+    assert!(refused(&two).contains("write one of `#Swing`, `#Spring` behind the name of the file"));
+    assert!(refused(&format!("{two}#Top")).contains("no `#Top` among `#Swing`, `#Spring`"));
+    assert!(refused(&format!("{}#Top", data("swing.lag"))).contains("there is no `system!`, so no `#Top`"));
+    // Mistakes keep their place in the file.
+    assert!(
+        refused(&format!("{two}#Spring")).contains("two.rs:10:"),
+        "{}",
+        refused(&format!("{two}#Spring"))
+    );
+    let piped = run_on(&fs::read_to_string(&one).expect("read"), &["statements", "-"]);
+    assert_eq!(output(&piped), written(&["statements", &one]));
 }

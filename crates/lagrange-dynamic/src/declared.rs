@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use lagrange_core::emit::Variables;
 use lagrange_core::opaque::Opaque;
-use lagrange_core::pipeline::{NumericSystem, Programs};
+use lagrange_core::pipeline::{Backend, NumericSystem, Programs};
 use lagrange_core::program::Program;
 
 use crate::names::{Names, names_of};
@@ -43,6 +43,12 @@ impl DeclaredSystem {
         check(&programs)?;
         let names = names_of(&programs);
         Ok(DeclaredSystem { numeric: NumericSystem::of(Arc::new(programs)), names })
+    }
+
+    /// Compiles programs instead of interpreting them, each when it is run for the first time.
+    /// Results are the same.
+    pub fn compiled_by(self, backend: Arc<dyn Backend>) -> Self {
+        DeclaredSystem { numeric: self.numeric.compiled_by(backend), ..self }
     }
 
     /// Returns the names and units of the variables.

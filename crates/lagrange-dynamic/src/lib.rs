@@ -34,7 +34,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The interpreter takes some times as long as compiled code, `docs/command_line.md` has numbers.
+//! The interpreter takes some times as long as compiled code. [`DeclaredSystem::compiled_by`] takes
+//! a compiler in its place, such as that of `lagrange-jit`; `docs/performance.md` has numbers.
 //! Contacts, friction and functions of the user's crate are [refused](Refusal). Numbers are `f64`,
 //! whatever scalar the declaration names.
 //!
@@ -62,6 +63,7 @@ mod motion;
 mod names;
 mod refusal;
 mod run;
+mod rust_file;
 mod source;
 mod system;
 #[cfg(feature = "trade")]

@@ -156,6 +156,12 @@ pub enum MethodError {
 impl Display for MethodError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
+            MethodError::Unknown(name) if name == "taylor" => {
+                write!(
+                    f,
+                    "the method `taylor` takes compiled systems with `emit {{ taylor }}`: take `verner`"
+                )
+            }
             MethodError::Unknown(name) => {
                 let names = NAMES.map(|known| format!("`{known}`")).join(", ");
                 write!(f, "unknown method `{name}`: there are {names}")

@@ -65,8 +65,9 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
     type State = Inline<CAPACITY>;
 
     fn rhs(&self, t: f64, y: &Inline<CAPACITY>) -> Inline<CAPACITY> {
-        let (q, v) = y.parts(0);
-        Inline::joined(&self.numeric.position_rates(t, q, v), &self.numeric.acceleration(t, q, v))
+        let ((q, v), mut rates) = (y.parts(0), y.zeros());
+        self.numeric.rates(t, q, v, rates.as_mut());
+        rates
     }
 
     fn undefined(&self, t: f64, y: &Inline<CAPACITY>, rates: &Inline<CAPACITY>) -> Option<Undefined<f64>> {

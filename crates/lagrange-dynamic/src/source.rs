@@ -1,6 +1,6 @@
-//! Texts that hold a declaration, alone or in `lagrange::system! { … }`.
+//! Texts that hold a declaration, alone or in the macro `lagrange::system! { … }` of a file of
+//! Rust.
 
-use std::borrow::Cow;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +9,8 @@ use lagrange_core::diagnostics::Report;
 use lagrange_core::files;
 use lagrange_core::pipeline::{Derived, System, parse_with};
 use lagrange_core::tables::FileText;
+
+use crate::rust_file::with_declaration;
 
 /// A text with the place that it was read from.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -22,16 +24,25 @@ pub struct Source {
 }
 
 impl Source {
-    /// Reads a file.
+    /// Reads a file. Where a file of Rust holds several declarations, its path names one:
+    /// `film.rs#CartPole`.
     ///
     /// # Errors
-    /// The name of the file and the reason why it cannot be read.
+    /// The name of the file and the reason why it cannot be read, or which declarations it holds.
     pub fn read(path: &Path) -> Result<Source, String> {
+        let (path, declaration) = parts(path);
         let name = path.display().to_string();
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
         let file = path.file_name().and_then(|file| file.to_str()).unwrap_or_default();
         let file = files::read(&folder, file).map_err(|reason| format!("{name}: {reason}"))?;
-        Ok(Source { name, text: file.text, folder })
+        let text = with_declaration(&file.text, declaration).map_err(|reason| format!("{name}: {reason}"))?;
+        Ok(Source { name, text, folder })
+    }
+
+    /// Returns the file of a path that may name a declaration.
+    #[must_use]
+    pub fn file(path: &Path) -> &Path {
+        parts(path).0
     }
 
     /// Parses and checks the declaration.
@@ -85,19 +96,13 @@ impl Source {
     }
 }
 
-/// Blanks the macro around a declaration, as files of Rust and imported robots have it. Everything
-/// else keeps its place.
-fn without_macro(text: &str) -> Cow<'_, str> {
-    let inside = || {
-        let path = text.trim_start().trim_start_matches("::").strip_prefix("lagrange::system!")?;
-        path.trim_start().strip_prefix('{')?.trim_end().strip_suffix('}')
-    };
-    match inside() {
-        Some(inside) => {
-            let before = text.find('{').map_or(0, |brace| brace + 1);
-            let lines = text[..before].chars().map(|c| if c == '\n' { c } else { ' ' });
-            Cow::Owned(lines.collect::<String>() + inside)
-        }
-        None => Cow::Borrowed(text),
-    }
+/// Splits a path into that of the file and the name of a declaration.
+fn parts(path: &Path) -> (&Path, Option<&str>) {
+    let split = path.to_str().and_then(|text| text.rsplit_once('#')).filter(|_| !path.exists());
+    split.map_or((path, None), |(file, name)| (Path::new(file), Some(name)))
+}
+
+/// Blanks the macro around a declaration, if there is one alone.
+fn without_macro(text: &str) -> String {
+    with_declaration(text, None).unwrap_or_else(|_| text.to_owned())
 }

@@ -5,27 +5,7 @@
 
 #include <stddef.h>
 
-#ifdef _WIN32
-#define FMI2_EXPORT __declspec(dllexport)
-#elif defined(__GNUC__)
-#define FMI2_EXPORT __attribute__((visibility("default")))
-#else
-#define FMI2_EXPORT
-#endif
-
-// Programs that link several models define a prefix for each.
-#ifdef FMI2_FUNCTION_PREFIX
-#define FMI2_PASTED(prefix, name) prefix##name
-#define FMI2_WITH(prefix, name) FMI2_PASTED(prefix, name)
-#define FMI2_NAME(name) FMI2_WITH(FMI2_FUNCTION_PREFIX, name)
-#else
-#define FMI2_NAME(name) name
-#endif
-
-// The head of a function: its declaration, which warnings ask for, and that of its definition.
-#define FMI2_FUNCTION(type, name, arguments) \
-    FMI2_EXPORT type FMI2_NAME(name) arguments; \
-    type FMI2_NAME(name) arguments
+#include "export.h"
 
 typedef void *fmi2Component;
 typedef void *fmi2ComponentEnvironment;
@@ -42,8 +22,10 @@ typedef enum { fmi2OK, fmi2Warning, fmi2Discard, fmi2Error, fmi2Fatal, fmi2Pendi
 typedef enum { fmi2ModelExchange, fmi2CoSimulation } fmi2Type;
 typedef enum { fmi2DoStepStatus, fmi2PendingStatus, fmi2LastSuccessfulTime, fmi2Terminated } fmi2StatusKind;
 
+typedef void (*fmi2Logger)(fmi2ComponentEnvironment, fmi2String, fmi2Status, fmi2String, fmi2String, ...);
+
 typedef struct {
-    void (*logger)(fmi2ComponentEnvironment, fmi2String, fmi2Status, fmi2String, fmi2String, ...);
+    fmi2Logger logger;
     void *(*allocateMemory)(size_t, size_t);
     void (*freeMemory)(void *);
     void (*stepFinished)(fmi2ComponentEnvironment, fmi2Status);

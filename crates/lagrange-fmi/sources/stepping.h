@@ -11,14 +11,10 @@ static const char *reason_of(Outcome outcome)
     }
 }
 
-FMI2_FUNCTION(fmi2Status, fmi2DoStep,
-              (fmi2Component instance, fmi2Real time, fmi2Real length, fmi2Boolean is_final))
+static Status do_step(Instance *in, const char *function, double time, double length)
 {
-    static const char *function = "fmi2DoStep";
-    Instance *in = instance;
-    (void)is_final;
-    if (!is_allowed(in, function, in != NULL && in->type == fmi2CoSimulation && in->state.mode == STEPPING))
-        return fmi2Error;
+    if (!is_allowed(in, function, in != NULL && !in->is_exchange && in->state.mode == STEPPING))
+        return FAILED;
     Motion *m = &in->state.motion;
     if (!isfinite(time) || fabs(time - m->t) > 1e-9 * fmax(1.0, fabs(m->t)))
         return fail_with(in, function, "currentCommunicationPoint", time, "is not the time of the model");
@@ -33,75 +29,10 @@ FMI2_FUNCTION(fmi2Status, fmi2DoStep,
         log_events(in, last_event);
     }
     if (outcome == REACHED)
-        return fmi2OK;
+        return DONE;
     char message[256];
     snprintf(message, sizeof message, "%s: the model stands at the time %.17g: %s", function, m->t,
              reason_of(outcome));
-    log_message(in, fmi2Discard, message);
-    return fmi2Discard;
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2CancelStep, (fmi2Component instance))
-{
-    return instance == NULL ? fmi2Error : fail(instance, "fmi2CancelStep", "steps end before they return");
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2SetRealInputDerivatives,
-              (fmi2Component instance, const fmi2ValueReference references[], size_t count,
-               const fmi2Integer orders[], const fmi2Real values[]))
-{
-    (void)references, (void)count, (void)orders, (void)values;
-    return instance == NULL
-               ? fmi2Error
-               : fail(instance, "fmi2SetRealInputDerivatives", "inputs are constant during a step");
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2GetRealOutputDerivatives,
-              (fmi2Component instance, const fmi2ValueReference references[], size_t count,
-               const fmi2Integer orders[], fmi2Real values[]))
-{
-    (void)references, (void)count, (void)orders, (void)values;
-    return instance == NULL
-               ? fmi2Error
-               : fail(instance, "fmi2GetRealOutputDerivatives", "derivatives of outputs are not known");
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2GetStatus, (fmi2Component instance, fmi2StatusKind kind, fmi2Status *value))
-{
-    (void)kind, (void)value;
-    return instance == NULL ? fmi2Error : fail(instance, "fmi2GetStatus", "no step is pending");
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2GetRealStatus, (fmi2Component instance, fmi2StatusKind kind, fmi2Real *value))
-{
-    const Instance *in = instance;
-    if (in == NULL)
-        return fmi2Error;
-    if (kind != fmi2LastSuccessfulTime)
-        return fail(in, "fmi2GetRealStatus", "only the last successful time is a number");
-    *value = in->state.motion.t;
-    return fmi2OK;
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2GetIntegerStatus, (fmi2Component instance, fmi2StatusKind kind, fmi2Integer *value))
-{
-    (void)kind, (void)value;
-    return instance == NULL ? fmi2Error : fail(instance, "fmi2GetIntegerStatus", "no status is an integer");
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2GetBooleanStatus, (fmi2Component instance, fmi2StatusKind kind, fmi2Boolean *value))
-{
-    const Instance *in = instance;
-    if (in == NULL)
-        return fmi2Error;
-    if (kind != fmi2Terminated)
-        return fail(in, "fmi2GetBooleanStatus", "only the end of the motion is true or false");
-    *value = in->state.motion.has_stopped;
-    return fmi2OK;
-}
-
-FMI2_FUNCTION(fmi2Status, fmi2GetStringStatus, (fmi2Component instance, fmi2StatusKind kind, fmi2String *value))
-{
-    (void)kind, (void)value;
-    return instance == NULL ? fmi2Error : fail(instance, "fmi2GetStringStatus", "no step is pending");
+    log_message(in, DISCARDED, message);
+    return DISCARDED;
 }

@@ -15,7 +15,7 @@ pub(crate) fn binding(
     variables: &[Variable],
 ) -> String {
     format!(
-        "// What the functions of FMI 2.0 know of {}.\n\n#include <math.h>\n\n#include \"model.h\"\n\n\
+        "// What the functions of the standard know of {}.\n\n#include <math.h>\n\n#include \"model.h\"\n\n\
          #define MODEL \"{name}\"\n#define GUID \"{guid}\"\n#define TOLERANCE {tolerance:e}\n{}\n\
          enum {{ RECORD, STOP, REPLACE }};\n\n{}{}",
         programs.name,

@@ -5,6 +5,7 @@ use std::process::Command;
 use std::{env, fs, process};
 
 use crate::error::ExportError;
+use crate::version::Version;
 
 /// A compiled library.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -15,27 +16,15 @@ pub struct Binary {
     pub bytes: Vec<u8>,
 }
 
-/// Folder and extension of libraries for this machine.
-fn platform() -> Option<(&'static str, &'static str)> {
-    match (env::consts::OS, env::consts::ARCH) {
-        ("linux", "x86_64") => Some(("linux64", "so")),
-        ("linux", "x86") => Some(("linux32", "so")),
-        ("macos", _) => Some(("darwin64", "dylib")),
-        ("windows", "x86_64") => Some(("win64", "dll")),
-        ("windows", "x86") => Some(("win32", "dll")),
-        _ => None,
-    }
-}
-
 /// Compiles sources in a folder of their own.
 pub(crate) fn compiled(
-    name: &str,
+    (name, version): (&str, Version),
     compiler: &str,
     sources: &[(&'static str, String)],
 ) -> Result<Binary, ExportError> {
-    let (folder, extension) = platform().ok_or(ExportError::Platform)?;
+    let (folder, extension) = version.platform().ok_or(ExportError::Platform(version))?;
     let library = format!("{name}.{extension}");
-    let place = env::temp_dir().join(format!("lagrange_fmi_{name}_{}", process::id()));
+    let place = env::temp_dir().join(format!("lagrange_fmi_{name}_{}_{}", version.number(), process::id()));
     fs::create_dir_all(&place)?;
     let bytes = library_of(&place, &library, compiler, sources);
     fs::remove_dir_all(&place)?;

@@ -7,9 +7,11 @@ use lagrange_core::pipeline::Programs;
 use crate::dependencies::Dependencies;
 use crate::quantities::Definitions;
 use crate::variables::{Kind, Variable};
+use crate::version::Version;
 
 /// The heads of a description.
 pub(crate) struct Heading<'a> {
+    pub(crate) version: Version,
     /// Name of the library.
     pub(crate) identifier: &'a str,
     pub(crate) guid: &'a str,
@@ -26,18 +28,26 @@ pub(crate) fn description(
     variables: &[Variable],
     units: &Definitions,
 ) -> String {
-    let indicators = programs.variables.events.len() + programs.variables.switches.len();
-    let listed = variables.iter().enumerate().map(|(index, variable)| written(index, variable));
+    let version = heading.version;
+    let (token, indicators) = match version {
+        Version::Two => {
+            let count = variables.iter().filter(|variable| variable.kind == Kind::Indicator).count();
+            ("guid", format!(" numberOfEventIndicators=\"{count}\""))
+        }
+        Version::Three => ("instantiationToken", String::new()),
+    };
+    let listed = variables.iter().enumerate().map(|(index, variable)| written(version, index, variable));
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <fmiModelDescription fmiVersion=\"2.0\" modelName=\"{}\" guid=\"{}\"\n    \
-         generationTool=\"lagrange {}\" variableNamingConvention=\"{}\" numberOfEventIndicators=\"{indicators}\">\n\
+         <fmiModelDescription fmiVersion=\"{}\" modelName=\"{}\" {token}=\"{}\"\n    \
+         generationTool=\"lagrange {}\" variableNamingConvention=\"{}\"{indicators}>\n\
          {}{}\
          \x20 <LogCategories>\n    <Category name=\"logEvents\"/>\n    <Category name=\"logStatusError\"/>\n  \
          </LogCategories>\n\
          \x20 <DefaultExperiment startTime=\"0\" stopTime=\"10\" tolerance=\"{:e}\"/>\n\
          \x20 <ModelVariables>\n{}  </ModelVariables>\n\
          {}</fmiModelDescription>\n",
+        version.number(),
         escaped(&programs.name),
         heading.guid,
         env!("CARGO_PKG_VERSION"),
@@ -46,25 +56,53 @@ pub(crate) fn description(
         units.written(),
         heading.tolerance,
         listed.collect::<String>(),
-        structure(programs, variables),
+        structure(version, &Dependencies::new(programs), variables),
     )
 }
 
 /// The elements of model exchange and of co-simulation.
 fn kinds(programs: &Programs, heading: &Heading<'_>) -> String {
-    let files = heading.sources.iter().map(|file| format!("      <File name=\"{file}\"/>\n"));
-    let files = format!("    <SourceFiles>\n{}    </SourceFiles>\n", files.collect::<String>());
-    let common = format!(
-        "modelIdentifier=\"{}\" canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"true\"\n      \
-         providesDirectionalDerivative=\"{}\"",
-        heading.identifier,
-        programs.linearised.is_some(),
+    let has_derivatives = programs.linearised.is_some();
+    let (provided, content) = match heading.version {
+        Version::Two => (
+            format!(
+                "canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"true\"\n      \
+                 providesDirectionalDerivative=\"{has_derivatives}\""
+            ),
+            format!("    <SourceFiles>\n{}    </SourceFiles>\n  ", files("File", &heading.sources)),
+        ),
+        Version::Three => (
+            format!(
+                "canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\"\n      \
+                 providesDirectionalDerivatives=\"{has_derivatives}\" \
+                 providesAdjointDerivatives=\"{has_derivatives}\""
+            ),
+            String::new(),
+        ),
+    };
+    let element = |name: &str, more: &str| {
+        format!(
+            "  <{name} modelIdentifier=\"{}\" {provided}{more}>\n{content}</{name}>\n",
+            heading.identifier
+        )
+    };
+    element("ModelExchange", "")
+        + &element("CoSimulation", "\n      canHandleVariableCommunicationStepSize=\"true\"")
+}
+
+fn files(element: &str, sources: &[&str]) -> String {
+    sources.iter().map(|file| format!("      <{element} name=\"{file}\"/>\n")).collect()
+}
+
+/// Returns the description of the compilation, a file of its own since version 3.0.
+pub(crate) fn build(version: Version, identifier: &str, sources: &[&str]) -> Option<String> {
+    let text = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  \
+         <BuildConfiguration modelIdentifier=\"{identifier}\">\n    <SourceFileSet language=\"C99\">\n{}    \
+         </SourceFileSet>\n  </BuildConfiguration>\n</fmiBuildDescription>\n",
+        files("SourceFile", sources)
     );
-    format!(
-        "  <ModelExchange {common}>\n{files}  </ModelExchange>\n\
-         \x20 <CoSimulation {common}\n      canHandleVariableCommunicationStepSize=\"true\">\n{files}  \
-         </CoSimulation>\n"
-    )
+    (version == Version::Three).then_some(text)
 }
 
 /// Returns `structured` if the names have the form that this asks for.
@@ -77,13 +115,14 @@ fn convention(variables: &[Variable]) -> &'static str {
 }
 
 /// The element of a variable.
-fn written(reference: usize, variable: &Variable) -> String {
+fn written(version: Version, reference: usize, variable: &Variable) -> String {
     let (role, value) = match variable.kind {
         Kind::State(value, false) => ("causality=\"local\" initial=\"exact\"", start(value)),
         Kind::State(value, true) => ("causality=\"local\" initial=\"approx\"", start(value)),
-        Kind::Rate(state) => {
-            ("causality=\"local\" initial=\"calculated\"", format!(" derivative=\"{}\"", state + 1))
-        }
+        Kind::Rate(state) => (
+            "causality=\"local\" initial=\"calculated\"",
+            format!(" derivative=\"{}\"", number(version, state)),
+        ),
         Kind::Parameter(value, bounds) => {
             let bounds =
                 bounds.iter().zip(["min", "max"]).filter_map(|(bound, name)| Some((name, (*bound)?)));
@@ -95,61 +134,90 @@ fn written(reference: usize, variable: &Variable) -> String {
         }
         Kind::Input(value) => ("causality=\"input\"", start(value)),
         Kind::Output => ("causality=\"output\" initial=\"calculated\"", String::new()),
+        Kind::Indicator => ("causality=\"local\" initial=\"calculated\"", String::new()),
+        Kind::Time => ("causality=\"independent\" variability=\"continuous\"", String::new()),
     };
     let unit = variable.unit.as_ref().map_or_else(String::new, |unit| format!(" unit=\"{unit}\""));
-    format!(
-        "    <!-- {} -->\n    <ScalarVariable name=\"{}\" valueReference=\"{reference}\" {role}>\n      \
-         <Real{unit}{value}/>\n    </ScalarVariable>\n",
-        reference + 1,
-        escaped(&variable.name),
-    )
+    let head = format!("name=\"{}\" valueReference=\"{reference}\" {role}", escaped(&variable.name));
+    match version {
+        Version::Two => format!(
+            "    <!-- {} -->\n    <ScalarVariable {head}>\n      <Real{unit}{value}/>\n    </ScalarVariable>\n",
+            reference + 1
+        ),
+        Version::Three => format!("    <Float64 {head}\n      {}/>\n", format!("{unit}{value}").trim_start()),
+    }
 }
 
 fn start(value: f64) -> String {
     format!(" start=\"{value:?}\"")
 }
 
-/// The order of outputs, rates and unknowns at the start, with what they depend on.
-fn structure(programs: &Programs, variables: &[Variable]) -> String {
-    let dependencies = Dependencies::new(programs);
-    let (states, parameters) = (
-        variables.iter().filter(|variable| matches!(variable.kind, Kind::State(..))).count(),
-        programs.layout.parameters,
-    );
-    // Inputs stand behind the states, their rates and the parameters.
-    let index = |place: usize| match place {
-        place if place < states => Some(place + 1),
-        place if place < states + parameters => None,
-        place => Some(place + states + 1),
-    };
-    let unknown = |variable: usize, places: &BTreeSet<usize>| {
-        let known = places.iter().filter_map(|place| index(*place)).map(|index| index.to_string());
-        let known = known.collect::<Vec<_>>().join(" ");
-        format!("      <Unknown index=\"{}\" dependencies=\"{known}\"/>\n", variable + 1)
-    };
+/// Returns the number by which other elements name a variable: its place, which starts at 1, or
+/// since version 3.0 its value reference.
+fn number(version: Version, reference: usize) -> usize {
+    match version {
+        Version::Two => reference + 1,
+        Version::Three => reference,
+    }
+}
+
+/// The order of outputs, rates, unknowns at the start and indicators, with what they depend on.
+fn structure(version: Version, dependencies: &Dependencies<'_>, variables: &[Variable]) -> String {
     let of_kind = |wanted: fn(Kind) -> bool| {
-        variables
-            .iter()
-            .enumerate()
-            .filter(move |(_, variable)| wanted(variable.kind))
-            .map(|(index, _)| index)
+        let all = variables.iter().enumerate();
+        all.filter(move |(_, variable)| wanted(variable.kind)).map(|(reference, _)| reference)
     };
-    let outputs = of_kind(|kind| kind == Kind::Output).zip(dependencies.of_outputs());
-    let outputs = outputs.map(|(index, places)| unknown(index, &places)).collect::<String>();
+    let states = of_kind(|kind| matches!(kind, Kind::State(..))).count();
+    let reference = |place: usize| if place < states { place } else { place + states };
+    let is_known =
+        |place: &usize| matches!(variables[reference(*place)].kind, Kind::State(..) | Kind::Input(_));
+    let known = |places: BTreeSet<usize>| {
+        let known = places.iter().filter(|place| is_known(place));
+        Some(known.map(|place| number(version, reference(*place))).collect::<Vec<_>>())
+    };
+    let outputs = of_kind(|kind| kind == Kind::Output).zip(dependencies.of_outputs().into_iter().map(known));
     let rates = of_kind(|kind| matches!(kind, Kind::Rate(_))).enumerate();
-    let rates = rates.map(|(rate, index)| unknown(index, &dependencies.of_rate(rate))).collect::<String>();
+    let rates = rates.map(|(rate, reference)| (reference, known(dependencies.of_rate(rate))));
     let initial = of_kind(|kind| matches!(kind, Kind::State(_, true) | Kind::Rate(_) | Kind::Output));
-    let initial = initial.map(|index| format!("      <Unknown index=\"{}\"/>\n", index + 1));
-    let element = |name: &str, content: String| match content.is_empty() {
+    let indicators = of_kind(|kind| kind == Kind::Indicator);
+    let lists = [
+        ("Outputs", "Output", outputs.collect::<Unknowns>()),
+        ("Derivatives", "ContinuousStateDerivative", rates.collect()),
+        ("InitialUnknowns", "InitialUnknown", initial.map(|reference| (reference, None)).collect()),
+        ("", "EventIndicator", indicators.map(|reference| (reference, None)).collect()),
+    ];
+    let lists = lists.iter().map(|(list, element, unknowns)| match version {
+        Version::Two => nested(list, unknowns),
+        Version::Three => elements(&format!("<{element} valueReference"), version, unknowns),
+    });
+    format!("  <ModelStructure>\n{}  </ModelStructure>\n", lists.collect::<String>())
+}
+
+/// Value references of unknowns, with the numbers of what they depend on.
+type Unknowns = Vec<(usize, Option<Vec<usize>>)>;
+
+/// A list in an element of its own, as version 2.0 has it; nothing without a name or without
+/// unknowns.
+fn nested(list: &str, unknowns: &Unknowns) -> String {
+    match list.is_empty() || unknowns.is_empty() {
         true => String::new(),
-        false => format!("    <{name}>\n{content}    </{name}>\n"),
+        false => {
+            let unknowns = elements("  <Unknown index", Version::Two, unknowns);
+            format!("    <{list}>\n{unknowns}    </{list}>\n")
+        }
+    }
+}
+
+/// The elements of unknowns, which begin alike.
+fn elements(head: &str, version: Version, unknowns: &Unknowns) -> String {
+    let element = |(reference, known): &(usize, Option<Vec<usize>>)| {
+        let known = known.as_ref().map_or_else(String::new, |known| {
+            let known = known.iter().map(usize::to_string).collect::<Vec<_>>().join(" ");
+            format!(" dependencies=\"{known}\"")
+        });
+        format!("    {head}=\"{}\"{known}/>\n", number(version, *reference))
     };
-    format!(
-        "  <ModelStructure>\n{}{}{}  </ModelStructure>\n",
-        element("Outputs", outputs),
-        element("Derivatives", rates),
-        element("InitialUnknowns", initial.collect())
-    )
+    unknowns.iter().map(element).collect()
 }
 
 /// Returns a text as the value of an attribute.

@@ -6,6 +6,8 @@ use std::io;
 
 use lagrange_c::Refusal;
 
+use crate::version::Version;
+
 /// The reason why a unit is not made.
 #[derive(Debug)]
 #[non_exhaustive]
@@ -16,8 +18,8 @@ pub enum ExportError {
     WithoutValue(Vec<String>),
     /// Two variables have this name.
     SameName(String),
-    /// The standard has no name for binaries of this platform.
-    Platform,
+    /// This version of the standard has no name for binaries of this platform.
+    Platform(Version),
     /// The compiler with this name could not be run.
     NoCompiler(String, io::Error),
     /// The compiler with this name rejected the sources, with these words.
@@ -35,7 +37,9 @@ impl Display for ExportError {
                 write!(f, "no finite value at the start: {names}")
             }
             ExportError::SameName(name) => write!(f, "two variables of the unit are called `{name}`"),
-            ExportError::Platform => f.write_str("FMI 2.0 has no name for binaries of this platform"),
+            ExportError::Platform(version) => {
+                write!(f, "FMI {} has no name for binaries of this platform", version.number())
+            }
             ExportError::NoCompiler(name, error) => {
                 write!(f, "the C compiler `{name}` does not start ({error}): set CC to another one")
             }

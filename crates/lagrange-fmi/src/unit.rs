@@ -7,19 +7,20 @@ use crate::archive::packed;
 use crate::binding::binding;
 use crate::compile::{Binary, compiled};
 use crate::dependencies::Dependencies;
-use crate::description::{Heading, description};
+use crate::description::{Heading, build, description};
 use crate::error::ExportError;
 use crate::quantities::Definitions;
 use crate::variables::{Start, variables};
+use crate::version::Version;
 
 /// Tolerance of steps in runs that set none.
 const TOLERANCE: f64 = 1e-10;
 
-/// Sources that are the same for all systems.
+/// Sources that are the same for all systems and versions.
 const SOURCES: [(&str, &str); 8] = [
-    ("fmi2.c", include_str!("../sources/fmi2.c")),
-    ("fmi2.h", include_str!("../sources/fmi2.h")),
-    ("variables.h", include_str!("../sources/variables.h")),
+    ("export.h", include_str!("../sources/export.h")),
+    ("instance.h", include_str!("../sources/instance.h")),
+    ("values.h", include_str!("../sources/values.h")),
     ("exchange.h", include_str!("../sources/exchange.h")),
     ("stepping.h", include_str!("../sources/stepping.h")),
     ("changes.h", include_str!("../sources/changes.h")),
@@ -27,9 +28,11 @@ const SOURCES: [(&str, &str); 8] = [
     ("dormand_prince.h", include_str!("../sources/dormand_prince.h")),
 ];
 
-/// A unit of the Functional Mock-up Interface 2.0.
+/// A unit of the Functional Mock-up Interface.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MockupUnit {
+    /// The version of the standard.
+    pub version: Version,
     /// The name of its library: that of the struct in lower case.
     pub name: String,
     /// Its description in XML.
@@ -43,7 +46,7 @@ impl MockupUnit {
     ///
     /// # Errors
     /// If C cannot compute the system, or a value at the start is missing.
-    pub fn new(programs: &Programs, start: &Start) -> Result<MockupUnit, ExportError> {
+    pub fn new(programs: &Programs, start: &Start, version: Version) -> Result<MockupUnit, ExportError> {
         let module = Module::new(programs, Some("model"))?;
         check(programs, start)?;
         let mut units = Definitions::default();
@@ -52,7 +55,8 @@ impl MockupUnit {
         let variables = variables(programs, start, &follows.collect::<Vec<_>>(), &mut units)?;
         let name = module.name;
         let sources_with = |guid: &str| {
-            let fixed = SOURCES.iter().map(|(file, text)| (*file, (*text).to_owned()));
+            let fixed =
+                version.sources().iter().chain(&SOURCES).map(|(file, text)| (*file, (*text).to_owned()));
             let binding = binding((&name, guid, TOLERANCE), programs, start, &variables);
             let written = [
                 ("model.c", module.source.clone()),
@@ -62,14 +66,14 @@ impl MockupUnit {
             fixed.chain(written).collect::<Vec<_>>()
         };
         let described = |guid: &str, sources: &[(&'static str, String)]| {
-            let sources = sources.iter().map(|(file, _)| *file).filter(|file| file.ends_with(".c")).collect();
-            let heading = Heading { identifier: &name, guid, tolerance: TOLERANCE, sources };
+            let sources = compiled_files(sources);
+            let heading = Heading { version, identifier: &name, guid, tolerance: TOLERANCE, sources };
             description(programs, &heading, &variables, &units)
         };
         let sources = sources_with("");
         let guid = guid(sources.iter().map(|(_, text)| text.as_str()).chain([&*described("", &sources)]));
         let sources = sources_with(&guid);
-        Ok(MockupUnit { description: described(&guid, &sources), sources, name })
+        Ok(MockupUnit { version, description: described(&guid, &sources), sources, name })
     }
 
     /// Compiles the sources for this machine by a C compiler, such as `cc`.
@@ -77,7 +81,7 @@ impl MockupUnit {
     /// # Errors
     /// If the compiler does not start or rejects the sources.
     pub fn compile(&self, compiler: &str) -> Result<Binary, ExportError> {
-        compiled(&self.name, compiler, &self.sources)
+        compiled((&self.name, self.version), compiler, &self.sources)
     }
 
     /// Packs the unit into the bytes of a file `*.fmu`. Without a binary, it has sources alone.
@@ -87,9 +91,16 @@ impl MockupUnit {
     pub fn archive(&self, binary: Option<&Binary>) -> Result<Vec<u8>, ExportError> {
         let mut files = vec![("modelDescription.xml".to_owned(), self.description.as_bytes())];
         files.extend(self.sources.iter().map(|(name, text)| (format!("sources/{name}"), text.as_bytes())));
+        let build = build(self.version, &self.name, &compiled_files(&self.sources));
+        files.extend(build.as_ref().map(|text| ("sources/buildDescription.xml".to_owned(), text.as_bytes())));
         files.extend(binary.map(|binary| (binary.path.clone(), &*binary.bytes)));
         Ok(packed(&files)?)
     }
+}
+
+/// Returns the names of the sources that are compiled.
+fn compiled_files(sources: &[(&'static str, String)]) -> Vec<&'static str> {
+    sources.iter().map(|(file, _)| *file).filter(|file| file.ends_with(".c")).collect()
 }
 
 fn check(programs: &Programs, start: &Start) -> Result<(), ExportError> {

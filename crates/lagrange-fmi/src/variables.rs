@@ -36,6 +36,10 @@ pub(crate) enum Kind {
     Input(f64),
     /// An output.
     Output,
+    /// A function whose zeros are events.
+    Indicator,
+    /// The time.
+    Time,
 }
 
 /// Returns all variables, and defines their units.
@@ -68,13 +72,21 @@ pub(crate) fn variables(
         unit: units.define(names.unit(name), true),
         kind: Kind::Rate(index),
     }));
-    all.extend(fields.into_iter().chain(outputs));
+    all.extend(fields.into_iter().chain(outputs).chain(indicators(programs)));
+    all.push(Variable { name: "t".to_owned(), unit: units.define(Some("s"), false), kind: Kind::Time });
     let mut sorted = all.iter().map(|variable| &variable.name).collect::<Vec<_>>();
     sorted.sort();
     match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
         Some(pair) => Err(ExportError::SameName(pair[0].clone())),
         None => Ok(all),
     }
+}
+
+fn indicators(programs: &Programs) -> impl Iterator<Item = Variable> {
+    let (events, switches) = (&programs.variables.events, programs.variables.switches.len());
+    let names = events.iter().map(|event| format!("event.{}", event.name));
+    let names = names.chain((1..=switches).map(|number| format!("switch[{number}]")));
+    names.map(|name| Variable { name, unit: None, kind: Kind::Indicator })
 }
 
 fn parameter(programs: &Programs, index: usize, value: f64) -> Kind {

@@ -13,13 +13,15 @@ use std::sync::Arc;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, Programs, parse};
-use lagrange_fmi::{ExportError, MockupUnit, Start};
+use lagrange_fmi::{ExportError, MockupUnit, Start, Version};
 use roxmltree::{Document, Node};
 
 use systems::SYSTEMS;
 
 const OPTIONS: [&str; 7] =
     ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+
+const VERSIONS: [Version; 2] = [Version::Two, Version::Three];
 
 const BOUNCE: &str = "struct Bounce; param g: m/s^2 = 9.81, e in 0..=1 = 0.8; coord h: m = 1;
     kinetic = 1/2 * (1 [kg]) * dot(h)^2; potential = (1 [kg]) * g * h;
@@ -41,9 +43,9 @@ fn start(programs: &Programs) -> Start {
     Start { fields: fields.collect(), state: declared.unwrap_or(vec![0.3; states]), are_given }
 }
 
-fn unit(text: &str) -> MockupUnit {
+fn unit(text: &str, version: Version) -> MockupUnit {
     let programs = programs(text);
-    MockupUnit::new(&programs, &start(&programs)).unwrap_or_else(|error| panic!("{text}: {error}"))
+    MockupUnit::new(&programs, &start(&programs), version).unwrap_or_else(|error| panic!("{text}: {error}"))
 }
 
 fn folder(name: &str) -> PathBuf {
@@ -52,33 +54,47 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Compiles a unit together with a program that steps it.
-fn program(name: &str, unit: &MockupUnit) -> PathBuf {
-    let folder = folder(name);
-    for (file, text) in &unit.sources {
+/// Compiles a unit together with a program that calls it.
+fn program(name: &str, unit: &MockupUnit, (file, main): (&str, &str), more: &[&str]) -> PathBuf {
+    let folder = folder(&format!("{name}_{}", unit.version.number()));
+    let tests = [(file, main), ("unit.h", include_str!("unit.h"))];
+    for (file, text) in unit.sources.iter().map(|(file, text)| (*file, &**text)).chain(tests) {
         fs::write(folder.join(file), text).expect("a file that can be written");
     }
-    fs::write(folder.join("main.c"), include_str!("main.c")).expect("a file that can be written");
     let mut command = Command::new("cc");
-    command.args(OPTIONS).args(["main.c", "fmi2.c", "model.c", "-o", "main", "-lm"]).current_dir(&folder);
+    command.args(OPTIONS).args(more).args([file, "model.c", "-o", "main", "-lm"]).current_dir(&folder);
+    if unit.version == Version::Three {
+        command.arg("-DFMI3");
+    }
     let output = command.output().expect("a C compiler, which linking needs, too");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     folder.join("main")
 }
 
+fn stepper(name: &str, unit: &MockupUnit) -> PathBuf {
+    program(name, unit, ("main.c", include_str!("main.c")), &[])
+}
+
 fn guid(unit: &MockupUnit) -> String {
     let document = Document::parse(&unit.description).expect("XML");
-    document.root_element().attribute("guid").expect("a GUID").to_owned()
+    let name = if unit.version == Version::Two { "guid" } else { "instantiationToken" };
+    document.root_element().attribute(name).expect("a GUID").to_owned()
 }
 
 fn run(program: &Path, guid: &str, arguments: &[&str]) -> Output {
     Command::new(program).arg(guid).args(arguments).output().expect("a program")
 }
 
-/// Status, time, and the first two variables.
+/// Status, time, and the first two variables; the same by both versions.
 fn stepped(name: &str, text: &str, arguments: &[&str]) -> ([f64; 4], String) {
-    let unit = unit(text);
-    let output = run(&program(name, &unit), &guid(&unit), arguments);
+    let [two, three] = VERSIONS.map(|version| stepped_by(name, &unit(text, version), arguments));
+    assert_eq!(two.0, three.0);
+    assert_eq!(two.1, three.1.replace("fmi3", "fmi2"));
+    two
+}
+
+fn stepped_by(name: &str, unit: &MockupUnit, arguments: &[&str]) -> ([f64; 4], String) {
+    let output = run(&stepper(name, unit), &guid(unit), arguments);
     let printed = String::from_utf8(output.stdout).expect("numbers");
     let numbers =
         printed.split_whitespace().map(|word| word.parse().expect("a number")).collect::<Vec<f64>>();
@@ -93,34 +109,47 @@ fn index(node: Node<'_, '_>, attribute: &str) -> usize {
 #[test]
 fn units_of_all_systems_compile_and_are_described() {
     for (number, text) in SYSTEMS.into_iter().enumerate() {
-        let unit = unit(text);
-        program(&format!("system_{number}"), &unit);
-        check_description(&unit.description);
+        for version in VERSIONS {
+            let unit = unit(text, version);
+            stepper(&format!("system_{number}"), &unit);
+            check_description(&unit);
+        }
     }
 }
 
 /// Checks what a schema does not say: places of variables, and units that are defined.
-fn check_description(description: &str) {
+fn check_description(unit: &MockupUnit) {
+    let description = &unit.description;
     let document = Document::parse(description).unwrap_or_else(|error| panic!("{error}: {description}"));
     let named = |name: &'static str| document.descendants().filter(move |node| node.has_tag_name(name));
-    let variables = named("ScalarVariable").collect::<Vec<_>>();
+    let is_two = unit.version == Version::Two;
+    let variables = named(if is_two { "ScalarVariable" } else { "Float64" }).collect::<Vec<_>>();
+    let value = |variable: usize, name: &str| {
+        let attributes = variables[variable];
+        let attributes = if is_two { attributes.first_element_child().expect("a type") } else { attributes };
+        attributes.attribute(name)
+    };
     let units = named("Unit").filter_map(|unit| unit.attribute("name")).collect::<HashSet<_>>();
     let mut names = HashSet::new();
     for (reference, variable) in variables.iter().enumerate() {
         assert_eq!(index(*variable, "valueReference"), reference);
         assert!(names.insert(variable.attribute("name").expect("a name")), "{description}");
-        let real = variable.first_element_child().expect("a type");
-        assert!(real.attribute("unit").is_none_or(|unit| units.contains(unit)), "{description}");
-        let starts = real.attribute("start").map(str::parse::<f64>);
+        assert!(value(reference, "unit").is_none_or(|unit| units.contains(unit)), "{description}");
+        let starts = value(reference, "start").map(str::parse::<f64>);
         assert!(starts.is_none_or(|start| start.is_ok_and(f64::is_finite)), "{description}");
     }
-    let rates = named("Derivatives").flat_map(|element| element.children()).filter(Node::is_element);
-    for (state, unknown) in rates.enumerate() {
-        let variable = variables[index(unknown, "index") - 1];
-        let real = variable.first_element_child().expect("a type");
-        assert_eq!(index(real, "derivative"), state + 1);
+    let rates = match is_two {
+        true => {
+            let rates = named("Derivatives").flat_map(|element| element.children()).filter(Node::is_element);
+            rates.map(|unknown| index(unknown, "index") - 1).collect::<Vec<_>>()
+        }
+        false => named("ContinuousStateDerivative").map(|unknown| index(unknown, "valueReference")).collect(),
+    };
+    for (state, rate) in rates.into_iter().enumerate() {
+        let derivative = value(rate, "derivative").and_then(|text| text.parse::<usize>().ok());
+        assert_eq!(derivative, Some(state + usize::from(is_two)));
         let name = variables[state].attribute("name").expect("a name");
-        assert_eq!(variable.attribute("name"), Some(&*format!("der({name})")));
+        assert_eq!(variables[rate].attribute("name"), Some(&*format!("der({name})")));
     }
 }
 
@@ -131,6 +160,7 @@ fn dependencies_and_units_are_those_of_the_formulas() {
         kinetic = 1/2 * m * dot(x)^2 + 1/2 * (1 [kg*m^2]) * dot(a)^2; potential = 1/2 * k * x^2;
         force x = push; output pull: N = push - k * x; output turn: rad/s = dot(a);
         output warmth: degC = x * 1 [K/m];",
+        Version::Two,
     );
     let document = Document::parse(&unit.description).expect("XML");
     let base = |name: &str| {
@@ -225,42 +255,70 @@ fn constraints_hold() {
         potential = 9.81 * y; constraint length = x^2 + y^2 - 1;";
     let ([status, time, x, y], messages) = stepped("rod", rod, &["0.5", "400"]);
     assert!([status, time] == [0.0, 200.0] && (x.hypot(y) - 1.0).abs() < 4e-15, "{x} {y} {messages}");
-    let unit = unit(&rod.replace("0.6", "0.7"));
-    let output = run(&program("off", &unit), &guid(&unit), &["0.5", "1"]);
+    let unit = unit(&rod.replace("0.6", "0.7"), Version::Three);
+    let output = run(&stepper("off", &unit), &guid(&unit), &["0.5", "1"]);
     let message = String::from_utf8(output.stderr).expect("text");
     assert!(message.contains("the start violates the constraint length"), "{message}");
 }
 
 #[test]
 fn wrong_requests_are_errors() {
-    let unit = unit(BOUNCE);
-    let program = program("wrong", &unit);
-    let failure = |guid: &str, arguments: &[&str]| {
-        let output = run(&program, guid, arguments);
-        (output.status.code(), String::from_utf8(output.stderr).expect("text"))
-    };
-    let (code, message) = failure("{0}", &["1", "1"]);
-    assert!(code == Some(1) && message.contains("the GUID is not that of this model"), "{message}");
-    for (reference, value, words) in [
-        ("99", "1", "there is no variable with the value reference 99"),
-        ("5", "nan", "e = nan is not finite"),
-        ("5", "1.5", "e = 1.5 is outside the declared range"),
-        ("2", "1", "der(h) = 1 follows from other variables"),
-    ] {
-        let (code, message) = failure(&guid(&unit), &["1", "1", reference, value]);
-        assert!(code == Some(3) && message.contains(words), "{message}");
+    for unit in VERSIONS.map(|version| unit(BOUNCE, version)) {
+        let program = stepper("wrong", &unit);
+        let failure = |guid: &str, arguments: &[&str]| {
+            let output = run(&program, guid, arguments);
+            (output.status.code(), String::from_utf8(output.stderr).expect("text"))
+        };
+        let (code, message) = failure("{0}", &["1", "1"]);
+        assert!(code == Some(1) && message.contains("the GUID is not that of this model"), "{message}");
+        for (reference, value, words) in [
+            ("99", "1", "there is no variable with the value reference 99"),
+            ("5", "nan", "e = nan is not finite"),
+            ("5", "1.5", "e = 1.5 is outside the declared range"),
+            ("2", "1", "der(h) = 1 follows from other variables"),
+            ("7", "1", "t = 1 follows from other variables"),
+        ] {
+            let (code, message) = failure(&guid(&unit), &["1", "1", reference, value]);
+            assert!(code == Some(3) && message.contains(words), "{message}");
+        }
+    }
+}
+
+/// Calls in any order, with any numbers, neither leave their memory nor lose the state.
+#[test]
+fn any_calls_are_survived() {
+    const SAFE: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    const SAMPLED: &str = "struct Sampled; param period = 0.17, e in 0..1 = 0.5; input push = 0;
+        coord x = 1; discrete held = 0; kinetic = 1/2 * dot(x)^2; force x = held + push - sin(x) + abs(x);
+        every period => { held = -2 * x - dot(x); }
+        event middle = x, crossing => { dot(x) = e * dot(x); } output pull = held;";
+    const ROD: &str = "struct Rod; param m > 0 = 1; input push = 0; coord x = 0.6, y = -0.8;
+        kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2); force x = push; constraint length = x^2 + y^2 - 1;";
+    for (name, text) in [("bounce", BOUNCE), ("sampled", SAMPLED), ("rod", ROD)] {
+        for unit in VERSIONS.map(|version| unit(text, version)) {
+            let program =
+                program(&format!("calls_{name}"), &unit, ("calls.c", include_str!("calls.c")), &SAFE);
+            for kind in ["0", "1"] {
+                let output = run(&program, kind, &["20000"]);
+                let messages = String::from_utf8_lossy(&output.stderr).into_owned();
+                assert!(output.status.success(), "{name} {kind}: {} {messages}", output.status);
+                let counts = String::from_utf8(output.stdout).expect("numbers");
+                let counts = counts.split_whitespace().map(|count| count.parse::<u32>().expect("a number"));
+                assert!(counts.into_iter().all(|count| count > 500), "{name} {kind}");
+            }
+        }
     }
 }
 
 #[test]
 fn bytes_depend_on_the_declaration_alone() {
-    let [one, two] = [0, 1].map(|_| unit(BOUNCE));
+    let [one, two] = [0, 1].map(|_| unit(BOUNCE, Version::Three));
     let packed = |unit: &MockupUnit| {
         let binary = unit.compile("cc").expect("a library");
         unit.archive(Some(&binary)).expect("an archive")
     };
     assert_eq!(packed(&one), packed(&two));
-    assert_ne!(guid(&one), guid(&unit(&BOUNCE.replace("0.8", "0.7"))));
+    assert_ne!(guid(&one), guid(&unit(&BOUNCE.replace("0.8", "0.7"), Version::Three)));
 }
 
 #[test]
@@ -270,7 +328,7 @@ fn refusals_name_what_is_missing() {
         let programs = programs(text);
         let mut start = start(&programs);
         change(&mut start);
-        MockupUnit::new(&programs, &start).expect_err("a refusal").to_string()
+        MockupUnit::new(&programs, &start, Version::Two).expect_err("a refusal").to_string()
     };
     let touching = refused(&format!("{base} event floor = x, falling => impact(0.5);"), |_| {});
     assert_eq!(touching, "rigid contacts and friction run in compiled Rust only: `floor`");
@@ -280,10 +338,10 @@ fn refusals_name_what_is_missing() {
         refused(&format!("param k; {base} potential = k * x^2;"), |start| start.fields[0] = f64::NAN);
     assert_eq!(missing, "no finite value at the start: `k`");
     assert_eq!(refused(base, |start| start.state.truncate(1)), "no finite value at the start: `x_dot`");
-    let compiler = unit(BOUNCE).compile("no-such-compiler").expect_err("no compiler");
+    let compiler = unit(BOUNCE, Version::Two).compile("no-such-compiler").expect_err("no compiler");
     assert!(matches!(compiler, ExportError::NoCompiler(..)), "{compiler}");
     assert!(compiler.to_string().contains("`no-such-compiler`"), "{compiler}");
-    let rejected = unit(BOUNCE).compile("cc --no-such-option").expect_err("no option");
+    let rejected = unit(BOUNCE, Version::Two).compile("cc --no-such-option").expect_err("no option");
     assert!(rejected.to_string().contains("no-such-option"), "{rejected}");
 }
 

@@ -10,6 +10,7 @@
 //! | [`system`] | traits of systems, and what passes between a system and a run |
 //! | [`body`], [`inertia`], [`scene`] | rigid bodies and what there is to draw of them |
 //! | [`table`], [`root`] | splines of tables in declarations; solutions of equations in them |
+//! | [`manifold`] | contact points of cuboids and capsules |
 //! | [`constraint`] | residuals, projection, dependent constraints |
 //! | [`integrate`] | methods |
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |
@@ -47,6 +48,7 @@ pub mod laws;
 mod linalg;
 #[cfg(feature = "linear")]
 pub mod linear;
+pub mod manifold;
 #[cfg(feature = "linear")]
 pub mod orbits;
 mod random;

@@ -5,7 +5,7 @@ use super::evaluator::Evaluator;
 use super::function_names::{arity, function_names, mass_function, usage};
 use super::inertia::evaluate_mass_function;
 use super::messages;
-use super::opaque::evaluate_callable;
+use super::opaque::{evaluate_callable, evaluate_contact_point};
 use super::operand::{Operand, cross, half_square, inner, norm, transposed};
 use super::scope::NameKind;
 use super::unknown_names::may_use_accelerations;
@@ -16,6 +16,7 @@ use lagrange_expr::expr::ExprId;
 use lagrange_expr::expr::evaluate;
 use lagrange_expr::functions;
 use lagrange_language::syntax::ast::AstId;
+use lagrange_language::syntax::ast::CONTACT_POINT;
 use lagrange_language::syntax::ast::Expression;
 use lagrange_language::syntax::ast::Name;
 use lagrange_language::syntax::foreign;
@@ -32,6 +33,9 @@ pub(super) fn evaluate_call(
     }
     if let Some(value) = evaluate_callable(evaluator, name, arguments, call) {
         return value;
+    }
+    if name.text == CONTACT_POINT {
+        return evaluate_contact_point(evaluator, arguments);
     }
     let Some(arity) = arity(&name.text) else {
         let is_read = |&id: &AstId| !matches!(evaluator.syntax(id), Expression::Invalid);

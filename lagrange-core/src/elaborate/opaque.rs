@@ -7,8 +7,9 @@ use super::evaluator::Evaluator;
 use super::messages;
 use super::operand::Operand;
 use lagrange_expr::diagnostics::Report;
+use lagrange_expr::number::Number;
 use lagrange_expr::opaque::{Opaque, OpaqueFunction, Source};
-use lagrange_language::syntax::ast::{AstId, ExternalFunction, Name};
+use lagrange_language::syntax::ast::{AstId, CONTACT_POINT_LENGTH, ExternalFunction, Name};
 
 /// Registers a function of the user's crate.
 pub(super) fn define_external(evaluator: &mut Evaluator<'_>, declared: &ExternalFunction) {
@@ -59,6 +60,26 @@ pub(super) fn evaluate_callable(
     let scalars = arguments.iter().map(|&argument| evaluator.scalar(argument, &what)).collect::<Vec<_>>();
     let scalars = scalars.into_iter().collect::<Option<Vec<_>>>();
     Some(scalars.map(|scalars| Operand::Scalar(evaluator.graph.opaque(function, &scalars))))
+}
+
+/// Returns a number of the contact points of two blocks, from its place, the count of numbers, and
+/// the numbers of both blocks.
+pub(super) fn evaluate_contact_point(evaluator: &mut Evaluator<'_>, arguments: &[AstId]) -> Option<Operand> {
+    let what = "a number of a contact point";
+    let scalars = arguments.iter().map(|&argument| evaluator.scalar(argument, what)).collect::<Vec<_>>();
+    let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
+    let [place, count, blocks @ ..] = &scalars[..] else { return None };
+    let [place, count] = [place, count].map(|&id| evaluator.graph.as_number(id).and_then(Number::to_i32));
+    let (place, count) = (usize::try_from(place?).ok()?, usize::try_from(count?).ok()?);
+    let named = |number: usize| {
+        format!("contact_point_{}_{}", number / CONTACT_POINT_LENGTH, number % CONTACT_POINT_LENGTH)
+    };
+    let function = OpaqueFunction {
+        name: named(place),
+        parameters: (0..blocks.len()).map(|number| format!("block_{number}")).collect(),
+        source: Source::ContactPoints { numbers: (0..count).map(named).collect(), place },
+    };
+    Some(Operand::Scalar(evaluator.graph.opaque(Opaque::value_of(function), blocks)))
 }
 
 /// Warns about functions that are never called.

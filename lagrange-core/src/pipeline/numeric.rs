@@ -5,36 +5,31 @@ use std::sync::Arc;
 
 use super::callables::{Callables, calls};
 use super::phases::DerivedPart;
-use super::programs::{Place, Programs, takes};
+use super::programs::{Place, Programs};
+use super::routines::{Backend, Numbers, Routines};
 use super::second_way::{correction, is_regular, motion};
 use super::system::Derived;
 use crate::model::Product;
 use lagrange_algebra::program::{Program, run_with};
 use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Function;
-use lagrange_expr::symbol::Role;
+use lagrange_expr::opaque::Opaque;
 
-/// A system as interpreted programs, with values for its parameters and inputs.
+/// Maximum number of values computed without heap allocation.
+const SMALL: usize = 64;
+
+/// A system as interpreted or compiled programs, with values for its parameters and inputs.
 ///
 /// Vectors are in the order of the positions or of the velocities; angles in radians.
 #[derive(Clone, Debug)]
 pub struct NumericSystem {
     programs: Arc<Programs>,
+    routines: Arc<Routines>,
     /// Values of parameters, then inputs.
     fields: Vec<f64>,
     /// Sides of the switches, where they are fixed.
     sides: Vec<Option<f64>>,
     callables: Callables,
-}
-
-/// Time and state and, if needed, accelerations and multipliers.
-#[derive(Clone, Copy, Debug)]
-struct Instant<'a> {
-    t: f64,
-    q: &'a [f64],
-    v: &'a [f64],
-    a: &'a [f64],
-    multipliers: &'a [f64],
 }
 
 fn are_finite(values: &[f64]) -> bool {
@@ -57,7 +52,20 @@ impl NumericSystem {
     pub fn of(programs: Arc<Programs>) -> NumericSystem {
         let (fields, sides) = (programs.defaults.clone(), vec![None; programs.layout.sides]);
         let callables = Callables::solving(programs.solutions.clone());
-        NumericSystem { programs, fields, sides, callables }
+        let routines = Arc::new(Routines::new(&programs, None));
+        NumericSystem { programs, routines, fields, sides, callables }
+    }
+
+    /// Compiles programs on their first run. Programs that call functions of the user's crate, and
+    /// those rejected by `backend`, remain interpreted; results do not change.
+    pub fn compiled_by(self, backend: Arc<dyn Backend>) -> NumericSystem {
+        let routines = Arc::new(Routines::new(&self.programs, Some(backend)));
+        NumericSystem { routines, ..self }
+    }
+
+    /// Returns the compiler of the programs, if there is one.
+    pub fn backend(&self) -> Option<&Arc<dyn Backend>> {
+        self.routines.backend.as_ref()
     }
 
     /// Returns the programs, which include all names.
@@ -118,65 +126,75 @@ impl NumericSystem {
         self.programs.layout.velocities
     }
 
+    fn at<'a>(&'a self, t: f64, q: &'a [f64], v: &'a [f64]) -> Numbers<'a> {
+        let (positions, velocities, fields) = (q, v, &self.fields[..]);
+        Numbers { t, positions, velocities, fields, sides: &[], multipliers: &[], accelerations: &[] }
+    }
+
     /// Runs one of the programs of the system.
-    fn run(&self, program: &Program, at: Instant<'_>) -> Vec<f64> {
-        let sides =
-            if takes(program, |role| matches!(role, Role::Side(_))) { self.sides(at) } else { Vec::new() };
-        self.run_on(program, at, &sides)
+    fn run(&self, program: &Program, at: Numbers<'_>) -> Vec<f64> {
+        let mut outputs = vec![f64::NAN; program.outputs().len()];
+        self.run_into(program, at, &mut outputs);
+        outputs
+    }
+
+    /// Runs a program of the system whose number of outputs matches `outputs`.
+    fn run_into(&self, program: &Program, at: Numbers<'_>, outputs: &mut [f64]) {
+        let sides = if self.routines.taken(program).sides { self.sides(at) } else { Vec::new() };
+        self.run_on(program, Numbers { sides: &sides, ..at }, outputs);
     }
 
     /// Returns the sides of the switches, determined by the state unless fixed.
-    fn sides(&self, at: Instant<'_>) -> Vec<f64> {
+    fn sides(&self, at: Numbers<'_>) -> Vec<f64> {
         if let Some(fixed) = self.sides.iter().copied().collect::<Option<_>>() {
             return fixed;
         }
-        let (sign, values) = (row(Function::Sign).value, self.run_on(&self.programs.switches, at, &[]));
+        let (sign, mut values) = (row(Function::Sign).value, vec![f64::NAN; self.sides.len()]);
+        self.run_on(&self.programs.switches, at, &mut values);
         self.sides.iter().zip(values).map(|(side, value)| side.unwrap_or_else(|| sign(&[value]))).collect()
     }
 
-    fn run_on(&self, program: &Program, at: Instant<'_>, sides: &[f64]) -> Vec<f64> {
+    fn run_on(&self, program: &Program, at: Numbers<'_>, outputs: &mut [f64]) {
+        if outputs.is_empty() {
+            return;
+        }
         let layout = &self.programs.layout;
-        let lists = [&self.fields[..], sides, at.multipliers, at.a];
-        let ends = [layout.fields(), layout.sides, layout.multipliers, layout.velocities];
-        let parameter = |mut index: usize| {
-            for (list, length) in lists.iter().zip(ends) {
-                if index < length {
-                    return list.get(index).copied();
-                }
-                index -= length;
-            }
-            None
-        };
-        let state = |index: usize| match index.checked_sub(layout.positions) {
-            Some(velocity) => at.v.get(velocity).copied(),
-            None => at.q.get(index).copied(),
-        };
+        let code = self.routines.code(program, layout, &self.callables);
+        if code.is_some_and(|code| code.run(&at, outputs)) {
+            return;
+        }
+        let lists = at.lists();
         let value_of = |role| match layout.place(role) {
             Some(Place::Time) => at.t,
-            Some(Place::State(index)) => state(index).unwrap_or(f64::NAN),
-            Some(Place::Parameter(index)) => parameter(index).unwrap_or(f64::NAN),
-            None => f64::NAN,
+            place => {
+                let entry = place.and_then(|place| layout.entry(place));
+                entry.and_then(|(list, index)| lists[list].get(index)).copied().unwrap_or(f64::NAN)
+            }
         };
-        run_with(program, value_of, |function, arguments| self.callables.call(function, arguments))
+        let call = |function: &Opaque, arguments: &[f64]| self.callables.call(function, arguments);
+        outputs.copy_from_slice(&run_with(program, value_of, call));
     }
 
     /// Computes q̈.
     pub fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        let at = Instant { t, q, v, a: &[], multipliers: &[] };
-        match self.straight_way(at) {
-            Some(found) => found,
-            None => {
-                let [accelerations, _] = self.second_way(at);
-                accelerations
-            }
+        let mut accelerations = vec![f64::NAN; self.degrees_of_freedom()];
+        self.accelerate(self.at(t, q, v), &mut accelerations);
+        accelerations
+    }
+
+    fn accelerate(&self, at: Numbers<'_>, accelerations: &mut [f64]) {
+        if !self.straight_way(at, accelerations) {
+            let [found, _] = self.second_way(at);
+            accelerations.copy_from_slice(&found);
         }
     }
 
     /// Computes the multipliers in the order of the constraints.
     pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        let at = Instant { t, q, v, a: &[], multipliers: &[] };
+        let at = self.at(t, q, v);
+        let mut accelerations = vec![f64::NAN; self.degrees_of_freedom()];
         match self.trusted(&self.programs.multipliers, at) {
-            Some(found) if self.straight_way(at).is_some() => found,
+            Some(found) if self.straight_way(at, &mut accelerations) => found,
             _ => {
                 let [_, multipliers] = self.second_way(at);
                 multipliers
@@ -184,21 +202,40 @@ impl NumericSystem {
         }
     }
 
-    /// Returns the accelerations by elimination, if they are finite and accurate enough.
-    fn straight_way(&self, at: Instant<'_>) -> Option<Vec<f64>> {
-        let mut found = self.trusted(&self.programs.accelerations, at)?;
-        found.truncate(self.degrees_of_freedom());
-        (!self.programs.is_redundant).then_some(found)
+    /// Computes the accelerations by elimination. Returns false if they are not finite, or not
+    /// accurate enough.
+    fn straight_way(&self, at: Numbers<'_>, accelerations: &mut [f64]) -> bool {
+        let program = &self.programs.accelerations;
+        let (count, mut small, mut large) = (program.outputs().len(), [f64::NAN; SMALL], Vec::new());
+        let found = match small.get_mut(..count) {
+            Some(found) => found,
+            None => {
+                large.resize(count, f64::NAN);
+                &mut large[..]
+            }
+        };
+        self.run_into(program, at, found);
+        accelerations.copy_from_slice(&found[..accelerations.len()]);
+        self.are_trusted(found) && !self.programs.is_redundant
     }
 
     /// Returns results by elimination, if they are finite and accurate enough.
-    fn trusted(&self, program: &Program, at: Instant<'_>) -> Option<Vec<f64>> {
-        let [found, growth] = self.eliminated(program, at);
-        (are_finite(&found) && growth.into_iter().all(is_regular)).then_some(found)
+    fn trusted(&self, program: &Program, at: Numbers<'_>) -> Option<Vec<f64>> {
+        let mut found = self.run(program, at);
+        let are_trusted = self.are_trusted(&found);
+        found.truncate(found.len() - self.programs.growths);
+        are_trusted.then_some(found)
+    }
+
+    /// True if results, and the growth of their rounding errors after them, are finite and accurate
+    /// enough.
+    fn are_trusted(&self, found: &[f64]) -> bool {
+        let (found, growth) = found.split_at(found.len() - self.programs.growths);
+        are_finite(found) && growth.iter().copied().all(is_regular)
     }
 
     /// Returns results by elimination, and the growth of their rounding errors.
-    fn eliminated(&self, program: &Program, at: Instant<'_>) -> [Vec<f64>; 2] {
+    fn eliminated(&self, program: &Program, at: Numbers<'_>) -> [Vec<f64>; 2] {
         let mut found = self.run(program, at);
         let growth = found.split_off(found.len() - self.programs.growths);
         [found, growth]
@@ -207,7 +244,7 @@ impl NumericSystem {
     /// Computes accelerations and multipliers from the undivided equations. Without these, the
     /// results of elimination are used. They are also used if the equations have no solution
     /// although no pivot was expected to vanish, since some accelerations may be finite.
-    fn second_way(&self, at: Instant<'_>) -> [Vec<f64>; 2] {
+    fn second_way(&self, at: Numbers<'_>) -> [Vec<f64>; 2] {
         let (n, values) = (self.degrees_of_freedom(), self.run(&self.programs.undivided, at));
         let constraints = if values.is_empty() { 0 } else { values.len() / (n + 1) - n };
         let mut motion = if values.is_empty() { Vec::new() } else { motion(n, constraints, &values) };
@@ -225,15 +262,27 @@ impl NumericSystem {
 
     /// Computes q̇.
     pub fn position_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        self.run(&self.programs.position_rates, Instant { t, q, v, a: &[], multipliers: &[] })
+        self.run(&self.programs.position_rates, self.at(t, q, v))
     }
 
     /// Computes ẏ = [q̇, v̇] for y = [q, v].
     pub fn rhs(&self, t: f64, y: &[f64]) -> Vec<f64> {
-        let (q, v) = y.split_at(self.programs.layout.positions.min(y.len()));
-        let mut rate = self.position_rates(t, q, v);
-        rate.extend(self.acceleration(t, q, v));
-        rate
+        let layout = &self.programs.layout;
+        let (q, v) = y.split_at(layout.positions.min(y.len()));
+        let mut rates = vec![f64::NAN; layout.positions + layout.velocities];
+        self.rates(t, q, v, &mut rates);
+        rates
+    }
+
+    /// Computes [q̇, v̇] in place, without heap allocation for compiled code of small systems.
+    ///
+    /// # Panics
+    /// If the number of rates differs from the number of entries of the state.
+    pub fn rates(&self, t: f64, q: &[f64], v: &[f64], rates: &mut [f64]) {
+        let (at, positions) = (self.at(t, q, v), self.programs.layout.positions);
+        let (of_positions, accelerations) = rates.split_at_mut(positions);
+        self.run_into(&self.programs.position_rates, at, of_positions);
+        self.accelerate(at, accelerations);
     }
 
     /// Computes a product at a state: one value for an energy, one per coordinate for a vector,
@@ -258,8 +307,7 @@ impl NumericSystem {
 
     /// Computes the parameters that multiply the columns of the regressor.
     pub fn regressor_parameters(&self) -> Vec<f64> {
-        let nothing = Instant { t: f64::NAN, q: &[], v: &[], a: &[], multipliers: &[] };
-        self.run(&self.programs.regressor_parameters, nothing)
+        self.run(&self.programs.regressor_parameters, self.at(f64::NAN, &[], &[]))
     }
 
     fn with_accelerations(
@@ -268,7 +316,7 @@ impl NumericSystem {
         (t, q, v, a): (f64, &[f64], &[f64], &[f64]),
     ) -> Option<Vec<f64>> {
         let program = self.programs.product(product)?;
-        Some(self.run(program, Instant { t, q, v, a, multipliers: &[] }))
+        Some(self.run(program, Numbers { accelerations: a, ..self.at(t, q, v) }))
     }
 
     /// Computes the components of a declared output; `None` if there is none of that name.
@@ -280,22 +328,22 @@ impl NumericSystem {
     /// Runs a program of the system at a state, with the accelerations and multipliers of the
     /// motion.
     pub fn evaluate(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        let takes_accelerations = takes(program, |role| matches!(role, Role::Acceleration(_)));
-        let takes_multipliers = takes(program, |role| matches!(role, Role::Multiplier(_)));
-        let a = if takes_accelerations { self.acceleration(t, q, v) } else { Vec::new() };
-        let multipliers = if takes_multipliers { self.multipliers(t, q, v) } else { Vec::new() };
-        self.run(program, Instant { t, q, v, a: &a, multipliers: &multipliers })
+        let taken = self.routines.taken(program);
+        let accelerations = if taken.accelerations { self.acceleration(t, q, v) } else { Vec::new() };
+        let multipliers = if taken.multipliers { self.multipliers(t, q, v) } else { Vec::new() };
+        let (accelerations, multipliers) = (&accelerations[..], &multipliers[..]);
+        self.run(program, Numbers { accelerations, multipliers, ..self.at(t, q, v) })
     }
 
     /// Computes M a for accelerations a.
     pub fn mass_times(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Vec<f64> {
-        self.run(&self.programs.mass_times, Instant { t, q, v, a, multipliers: &[] })
+        self.run(&self.programs.mass_times, Numbers { accelerations: a, ..self.at(t, q, v) })
     }
 
     /// Computes the smallest change, measured by mass, that removes residuals of the constraints to
     /// first order.
     pub fn correction(&self, t: f64, q: &[f64], v: &[f64], residuals: &[f64]) -> Vec<f64> {
-        let at = Instant { t, q, v, a: &[], multipliers: residuals };
+        let at = Numbers { multipliers: residuals, ..self.at(t, q, v) };
         let trusted = self.trusted(&self.programs.correction, at);
         if let Some(found) = trusted.filter(|_| !self.programs.is_redundant) {
             return found;

@@ -30,7 +30,9 @@ pub(crate) struct Declaration {
 
 /// Those of at most so many characters, in the order of their files.
 pub(crate) fn declarations(longest: usize) -> Vec<Declaration> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
+    let root =
+        folders.find(|folder| folder.join("lagrange-core").is_dir()).expect("a folder of the repository");
     let mut texts = PLACES.iter().flat_map(|place| texts(&root.join(place))).collect::<Vec<_>>();
     texts.retain(|text| text.len() <= longest);
     let tokens = texts.iter().filter_map(|text| text.parse::<TokenStream>().ok());

@@ -46,6 +46,14 @@ pub enum Source {
         /// The place of this one among them.
         place: usize,
     },
+    /// A function of the run time that computes contact points of two blocks. Its values are those
+    /// of features of the blocks: their derivatives count as zero.
+    ContactPoints {
+        /// The names of all that it computes.
+        numbers: Vec<String>,
+        /// The place of this one among them.
+        place: usize,
+    },
 }
 
 /// Order of differentiation by each argument of a function.
@@ -113,19 +121,26 @@ impl Opaque {
         matches!(self.function.source, Source::Equation { .. })
     }
 
+    /// True if the run time computes it as a number of contact points.
+    pub fn is_contact_point(&self) -> bool {
+        matches!(self.function.source, Source::ContactPoints { .. })
+    }
+
     /// Returns the place among the values that are computed together; 0 unless it is a part of the
-    /// solution of several equations.
+    /// solution of several equations, or of contact points.
     pub fn place(&self) -> usize {
         match self.function.source {
-            Source::Equation { place, .. } => place,
+            Source::Equation { place, .. } | Source::ContactPoints { place, .. } => place,
             _ => 0,
         }
     }
 
-    /// Returns the names of all unknowns that are solved for together; none for other functions.
+    /// Returns the names of all unknowns that are solved for together, or of all numbers of contact
+    /// points; none for other functions.
     pub fn unknowns(&self) -> &[String] {
         match &self.function.source {
             Source::Equation { unknowns, .. } => unknowns,
+            Source::ContactPoints { numbers, .. } => numbers,
             _ => &[],
         }
     }
@@ -134,6 +149,9 @@ impl Opaque {
     pub fn rust_name(&self) -> String {
         if self.is_solution() {
             return format!("solve_{}", self.unknowns().join("_"));
+        }
+        if self.is_contact_point() {
+            return format!("contact_points_of_{}_numbers", self.unknowns().len());
         }
         let default = || default_name(&self.function.name, &self.function.parameters, &self.orders);
         self.declared().map_or_else(default, str::to_owned)
@@ -156,13 +174,15 @@ impl Opaque {
     pub fn table(&self) -> Option<&Table> {
         match &self.function.source {
             Source::Table(table) => Some(table),
-            Source::Crate { .. } | Source::Equation { .. } => None,
+            Source::Crate { .. } | Source::Equation { .. } | Source::ContactPoints { .. } => None,
         }
     }
 
-    /// True if it is zero everywhere: a derivative of a table of higher order than its polynomials.
+    /// True if it is zero everywhere: a derivative of a table of higher order than its polynomials,
+    /// or of a number of a contact point.
     pub fn vanishes(&self) -> bool {
-        self.table().is_some_and(|table| table.vanishes(&self.orders))
+        self.is_contact_point() && self.order() > 0
+            || self.table().is_some_and(|table| table.vanishes(&self.orders))
     }
 
     /// True if it jumps between pieces of a table: a derivative of higher order than are

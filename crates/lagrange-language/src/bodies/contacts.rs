@@ -7,6 +7,7 @@
 
 mod coefficients;
 mod compliant;
+mod faces;
 mod geometry;
 mod rim;
 mod terrain;
@@ -25,6 +26,7 @@ use super::translation::Translation;
 use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, StatementKind};
 use coefficients::{Coefficient, coefficients, compliance, limit, radius, restitution};
 use compliant::{press, rub_smoothly};
+use faces::{between_blocks, block_that_touches, is_between_blocks, surface_of_block};
 use geometry::{ContactGeometry, geometry, scene_vector, slip_of};
 use rim::on_rim;
 use terrain::over_terrain;
@@ -54,7 +56,10 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     let radius = radius(translation, statement);
     let compliance = compliance(translation, statement);
     let touching = touching_part(translation, statement);
-    let surface = surface_named(translation, statement);
+    let surface = match is_between_blocks(translation, statement) {
+        true => surface_of_block(translation, statement),
+        false => surface_named(translation, statement),
+    };
     let (touching, surface) = (touching?, surface?);
     let (coefficients, restitution, radius) = (coefficients?, restitution?, radius?);
     let compliance = compliance?;
@@ -90,6 +95,9 @@ fn geometry_of(
     (touching, surface): (Touching, &Surface),
     radius: Option<AstId>,
 ) -> Option<(Touching, ContactGeometry)> {
+    if is_between_blocks(translation, statement) {
+        return between_blocks(translation, statement, (touching, surface), radius);
+    }
     if let Some(rim) = statement.rim {
         return on_rim(translation, statement, (rim, radius), (touching, surface));
     }
@@ -130,7 +138,10 @@ fn touching_part(translation: &mut Translation<'_>, statement: &ast::Contact) ->
         error.help(words::GROUND_TOUCHES_HELP);
         return None;
     }
-    touching(translation, statement)
+    match is_between_blocks(translation, statement) {
+        true => block_that_touches(translation, statement),
+        false => touching(translation, statement),
+    }
 }
 
 /// Returns the name of a body in the plane or a link in space.

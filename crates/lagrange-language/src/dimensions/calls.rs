@@ -6,7 +6,7 @@ use super::kinds::{LENGTH, MASS, TIME};
 use super::measure::{Measure, MeasuredComponent};
 use super::messages;
 use super::solver::Grounds;
-use crate::syntax::ast::{ArrayShape, AstId, Expression, IN_AXES};
+use crate::syntax::ast::{ArrayShape, AstId, CONTACT_POINT, CONTACT_POINT_LENGTH, Expression, IN_AXES};
 use lagrange_expr::elementary;
 use lagrange_expr::number::Number;
 use lagrange_expr::solids;
@@ -58,9 +58,23 @@ pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, argumen
         }
         ("gravitational_energy", [mass, gravity, height]) => mass.times(gravity).times(height),
         (IN_AXES, [vector, _]) => vector.clone(),
+        (CONTACT_POINT, [_, _, place, ..]) => contact_point(checker, arguments[0], place),
         _ => other(checker, function, arguments),
     };
     value.with_rates(has_rates)
+}
+
+/// Returns the dimension of a number of a contact point: a length, or none for the normal and the
+/// tangent.
+fn contact_point(checker: &Checker<'_>, number: AstId, length: &Measure) -> Measure {
+    let number = match checker.expressions.get(number) {
+        Expression::Number(number) => number.to_i32().and_then(|number| usize::try_from(number).ok()),
+        _ => None,
+    };
+    match number.is_some_and(|number| (6..12).contains(&(number % CONTACT_POINT_LENGTH))) {
+        true => Measure::known(Exponents::plain()),
+        false => length.clone(),
+    }
 }
 
 /// Returns the common dimension of all terms of a sum, or of all components of a vector.

@@ -3,10 +3,13 @@
 //! `contact foot = case.corners on ground { … }` becomes
 //! `for k in 0..8 { contact foot[k] = case.corner(k) on ground { … } }`, with the number of
 //! corners that the shape of the body has. A body whose shape has corners stands for all of them.
+//!
+//! Cuboids and rods on each other touch in contact points, which are numbered in the same way. Two
+//! cuboids have up to eight of them, and a rod has two.
 
 use crate::syntax::ast::{
-    ArrayExpression, AstId, Block, Declaration, Expression, Expressions, Name, Range, Repetition,
-    SceneStatement, Shape, Statement, StatementKind,
+    ArrayExpression, AstId, Block, CONTACT_POINT, Contact, Declaration, Expression, Expressions, Name, Range,
+    Repetition, SceneStatement, Shape, Statement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::number::Number;
@@ -14,8 +17,20 @@ use lagrange_expr::number::Number;
 /// The variable of such a loop, which no identifier hides.
 const VARIABLE: &str = "corner number";
 
-/// Numbers of corners of bodies, by the names of these or of their arrays.
-type CornerCounts = HashMap<String, usize>;
+/// Contact points of two cuboids, and of a rod with a cuboid or another rod.
+const POINTS_OF_CUBOIDS: usize = 8;
+const POINTS_OF_RODS: usize = 2;
+
+/// Numbers of corners of bodies, and of contact points with cuboids, by the names of bodies or of
+/// their arrays.
+type CornerCounts = HashMap<String, [usize; 2]>;
+
+/// What touches: a function of a body, and the number of its values.
+struct Numbered {
+    body: AstId,
+    function: &'static str,
+    count: usize,
+}
 
 /// True if a contact is one of several corners.
 pub(super) fn has_corners(declaration: &Declaration) -> bool {
@@ -45,8 +60,8 @@ pub(super) fn loop_over_corners(statements: &mut [Statement], expressions: &mut 
     let counts = corner_counts(statements);
     let mut pending = statements.iter_mut().collect::<Vec<_>>();
     while let Some(statement) = pending.pop() {
-        if let Some((body, count)) = corners_of(&statement.kind, expressions, &counts) {
-            repeat(statement, body, count, expressions);
+        if let Some(numbered) = corners_of(&statement.kind, expressions, &counts) {
+            repeat(statement, &numbered, expressions);
         } else if let StatementKind::Block(block) = &mut statement.kind {
             match block {
                 Block::Part(part) => loop_over_corners(&mut part.body, expressions),
@@ -64,7 +79,8 @@ fn corner_counts(statements: &[Statement]) -> CornerCounts {
             match kind {
                 StatementKind::Block(block) => pending.extend(block.bodies()),
                 StatementKind::Scene(SceneStatement::Body(body)) => {
-                    let count = body.shape.as_ref().map_or(0, Shape::corner_count);
+                    let shape = body.shape.as_ref();
+                    let count = shape.map_or([0; 2], |shape| [shape.corner_count(), contact_points(shape)]);
                     counts.insert(body.name.text.clone(), count);
                 }
                 _ => {}
@@ -74,27 +90,43 @@ fn corner_counts(statements: &[Statement]) -> CornerCounts {
     counts
 }
 
-/// The body whose corners touch, and their number.
-fn corners_of(
-    kind: &StatementKind,
-    expressions: &Expressions,
-    counts: &CornerCounts,
-) -> Option<(AstId, usize)> {
+/// The number of points in which a shape touches a cuboid with its faces and edges.
+fn contact_points(shape: &Shape) -> usize {
+    match (shape.solid.text.as_str(), shape.dimensions.len()) {
+        ("cuboid", 3) => POINTS_OF_CUBOIDS,
+        ("slender_rod", 1) => POINTS_OF_RODS,
+        _ => 0,
+    }
+}
+
+/// The body whose corners or contact points touch, and their number.
+fn corners_of(kind: &StatementKind, expressions: &Expressions, counts: &CornerCounts) -> Option<Numbered> {
     let StatementKind::Scene(SceneStatement::Contact(contact)) = kind else { return None };
-    let body = match expressions.get(contact.object) {
-        Expression::Component(body, part) if part.text == "corners" => *body,
-        _ => contact.object,
+    let (body, is_whole) = match expressions.get(contact.object) {
+        Expression::Component(body, part) if part.text == "corners" => (*body, false),
+        _ => (contact.object, true),
     };
     let name = match expressions.get(body) {
         Expression::Name(name) => name,
         Expression::Array(ArrayExpression::Element(name)) => &name.text,
         _ => return None,
     };
-    counts.get(name).copied().filter(|&count| count > 0).map(|count| (body, count))
+    let &[corners, points] = counts.get(name)?;
+    let on_points = points_of_surface(contact, counts);
+    let (function, count) = match is_whole && points > 0 && on_points > 0 {
+        true => (CONTACT_POINT, points.min(on_points)),
+        false => ("corner", corners),
+    };
+    (count > 0).then_some(Numbered { body, function, count })
+}
+
+fn points_of_surface(contact: &Contact, counts: &CornerCounts) -> usize {
+    counts.get(&contact.surface.text).map_or(0, |[_, points]| *points)
 }
 
 /// `for k in 0..count { contact name[k] = body.corner(k) on … }`
-fn repeat(statement: &mut Statement, body: AstId, count: usize, expressions: &mut Expressions) {
+fn repeat(statement: &mut Statement, numbered: &Numbered, expressions: &mut Expressions) {
+    let &Numbered { body, function, count } = numbered;
     let mut element = statement.clone();
     let StatementKind::Scene(SceneStatement::Contact(contact)) = &mut element.kind else { return };
     let origin = expressions.origin(contact.object);
@@ -102,7 +134,7 @@ fn repeat(statement: &mut Statement, body: AstId, count: usize, expressions: &mu
     let [from, to] = [0, count as i64].map(|number| add(Expression::Number(Number::from(number))));
     let number = add(Expression::Name(VARIABLE.to_owned()));
     contact.name.indices.push(number);
-    contact.object = add(Expression::Call(Name::new("corner", origin.start), vec![body, number]));
+    contact.object = add(Expression::Call(Name::new(function, origin.start), vec![body, number]));
     let variable = Name::new(VARIABLE, origin.start);
     let range = Range { from, to, is_inclusive: false };
     let repetition = Repetition { variable, range, body: vec![element] };

@@ -29,7 +29,8 @@ pub use callables::{
 pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
 pub use definitions::{AllowedRange, Definition, EmitItem, Limit, Mode, StateKind};
 pub use expressions::{
-    ArrayExpression, BinaryOperator, Condition, Expression, Expressions, Fold, IN_AXES, Range,
+    ArrayExpression, BinaryOperator, CONTACT_POINT, CONTACT_POINT_LENGTH, Condition, Expression, Expressions,
+    Fold, IN_AXES, Range,
 };
 pub use id::AstId;
 pub use keywords::{Keyword, Soft};

@@ -13,7 +13,7 @@ use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
-use crate::system::{StateVector, StepFailure, Violation, reach, split};
+use crate::system::{SettingError, StateVector, StepFailure, Violation, reach, split};
 use crate::tolerance::{INSTANT, TOUCHING};
 
 const NO_FORCES: &str = "no forces of contacts and friction are consistent with this state: friction is too \
@@ -27,6 +27,7 @@ strong for rigid bodies that slip this way (Painlevé paradox)";
 ///
 /// # Errors
 /// If any of these holds:
+/// - the system [needs steps](ContactSystem::NEEDS_STEPS);
 /// - a gap or a limit of friction is negative;
 /// - a coefficient of restitution that does not depend on the state is not from 0 to 1;
 /// - a value is not finite;
@@ -39,6 +40,9 @@ pub fn begin<M, const N: usize, const K: usize>(
 where
     M: ContactSystem<N, K>,
 {
+    if let Some(reason) = M::NEEDS_STEPS {
+        return Err(SettingError::Invalid(reason).into());
+    }
     let (q, v) = split::<M>(y);
     let (terms, modes) = (system.terms(t, &q, &v), system.modes());
     let is_finite = |values: &[M::Scalar; K]| values.iter().all(|value| value.is_finite());

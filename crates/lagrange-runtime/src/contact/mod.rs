@@ -186,6 +186,10 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     /// Names of the reactions.
     const REACTIONS: [&'static str; K];
 
+    /// The reason why the system is simulated by [`Stepped`] only: contacts of faces and edges,
+    /// whose points jump. `None` for other systems.
+    const NEEDS_STEPS: Option<&'static str> = None;
+
     /// True for each reaction whose coefficient of restitution depends on time or the state. Such a
     /// coefficient is checked at impacts only, others also at the start of a motion.
     const RESTITUTIONS_VARY: [bool; K] = [false; K];

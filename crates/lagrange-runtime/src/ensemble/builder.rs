@@ -12,8 +12,8 @@ use super::starts::Starts;
 use crate::integrate::{Method, Verner98};
 use crate::scalar::Number;
 use crate::simulate::{
-    Drive, InitialState, Law, Sampling, Undriven, Variables, Verdict, WithHistory, columns_of, default_method,
-    inputs, uncounted,
+    Drive, InitialState, Law, Sampling, Undriven, Variables, Verdict, WithHistory, columns_of,
+    default_method, inputs, uncounted,
 };
 use crate::system::{
     ControlledSystem, DelayedSystem, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, StateVector,

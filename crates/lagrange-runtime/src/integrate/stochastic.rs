@@ -8,6 +8,7 @@
 mod euler_maruyama;
 mod runge_kutta;
 
+use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use crate::integrate::compensated::Compensated;
@@ -262,7 +263,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> Stepper<M> for StochasticStepper<M, F>
             return Err(SettingError::Invalid(BACKWARDS).into());
         }
         let next = self.next(limit);
-        if !(next.0 > self.time) {
+        if next.0.partial_cmp(&self.time) != Some(Ordering::Greater) {
             return Err(StepFailure::StepLost { step: self.step, time: self.time });
         }
         self.advance(system, next)

@@ -180,6 +180,7 @@ where
     F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
 {
     const REACTIONS: [&'static str; K] = M::REACTIONS;
+    const NEEDS_STEPS: Option<&'static str> = M::NEEDS_STEPS;
     const RESTITUTIONS_VARY: [bool; K] = M::RESTITUTIONS_VARY;
     const LIMITS_REVERSE: [bool; K] = M::LIMITS_REVERSE;
 

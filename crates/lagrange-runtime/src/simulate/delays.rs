@@ -25,9 +25,9 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
     /// [`delay`](DelayedSystem) run no other way.
     ///
     /// Before the start every signal has the value that it has there. No step is longer than the
-    /// shortest delay. A start, an event or a change of inputs is noticed again after each
-    /// delay, where steps end as long as the order of the method asks for it.
-    /// Every delayed signal becomes a column, since it is an input.
+    /// shortest delay. Starts, events and changes of inputs are noticed again after each delay, and
+    /// steps end there as long as the method notices. Every delayed signal becomes a column, since
+    /// it is an input.
     ///
     /// ```
     /// use lagrange::Simulate;

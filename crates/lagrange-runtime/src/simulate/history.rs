@@ -43,9 +43,7 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
     /// Starts at a time before which the signals are unknown, for a method of this order. Rates
     /// that are given jump at the times `restarts`.
     pub(super) fn new(start: S, lags: Y, order: u32, restarts: &[S]) -> Self {
-        let mut before = lags;
-        before.as_mut().fill(S::ZERO / S::ZERO);
-        let steps = Dense::new(order);
+        let (before, steps) = (unknown(lags), Dense::new(order));
         let mut history = History { lags, before, steps, breaks: Vec::new(), order, from: start };
         history.spread(start, 1);
         restarts.iter().filter(|time| **time > start).for_each(|time| history.spread(*time, 0));
@@ -85,9 +83,7 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
         };
         let (from, to) = steps[index];
         if t > to + lag && !Self::is_at(t, to + lag) {
-            let mut unknown = self.before;
-            unknown.as_mut().fill(S::ZERO / S::ZERO);
-            return unknown;
+            return unknown(self.before);
         }
         let part = (t - lag - from) / (to - from);
         self.steps.within(index, part.max(S::ZERO).min(S::ONE))
@@ -155,4 +151,10 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
             }
         }
     }
+}
+
+/// Returns unknown signals, as many as these.
+fn unknown<S: Scalar, Y: StateVector<S>>(mut signals: Y) -> Y {
+    signals.as_mut().fill(S::from_f64(f64::NAN));
+    signals
 }

@@ -12,10 +12,12 @@
 //!     coord theta;
 //!     kinetic = 1/2 * dot(theta)^2;
 //!     potential = -9.81 * cos(theta);
+//!     emit { taylor }
 //! }
 //!
 //! let pendulum = Pendulum::default();
-//! let report = lagrange::trade::Trade::new("my pendulum", &pendulum, [1.0, 0.0], 10.0).run();
+//! let trade = lagrange::trade::Trade::new("my pendulum", &pendulum, [1.0, 0.0], 10.0);
+//! let report = trade.taylor("standard", &pendulum).run();
 //! print!("{}", report.recommendation());
 //! report.save("trade")?;
 //! # Ok::<(), lagrange::simulate::PlotError>(())
@@ -39,10 +41,10 @@ use self::contestant::Contestant;
 use self::ladder::climb;
 use crate::integrate::{
     BlanesMoan4, GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, Radau5,
-    RungeKutta4, StormerVerlet, SymplecticEuler, Variational, Verner98,
+    RungeKutta4, StormerVerlet, SymplecticEuler, Taylor, Variational, Verner98,
 };
 use crate::scalar::Number;
-use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem};
+use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem, TaylorSystem};
 
 pub use self::contestant::Knob;
 pub use self::measurement::{MeasuredRun, Measurement};
@@ -144,6 +146,19 @@ impl<'a> Trade<'a> {
             Some(_) => self.by_tolerance(name, system, Radau5::tolerance),
             None => self,
         }
+    }
+
+    /// Adds a system for Taylor series.
+    ///
+    /// # Panics
+    /// As [`variant`](Self::variant).
+    #[must_use]
+    pub fn taylor<M>(self, name: &str, system: &'a M) -> Self
+    where
+        M: TaylorSystem,
+        M::Scalar: Into<f64>,
+    {
+        self.by_tolerance(name, system, Taylor::tolerance)
     }
 
     /// Adds a system for the methods that take coordinates and momenta.

@@ -14,7 +14,7 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::ReactionKind;
 use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::OperationCounts;
-use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::expr::{Dependencies, ExprId, Node};
 
 const REACTIONS: [&str; 2] = [
     "Forces of contacts and friction in the order of their declaration: normal forces along the gradients of the gaps,",
@@ -34,6 +34,7 @@ pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&st
     writer.members.terms = touching_terms(writer);
     writer.members.restitutions_vary = varying_restitutions(writer);
     writer.members.limits_reverse = reversing_limits(writer);
+    writer.members.of_faces = contact_of_faces(writer);
     let krate = writer.shape.krate;
     let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
     let system = quote!(#krate::contact::ContactSystem);
@@ -91,6 +92,18 @@ fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
         _ => false,
     };
     writer.model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
+}
+
+/// The first contact of faces and edges, whose gap contains a contact point.
+fn contact_of_faces(writer: &MethodWriter<'_>) -> Option<String> {
+    let graph = &writer.model.graph;
+    let is_point = |id: ExprId| matches!(graph.node(id), Node::Opaque(point, _) if point.is_contact_point());
+    let place = writer.model.reactions.iter().position(|reaction| match reaction.kind {
+        ReactionKind::Contact { gap, .. } => graph.reachable(&[gap]).into_iter().any(is_point),
+        _ => false,
+    })?;
+    let touching = writer.shape.reactions()[place];
+    Some(writer.shape.written(writer.shape.touching[touching].0).to_owned())
 }
 
 /// Returns true for each friction whose limit contains constraint forces.
@@ -234,12 +247,20 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
             }
         }
     });
+    let needs_steps = members.of_faces.as_ref().map(|name| {
+        let message = format!("the contact `{name}` of faces and edges needs the method `Stepped`");
+        quote! {
+            const NEEDS_STEPS: ::core::option::Option<&'static ::core::primitive::str> =
+                ::core::option::Option::Some(#message);
+        }
+    });
     let vary = flags("RESTITUTIONS_VARY", &members.restitutions_vary);
     let reverse = flags("LIMITS_REVERSE", &members.limits_reverse);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::contact::ContactSystem<#nv, #k> for #name #generics {
             const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
+            #needs_steps
             #vary
             #reverse
             #modes

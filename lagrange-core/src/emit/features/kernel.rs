@@ -22,7 +22,7 @@ use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
 /// Features that a kernel does not support.
-const EXCLUSIONS: [Exclusion; 6] = [
+const EXCLUSIONS: [Exclusion; 7] = [
     Exclusion::Contacts,
     Exclusion::Constraints,
     Exclusion::Events,

@@ -38,14 +38,33 @@ pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
 }
 
 /// Writes a function for each unknown that methods mention, or for those that are solved for
-/// together.
+/// together, and for contact points of blocks.
 pub(in crate::emit) fn write_solvers(writer: &mut MethodWriter<'_>) {
     let mut written = Vec::new();
-    for function in writer.members.callees.clone().iter().filter(|function| function.is_solution()) {
+    let is_written = |function: &&Opaque| function.is_solution() || function.is_contact_point();
+    for function in writer.members.callees.clone().iter().filter(is_written) {
         if !written.contains(&function.unknowns()) {
-            let solver = solver(writer, function).unwrap_or_default();
+            let solver = match function.is_contact_point() {
+                true => contact_points(writer, function),
+                false => solver(writer, function).unwrap_or_default(),
+            };
             writer.members.solvers.extend(solver);
             written.push(function.unknowns());
+        }
+    }
+}
+
+/// The function of contact points, from the numbers of both blocks.
+fn contact_points(writer: &MethodWriter<'_>, function: &Opaque) -> TokenStream {
+    let docs = doc("Numbers of the contact points of two blocks.");
+    let (generics, number, _) = number_type(writer);
+    let (name, krate) = (local(&function.rust_name()), writer.shape.krate);
+    let blocks = (0..function.arity()).map(|number| local(&format!("block_{number}"))).collect::<Vec<_>>();
+    let found = array(&number, function.unknowns().len());
+    quote! {
+        #docs
+        fn #name #generics(#(#blocks: #number),*) -> #found {
+            #krate::manifold::touches([#(#blocks),*])
         }
     }
 }

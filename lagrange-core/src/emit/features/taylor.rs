@@ -27,13 +27,8 @@ use lagrange_expr::symbol::{Role, Symbols};
 const LOOP: usize = 4;
 
 /// Parts of a system that series do not support.
-const EXCLUSIONS: [Exclusion; 5] = [
-    Exclusion::Contacts,
-    Exclusion::Redundant,
-    Exclusion::Indefinite,
-    Exclusion::Noise,
-    Exclusion::Delays,
-];
+const EXCLUSIONS: [Exclusion; 5] =
+    [Exclusion::Contacts, Exclusion::Redundant, Exclusion::Indefinite, Exclusion::Noise, Exclusion::Delays];
 
 /// Writes the expansion of the motion, if it is requested.
 pub(in crate::emit) fn write_taylor(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {

@@ -47,6 +47,15 @@ messages! {
     rim_of(name) = "the radius of the rim of `{name}`";
     rim_not_positive(contact) = "the radius of the rim of the contact `{contact}` is not positive";
     RIM_HELP = "it is the radius of the circle that touches: write a positive length";
+    faces_in_the_plane(contact) = "the contact `{contact}` is of two bodies in the plane that are not round";
+    FACES_IN_THE_PLANE_HELP = "in the plane, write corners of one of them on a `line` that is `on:` the other one";
+    faces_with_rim(contact) = "the contact `{contact}` of faces and edges has a rim";
+    FACES_WITH_RIM_HELP = "omit the rim: cuboids and rods touch with all of their faces and edges";
+    compliant_faces(contact) = "the contact `{contact}` of faces and edges has a stiffness";
+    COMPLIANT_FACES_HELP =
+        "omit it: contact points of faces jump, and so would their forces; simulate with the method `Stepped`";
+    inside_of_block(contact) = "the contact `{contact}` is inside of a body that has no inside";
+    INSIDE_OF_BLOCK_HELP = "write `on`, or planes for the walls of a container";
     touches_itself(contact, name) = "in the contact `{contact}`, `{name}` touches itself";
     TOUCHES_ITSELF_HELP = "write a surface of the ground or of another body: the gap within one body never changes";
 

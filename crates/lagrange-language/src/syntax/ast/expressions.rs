@@ -44,6 +44,14 @@ pub struct Condition {
 /// keyword, so no call has this name.
 pub const IN_AXES: &str = "in";
 
+/// The function of contact points of two blocks, which no identifier is called. In a contact it
+/// takes a body and the number of a point. In plain statements it takes the place of a number, how
+/// many there are, and the centre, axes, half sizes and radius of both blocks.
+pub const CONTACT_POINT: &str = "contact point";
+
+/// Numbers of a contact point: its places in both blocks, its normal, a tangent and a distance.
+pub const CONTACT_POINT_LENGTH: usize = 13;
+
 /// An expression.
 #[derive(Clone, Debug)]
 pub enum Expression {

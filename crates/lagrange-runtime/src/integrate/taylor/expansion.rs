@@ -15,6 +15,10 @@ const SAFETY: f64 = 0.01;
 /// Largest difference between the rate at the end of a step and the slope of its polynomial, in
 /// tolerances over the length of the step.
 const LARGEST_DEFECT: f64 = 1.0;
+/// A component below this part of what is tolerated may be led to zero.
+const NEAR_ZERO: f64 = 0.25;
+/// The order of expansions that lead components to zero; all others are higher.
+const STRAIGHT: usize = 2;
 /// A step that changes the state by less than this part of what is tolerated leaves it at rest.
 const AT_REST: f64 = 1e-3;
 /// A step of fewer roundings of time hardly leads on.
@@ -87,6 +91,11 @@ impl<S: Scalar> StepRule<S> {
     fn tolerated(&self, component: S) -> S {
         self.tolerated.relative.multiply_add(component.abs(), self.tolerated.absolute)
     }
+
+    /// True if a component of this size may be led to zero.
+    fn is_near_zero(&self, component: S) -> bool {
+        component.abs() <= S::from_f64(NEAR_ZERO) * self.tolerated(component)
+    }
 }
 
 impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
@@ -142,6 +151,45 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
             let tolerated = S::from_f64(LARGEST_DEFECT) * rule.tolerated(before.abs().max(after.abs()));
             fits & (((*slope - *rate).abs() - rounding) * h <= tolerated)
         })
+    }
+
+    /// Returns the length of a straight step that leads a component to zero, if the polynomial
+    /// wrongly turns away from zero within a time `h`.
+    ///
+    /// A tank that drains by ẋ = −√x is empty at a time τ, when x = (τ − t)²/4, and remains so. The
+    /// polynomial refills it. If that much is tolerated, such steps would follow each other for
+    /// ever.
+    pub(super) fn landing(&self, rule: &StepRule<S>, h: S, slope: &Y, ahead: &Self) -> Option<S> {
+        let starts = self.y.as_ref().iter().zip(self.coefficients[0].as_ref());
+        let ends = ahead.y.as_ref().iter().zip(ahead.coefficients[0].as_ref()).zip(slope.as_ref());
+        let lengths = starts.zip(ends).filter_map(|((y, rate), ((after, rate_after), slope))| {
+            let is_near = rule.is_near_zero(*y) && rule.is_near_zero(*after);
+            let turns = || leads_to_zero(*y, *rate, h) && leads_to_zero(*after, -*slope, h);
+            let is_wrong = is_near && turns() && leads_to_zero(*after, *rate_after, h);
+            is_wrong.then(|| (*y / *rate).abs())
+        });
+        lengths.reduce(S::min)
+    }
+
+    /// Follows a parabola that has, after a time `h`, about the rate `ahead`. Components near zero
+    /// follow straight lines, which end at zero if they come so far.
+    pub(super) fn straighten(&mut self, rule: &StepRule<S>, h: S, ahead: &Y) {
+        let [rates, bends, ..] = &mut self.coefficients;
+        let coefficients = rates.as_mut().iter_mut().zip(bends.as_mut());
+        for (((rate, bend), ahead), y) in coefficients.zip(ahead.as_ref()).zip(self.y.as_ref()) {
+            *bend = (*ahead - *rate) / (h + h);
+            if rule.is_near_zero(*y) {
+                *bend = S::ZERO;
+                let is_far = (*rate * (h + h)).abs() < y.abs();
+                *rate = if is_far || !leads_to_zero(*y, *rate, h) { *rate } else { -*y / h };
+            }
+        }
+        self.order = STRAIGHT;
+    }
+
+    /// True after [`straighten`](Self::straighten).
+    pub(super) fn is_straight(&self) -> bool {
+        self.order == STRAIGHT
     }
 
     /// Returns the length of a step whose last terms are small enough. It is the largest h with |cₖ|
@@ -204,6 +252,11 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         let coefficients = self.coefficients[index].as_ref().iter().zip(scales.as_ref());
         coefficients.fold(S::ZERO, |largest, (coefficient, scale)| largest.max(coefficient.abs() * *scale))
     }
+}
+
+/// True if a step `h` at this rate leads towards zero.
+fn leads_to_zero<S: Scalar>(y: S, rate: S, h: S) -> bool {
+    y.sign() * rate.sign() * h.sign() < S::ZERO
 }
 
 /// The motion after a time `h`, as a polynomial tells.

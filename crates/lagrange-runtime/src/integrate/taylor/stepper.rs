@@ -7,8 +7,10 @@ use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
 use crate::integrate::method::{Stepper, Work};
-use crate::scalar::Number;
+use crate::linalg::vector::combined;
+use crate::scalar::{Number, Scalar};
 use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
+use crate::tolerance::SAME_STATE;
 
 /// An integration by [`Taylor`] series in progress.
 #[derive(Clone, Debug)]
@@ -32,6 +34,19 @@ struct StepLength<S> {
     /// True if it is as short as it can be and leads to another piece of a table, where rates may
     /// have jumped.
     is_across: bool,
+    /// Number of further refusals because the series turns away from zero.
+    turns_left: u32,
+}
+
+/// Shorter steps may not help where a component below what is tolerated turns by rounding.
+const MOST_TURNS: u32 = 8;
+
+/// The result of a step that was tried.
+enum SeriesStep<S> {
+    Taken,
+    Rejected,
+    /// A straight step of this length leads a component to zero, where the series turns away.
+    Turned(S),
 }
 
 /// The expansion of a motion through a state.
@@ -105,35 +120,72 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         self.work.evaluations += 1;
     }
 
-    /// Tries a step of this length; true if it was taken.
+    /// Tries a step of this length.
     fn attempt(
         &mut self,
         system: &M,
-        StepLength { length, is_across }: StepLength<M::Scalar>,
+        next: StepLength<M::Scalar>,
         limit: M::Scalar,
-    ) -> Result<bool, StepFailure<M::Scalar>> {
-        let mut clock = self.clock.with_step(length);
+    ) -> Result<SeriesStep<M::Scalar>, StepFailure<M::Scalar>> {
+        let mut clock = self.clock.with_step(next.length);
         let h = clock.advance(limit);
         if self.clock.is_stopped(&clock) {
-            return Err(StepFailure::StepUnderflow { step: length });
+            return Err(StepFailure::StepUnderflow { step: next.length });
         }
+        self.follow(system, (clock, h), next)
+    }
+
+    /// Tries to follow the present expansion for a time `h`, after which the clock stands there.
+    fn follow(
+        &mut self,
+        system: &M,
+        (clock, h): (Clock<M::Scalar>, M::Scalar),
+        StepLength { is_across, turns_left, .. }: StepLength<M::Scalar>,
+    ) -> Result<SeriesStep<M::Scalar>, StepFailure<M::Scalar>> {
         let mut state = self.state;
         let [change, slope] = self.ahead().advance(&self.rule, h);
         state.add(&change);
+        if self.ahead().is_straight() {
+            state = landed(&self.state, &state);
+        }
         check_finite(clock.time(), state.value())?;
         correct(system, clock.time(), &mut state)?;
         let y = *state.value();
         self.present = 1 - self.present;
         self.expand(system, clock.time(), &y);
         let rates = check_finite(clock.time(), &self.ahead().coefficients[0]);
+        let mut outcome = SeriesStep::Rejected;
         if rates.is_ok() && (is_across || self.last().fits(&self.rule, h, &slope, self.ahead())) {
-            (self.clock, self.state) = (clock, state);
-            self.work.steps += 1;
-            return Ok(true);
+            match self.last().landing(&self.rule, h, &slope, self.ahead()) {
+                Some(length) if turns_left > 0 => outcome = SeriesStep::Turned(length),
+                _ => {
+                    (self.clock, self.state) = (clock, state);
+                    self.work.steps += 1;
+                    return Ok(SeriesStep::Taken);
+                }
+            }
         }
         self.present = 1 - self.present;
         self.forget_last();
-        rates.map(|()| false)
+        rates.map(|()| outcome)
+    }
+
+    /// Tries a straight step of this length; true if it was taken.
+    #[cold]
+    fn land(&mut self, system: &M, length: M::Scalar, limit: M::Scalar) -> bool {
+        let (t, y) = (self.clock.time(), *self.state.value());
+        let least = least_step(t);
+        let mut clock = self.clock.with_step(length.max(least + least));
+        let h = clock.advance(limit);
+        let rates = system.rhs(clock.time(), &combined(&y, h, &self.ahead().coefficients[0]));
+        self.work.evaluations += 1;
+        self.expansions[self.present].straighten(&self.rule, h, &rates);
+        let step = StepLength { length, is_across: false, turns_left: 0 };
+        let is_taken = matches!(self.follow(system, (clock, h), step), Ok(SeriesStep::Taken));
+        if !is_taken {
+            self.expand(system, t, &y);
+        }
+        is_taken
     }
 
     /// The length of the next step: as far as the series is accurate and tables are the polynomials
@@ -142,8 +194,21 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let accurate = self.ahead().length;
         let h = if limit < self.clock.time() { -accurate } else { accurate };
         let (reach, least) = (M::reach(&self.series, h).abs(), least_step(self.clock.time()));
-        StepLength { length: reach.max(least), is_across: reach < accurate && reach <= least + least }
+        let is_across = reach < accurate && reach <= least + least;
+        StepLength { length: reach.max(least), is_across, turns_left: MOST_TURNS }
     }
+}
+
+/// Lets components be zero that a straight step has led there to rounding.
+fn landed<S: Scalar, Y: StateVector<S>>(before: &Compensated<Y>, after: &Compensated<Y>) -> Compensated<Y> {
+    let (mut value, mut remainder) = (*after.value(), *after.remainder());
+    let components = value.as_mut().iter_mut().zip(remainder.as_mut());
+    for ((value, remainder), before) in components.zip(before.value().as_ref()) {
+        if value.abs() <= SAME_STATE.part::<S>() * before.abs() {
+            (*value, *remainder) = (S::ZERO, S::ZERO);
+        }
+    }
+    Compensated::with_remainder(value, remainder)
 }
 
 impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
@@ -167,8 +232,10 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
                 return Err(lost.unwrap_or(StepFailure::StepUnderflow { step: next.length }));
             }
             match self.attempt(system, next, limit) {
-                Ok(true) => return Ok(()),
-                Ok(false) => lost = None,
+                Ok(SeriesStep::Taken) => return Ok(()),
+                Ok(SeriesStep::Turned(length)) if self.land(system, length, limit) => return Ok(()),
+                Ok(SeriesStep::Turned(_)) => next.turns_left -= 1,
+                Ok(SeriesStep::Rejected) => lost = None,
                 Err(cause @ StepFailure::StepUnderflow { .. }) => return Err(lost.unwrap_or(cause)),
                 Err(cause) => lost = Some(cause),
             }

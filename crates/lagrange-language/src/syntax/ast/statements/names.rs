@@ -2,10 +2,54 @@
 
 use super::StatementKind;
 use crate::syntax::ast::bodies::SceneStatement;
+use crate::syntax::ast::definitions::Definition;
 use crate::syntax::ast::mobilizers::MobilizerKind;
-use crate::syntax::ast::{AstId, Expression, Expressions, Name};
+use crate::syntax::ast::{AstId, Expression, Expressions, Name, Reach};
 
 impl StatementKind {
+    /// Returns the names that a statement declares, and their scope.
+    pub(super) fn names(&self) -> (Vec<&Name>, Reach) {
+        match self {
+            StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
+            StatementKind::Constants(list) | StatementKind::Noises(list) => {
+                (defined(list), Reach::Expressions)
+            }
+            StatementKind::Coordinates(list) | StatementKind::States(_, list) => (defined(list), Reach::Both),
+            StatementKind::Mode(mode) => (mode.names(), Reach::Both),
+            StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
+            StatementKind::Velocity(name, _) | StatementKind::Delay { name, .. } => (vec![name], Reach::Both),
+            StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
+            StatementKind::Solve(unknowns) => (unknowns.names.iter().collect(), Reach::Expressions),
+            StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
+            // Its name can be called, but has no value.
+            StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_) => {
+                (Vec::new(), Reach::Expressions)
+            }
+            StatementKind::Constraint(name, _) => (vec![name], Reach::Both),
+            StatementKind::Event(event) => (vec![&event.name], Reach::Both),
+            StatementKind::Friction(friction) => (vec![&friction.name], Reach::Both),
+            StatementKind::Output(name, _) => (vec![name], Reach::Members),
+            StatementKind::Reduce(reduction) => (vec![&reduction.name], Reach::Types),
+            StatementKind::Scene(scene) => scene.names(),
+            StatementKind::Kinetic(_)
+            | StatementKind::Potential(_)
+            | StatementKind::Lagrangian(_)
+            | StatementKind::Gibbs { .. }
+            | StatementKind::Dissipation(_)
+            | StatementKind::StateRate(..)
+            | StatementKind::RateEquation(_)
+            | StatementKind::ForceOn(..)
+            | StatementKind::ForceAt { .. }
+            | StatementKind::ForceAlong { .. }
+            | StatementKind::Torque { .. }
+            | StatementKind::Stabilise(_)
+            | StatementKind::Every(_)
+            | StatementKind::Start(_)
+            | StatementKind::Block(_)
+            | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
+        }
+    }
+
     /// Returns mutable references to all names outside of expressions. These are the names that the
     /// statement declares, without derived ones, and those that it refers to. Names within loops
     /// are excluded.
@@ -100,4 +144,8 @@ fn as_written(names: Vec<&Name>) -> Vec<(&Name, String)> {
 fn made_of<'a>(name: &'a Name, made: Vec<&Name>) -> Vec<(&'a Name, String)> {
     let suffix = |made: &Name| made.text.strip_prefix(name.text.as_str()).unwrap_or_default().to_owned();
     made.into_iter().map(|made| (name, suffix(made))).collect()
+}
+
+fn defined(list: &[Definition]) -> Vec<&Name> {
+    list.iter().map(|definition| &definition.name).collect()
 }

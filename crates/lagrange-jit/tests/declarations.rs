@@ -1,0 +1,32 @@
+//! Compiled programs of all declarations of the repository have the bits of the interpreter: at
+//! random numbers, and where zeros, infinities, the smallest and the largest numbers and NaN are
+//! among them.
+
+#[path = "../../../lagrange-core/tests/mutants/corpus.rs"]
+mod corpus;
+mod equality;
+
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::pipeline::{Programs, parse};
+
+/// Declarations that are derived, of those that there are.
+const FEWEST: usize = 400;
+/// Characters of the longest declaration.
+const LONGEST: usize = 20_000;
+
+#[test]
+fn all_programs_of_all_declarations_have_the_bits_of_the_interpreter() {
+    let mut checked = equality::Checked::default();
+    let mut systems = 0;
+    for declaration in corpus::declarations(LONGEST) {
+        let text = declaration.pieces.join(" ");
+        let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+        // Examples of mistakes are among the declarations.
+        let Ok(derived) = derived else { continue };
+        systems += 1;
+        checked.check(&Programs::new(&derived)).unwrap_or_else(|message| panic!("{text}: {message}"));
+    }
+    println!("{systems} systems; {checked:?}");
+    assert!(systems >= FEWEST, "{systems}");
+    assert_eq!(checked.kinds.len(), 21, "{:?}", checked.kinds);
+}

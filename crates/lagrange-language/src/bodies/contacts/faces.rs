@@ -1,0 +1,169 @@
+//! Contacts of cuboids and rods by their faces and edges.
+//!
+//! The run time finds the contact points (`lagrange::manifold`). Each has a place p₁ in the first
+//! block and p₂ in the second, both in the coordinates of the blocks, a normal n, and a number c.
+//! The gap is n·(R₁ p₁ + x₁ − R₂ p₂ − x₂) + c. As long as p₁, p₂ and n stay as they are, its
+//! gradient is that of the distance, since closest points move at right angles to n. The rate of n
+//! is not a part of the equations. Its effect on a step is of second order in the step.
+//!
+//! A cube with the side 1 on another one at x = (0, 0, 1) has the corner p₁ = (½, ½, −½) on p₂ =
+//! (½, ½, ½) with n = (0, 0, 1) and c = 0: the gap is 1 − ½ − ½ = 0.
+
+use super::geometry::ContactGeometry;
+use crate::bodies::constants::number;
+use crate::bodies::messages::contacts as words;
+use crate::bodies::object::{Object, Surface};
+use crate::bodies::plain::Outline;
+use crate::bodies::space::vectors::{Triple, cross, inner, minus};
+use crate::bodies::space::{place_on_link, vector_on_link};
+use crate::bodies::surfaces::bind_vector;
+use crate::bodies::touching::{Touching, motion_at};
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{self, AstId, CONTACT_POINT, CONTACT_POINT_LENGTH, Expression, SurfaceKind};
+
+/// Contact points of two cuboids, and of a rod with a cuboid or another rod.
+const POINTS: [usize; 2] = [8, 2];
+
+/// True if a contact is one of the points in which two blocks touch.
+pub(super) fn is_between_blocks(translation: &Translation<'_>, statement: &ast::Contact) -> bool {
+    numbered(translation, statement).is_some()
+}
+
+/// The body and the number of a contact point.
+fn numbered(translation: &Translation<'_>, statement: &ast::Contact) -> Option<[AstId; 2]> {
+    match translation.expressions.get(statement.object) {
+        Expression::Call(function, arguments) if function.text == CONTACT_POINT => {
+            arguments[..].try_into().ok()
+        }
+        _ => None,
+    }
+}
+
+/// The first block; `None` after a mistake.
+pub(super) fn block_that_touches(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+) -> Option<Touching> {
+    let name = &statement.name.text;
+    let mistakes = [
+        (translation.space.is_none(), words::faces_in_the_plane(name), words::FACES_IN_THE_PLANE_HELP),
+        (statement.rim.is_some(), words::faces_with_rim(name), words::FACES_WITH_RIM_HELP),
+        (statement.stiffness.is_some(), words::compliant_faces(name), words::COMPLIANT_FACES_HELP),
+        (statement.is_inside, words::inside_of_block(name), words::INSIDE_OF_BLOCK_HELP),
+    ];
+    if let Some((_, message, help)) = mistakes.into_iter().find(|(is_made, ..)| *is_made) {
+        // Once for all points.
+        if numbered(translation, statement).is_some_and(|[_, number]| place(translation, number) == Some(0)) {
+            translation.report.error(statement.name.span, message).help(help);
+        }
+        return None;
+    }
+    let [body, _] = numbered(translation, statement)?;
+    let body = translation.link_named(body)?;
+    let center = [translation.terms().number(0); 3];
+    let (velocity, spin) = motion_at(translation, body, center);
+    Some(Touching { body, center, velocity, spin, radius: None })
+}
+
+/// The second block as a surface.
+pub(super) fn surface_of_block(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+) -> Option<Surface> {
+    let Some(Object::Link { index, .. }) = translation.names.find(&statement.surface.text).cloned() else {
+        return None;
+    };
+    let zero = translation.terms().number(0);
+    let [place, direction] = [[zero; 3]; 2];
+    let (kind, carrier, tangents) = (SurfaceKind::Plane, Some(index), [place; 2]);
+    let height = None;
+    Some(Surface { kind, carrier, place, direction, tangents, radius: zero, height, turning: zero })
+}
+
+/// The geometry of a contact point of two blocks.
+pub(super) fn between_blocks(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    (touching, surface): (Touching, &Surface),
+    radius: Option<AstId>,
+) -> Option<(Touching, ContactGeometry)> {
+    let name = &statement.name.text;
+    let (first, second) = (touching.body, surface.carrier?);
+    let [_, index] = numbered(translation, statement)?;
+    let index = place(translation, index)?;
+    let radius = radius.unwrap_or_else(|| translation.terms().number(0));
+    let zero = translation.terms().number(0);
+    let shapes = [shape_of(translation, first)?, shape_of(translation, second)?];
+    let is_of_cuboids = shapes.iter().all(|shape| shape.variant == "Cuboid");
+    let count = POINTS[usize::from(!is_of_cuboids)] * CONTACT_POINT_LENGTH;
+    let mut blocks = Vec::new();
+    for (link, shape, around) in [(first, &shapes[0], radius), (second, &shapes[1], zero)] {
+        blocks.extend(numbers_of(translation, name, (link, shape)));
+        blocks.push(around);
+    }
+    let point = std::array::from_fn::<_, CONTACT_POINT_LENGTH, _>(|i| {
+        let mut terms = translation.terms();
+        let mut arguments =
+            [index * CONTACT_POINT_LENGTH + i, count].map(|n| terms.number(n as i64)).to_vec();
+        arguments.extend(&blocks);
+        let value = terms.call(CONTACT_POINT, &arguments);
+        translation.bind(&format!("{name}_number"), value)
+    });
+    let [a, b, normal, tangent] = [0, 3, 6, 9].map(|from| [point[from], point[from + 1], point[from + 2]]);
+    let [a, b] = [(first, &shapes[0], a), (second, &shapes[1], b)].map(|(link, shape, own)| {
+        let place = placed(translation, shape, own);
+        place_on_link(translation, link, place)
+    });
+    let center = bind_vector(translation, &format!("{name}_center"), a);
+    let mut terms = translation.terms();
+    let between = minus(&mut terms, center, b);
+    let apart = inner(&mut terms, normal, between);
+    let gap = terms.plus(apart, point[12]);
+    let tangents = [tangent, cross(&mut terms, normal, tangent)];
+    let (velocity, spin) = motion_at(translation, first, center);
+    let touching = Touching { center, velocity, spin, ..touching };
+    Some((touching, ContactGeometry { center, radius, gap, normal, tangents, rising: None }))
+}
+
+/// A number of a loop.
+fn place(translation: &Translation<'_>, id: AstId) -> Option<usize> {
+    let value = number(&translation.expressions, translation.names.constants(), id)?;
+    (value >= 0.0).then_some(value as usize)
+}
+
+fn shape_of(translation: &Translation<'_>, link: usize) -> Option<Outline> {
+    translation.space.as_ref()?.links[link].shape.clone()
+}
+
+/// Centre, axes and half sizes of a block in the world.
+fn numbers_of(translation: &mut Translation<'_>, name: &str, (link, shape): (usize, &Outline)) -> Vec<AstId> {
+    let place = &shape.place;
+    let axes = [0, 1, 2].map(|axis| [place[3 + axis], place[6 + axis], place[9 + axis]]);
+    let center = place_on_link(translation, link, [place[0], place[1], place[2]]);
+    let mut numbers = bind_vector(translation, &format!("{name}_block"), center).to_vec();
+    for axis in axes {
+        let axis = vector_on_link(translation, link, axis);
+        numbers.extend(bind_vector(translation, &format!("{name}_block_axis"), axis));
+    }
+    let mut terms = translation.terms();
+    for axis in 0..3 {
+        numbers.push(match shape.dimensions.get(axis) {
+            Some(&size) => {
+                let half = terms.half();
+                terms.times(half, size)
+            }
+            None => terms.number(0),
+        });
+    }
+    numbers
+}
+
+/// The place on a link of coordinates of its shape.
+fn placed(translation: &mut Translation<'_>, shape: &Outline, own: Triple) -> Triple {
+    let place = &shape.place;
+    let mut terms = translation.terms();
+    [0, 1, 2].map(|row| {
+        let turned = inner(&mut terms, [3, 4, 5].map(|column| place[3 * row + column]), own);
+        terms.plus(place[row], turned)
+    })
+}

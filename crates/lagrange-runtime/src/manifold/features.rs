@@ -1,0 +1,187 @@
+//! Closest points of corners, edges and faces.
+
+use super::separation::{Separation, parallel};
+use super::vectors::{Vector, along, clamped, cross, inner, minus, norm, scaled};
+use super::{Block, Manifold, Touch, slack};
+use crate::scalar::Scalar;
+
+/// A pair of points in both cuboids.
+#[derive(Clone, Copy)]
+struct Pair<S> {
+    on_first: Vector<S>,
+    on_second: Vector<S>,
+    distance: S,
+}
+
+/// An edge: its middle, its direction and half of its length.
+#[derive(Clone, Copy)]
+struct Edge<S> {
+    middle: Vector<S>,
+    direction: Vector<S>,
+    half: S,
+}
+
+/// An edge of the first cuboid and one of the second.
+type EdgePair<S> = (Edge<S>, Edge<S>);
+
+/// The contact of the closest points of two cuboids. Cuboids that overlap touch where the edges of
+/// the found direction do, or at the middle of both if it has none.
+pub(super) fn closest_features<S: Scalar>(
+    first: &Block<S>,
+    second: &Block<S>,
+    found: &Separation<S>,
+    size: S,
+) -> Manifold<S> {
+    let mut manifold = Manifold::new();
+    if let Some((i, j)) = found.edges {
+        let [a, b] = [(first, i, -S::ONE), (second, j, S::ONE)]
+            .map(|(block, axis, side)| supporting(block, axis, &scaled(side, &found.normal)));
+        let pair = nearest(&a, &b);
+        if (pair.distance - found.distance.abs()).abs() <= slack(size) {
+            let Pair { on_first, on_second, .. } = pair;
+            manifold.push(Touch { on_first, on_second, normal: found.normal, gap: found.distance });
+            return manifold;
+        }
+    }
+    let (pair, edges) = closest_pair(first, second);
+    let Some(pair) = pair else { return undefined(manifold) };
+    let is_apart = found.distance > S::ZERO || pair.distance > slack(size);
+    let normal = match is_apart && pair.distance > S::ZERO {
+        true => scaled(S::ONE / pair.distance, &minus(&pair.on_first, &pair.on_second)),
+        false => found.normal,
+    };
+    let gap = if is_apart { pair.distance } else { found.distance };
+    let ends = edges.filter(|_| is_apart).and_then(|(a, b)| shared_ends(&a, &b));
+    let pairs = ends.unwrap_or([Pair { distance: gap, ..pair }; 2]);
+    for Pair { on_first, on_second, distance: gap } in
+        pairs.into_iter().take(if ends.is_some() { 2 } else { 1 })
+    {
+        manifold.push(Touch { on_first, on_second, normal, gap });
+    }
+    manifold
+}
+
+/// A contact of blocks with a number that is NaN.
+fn undefined<S: Scalar>(mut manifold: Manifold<S>) -> Manifold<S> {
+    let nan = [S::NAN; 3];
+    manifold.push(Touch { on_first: nan, on_second: nan, normal: nan, gap: S::NAN });
+    manifold
+}
+
+/// The edge along an axis that reaches farthest in a direction.
+fn supporting<S: Scalar>(block: &Block<S>, axis: usize, direction: &Vector<S>) -> Edge<S> {
+    let own = [0, 1, 2].map(|other| match other == axis {
+        true => S::ZERO,
+        false if inner(&block.axes[other], direction) < S::ZERO => -block.half[other],
+        false => block.half[other],
+    });
+    Edge { middle: block.place(&own), direction: block.axes[axis], half: block.half[axis] }
+}
+
+/// The closest points of two cuboids that are apart, and the edges on which they are, if they are.
+fn closest_pair<S: Scalar>(first: &Block<S>, second: &Block<S>) -> (Option<Pair<S>>, Option<EdgePair<S>>) {
+    let (mut best, mut on_edges) = (None::<Pair<S>>, None);
+    for a in edges(first) {
+        for b in edges(second) {
+            let pair = nearest(&a, &b);
+            if best.is_none_or(|best| pair.distance < best.distance) {
+                best = Some(pair);
+                on_edges = Some((a, b));
+            }
+        }
+    }
+    let corners = corners(first).map(|corner| {
+        let on_second = within(second, &corner);
+        Pair { on_first: corner, on_second, distance: norm(&minus(&corner, &on_second)) }
+    });
+    let others = self::corners(second).map(|corner| {
+        let on_first = within(first, &corner);
+        Pair { on_first, on_second: corner, distance: norm(&minus(&corner, &on_first)) }
+    });
+    for pair in corners.chain(others) {
+        // Equal distances are those of edges, of which two points are known.
+        if best.is_none_or(|best| pair.distance < best.distance) {
+            (best, on_edges) = (Some(pair), None);
+        }
+    }
+    (best.filter(|best| best.distance.is_finite()), on_edges)
+}
+
+/// The corners of a cuboid, each once.
+fn corners<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Vector<S>> + '_ {
+    (0..8).filter_map(move |number| {
+        let is_above = |axis: usize| number >> axis & 1 == 1;
+        let is_repeated = (0..3).any(|axis| is_above(axis) && !block.extends(axis));
+        let own = [0, 1, 2].map(|axis| if is_above(axis) { block.half[axis] } else { -block.half[axis] });
+        (!is_repeated).then(|| block.place(&own))
+    })
+}
+
+/// The edges of a cuboid, each once.
+fn edges<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Edge<S>> + '_ {
+    (0..12).filter_map(move |number| {
+        let (axis, sides) = (number / 4, [number & 1, number >> 1 & 1]);
+        let others = [(axis + 1) % 3, (axis + 2) % 3];
+        let is_repeated = others.iter().zip(sides).any(|(&other, side)| side == 1 && !block.extends(other));
+        if is_repeated || !block.extends(axis) {
+            return None;
+        }
+        let mut own = [S::ZERO; 3];
+        for (other, side) in others.into_iter().zip(sides) {
+            own[other] = if side == 1 { block.half[other] } else { -block.half[other] };
+        }
+        Some(Edge { middle: block.place(&own), direction: block.axes[axis], half: block.half[axis] })
+    })
+}
+
+/// The point of a cuboid that is closest to another.
+fn within<S: Scalar>(block: &Block<S>, point: &Vector<S>) -> Vector<S> {
+    let own = block.own(point);
+    block.place(&[0, 1, 2].map(|axis| clamped(own[axis], block.half[axis])))
+}
+
+/// The closest points of two edges; of parallel ones those at the middle of what they share.
+fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {
+    let arm = minus(&a.middle, &b.middle);
+    let cosine = inner(&a.direction, &b.direction);
+    let (on_a, on_b) = (inner(&a.direction, &arm), inner(&b.direction, &arm));
+    let across = cross(&a.direction, &b.direction);
+    let square = inner(&across, &across);
+    let at = |first: S| clamped(cosine.multiply_add(first, on_b), b.half);
+    if square <= parallel::<S>() * parallel::<S>()
+        && let Some([from, to]) = shared(a, b)
+    {
+        let first = S::from_f64(0.5) * (from + to);
+        return pair_at(a, b, first, at(first));
+    }
+    let start = if square > S::ZERO { (cosine * on_b - on_a) / square } else { -on_a };
+    let second = at(clamped(start, a.half));
+    // Once more, because the second may have been moved to its end.
+    pair_at(a, b, clamped(cosine.multiply_add(second, -on_a), a.half), second)
+}
+
+fn pair_at<S: Scalar>(a: &Edge<S>, b: &Edge<S>, first: S, second: S) -> Pair<S> {
+    let on_first = along(&a.middle, first, &a.direction);
+    let on_second = along(&b.middle, second, &b.direction);
+    Pair { on_first, on_second, distance: norm(&minus(&on_first, &on_second)) }
+}
+
+/// The part of the first of two parallel edges that is beside the second.
+fn shared<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[S; 2]> {
+    let offset = inner(&a.direction, &minus(&b.middle, &a.middle));
+    let from = (offset - b.half).max(-a.half);
+    let to = (offset + b.half).min(a.half);
+    (from < to).then_some([from, to])
+}
+
+/// The closest points at both ends of what parallel edges share; `None` of others.
+fn shared_ends<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[Pair<S>; 2]> {
+    let across = cross(&a.direction, &b.direction);
+    if norm(&across) > parallel() {
+        return None;
+    }
+    let arm = minus(&a.middle, &b.middle);
+    let (on_b, cosine) = (inner(&b.direction, &arm), inner(&a.direction, &b.direction));
+    let at = |first: S| pair_at(a, b, first, clamped(cosine.multiply_add(first, on_b), b.half));
+    shared(a, b).map(|ends| ends.map(at))
+}

@@ -1,0 +1,160 @@
+//! Repeatedly run programs: their arguments, and their machine code if a compiler is available.
+//!
+//! This is the interface for compilers. The interpreter and compiled code give bit-identical
+//! results, so programs without code are interpreted, with no difference except in speed.
+
+use std::fmt::Debug;
+use std::ptr;
+use std::sync::{Arc, OnceLock};
+
+use super::callables::Callables;
+use super::programs::{Layout, Place, Programs, takes};
+use lagrange_algebra::program::{Op, Program};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::opaque::Opaque;
+use lagrange_expr::symbol::Role;
+
+/// The arguments of programs, in lists by their kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers<'a> {
+    /// The time.
+    pub t: f64,
+    /// Positions.
+    pub positions: &'a [f64],
+    /// Velocities.
+    pub velocities: &'a [f64],
+    /// Parameters, then inputs.
+    pub fields: &'a [f64],
+    /// Sides of the switches; like the two lists below, empty for programs that do not use them.
+    pub sides: &'a [f64],
+    /// Multipliers.
+    pub multipliers: &'a [f64],
+    /// Accelerations.
+    pub accelerations: &'a [f64],
+}
+
+/// Number of the lists.
+pub const LISTS: usize = 6;
+
+impl<'a> Numbers<'a> {
+    /// Returns the lists in the order of [`Layout::entry`].
+    pub fn lists(&self) -> [&'a [f64]; LISTS] {
+        let of_state = [self.positions, self.velocities];
+        let [positions, velocities] = of_state;
+        [positions, velocities, self.fields, self.sides, self.multipliers, self.accelerations]
+    }
+}
+
+impl Layout {
+    /// Returns the list of [`Numbers`] with the number of a place, and the index in it. `None` for
+    /// the time, and for places beyond all lists.
+    pub fn entry(&self, place: Place) -> Option<(usize, usize)> {
+        let of_state = [self.positions, self.velocities];
+        let [positions, velocities] = of_state;
+        let lengths = [positions, velocities, self.fields(), self.sides, self.multipliers, velocities];
+        let (lists, mut index) = match place {
+            Place::Time => return None,
+            Place::State(index) => (0..of_state.len(), index),
+            Place::Parameter(index) => (of_state.len()..LISTS, index),
+        };
+        for list in lists {
+            match index.checked_sub(lengths[list]) {
+                None => return Some((list, index)),
+                Some(rest) => index = rest,
+            }
+        }
+        None
+    }
+}
+
+/// Machine code of a program.
+pub trait Code: Debug + Send + Sync {
+    /// Computes the outputs of the program, with the operations of the interpreter. Returns false
+    /// without any computation if `outputs` has the wrong length or a list is too short.
+    fn run(&self, numbers: &Numbers<'_>, outputs: &mut [f64]) -> bool;
+}
+
+/// Evaluates functions without a formula. Returns one value, or the values of all jointly solved
+/// unknowns.
+pub type Call = Arc<dyn Fn(&Opaque, &[f64]) -> Vec<f64> + Send + Sync>;
+
+/// A compiler of programs.
+pub trait Backend: Debug + Send + Sync {
+    /// Compiles a program; programs without a result are interpreted.
+    fn compile(&self, program: &Program, layout: &Layout, call: &Call) -> Option<Box<dyn Code>>;
+}
+
+/// Kinds of arguments that are only computed for programs that use them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Taken {
+    pub(super) sides: bool,
+    pub(super) multipliers: bool,
+    pub(super) accelerations: bool,
+}
+
+impl Taken {
+    fn by(program: &Program) -> Taken {
+        Taken {
+            sides: takes(program, |role| matches!(role, Role::Side(_))),
+            multipliers: takes(program, |role| matches!(role, Role::Multiplier(_))),
+            accelerations: takes(program, |role| matches!(role, Role::Acceleration(_))),
+        }
+    }
+}
+
+/// A program of a system, compiled on its first run.
+#[derive(Debug)]
+struct Routine {
+    taken: Taken,
+    code: OnceLock<Option<Box<dyn Code>>>,
+}
+
+/// All programs of a system.
+#[derive(Debug)]
+pub(super) struct Routines {
+    /// Routines by the addresses of the programs, which are stable while the programs are shared.
+    routines: HashMap<usize, Routine>,
+    /// True if no program calls functions of the user's crate, directly or to solve equations.
+    is_closed: bool,
+    pub(super) backend: Option<Arc<dyn Backend>>,
+}
+
+impl Routines {
+    /// Creates the routines of the programs of a system, which the owner must keep in place.
+    pub(super) fn new(programs: &Arc<Programs>, backend: Option<Arc<dyn Backend>>) -> Routines {
+        let routine =
+            |program| (address(program), Routine { taken: Taken::by(program), code: OnceLock::new() });
+        let routines = programs.all().map(routine).collect();
+        Routines { routines, is_closed: programs.functions().is_empty(), backend }
+    }
+
+    pub(super) fn taken(&self, program: &Program) -> Taken {
+        self.routines.get(&address(program)).map_or_else(|| Taken::by(program), |routine| routine.taken)
+    }
+
+    /// Returns the code of a program of the system; none if it calls functions that may be defined
+    /// later.
+    pub(super) fn code(
+        &self,
+        program: &Program,
+        layout: &Layout,
+        callables: &Callables,
+    ) -> Option<&dyn Code> {
+        let (backend, routine) = (self.backend.as_ref()?, self.routines.get(&address(program))?);
+        let compiled = routine.code.get_or_init(|| {
+            let callables = callables.clone();
+            let call: Call = Arc::new(move |function, arguments| callables.call(function, arguments));
+            self.is_settled(program).then(|| backend.compile(program, layout, &call))?
+        });
+        compiled.as_deref()
+    }
+
+    fn is_settled(&self, program: &Program) -> bool {
+        let is_open = |op: &Op| matches!(op, Op::Opaque(function, _) if function.table().is_none());
+        self.is_closed || !program.values().any(|(_, op)| is_open(op))
+    }
+}
+
+fn address(program: &Program) -> usize {
+    ptr::from_ref(program).addr()
+}

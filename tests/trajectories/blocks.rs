@@ -1,0 +1,234 @@
+//! Cuboids and rods that touch with their faces and edges, in steps, beside closed forms.
+
+use lagrange::Simulate;
+use lagrange::contact::{Contact, Stepped};
+use lagrange::simulate::Trajectory;
+
+const G: f64 = 9.81;
+
+/// A box on a long one, which the ground holds, pushed at a height over its centre.
+mod pair {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct Pair;
+        param mu = 0.5, e = 0, push = 0, height = 0;
+        gravity = (0, 0, -9.81);
+        body plank { mass: 50; shape: cuboid(4, 1, 0.2); }
+        body case { mass: 2; shape: cuboid(0.4, 0.4, 0.8); }
+        free plank; free case;
+        for i in 0..4 { contact foot[i] = plank.corner(i) on ground { friction: 0.9; } }
+        contact touch = case on plank { friction: mu; restitution: e; }
+        force (push, 0, 0) at case.point(0, 0, height);
+        output load = sum(i in 0..8, touch[i].normal);
+    }
+}
+use pair::Pair;
+
+/// A plank that lies under a box: the normal points down.
+mod reversed {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct Reversed;
+        gravity = (0, 0, -9.81);
+        body plank { mass: 50; shape: cuboid(1, 1, 0.2); }
+        body case { mass: 2; shape: cuboid(0.4, 0.4, 0.4); }
+        free plank; free case;
+        for i in 0..4 { contact foot[i] = plank.corner(i) on ground { friction: 0.9; } }
+        contact touch = plank on case { friction: 0.5; }
+    }
+}
+use reversed::Reversed;
+
+/// Three cubes on each other.
+mod stack {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct Stack;
+        param push = 0;
+        gravity = (0, 0, -9.81);
+        for i in 0..3 { body cube[i] { mass: 1; shape: cuboid(0.2, 0.2, 0.2); } free cube[i]; }
+        for i in 0..4 { contact foot[i] = cube[0].corner(i) on ground { friction: 0.5; } }
+        contact lower = cube[1] on cube[0] { friction: 0.2; }
+        contact upper = cube[2] on cube[1] { friction: 0.1; }
+        force (push, 0, 0) at cube[1].center;
+    }
+}
+use stack::Stack;
+
+/// A round bar on two blocks, which the ground holds.
+mod bar {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct Bar;
+        param slope = 0;
+        gravity = (0, slope, -9.81);
+        for i in 0..2 { body block[i] { mass: 50; shape: cuboid(0.4, 0.4, 0.4); } free block[i]; }
+        body bar { mass: 3; inertia: (0.02, 0.5, 0.5); shape: slender_rod(1.4); }
+        free bar;
+        for i in 0..2 { for k in 0..4 { contact foot[i][k] = block[i].corner(k) on ground { friction: 0.9; } } }
+        contact left = bar on block[0] { friction: 0.6; radius: 0.1; }
+        contact right = bar on block[1] { friction: 0.6; radius: 0.1; }
+        output load_left = left[0].normal + left[1].normal;
+        output load_right = right[0].normal + right[1].normal;
+    }
+}
+use bar::Bar;
+
+/// A place at rest, upright.
+fn at(x: f64, y: f64, z: f64) -> [f64; 7] {
+    [x, y, z, 1.0, 0.0, 0.0, 0.0]
+}
+
+/// The state of bodies at these places at rest.
+fn state<const BODIES: usize, const LENGTH: usize>(places: [[f64; 7]; BODIES]) -> [f64; LENGTH] {
+    let mut state = [0.0; LENGTH];
+    state.chunks_mut(7).zip(places).for_each(|(entries, place)| entries.copy_from_slice(&place));
+    state
+}
+
+fn pushed(pair: Pair, speed: f64, end: f64, h: f64) -> Trajectory<Pair> {
+    let mut start: [f64; 26] = state([at(0.0, 0.0, 0.1), at(-1.0, 0.0, 0.6)]);
+    start[20] = speed;
+    pair.simulate(start).until(end).method(Stepped::every(h)).energy().record("load").run().expect("it runs")
+}
+
+#[test]
+fn a_box_presses_on_a_box_with_its_weight() {
+    let run = pushed(Pair::default(), 0.0, 1.0, 1e-3);
+    let load = run.column("load").expect("recorded");
+    assert!((load[load.len() - 1] - 2.0 * G).abs() < 1e-9, "{load:?}");
+    let system = run.system_at_end().expect("it stands");
+    assert_eq!([system.touch_0, system.touch_4], [Contact::Closed, Contact::Open]);
+}
+
+#[test]
+fn the_body_below_may_be_named_first() {
+    let start: [f64; 26] = state([at(0.0, 0.0, 0.1), at(0.1, 0.0, 0.4)]);
+    let run =
+        Reversed::default().simulate(start).until(0.2).method(Stepped::every(1e-3)).run().expect("it stands");
+    let moved = run.last().iter().zip(&start).map(|(end, start)| (end - start).abs()).fold(0.0, f64::max);
+    assert!(moved < 1e-12, "{moved}");
+}
+
+/// The distance v²/(2 μ g), with an error that falls as the step.
+#[test]
+fn a_box_slides_on_a_box_until_friction_stops_it() {
+    let distance = 1.0 / (2.0 * 0.3 * G);
+    for h in [1e-3, 5e-4] {
+        let run = pushed(Pair { mu: 0.3, ..Pair::default() }, 1.0, 1.0, h);
+        let [plank, x, y, z] = [0, 7, 8, 9].map(|entry| run.last()[entry]);
+        assert!((x + 1.0 - distance).abs() < 0.6 * h, "{x}");
+        assert!(plank.abs() < 1e-9 && y.abs() < 1e-9 && (z - 0.6).abs() < 1e-9, "{plank} {y} {z}");
+        let energy = run.column("energy").expect("recorded");
+        assert!(energy.windows(2).all(|pair| pair[1] <= pair[0] + 1e-9));
+    }
+}
+
+/// A push F at the height h over the base tips a box of the width b if F h > m g b/2.
+#[test]
+fn a_box_tips_over_its_edge_beyond_the_threshold() {
+    let least = 2.0 * G * 0.2 / 0.6;
+    for (part, tips) in [(0.98, false), (1.02, true)] {
+        let run =
+            pushed(Pair { mu: 0.9, push: part * least, height: 0.2, ..Pair::default() }, 0.0, 1.0, 1e-3);
+        let [w, _, y, _] = [10, 11, 12, 13].map(|entry| run.last()[entry]);
+        let angle = 2.0 * y.atan2(w);
+        assert_eq!(angle > 0.01, tips, "{part}: {angle}");
+        assert!(tips || angle.abs() < 1e-9, "{angle}");
+    }
+}
+
+#[test]
+fn a_stack_stands() {
+    let start: [f64; 39] = state([at(0.0, 0.0, 0.1), at(0.0, 0.0, 0.3), at(0.0, 0.0, 0.5)]);
+    let run =
+        Stack::default().simulate(start).until(2.0).method(Stepped::every(5e-3)).run().expect("it stands");
+    let creep = run.last().iter().zip(&start).map(|(end, start)| (end - start).abs()).fold(0.0, f64::max);
+    assert!(creep < 1e-9, "{creep}");
+    assert_eq!(run.work().inexact, 0);
+}
+
+/// The middle cube slides out under friction on both of its faces, and the upper one after it.
+#[test]
+fn a_pushed_stack_keeps_its_supports() {
+    let start: [f64; 39] = state([at(0.0, 0.0, 0.1), at(0.01, 0.0, 0.3), at(-0.01, 0.0, 0.5)]);
+    let stack = Stack { push: 8.0, ..Stack::default() };
+    let run = stack.simulate(start).until(0.15).method(Stepped::every(5e-4)).run().expect("it slides");
+    let ends = run.last();
+    let path = |acceleration: f64| 0.5 * acceleration * 0.15 * 0.15;
+    assert!(ends[0].abs() < 1e-9, "{ends:?}");
+    assert!((ends[7] - 0.01 - path(8.0 - 0.2 * 2.0 * G - 0.1 * G)).abs() < 2e-4, "{ends:?}");
+    assert!((ends[14] + 0.01 - path(0.1 * G)).abs() < 2e-4, "{ends:?}");
+    for (entry, height) in [(2, 0.1), (9, 0.3), (16, 0.5)] {
+        assert!((ends[entry] - height).abs() < 1e-9, "{ends:?}");
+    }
+    let let_go = Stack { push: 0.0, ..run.system_at_end().expect("it moves").clone() };
+    let run = let_go.simulate(ends).until(0.6).method(Stepped::every(1e-3)).run().expect("it stops");
+    assert!((run.last()[16] - 0.5).abs() < 1e-9, "it keeps its supports: {:?}", run.last());
+    assert!(run.last()[21..].iter().all(|rate| rate.abs() < 1e-9));
+}
+
+fn bar_on_blocks() -> [f64; 39] {
+    state([at(-0.5, 0.0, 0.2), at(0.5, 0.0, 0.2), at(0.0, 0.0, 0.5)])
+}
+
+#[test]
+fn a_bar_lies_on_two_blocks() {
+    let bar = Bar::default();
+    let run = bar.simulate(bar_on_blocks()).until(1.0).method(Stepped::every(1e-3));
+    let run = run.record("load_left").record("load_right").run().expect("it lies");
+    for name in ["load_left", "load_right"] {
+        let load = run.column(name).expect("recorded");
+        assert!((load[load.len() - 1] - 1.5 * G).abs() < 1e-8, "{name}: {load:?}");
+    }
+    assert!((run.last()[16] - 0.5).abs() < 1e-12);
+}
+
+/// The acceleration g/(1 + J/(m r²)) along a slope, with an error that falls as the step.
+#[test]
+fn a_bar_rolls_over_faces() {
+    for h in [1e-3, 5e-4] {
+        let bar = Bar { slope: 1.0, ..Bar::default() };
+        let run = bar.simulate(bar_on_blocks()).until(0.5).method(Stepped::every(h)).run().expect("it rolls");
+        let path = 0.5 * 0.25 / (1.0 + 0.02 / (3.0 * 0.01));
+        assert!((run.last()[15] - path).abs() < 0.5 * h, "{} {path}", run.last()[15]);
+        assert!((run.last()[16] - 0.5).abs() < 1e-6, "{}", run.last()[16]);
+    }
+}
+
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// `LAGRANGE_THROWS=1000` throws more often.
+#[test]
+fn thrown_boxes_gain_no_energy() {
+    let count = std::env::var("LAGRANGE_THROWS").ok().and_then(|count| count.parse().ok()).unwrap_or(8);
+    let (mut seed, mut worst) = (1, 0.0_f64);
+    for throw in 0..count {
+        let mut start: [f64; 26] = state([at(0.0, 0.0, 0.1), at(0.0, 0.0, 0.9)]);
+        let q: [f64; 4] = std::array::from_fn(|_| random(&mut seed));
+        let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+        start[10..14].copy_from_slice(&q.map(|x| x / length));
+        start[20..23].fill_with(|| random(&mut seed));
+        start[23..].fill_with(|| 4.0 * random(&mut seed));
+        let pair = Pair { e: 0.3, ..Pair::default() };
+        let run = pair.simulate(start).until(1.5).method(Stepped::every(1e-3)).energy().run();
+        let run = run.unwrap_or_else(|error| panic!("throw {throw}: {error}"));
+        let energy = run.column("energy").expect("recorded");
+        let rise = energy.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+        worst = worst.max(rise);
+        assert!(rise < 1e-3, "throw {throw} gains {rise}; before, at most {worst}");
+    }
+}
+
+#[test]
+fn other_methods_name_the_contact_and_the_method() {
+    let start: [f64; 26] = state([at(0.0, 0.0, 0.1), at(0.0, 0.0, 0.6)]);
+    let failure = Pair::default().simulate(start).until(1.0).run().err().expect("it is refused").to_string();
+    assert!(
+        failure.contains("the contact `touch[0]` of faces and edges needs the method `Stepped`"),
+        "{failure}"
+    );
+}
