@@ -66,7 +66,7 @@ impl Derivatives {
     }
 }
 
-/// Returns the system with an additional product, and with the values of another system.
+/// The system with a product, and with the values of another.
 fn with_product(
     py: Python<'_>,
     known: &OnceLock<DeclaredSystem>,
@@ -104,10 +104,10 @@ pub(crate) fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult
     derived.map_err(|report| declaration_error(py, &report))
 }
 
-/// Returns a runnable system.
+/// Returns a system that can be run.
 ///
 /// # Errors
-/// `ValueError` for systems that only compiled code can run.
+/// `ValueError` for what only compiled code can run.
 pub(crate) fn runnable(derived: &Derived) -> PyResult<DeclaredSystem> {
     let declared = DeclaredSystem::new(Programs::new(derived));
     declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))

@@ -1,7 +1,7 @@
 //! Declared systems as a Python module.
 //!
-//! The module parses declarations and interprets them by `lagrange-dynamic`; motions are
-//! bit-identical to those of compiled code. Its user documentation is `lagrange.pyi`.
+//! The module reads declarations as text, and interprets them by `lagrange-dynamic`: motions have
+//! the bits of compiled code. `lagrange.pyi` documents it for those who use it.
 #![forbid(unsafe_code)]
 
 mod columns;

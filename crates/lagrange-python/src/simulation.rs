@@ -13,7 +13,7 @@ use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python};
 use crate::error::SimulationError;
 use crate::motion::{NewTrajectory, PyTrajectory};
 
-/// A run with constant inputs.
+/// A run whose inputs are constant.
 pub(crate) struct FreeRun(pub(crate) RunSettings);
 
 /// A run with inputs from a Python function.

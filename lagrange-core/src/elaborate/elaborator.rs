@@ -112,7 +112,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) joints: &'a [Name],
     /// Names of `let`s that are positions, with the items that they position.
     pub(super) places: &'a [(String, String)],
-    /// Constraints of joints that the coordinates satisfy inherently.
+    /// Constraints of joints that the coordinates fulfil by themselves.
     pub(super) implied: Vec<String>,
     /// Constraints, with the positions of their names.
     pub(super) constraints: Vec<(Constraint, Span)>,
@@ -299,7 +299,8 @@ impl<'a> Elaborator<'a> {
         None
     }
 
-    /// Reports a name that should be a coordinate; `usage` is the help if it names something else.
+    /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of
+    /// something else.
     pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
         let (text, origin) = (&name.text, name.span.into());
         if self.coordinates.iter().any(|(coordinate, _)| coordinate.name == *text) {
