@@ -1,9 +1,9 @@
 //! A complete derived system as straight-line programs and plain data, for interpretation and for
 //! writers of other languages.
 //!
-//! Arguments of programs are the time t, the state y = `[q…, v…]` and the array p. It begins with
-//! the declared parameters, and a [`Layout`] gives the index of each. Roots and names of the programs
-//! are those of emitted code, so that results are bit-identical.
+//! Arguments of programs are the time t, the state y = `[q…, v…]` and the array p. The latter
+//! begins with the declared parameters, and a [`Layout`] gives the index of each. Roots and names
+//! of the programs are those of emitted code, so that results are bit-identical.
 
 use super::drawn::DrawnScene;
 use crate::derive::DiffusionKind;

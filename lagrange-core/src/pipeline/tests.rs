@@ -173,8 +173,8 @@ fn dependent_constraints_share_their_force() {
     let (angle, at_rest) = (0.7_f64, [0.0; 3]);
     let acceleration = system.acceleration(0.0, &[angle; 3], &at_rest);
     assert!(acceleration.iter().all(|a| (a - 2.0).abs() < 1e-13), "{acceleration:?}");
-    // The moment of 4 between a and b is shared in the ratio of the gradients; that of 2 between b
-    // and c is not shared.
+    // The moment of 4 between a and b is shared in the ratio of the gradients. The moment of 2
+    // between b and c is not shared.
     let (sine, cosine) = angle.sin_cos();
     let wanted = [-4.0 / 0.5 * cosine, 4.0 / 0.5 * sine, -2.0 / (0.5 * cosine)];
     let multipliers = system.multipliers(0.0, &[angle; 3], &at_rest);
