@@ -106,8 +106,8 @@ fn difference(before: Option<&[u8]>, picture: &[u8], width: u16, height: u16) ->
 
 type Range = std::ops::Range<usize>;
 
-/// Returns the columns and rows of the bounding box of all differences, or of the first pixel
-/// without differences.
+/// Returns the columns and rows of the bounding box of all differences, or of the first pixel if
+/// there are none.
 fn extent(before: &[u8], picture: &[u8], width: usize) -> (Range, Range) {
     let differs = |index: &usize| before[*index] != picture[*index];
     let places = (0..picture.len()).filter(differs).map(|index| (index % width, index / width));
