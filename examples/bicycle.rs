@@ -1,16 +1,17 @@
 //! Whipple's bicycle of four rigid bodies: the speeds at which it balances without a rider's hands.
 //!
-//! A rear frame with a rigid rider, a front frame and two wheels with sharp edges. The rear wheel's
-//! point of contact is a coordinate. The front wheel touches the ground by one constraint on
-//! positions, and both wheels roll by two constraints on velocities each. Of eight coordinates
-//! seven are free, of eight velocities three.
+//! The model consists of a rear frame with a rigid rider, a front frame and two wheels with sharp
+//! edges. The rear wheel's point of contact is a coordinate. The front wheel touches the ground by
+//! one constraint on positions, and both wheels roll by two constraints on velocities each. Seven
+//! of the eight coordinates are free, and three of the eight velocities.
 //!
-//! Rolling straight ahead is a steady motion at every speed. Its linear model is exact, with the
-//! derivatives of the constraints that the turning of the wheels changes. Lean and steer separate
-//! from the rest: M q̈ + v C₁ q̇ + (g K₀ + v² K₂) q = 0. These matrices are published to 14 digits.
-//! So are the eigenvalues at 0 and at 5 m/s, and the speeds between which all decay. Source:
-//! Meijaard, Papadopoulos, Ruina, Schwab, *Linearized dynamics equations for the balance and steer
-//! of a bicycle: a benchmark and review*, Proc. R. Soc. A 463 (2007) 1955–1982, Tables 1 and 2.
+//! Rolling straight ahead is a steady motion at every speed. Its linear model is exact, including
+//! derivatives of the constraints that change as the wheels turn. Lean and steer decouple from the
+//! rest: M q̈ + v C₁ q̇ + (g K₀ + v² K₂) q = 0. These matrices are published to 14 digits. The same
+//! is true of the eigenvalues at 0 and at 5 m/s, and of the range of speeds in which all modes
+//! decay. Source: Meijaard, Papadopoulos, Ruina, Schwab, *Linearized dynamics equations for the
+//! balance and steer of a bicycle: a benchmark and review*, Proc. R. Soc. A 463 (2007) 1955–1982,
+//! Tables 1 and 2.
 //!
 //! Look for the weave, an oscillation of lean and steer that grows below 4.3 m/s, and for the
 //! capsize, a slow fall above 6.0 m/s.
@@ -78,7 +79,7 @@ lagrange::system! {
     body wheel { mass: 3 kg; inertia: (ifx, ify, ifx); visual { thin_ring(rf), turned: (pi/2, 0, 0); cuboid(2*rf, 0.02, 0.02); } }
     revolute front = fork to wheel { at: (-c, 0, rf); axis: (0, 1, 0); }
 
-    // The wheels roll on their lowest points, in the plane of each wheel the farthest down.
+    // The wheels roll on their lowest points, each the farthest down in the plane of its wheel.
     let rear_slip = velocity(hind) + cross(angular_velocity(hind), -rr * up);
     constraint rear_x = rear_slip.x;
     constraint rear_y = rear_slip.y;
@@ -92,7 +93,8 @@ lagrange::system! {
     emit { system_matrix, drawing, no latex }
 }
 
-/// Published: M, C₁, K₀ and K₂ of M q̈ + v C₁ q̇ + (g K₀ + v² K₂) q = 0 for lean and steer.
+/// Published values of M, C₁, K₀ and K₂ in M q̈ + v C₁ q̇ + (g K₀ + v² K₂) q = 0 for lean and
+/// steer.
 const M: [[f64; 2]; 2] = [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]];
 const C1: [[f64; 2]; 2] = [[0.0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]];
 const K0: [[f64; 2]; 2] = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]];
@@ -129,7 +131,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(5.0)
 }
 
-/// The weave as seen by someone who rides along, its decay left out.
+/// Draws the weave as seen by a passing rider, without its decay.
 fn draw(speed: f64) -> Result<(), Box<dyn Error>> {
     let (state, model) = rolling(speed)?;
     let modes = model.modes()?;
@@ -144,7 +146,7 @@ fn draw(speed: f64) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Rolling straight ahead, and its linear model.
+/// Returns the state of rolling straight ahead, and its linear model.
 fn rolling(speed: f64) -> Result<([f64; 16], LinearModel), Box<dyn Error>> {
     let (rear_dot, front_dot) = (speed / 0.3, speed / 0.35);
     let near = BicycleState::from([0.0; 16]);
@@ -152,7 +154,7 @@ fn rolling(speed: f64) -> Result<([f64; 16], LinearModel), Box<dyn Error>> {
     Ok((rolling.state, Bicycle.linearise(0.0, rolling.state)?))
 }
 
-/// The rows and columns of lean, steer and their rates.
+/// Returns the rows and columns of lean, steer and their rates.
 fn lateral(speed: f64) -> Result<DenseMatrix, Box<dyn Error>> {
     let (_, model) = rolling(speed)?;
     let place = |name: &str| model.states().iter().position(|state| state == name).ok_or("it is not free");
@@ -160,7 +162,7 @@ fn lateral(speed: f64) -> Result<DenseMatrix, Box<dyn Error>> {
     Ok(DenseMatrix::from_fn(4, 4, |i, j| model.a()[(places[i], places[j])]))
 }
 
-/// M times the rates of the rates of lean and steer, beside what is published.
+/// Compares M times the rates of the rates of lean and steer with published values.
 fn matrices(speed: f64) -> Result<(), Box<dyn Error>> {
     let a = lateral(speed)?;
     let mut rows = Vec::new();
@@ -178,20 +180,20 @@ fn matrices(speed: f64) -> Result<(), Box<dyn Error>> {
 const STIFFNESS: [[&str; 2]; 2] = [["K lean, lean", "K lean, steer"], ["K steer, lean", "K steer, steer"]];
 const DAMPING: [[&str; 2]; 2] = [["C lean, lean", "C lean, steer"], ["C steer, lean", "C steer, steer"]];
 
-/// The eigenvalue of the oscillation.
+/// Returns the eigenvalue of the oscillation.
 fn weave(speed: f64) -> Result<(f64, f64), Box<dyn Error>> {
     let eigenvalues = lateral(speed)?.eigenvalues().unwrap_or_default();
     Ok(eigenvalues.into_iter().find(|(_, imaginary)| *imaginary > 0.0).ok_or("nothing oscillates")?)
 }
 
-/// The largest real eigenvalue.
+/// Returns the largest real eigenvalue.
 fn capsize(speed: f64) -> Result<f64, Box<dyn Error>> {
     let eigenvalues = lateral(speed)?.eigenvalues().unwrap_or_default();
     let real = eigenvalues.into_iter().filter(|(_, imaginary)| *imaginary == 0.0).map(|(real, _)| real);
     Ok(real.fold(f64::NEG_INFINITY, f64::max))
 }
 
-/// The speed between these two at which a rate of growth passes zero, by bisection.
+/// Returns the speed between two others at which a growth rate crosses zero, by bisection.
 fn zero(
     rate: impl Fn(f64) -> Result<f64, Box<dyn Error>>,
     mut low: f64,

@@ -1,16 +1,16 @@
-//! A billiard ball struck off its centre: it slides along a parabola until it rolls, then along a
-//! line that points elsewhere.
+//! A billiard ball struck off-centre: it slides along a parabola until it rolls, then along a line
+//! in a different direction.
 //!
-//! The cloth rubs against the slip velocity s of the lowest point of the ball, in any direction of
-//! the plane: Coulomb's cone. Let d be the direction of s at the start. It never changes, because
-//! force and moment of friction change s along itself, at the rate 7/2 μ g. Hence
+//! Friction on the cloth opposes the slip velocity s of the lowest point of the ball, in any
+//! direction of the plane: Coulomb's cone. Let d be the initial direction of s. It never changes,
+//! because force and moment of friction change s along itself, at the rate 7/2 μ g. Hence
 //!
 //! ```text
 //! T = |s|/(7/2 μ g),    v = v₀ − μ g t d,    x = v₀ t − ½ μ g t² d    up to T,    then v = v(T).
 //! ```
 //!
-//! (Coriolis, *Théorie mathématique des effets du jeu de billard*, 1835.) Look for the time at
-//! which sliding ends, found as an event, and for the point where the ball is afterwards.
+//! (Coriolis, *Théorie mathématique des effets du jeu de billard*, 1835). Look for the time at
+//! which sliding ends, found as an event, and for the subsequent position of the ball.
 
 mod common;
 
@@ -42,7 +42,7 @@ const DURATION: f64 = 2.0;
 fn main() -> Result<(), Box<dyn Error>> {
     let billiard = Billiard::default();
     let &Billiard { r, mu, g, .. } = &billiard;
-    // Struck along x with backspin and side spin, in m/s and rad/s.
+    // The ball is struck along x with backspin and side spin, in m/s and rad/s.
     let (velocity, spin) = ([3.0, 0.0], [60.0, -80.0, 40.0]);
     let begin = BilliardState {
         ball_vx: velocity[0],

@@ -1,15 +1,14 @@
 //! A ball that bounces infinitely often and comes to rest.
 //!
 //! Dropped from the height h it hits the floor after sqrt(2 h/g), and each bounce takes e times as
-//! long as the one before. The bounces are a geometric series, which ends at
+//! long as the previous one. The durations form a geometric series, which ends at
 //!
 //! ```text
 //! t = sqrt(2 h/g) (1 + e)/(1 − e).
 //! ```
 //!
-//! Infinitely many events lie before that time (Brogliato, *Nonsmooth Mechanics*, 3rd ed., §1.3).
-//! Look for the last event: the contact closes there, and from then on the floor carries the
-//! weight.
+//! Infinitely many events precede that time (Brogliato, *Nonsmooth Mechanics*, 3rd ed., §1.3). Look
+//! for the last event: the contact closes there, and from then on the floor carries the weight.
 
 mod common;
 

@@ -1,15 +1,15 @@
-//! A cart that carries a pendulum. First it moves freely, then a force on the cart balances the
-//! pendulum upright, then a computer sets the force fifty times a second.
+//! A cart that carries a pendulum. At first it moves freely, then a force on the cart balances the
+//! pendulum upright. Finally a computer sets the force fifty times a second.
 //!
 //! The reference state of the free motion is at t = 5 s after release close to the upright
 //! position. It was computed in 160-bit arithmetic with two step counts that agree in all printed
-//! digits. The states of the controlled motions are from `tools/control.py`, by handwritten
+//! digits. The states of the controlled motions are computed by `tools/control.py` from handwritten
 //! equations.
 //!
 //! Last, a linear–quadratic regulator balances the pendulum from half a radian. SciPy computes the
-//! same gain from a linear model by hand, and the state after 3 s (`tools/optimal.py`).
+//! same gain from a handwritten linear model, and the state after 3 s (`tools/optimal.py`).
 //!
-//! The first feedback is linear, too. Without friction in the joint, the poles of the linearised
+//! The first feedback is also linear. Without friction in the joint, the poles of the linearised
 //! motion about the upright are at −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the tip,
 //! which ends above the cart's starting point.
 //!
@@ -46,22 +46,23 @@ lagrange::system! {
     emit { system_matrix }
 }
 
-/// x θ ẋ θ̇ of the free motion at t = 5 s.
+/// State x, θ, ẋ, θ̇ of the free motion at t = 5 s.
 const LEFT_ALONE: [f64; 4] =
     [0.020042933115664744, -2.8370839467698628, -0.05381218271021493, -1.2409591267549178];
 /// The state of the balanced motion at t = 10 s.
 const BALANCED: [f64; 4] =
     [3.987874796614518e-6, 3.1415917136241155, -5.820280178610964e-6, 1.3717771826411104e-6];
-/// And at t = 5 s with a force that is held for 0.02 s.
+/// State of the balanced motion at t = 5 s with a force that is held for 0.02 s.
 const SAMPLED: [f64; 4] =
     [0.005362136575171383, 3.140247872338255, -0.008284798264675425, 0.001887956563467874];
-/// The gain of the regulator, and the state that it leads to at t = 3 s.
+/// Gain of the regulator.
 const GAIN: [f64; 4] = [-10.00000000000008, 61.826287306606105, -10.679301319372048, 13.31957913758945];
+/// State of the regulated motion at t = 3 s.
 const REGULATED: [f64; 4] = [-0.006632214669527, 3.137311500244631, 0.004273844542225, 0.016085254450864];
-/// A start upright but for 0.3 rad, at rest.
+/// Initial state at rest, 0.3 rad from upright.
 const TILTED: [f64; 4] = [0.0, PI - 0.3, 0.0, 0.0];
 
-/// The force that balances the pendulum.
+/// Returns the force that balances the pendulum.
 fn feedback(_: &CartPole, _: f64, state: CartPoleState) -> CartPoleInputs {
     CartPoleInputs {
         u: 1.8 * state.x - 30.8 * (state.theta - PI) + 3.1 * state.x_dot - 6.3 * state.theta_dot,
@@ -89,7 +90,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     regulated(&rusty)
 }
 
-/// Balances the pendulum by a regulator, which weighs ten times the squares of x and θ.
+/// Balances the pendulum by a regulator with weights of ten for the squares of x and θ.
 fn regulated(cart: &CartPole) -> Result<(), Box<dyn Error>> {
     let upright: [f64; 4] = cart.equilibrium([0.0, 3.0, 0.0, 0.0]).solve()?.state;
     let model = cart.linearise(0.0, upright)?;

@@ -1,11 +1,11 @@
-//! A pendulum twice: in the coordinates x and y of its mass, which a constraint keeps on a circle,
-//! and in an angle.
+//! A pendulum, declared twice: in the coordinates x and y of its mass, which a constraint keeps on
+//! a circle, and in an angle.
 //!
-//! Both are the same motion. Released from rest at x = l it is known in closed form (Landau,
-//! Lifshitz, *Mechanics*, §11). The period is 4 K(1/√2) sqrt(l/g), and with m = l = 1 the state at
-//! t = 100 s follows from Jacobi's elliptic functions. The multiplier of the constraint is the
-//! force of the rod: −m (g cos θ + l θ̇²). It is 0 at the start and −3 m g at the bottom, negative
-//! because the rod pulls inwards, against the gradient of the distance.
+//! Both describe the same motion. For a release from rest at x = l it is known in closed form
+//! (Landau, Lifshitz, *Mechanics*, §11). The period is 4 K(1/√2) sqrt(l/g), and with m = l = 1 the
+//! state at t = 100 s follows from Jacobi's elliptic functions. The multiplier of the constraint is
+//! the force of the rod: −m (g cos θ + l θ̇²). It is 0 at the start and −3 m g at the bottom,
+//! negative because the rod pulls inwards, against the gradient of the distance.
 //!
 //! Look for the errors after 42 swings, which are as small with the constraint as without.
 
@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     rod_force()
 }
 
-/// The force of the rod in the first swing.
+/// Compares the force of the rod in the first swing.
 fn rod_force() -> Result<(), Box<dyn Error>> {
     let pendulum = Bound::default();
     let swing = pendulum

@@ -1,4 +1,4 @@
-//! A beam between two magnets, shaken: chaos, and the unstable orbits inside it.
+//! A shaken beam between two magnets: chaos, and the unstable orbits inside it.
 //!
 //! Duffing's oscillator with two wells,
 //!
@@ -6,10 +6,10 @@
 //! m ẍ + c ẋ − k₁ x + k₃ x³ = f cos ωt,
 //! ```
 //!
-//! is chaotic for c = 0.25 and f = 0.3 if all else is one (Guckenheimer, Holmes, *Nonlinear
-//! Oscillations, Dynamical Systems, and Bifurcations of Vector Fields*, §2.2). Areas of states
-//! shrink at the rate c/m whatever the motion does. Hence both Lyapunov exponents add up to −c/m,
-//! and the product of the multipliers of each periodic orbit is exp(−c T/m) with the period T.
+//! is chaotic for c = 0.25 and f = 0.3 if all others are one (Guckenheimer, Holmes, *Nonlinear
+//! Oscillations, Dynamical Systems, and Bifurcations of Vector Fields*, §2.2). Areas in state space
+//! shrink at the rate c/m for any motion. Hence both Lyapunov exponents add up to −c/m, and the
+//! product of the multipliers of each periodic orbit is exp(−c T/m) with the period T.
 //!
 //! Look for the positive exponent, for orbits with a multiplier beyond one, and for both sums.
 //!
@@ -41,7 +41,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// Orbits with the period of the drive: where to search, and the state at t = 0 by SciPy.
+/// Orbits with the period of the drive: the start of the search, and the state at t = 0 by SciPy.
 const ORBITS: [(&str, [f64; 2], [f64; 2]); 3] = [
     ("orbit in the left well", [-1.0, 0.5], [-1.101_945_684_2, 0.636_462_338_3]),
     ("orbit in the middle", [-0.15, 0.02], [-0.148_988_221_8, 0.018_883_591_4]),
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((sizes[0] * sizes[1] - (-TAU * beam.c).exp()).abs() < 1e-9, "areas shrink");
     }
 
-    // So few periods that rounding does not show.
+    // There are few enough periods that rounding errors remain invisible.
     let run = beam.simulate([0.5, 0.0]).until(12.0 * TAU).every(TAU / 200.0).tolerance(1e-13).run()?;
     run.plot_phase("x", gallery::picture("chaos.svg")?)?;
     Ok(())

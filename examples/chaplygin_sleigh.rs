@@ -1,15 +1,15 @@
 //! Chaplygin's sleigh: a body on a blade that does not slide sideways.
 //!
-//! The constraint ẏ cos θ − ẋ sin θ = 0 restricts velocities and no positions: it is nonholonomic.
-//! The centre of mass is ahead of the blade by a. Let go with a spin Ω and no speed, the sleigh
-//! speeds up along its blade and stops turning,
+//! The constraint ẏ cos θ − ẋ sin θ = 0 restricts velocities but not positions: it is nonholonomic.
+//! The centre of mass is ahead of the blade by a. Released with a spin Ω and without speed, the
+//! sleigh speeds up along its blade and stops turning,
 //!
 //! ```text
 //! u = U tanh(τ),  θ̇ = Ω sech(τ),  τ = a Ω² t/U,  U = Ω sqrt((J + m a²)/m)
 //! ```
 //!
 //! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). No work is done, since the blade pushes
-//! across its path.
+//! perpendicularly to its path.
 //!
 //! Look for heading and speed, and for the side force of the blade, m (u θ̇ + a θ̈): the
 //! multiplier.
@@ -35,7 +35,7 @@ lagrange::system! {
 }
 
 const SPIN: f64 = 2.0;
-/// Times with the places of the blade then, integrated with 40 digits.
+/// Times and positions of the blade, integrated with 40 digits.
 const PLACES: [(f64, [f64; 2]); 2] = [
     (1.0, [0.256_328_452_133_423_3, 0.550_293_679_359_788]),
     (10.0, [-8.361_927_302_556_358, 7.841_497_303_673_439]),

@@ -1,6 +1,6 @@
 //! Two point masses on massless rods, released at rest with both rods horizontal.
 //!
-//! The motion is chaotic: deviations, rounding errors among them, grow exponentially with time. The
+//! The motion is chaotic: deviations, including rounding errors, grow exponentially with time. The
 //! reference states were computed in 160-bit arithmetic with two step counts that agree in all
 //! printed digits.
 //!
@@ -28,7 +28,7 @@ lagrange::system! {
     potential = m1 * g * y1 + m2 * g * y2;
 }
 
-/// End times with the states reached there.
+/// Times with the states at these times.
 const REFERENCE: [(f64, [f64; 4]); 3] = [
     (1.0, [-0.6250876998063907, -1.0345850856800123, -3.9222795728879767, -1.3030992486963313]),
     (5.0, [-0.6271867050665307, -1.3013155502098117, 2.1254086738429105, 3.8818887272656073]),

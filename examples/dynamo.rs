@@ -3,7 +3,7 @@
 //!
 //! The voltage k ω of the dynamo is the sum of u across the diode and R i across the resistor. The
 //! diode obeys i = I (exp(u/U) − 1) (Shockley). This has no solution for u in elementary functions.
-//! Three answers are known:
+//! Three results are known:
 //!
 //! - the state 3 s after the weight was thrown up, by `tools/control.py` in multi-precision
 //!   arithmetic: the diode blocks until it falls;
@@ -29,7 +29,7 @@ lagrange::system! {
     state heat: J;
 
     let emf = k * dot(theta);
-    // From somewhat above the solution it is a few steps down, whatever the speed.
+    // From an estimate somewhat above the solution, a few steps suffice at any speed.
     solve drop: V: 0 = leak * (exp(drop / thermal) - 1) - (emf - drop) / r,
         start: thermal / 2 * ln(1 + (emf / (r * leak))^2);
     let current = (emf - drop) / r;
@@ -42,7 +42,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// θ, heat, θ̇ at 3 s.
+/// Values of θ, heat and θ̇ at 3 s.
 const REFERENCE: [f64; 3] = [66.06650748219049, 0.46217396671431374, 45.533966473126505];
 
 fn main() -> Result<(), Box<dyn Error>> {

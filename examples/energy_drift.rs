@@ -1,10 +1,10 @@
-//! The energy drift of several methods on five minutes of a double pendulum, with bars that show
+//! The energy drift of several methods over five minutes of a double pendulum, with bars that show
 //! its size.
 //!
 //! The energy is conserved, so any drift is due to the method. Look for the largest drift relative
-//! to the initial energy, and for its cost. The adaptive method at its tightest needs fewer
-//! evaluations than the classical one, and drifts less by orders of magnitude. `--features plot`
-//! draws each drift.
+//! to the initial energy, and for its cost. The adaptive method at its tightest tolerance needs
+//! fewer evaluations than the classical one, and drifts less by orders of magnitude. `--features
+//! plot` draws each drift.
 
 use std::error::Error;
 
@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The largest drift of the energy in relation to its initial value.
+/// Returns the largest drift of the energy relative to its initial value.
 fn drift(file: &str, method: impl Method<DoublePendulum>) -> Result<f64, Box<dyn Error>> {
     let pendulum = DoublePendulum::default();
     let name = method.name();

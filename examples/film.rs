@@ -1,7 +1,7 @@
 //! Films of two systems: a double pendulum of rods, and a cart with a pole that falls over.
 //!
 //! A film needs bodies with shapes, `emit { drawing }` and a simulated motion. A page (`.html`)
-//! opens in any browser: it plays, pauses, goes to any moment and shows the energies under the
+//! opens in any browser. It plays, pauses, jumps to any moment and shows the energies below the
 //! picture. An animated drawing (`.svg`) plays without a page. Look for the tip of the pendulum,
 //! whose path is drawn, and for the sum of both energies, which is constant.
 //!

@@ -1,7 +1,7 @@
 //! Ten lines: declare a system, simulate it, plot its motion.
 //!
-//! `cargo run --example first_steps --features plot` writes two drawings and prints where they are.
-//! Look for the energy, which drifts by parts in 10¹⁰.
+//! `cargo run --example first_steps --features plot` writes two drawings and prints their paths.
+//! Look for the energy, which only drifts by parts in 10¹⁰.
 
 use std::env::temp_dir;
 use std::error::Error;

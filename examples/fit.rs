@@ -1,15 +1,16 @@
-//! Masses and friction of a double pendulum, from a film of it.
+//! Masses and friction of a double pendulum, estimated from a film of it.
 //!
-//! Lengths are measured, and so is the mass of the upper weight. A camera recorded both angles
-//! every 0.02 s for 4 s, with errors of 0.01 and 0.02 rad. It missed the lower weight now and then.
-//! The file is `examples/data/double_pendulum.csv`.
+//! The lengths and the mass of the upper weight are measured. A camera recorded both angles every
+//! 0.02 s for 4 s, with errors of 0.01 and 0.02 rad. It occasionally missed the lower weight. The
+//! file is `examples/data/double_pendulum.csv`.
 //!
-//! Angles alone do not tell both masses and the friction: with all of them doubled the pendulum
-//! moves the same way. The first fit says so. With one mass known the others follow.
+//! Angles alone do not determine both masses and the friction: if all of them are doubled, the
+//! pendulum moves in the same way. The first fit reports this. With one mass known the others can
+//! be determined.
 //!
 //! References: `tools/fit.py`, by `least_squares` of SciPy along handwritten equations. Look for
-//! the standard errors: they cover the values of which the data were made, 0.2 kg, 0.01 and 0.004 N
-//! m s.
+//! the standard errors: they cover the values used to generate the data, 0.2 kg, 0.01 and 0.004 N m
+//! s.
 
 mod common;
 

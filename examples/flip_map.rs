@@ -1,18 +1,17 @@
-//! Double pendulums let go at rest, at every angle of a grid: when does the lower rod of each first
-//! go over the top?
+//! Double pendulums released from rest, at every angle of a grid: when does each lower rod first go
+//! over the top?
 //!
-//! The map shows the time until the lower angle passes ±π, white where it has not in 20 s. Within
-//! the line the energy is too small for that whatever happens. In areas of one colour neighbours
+//! The map shows the time until the lower angle passes ±π; it is white if this takes more than 20
+//! s. Inside the line, the energy is too small for any flip. In areas of one colour, neighbours
 //! move alike; where colours mix, motions are chaotic.
 //!
 //! A hundred starts within a thousandth of a radian show the consequence. Their angles agree for
-//! five seconds; in the next five their quantiles come apart by whole turns.
+//! five seconds; in the next five their quantiles separate by whole turns.
 //!
-//! References: `tools/flip_map.py`, SciPy's DOP853 with the equations written by hand, and the
-//! energy.
+//! References: `tools/flip_map.py`, SciPy's DOP853 with handwritten equations, and the energy.
 //!
-//! With `--release` the map has 1000 × 1000 cells and takes some minutes on two processors, else 16
-//! × 16; the number behind `--` is another.
+//! With `--release` the map has 1000 × 1000 cells and takes some minutes on two processors,
+//! otherwise 16 × 16. A number after `--` changes this size.
 
 mod common;
 #[path = "common/gallery.rs"]
@@ -41,25 +40,25 @@ lagrange::system! {
     potential = m * g * (upper.y + lower.y);
 }
 
-/// Motions end here if nothing goes over the top.
+/// Final time of motions without a flip.
 const UNTIL: f64 = 20.0;
 const SIDE: usize = if cfg!(debug_assertions) { 16 } else { 1000 };
-/// Angles, and when the lower one passes ±π.
+/// Initial angles, and the time at which the lower one passes ±π.
 const REFERENCES: [([f64; 2], f64); 3] =
     [([1.0, -3.0], 0.216797574832), ([-2.0, 2.0], 1.387988078458), ([2.5, 1.0], 1.443001229979)];
 
-/// Zero where the lower rod stands upright, and rising where it goes over.
+/// Returns zero if the lower rod is upright, and rises as it goes over the top.
 fn beyond_the_top([_, theta2, ..]: &[f64; 4]) -> f64 {
     theta2 * theta2 - PI * PI
 }
 
-/// True if the energy lets the lower rod stand upright: then it is at least that with the upper one
+/// True if the energy suffices for an upright lower rod: at least the energy with the upper rod
 /// hanging.
 fn can_flip([theta1, theta2]: [f64; 2]) -> bool {
     2.0 * theta1.cos() + theta2.cos() <= 1.0
 }
 
-/// The angles at which the energy is just that.
+/// Returns the angles at which the energy just suffices.
 fn threshold() -> impl Iterator<Item = (f64, f64)> {
     let angle = |k: i32| FRAC_PI_2 * f64::from(k) / 200.0;
     let half =
@@ -76,7 +75,7 @@ fn agree_with_references(pendulum: &DoublePendulum) -> Result<(), Box<dyn Error>
     Ok(())
 }
 
-/// The time of the first flip over both angles.
+/// Draws the time of the first flip over both angles.
 fn draw_map(pendulum: &DoublePendulum, side: usize) -> Result<(), Box<dyn Error>> {
     let grid = Grid::new(("theta1", -PI..PI, side), ("theta2", -PI..PI, side));
     let start = |i| {

@@ -1,7 +1,7 @@
 //! A four-bar linkage that turns a thousand times.
 //!
 //! Three bars and the ground form a loop, which two constraints close. One degree of freedom
-//! remains. Nothing is dissipated, so the mechanism returns to its first state with every turn of
+//! remains. Nothing is dissipated, so the mechanism returns to its initial state with every turn of
 //! the crank. The time of a turn follows from the energy alone,
 //!
 //! ```text
@@ -11,8 +11,8 @@
 //! (Landau, Lifshitz, *Mechanics*, §11), computed with 40 digits and without any equations of
 //! motion.
 //!
-//! Look for the angles after a thousand of these periods, which should be those of the start, a
-//! thousand turns further. The residuals of the constraints and the energy should not grow.
+//! Look for the angles after a thousand of these periods, which should equal the initial ones plus
+//! a thousand turns. The residuals of the constraints and the energy should not grow.
 
 mod common;
 #[path = "../tests/mechanisms/four_bar.rs"]
@@ -25,7 +25,7 @@ use common::compare;
 use four_bar::{FourBar, FourBarState, START};
 use lagrange::Simulate;
 
-/// Seconds that a thousand turns take.
+/// Duration of a thousand turns in seconds.
 const THOUSAND_TURNS: f64 = 173.358_935_930_585_8;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -1,15 +1,15 @@
-//! A system that is read while the program runs: a spring pendulum, a mass on an elastic rod.
+//! A system read at run time: a spring pendulum, a mass on an elastic rod.
 //!
-//! The computer algebra behind the macro is a library, `lagrange-core`. It takes a declaration as
-//! text, derives the equations and evaluates them with an interpreter. It serves tools, and systems
-//! that are not known when the program is compiled. The interpreter is much slower than compiled
-//! code.
+//! The computer algebra behind the macro is a library, `lagrange-core`. It parses a declaration
+//! from text, derives the equations and evaluates them with an interpreter. It is intended for
+//! tools, and for systems that are unknown at compile time. The interpreter is much slower than
+//! compiled code.
 //!
-//! The declaration below takes both ways, and the accelerations are compared.
-//! Look for the equations, the structure and the cost, which are also the documentation of the
-//! emitted struct. The accelerations should agree to rounding.
+//! The declaration below is both compiled and interpreted, and the accelerations are compared. Look
+//! for the equations, the structure and the cost, which are also the documentation of the emitted
+//! struct. The accelerations should agree to rounding.
 //!
-//! For the declaration in a file, `lagrange equations FILE` writes the same.
+//! If the declaration is in a file, `lagrange equations FILE` writes the same.
 
 mod common;
 
@@ -42,14 +42,13 @@ compiled_with_text! {
 fn main() -> ExitCode {
     let result = both_ways();
     if let Err(error) = &result {
-        // Mistakes of a declaration are written for people: every one with its line, its column and
-        // help.
+        // Errors in a declaration are readable: each has its line, its column and help.
         eprintln!("{error}");
     }
     ExitCode::from(u8::from(result.is_err()))
 }
 
-/// Prints what is known of a system.
+/// Prints the derived properties of a system.
 fn describe(text: &str) -> Result<Derived, Box<dyn Error>> {
     let mut derived = parse(text)?.derive(StrategyChoice::Cheapest)?;
     print!("{}", derived.report);

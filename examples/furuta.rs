@@ -1,7 +1,7 @@
-//! A Furuta pendulum: an arm turns about the vertical, at its end hangs a pendulum that turns about
+//! A Furuta pendulum: an arm rotates about the vertical, and a pendulum at its end rotates about
 //! the arm.
 //!
-//! The declaration has two rods and two joints. The reference are the equations of motion of
+//! The declaration has two rods and two joints. The reference is the equations of motion by
 //! Cazzolato and Prime, *On the Dynamics of the Furuta Pendulum*, Journal of Control Science and
 //! Engineering (2011). `tools/spatial_examples.py` integrates them with twenty digits:
 //!
@@ -10,8 +10,8 @@
 //! k cos θ φ̈ + J₂ θ̈ = J₂ sin θ cos θ φ̇² − ½ m₂ g l₂ sin θ, with k = ½ m₂ l₁ l₂.
 //! ```
 //!
-//! Look for the angular momentum about the vertical, which nothing changes while the pendulum
-//! drives the arm to and fro.
+//! Look for the angular momentum about the vertical, which is conserved while the pendulum drives
+//! the arm back and forth.
 
 #[path = "common/gallery.rs"]
 mod gallery;
@@ -41,7 +41,7 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// After one second and after three: both angles and their rates.
+/// Both angles and their rates after one and three seconds.
 const REFERENCE: [(f64, [f64; 4]); 2] = [
     (
         1.0,

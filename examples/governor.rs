@@ -1,9 +1,9 @@
-//! A flyball governor: balls on rods, a turning shaft, and a slider on stiff springs and dampers.
+//! A flyball governor: balls on rods, a rotating shaft, and a slider on stiff springs and dampers.
 //!
 //! It is benchmark A05 of the IFToMM library of multibody systems: rods of 1 m with balls of 5 kg,
 //! released at 2π rad/s. The declaration has four bodies and four joints. The handwritten reference
-//! has two freedoms, the angle β of the rods and the height s of the slider. The angular momentum H =
-//! J(β) ω about the shaft is conserved:
+//! has two degrees of freedom, the angle β of the rods and the height s of the slider. The angular
+//! momentum H = J(β) ω about the shaft is conserved:
 //!
 //! ```text
 //! 2 I β̈ = ½ ω² J′(β) + gravity − 2 F ∂l/∂β, m s̈ = −m g − 2 F ∂l/∂s,
@@ -12,10 +12,10 @@
 //!
 //! The reference is their solution with twenty digits (`tools/spatial_mechanisms.py`). The dampers
 //! make the system stiff: explicit steps must stay below 0.4 ms for stability, where accuracy alone
-//! would allow more. Gauss's method of order six takes 2 ms.
+//! would allow more. Gauss's method of order six uses 2 ms.
 //!
-//! Look for the height of the slider after ten seconds of a motion that hardly decays, and for
-//! angular momentum kept to rounding.
+//! Look for the height of the slider after ten seconds of a motion that hardly decays, and for the
+//! angular momentum, conserved up to rounding.
 
 mod common;
 

@@ -1,13 +1,14 @@
-//! A gyroscope: a disk on an axle whose end is held, let go at 60° from the vertical.
+//! A gyroscope: a disk on an axle with a fixed end, released at 60° from the vertical.
 //!
-//! It falls, and in falling precesses; that lifts it again. The axis thus nods between two angles
-//! while it goes around. By quadratures, energy and two angular momenta give both angles, the time
-//! of a nod and the turn of the axis in it. See Goldstein, Poole, Safko, *Classical Mechanics*,
-//! §5.7. `tools/spatial_examples.py` computes them with twenty digits. The declaration has a body
-//! and a ball joint; the state has a quaternion, so that no position of the axis is special.
+//! It falls, and precesses as it falls, which lifts it again. The axis thus nods between two angles
+//! as it goes around. By quadratures, energy and two angular momenta give both angles, the time of
+//! a nod and the precession of the axis in that time. See Goldstein, Poole, Safko, *Classical
+//! Mechanics*, §5.7. `tools/spatial_examples.py` computes them with twenty digits. The declaration
+//! has a body and a ball joint; the state has a quaternion, so that no position of the axis is
+//! special.
 //!
-//! Look for the axis after one nod: at rest again, and turned about the vertical by the precession
-//! of the reference. In the picture its end draws the cusps at which it rests.
+//! Look for the axis after one nod: at rest again, and rotated about the vertical by the reference
+//! precession. In the picture its end traces the cusps at which it rests.
 
 #[path = "common/gallery.rs"]
 mod gallery;
@@ -40,18 +41,20 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// Angles from the vertical between which the axis nods, the time of a nod, and how far it goes
-/// around.
+/// Smallest angle of the axis from the vertical.
 const LEAST: f64 = 1.047_197_551_196_597_7;
+/// Largest angle of the axis from the vertical.
 const MOST: f64 = 1.550_191_274_704_819;
+/// Time of a nod.
 const PERIOD: f64 = 0.397_596_435_589_004_5;
+/// Precession in the time of a nod.
 const PRECESSION: f64 = 1.633_556_050_800_379;
-/// rad/s about the axis.
+/// Spin about the axis in rad/s.
 const SPIN: f64 = 60.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let gyroscope = Gyroscope::default();
-    // Turned by 60° about the x-axis.
+    // Rotated by 60° about the x-axis.
     let (sin, cos) = FRAC_PI_6.sin_cos();
     let start = GyroscopeState {
         pivot_qw: cos,
@@ -72,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         gyroscope.simulate(start).until(end).tolerance(1e-13).ends_only().run().map(|motion| motion.last())
     };
     let (half, whole) = (after(0.5)?, after(1.0)?);
-    // The axis began above −y.
+    // The axis started above −y.
     let [x, y, _] = axis(&whole);
     let rows = [
         ("lowest, rad", inclination(&half), MOST),

@@ -1,13 +1,13 @@
-//! A fast symmetric top about a fixed point, let go at an angle of 0.5 rad.
+//! A fast symmetric top about a fixed point, released at an angle of 0.5 rad.
 //!
 //! The Euler angles of precession φ and spin ψ are cyclic: their momenta are conserved, the
-//! vertical and the axial component of the angular momentum. With the energy that makes three
-//! conserved quantities for three coordinates, so that the motion is regular: it precesses slowly
+//! vertical and the axial component of the angular momentum. Together with the energy, there are
+//! three conserved quantities for three coordinates, so the motion is regular: it precesses slowly
 //! and nods fast. The reference state at t = 10 s was computed in 160-bit arithmetic with two step
 //! counts that agree in all printed digits.
 //!
-//! Routh's reduction makes parameters of the two momenta. What is left moves in one coordinate, θ,
-//! and a run reconstructs both ignored angles, which reach the same reference.
+//! Routh's reduction turns the two momenta into parameters. The remaining motion has one
+//! coordinate, θ, and a run reconstructs both ignored angles, which reach the same reference.
 //!
 //! Look for the range of θ. The top, released without precession, falls a little, and the spin
 //! lifts it back to its start, again and again.
@@ -40,7 +40,7 @@ lagrange::system! {
     reduce Nutation { ignore phi, psi; }
 }
 
-/// φ θ ψ, then their rates, at t = 10 s.
+/// Angles φ, θ, ψ, then their rates, at t = 10 s.
 const REFERENCE: [f64; 6] = [
     2.0467725656913784,
     0.5380072870902001,
@@ -76,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The momenta of the cyclic coordinates and the energy.
+/// Returns the momenta of the cyclic coordinates and the energy.
 fn conserved(top: &HeavyTop, state: HeavyTopState) -> [f64; 3] {
     let (q, v) = (state.coordinates(), state.velocities());
     let [p_phi, _, p_psi] = top.momenta(0.0, &q, &v);

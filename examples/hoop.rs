@@ -1,8 +1,8 @@
-//! A bead on a hoop that turns about its vertical diameter: a bifurcation of equilibria.
+//! A bead on a hoop that rotates about its vertical diameter: a bifurcation of equilibria.
 //!
 //! Relative to the hoop of radius R the bead has the potential −m g R cos θ − ½ m ω² R² sin² θ.
 //! Below ω² = g/R it rests at the bottom. Above, the bottom is unstable, and two stable equilibria
-//! have come out of it,
+//! have branched off,
 //!
 //! ```text
 //! cos θ = g/(ω² R),
@@ -10,7 +10,7 @@
 //!
 //! about which small deviations oscillate with Ω² = ω² sin² θ (Goldstein, Poole, Safko, *Classical
 //! Mechanics*, 3rd ed., ch. 2). The top is unstable at every speed. Friction along the hoop makes
-//! what is stable asymptotically stable.
+//! stable equilibria asymptotically stable.
 //!
 //! Look for the pitchfork in the plot, and for the speed at which it branches.
 //!
@@ -49,7 +49,7 @@ struct Resting {
     omega: f64,
     theta: f64,
     is_stable: bool,
-    /// The product of both eigenvalues, Ω².
+    /// Product of both eigenvalues, Ω².
     stiffness: f64,
 }
 
@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let speed = |k: u32| FASTEST * f64::from(k) / f64::from(SPEEDS);
     let bottom = branch(&hoop, 0.0, (0..=SPEEDS).map(speed))?;
     let top = branch(&hoop, PI, (0..=SPEEDS).map(speed))?;
-    // Downwards from the fastest, until the branch ends in the bottom.
+    // Downwards from the fastest speed, until the branch merges with the bottom.
     let mut raised = branch(&hoop, 1.4, (0..=SPEEDS).rev().map(speed))?;
     raised.retain(|resting| resting.theta > 1e-6);
 
@@ -82,7 +82,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&[bottom, top, raised])
 }
 
-/// The equilibria near an angle for one speed after the other, each searched from the one before.
+/// Returns the equilibria near an angle at successive speeds, each search starting at the previous
+/// result.
 fn branch(hoop: &Hoop, near: f64, speeds: impl Iterator<Item = f64>) -> Result<Vec<Resting>, Box<dyn Error>> {
     let mut theta = near;
     let mut found = Vec::new();
@@ -95,7 +96,7 @@ fn branch(hoop: &Hoop, near: f64, speeds: impl Iterator<Item = f64>) -> Result<V
     Ok(found)
 }
 
-/// The equilibrium near an angle.
+/// Returns the equilibrium near an angle.
 fn at(hoop: &Hoop, near: f64) -> Result<Resting, Box<dyn Error>> {
     let state = hoop.equilibrium([near, 0.0]).solve()?.state;
     let model = hoop.linearise(0.0, state)?;
@@ -103,7 +104,7 @@ fn at(hoop: &Hoop, near: f64) -> Result<Resting, Box<dyn Error>> {
     Ok(Resting { omega: hoop.omega, theta: state[0], is_stable, stiffness: -model.a()[(1, 0)] })
 }
 
-/// The speed at which the equilibrium at an angle becomes unstable, by bisection.
+/// Returns the speed at which the equilibrium at an angle becomes unstable, by bisection.
 fn lost(hoop: &Hoop, theta: f64, fastest: f64) -> Result<f64, Box<dyn Error>> {
     let (mut stable, mut unstable) = (0.0, fastest);
     loop {
@@ -116,7 +117,7 @@ fn lost(hoop: &Hoop, theta: f64, fastest: f64) -> Result<f64, Box<dyn Error>> {
     }
 }
 
-/// Angles over speeds, both for the raised bead to one side and to the other.
+/// Draws angles over speeds, for the raised bead on both sides.
 fn draw(branches: &[Vec<Resting>]) -> Result<(), Box<dyn Error>> {
     let curve = |name: &str, is_stable: bool| {
         let shown = move |sign: f64, at: &Resting| {
@@ -124,7 +125,7 @@ fn draw(branches: &[Vec<Resting>]) -> Result<(), Box<dyn Error>> {
         };
         let points = branches.iter().flat_map(|branch| {
             let sides = [1.0, -1.0].into_iter();
-            // Branches are not joined.
+            // Branches are not connected.
             let gap = [(f64::NAN, f64::NAN)];
             sides.flat_map(move |sign| branch.iter().map(move |at| shown(sign, at)).chain(gap))
         });

@@ -1,14 +1,14 @@
-//! The instantaneous centre of a connecting rod, constructed.
+//! The geometric construction of the instantaneous centre of a connecting rod.
 //!
-//! The crank turns about O, so its pin A moves at a right angle to OA; the slider's pin B moves
-//! along its guide. The normals to both velocities meet in M, the point of the rod that is at rest.
-//! Here M is on the line through O and A, straight above B. From there
+//! The crank rotates about O, so its pin A moves perpendicularly to OA; the slider's pin B moves
+//! along its guide. The normals to both velocities intersect in M, the point of the rod that is at
+//! rest. Here M is on the line through O and A, straight above B. From there
 //!
 //! ```text
 //! r_M = r_P + e_z × v_P/ω    for any point P of the rod,    ω = v_B/|MB|.
 //! ```
 //!
-//! Look for M, which is the same from A, from B and by construction. The slider does not turn and
+//! Look for M, which is the same from A, from B and by construction. The slider does not rotate and
 //! therefore has none.
 //!
 //! `cargo run --example instant_center --features draw`
@@ -81,12 +81,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A and B in the own coordinates of the rod.
+/// Returns A and B in the rod's own coordinates.
 fn ends(&Engine { l, .. }: &Engine) -> [[f64; 2]; 2] {
     [[-l / 2.0, 0.0], [l / 2.0, 0.0]]
 }
 
-/// Both velocities, their normals and where these meet.
+/// Draws both velocities, their normals and the intersection of these.
 fn explain(sketch: &mut Sketch, moment: &Moment<'_, Engine>) {
     let Some(rod) = moment.motion("rod") else { return };
     let Some(center) = rod.instant_center() else { return };

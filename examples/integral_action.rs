@@ -1,5 +1,5 @@
-//! A cart balances a pendulum in wind. What it forgets of the wind, an integral learns: a
-//! first-order state of the declaration.
+//! A cart balances a pendulum in wind. An integral compensates for the wind: a first-order state of
+//! the declaration.
 //!
 //! The force on the cart is u = 4.7 x − 39.7 (θ − π) + 5.3 ẋ − 8.3 θ̇ + K z, with ż = x. Without
 //! the integral, K = 0, the cart ends where the feedback of its position balances the wind, at x =
@@ -39,7 +39,7 @@ lagrange::system! {
     output push = u;
 }
 
-/// x, θ, integral, ẋ, θ̇ at 5 s.
+/// State x, θ, integral, ẋ, θ̇ at 5 s.
 const REFERENCE: [f64; 5] = [
     -0.07127790070504682,
     3.144071801805709,
@@ -47,7 +47,7 @@ const REFERENCE: [f64; 5] = [
     0.05035453488871282,
     0.0003231483919184119,
 ];
-/// Leaning by 0.2 rad, at rest.
+/// Initial state at rest, leaning by 0.2 rad.
 const START: [f64; 5] = [0.0, PI - 0.2, 0.0, 0.0, 0.0];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -14,14 +14,14 @@
 //! The vibration does work at the power −∂L/∂t. Its integral, by Simpson's rule, is the change of
 //! the energy.
 //!
-//! For any amplitude, deviations obey Mathieu's equation. The boundaries of stability are those
-//! where the multipliers of the upright, a periodic orbit at rest, become real. SciPy computes them
+//! For any amplitude, deviations obey Mathieu's equation. The boundaries of stability are reached
+//! when the multipliers of the upright, a periodic orbit at rest, become real. SciPy computes them
 //! as characteristic values (`tools/optimal.py`). For a > 0.45 l there is a second one, above which
 //! the pendulum swings about the upright with half the frequency of the pivot. An ensemble shows
 //! both.
 //!
 //! Look for the largest deviation from upright, θ = π: small for ω = 60 rad/s, several turns for 30
-//! rad/s. The chart has 400 × 400 cells with `--release`, else 12 × 12.
+//! rad/s. The chart has 400 × 400 cells with `--release`, otherwise 12 × 12.
 //!
 //! `cargo run --release --example kapitza --features ensemble,linear,plot`
 
@@ -53,7 +53,7 @@ lagrange::system! {
     emit { power, jacobian }
 }
 
-/// A vibration with the state that it leads to at t = 5 s.
+/// A vibration and its state at t = 5 s.
 struct Run {
     title: &'static str,
     omega: f64,
@@ -66,7 +66,7 @@ const UNSTABLE: Run =
     Run { title: "omega = 30 rad/s, unstable", omega: 30.0, end: [-8.12131262418247, -0.9455167958966941] };
 const START: [f64; 2] = [3.0, 0.0];
 
-/// Time between samples, of which a period of the pivot has more than a hundred.
+/// Time between samples, more than a hundred per period of the pivot.
 const STEP: f64 = 2.5e-4;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -85,7 +85,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     chart()
 }
 
-/// Amplitudes in lengths, and the boundaries in roots of g/l by SciPy.
+/// Amplitudes in units of the length, and boundaries in units of √(g/l), by SciPy.
 const MATHIEU: [(f64, f64, f64); 4] = [
     (0.1, 14.172890020818476, f64::INFINITY),
     (0.4, 3.6490955309290385, f64::INFINITY),
@@ -93,11 +93,11 @@ const MATHIEU: [(f64, f64, f64); 4] = [
     (0.6, 2.512926275747143, 3.3573316673945475),
 ];
 
-/// The frequencies between which the upright is stable; the upper one is infinite where there is
-/// none.
+/// Returns the frequencies between which the upright is stable; the upper one is infinite if it
+/// does not exist.
 fn boundaries(a: f64) -> Result<[f64; 2], Box<dyn Error>> {
     let sum = |omega| sum_of_multipliers(a, omega);
-    // Slower drives let the pendulum fall, and faster ones let it swing.
+    // At slower drives the pendulum falls, and at faster ones it swings.
     let (slow, fast) = (2.0 * 9.81_f64.sqrt(), 1e3);
     let lower = first(|omega| Ok(sum(omega)? < 2.0), slow, fast)?;
     let upper =
@@ -105,13 +105,13 @@ fn boundaries(a: f64) -> Result<[f64; 2], Box<dyn Error>> {
     Ok([lower, upper])
 }
 
-/// The sum of both multipliers, whose product is one: between −2 and 2 they are complex.
+/// Returns the sum of both multipliers, whose product is one: between −2 and 2 they are complex.
 fn sum_of_multipliers(a: f64, omega: f64) -> Result<f64, Box<dyn Error>> {
     let upright = Kapitza { a, omega, ..Kapitza::default() }.orbit([PI, 0.0], TAU / omega).solve()?;
     Ok(upright.monodromy[(0, 0)] + upright.monodromy[(1, 1)])
 }
 
-/// The number from which on something holds, by bisection.
+/// Returns the number above which a condition holds, by bisection.
 fn first(
     holds: impl Fn(f64) -> Result<bool, Box<dyn Error>>,
     mut low: f64,
@@ -127,10 +127,11 @@ fn first(
 const SIDE: usize = if cfg!(debug_assertions) { 12 } else { 400 };
 /// Points on each boundary.
 const POINTS: u32 = if cfg!(debug_assertions) { 4 } else { 120 };
-/// Deviations that do not grow until then are stable.
+/// Time up to which deviations must not grow to count as stable.
 const UNTIL: f64 = 25.0;
 
-/// When deviations from the upright have grown thirtyfold, over amplitude and frequency.
+/// Draws the time at which deviations from the upright have grown thirtyfold, over amplitude and
+/// frequency.
 fn chart() -> Result<(), Box<dyn Error>> {
     let (amplitudes, frequencies) = (0.12..0.7, 5.0..45.0);
     let grid = Grid::new(("a", amplitudes.clone(), SIDE), ("omega", frequencies.clone(), SIDE));
@@ -152,7 +153,7 @@ fn chart() -> Result<(), Box<dyn Error>> {
     check(&grid, ends.column("growth").unwrap_or_default())?;
     let map = ends.map(&grid, "growth")?.logarithmic().named("time until the deviation is thirtyfold in s");
     let map = map.curve("lower boundary", curves.iter().map(|(a, [lower, _])| (*a, *lower)));
-    // It enters through the upper edge, nearly upright.
+    // The boundary enters through the upper edge, nearly vertically.
     let edge = frequencies.end;
     let entrance = first(|a| Ok(sum_of_multipliers(a, edge)? < -2.0), amplitudes.start, amplitudes.end)?;
     let upper = curves.iter().map(|(a, [_, upper])| (*a, *upper)).filter(|(a, _)| *a > entrance);
@@ -160,10 +161,11 @@ fn chart() -> Result<(), Box<dyn Error>> {
     Ok(map.save(gallery::picture("kapitza.png")?)?)
 }
 
-/// Compares growth with the boundaries, apart from cells within 3 % of one, where it takes long.
+/// Compares growth with the boundaries, except for cells within 3 % of a boundary, where growth is
+/// slow.
 fn check(grid: &Grid, grows: &[f64]) -> Result<(), Box<dyn Error>> {
     let mut compared = 0;
-    // The amplitude is that of the first row in each column.
+    // Cells in a column share the amplitude of the first row.
     for column in (0..SIDE).step_by(SIDE / 12) {
         let [lower, upper] = boundaries(grid.at(column)[0])?;
         for cell in (column..grid.len()).step_by(SIDE) {
@@ -180,7 +182,7 @@ fn check(grid: &Grid, grows: &[f64]) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Compares a run with its reference; the largest deviation from the upright position.
+/// Compares a run with its reference, and returns the largest deviation from the upright position.
 fn largest_deviation(run: &Run) -> Result<f64, Box<dyn Error>> {
     let pendulum = Kapitza { omega: run.omega, ..Kapitza::default() };
     let simulation = pendulum.simulate(START).until(5.0).tolerance(1e-13).every(STEP);
@@ -200,7 +202,7 @@ fn largest_deviation(run: &Run) -> Result<f64, Box<dyn Error>> {
     Ok(largest)
 }
 
-/// The integral of values at an odd number of equidistant points.
+/// Integrates values at an odd number of equidistant points.
 fn simpson(values: &[f64], step: f64) -> f64 {
     values.windows(3).step_by(2).map(|v| step / 3.0 * (v[0] + 4.0 * v[1] + v[2])).sum()
 }

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! φ is cyclic, so that its momentum r² φ̇ = sqrt(1 − e²) is conserved, as is the energy −1/2. Look
-//! for the errors after one period, 2π: the planet is back where it started, one turn further.
+//! for the errors after one period, 2π: the planet is back at its start, one turn further.
 
 mod common;
 
@@ -53,10 +53,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Distance and angle at time `t`, no later than one period, from the analytic solution.
+/// Returns distance and angle at time `t`, at most one period, from the analytic solution.
 fn ellipse(t: f64) -> [f64; 2] {
     let mut eccentric = t;
-    // Newton's method; this close to the root it converges to rounding in a handful of steps.
+    // Newton's method converges to rounding accuracy in a few steps this close to the root.
     for _ in 0..20 {
         let (sin, cos) = eccentric.sin_cos();
         eccentric -= (eccentric - ECCENTRICITY * sin - t) / (1.0 - ECCENTRICITY * cos);

@@ -9,13 +9,13 @@
 //! ```
 //!
 //! where its multiplier changes sign: an event (Beer, Johnston, *Vector Mechanics for Engineers:
-//! Dynamics*, chapter 17). From there on the ladder touches the floor only, and its centre moves
-//! sideways at the speed ⅓ sqrt(g l sin³ θ₀). Energy alone gives the rate at which it lands. Times
-//! are integrals over the angle, computed with 40 digits. A second declaration has floor and wall
-//! as contacts that only push, and runs through from the start to the landing.
+//! Dynamics*, chapter 17). From then on the ladder only touches the floor, and its centre moves
+//! sideways at the speed ⅓ sqrt(g l sin³ θ₀). Energy alone gives the angular velocity at landing.
+//! Times are integrals over the angle, computed with 40 digits. A second declaration has floor and
+//! wall as contacts that only push, and runs through from the start to the landing.
 //!
-//! Look for the floor's force when the ladder leaves the wall, which is a quarter of its weight,
-//! whatever θ₀.
+//! Look for the floor's force when the ladder leaves the wall, which is a quarter of its weight for
+//! any θ₀.
 
 mod common;
 
@@ -59,9 +59,9 @@ lagrange::system! {
     event lands = theta, falling => stop;
 }
 
-/// The angle at which it is let go.
+/// Angle at release.
 const ANGLE: f64 = FRAC_PI_3;
-/// When it leaves the wall and when it lands, in s.
+/// Times at which it leaves the wall and lands, in s.
 const TIMES: [f64; 2] = [0.562_969_689_175_059_9, 0.840_345_852_953_131_5];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -94,8 +94,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     whole_motion(start, sideways)
 }
 
-/// The ladder from where it is let go to where it lands: its contacts see for themselves when they
-/// end.
+/// Runs from release to landing; the contacts themselves detect when they end.
 fn whole_motion(start: [f64; 6], sideways: f64) -> Result<(), Box<dyn Error>> {
     let ladder = Ladder::default();
     let motion = ladder.simulate(start).until(2.0).tolerance(1e-13).run()?;

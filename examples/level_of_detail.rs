@@ -1,9 +1,9 @@
-//! A crane that pays only for the visible motion. It computes the whole crane while it travels, and
-//! two pendulums while the brake holds the trolley. Once they have nearly come to rest, linear
-//! equations suffice, until it travels again.
+//! A crane simulated at the cost of its visible motion only. The whole crane is computed while it
+//! travels, and two pendulums while the brake holds the trolley. Once they have nearly come to
+//! rest, linear equations suffice until it travels again.
 //!
-//! The reference is the whole crane all the way through, its trolley held by the servo of its drive
-//! instead of by the brake. Look for the states, which agree except for the effects of the brake
+//! The reference is the whole crane for the whole time, with its trolley held by the servo of its
+//! drive instead of the brake. Look for the states, which agree except for the effects of the brake
 //! and the linear equations. Look also for the energies at each change of type. The operations of
 //! one evaluation are counted by a number type. Most of the savings are evaluations, since the
 //! brake removes the servo, which is stiff.
@@ -60,9 +60,9 @@ struct Driven {
 const GAIN: f64 = 2e5;
 /// The trolley travels for six seconds at up to 1.5 m/s, then rests.
 const TRAVEL: f64 = 6.0;
-/// Deflections, in radians, and their rates from which on the linear equations do.
+/// Deflections, in radians, and their rates below which the linear equations suffice.
 const SMALL: f64 = 0.02;
-/// The end of the scene in seconds.
+/// Final time of the scene in seconds.
 const END: f64 = 60.0;
 
 impl Wrapper for Driven {
@@ -88,7 +88,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (arrived, travelling) = advance(&driven, 0.0, [0.0; 6], TRAVEL)?;
     let arrived = CraneState::from(arrived);
 
-    // The brake closes where the trolley is; the reduced type holds it there.
+    // The brake closes at the current position of the trolley, where the reduced type holds it.
     let crane = Crane { stop: arrived.x, ..driven.crane.clone() };
     let braked = Braked::from(&crane);
     let lost = braked.deviation(arrived);
@@ -102,7 +102,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         braked.energy(0.0, &start.coordinates(), &start.velocities()),
     );
 
-    // Once a second the scene asks whether the swing is small.
+    // The scene checks once a second whether the swing is small.
     let settled = Settled::from(&crane);
     let (mut t, mut state, mut swinging) = (TRAVEL, <[f64; 4]>::from(start), 0);
     while !is_small(settled.deviation(braked.expand(state.into()))) {
@@ -119,7 +119,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (whole, throughout) = advance(&driven, TRAVEL, <[f64; 6]>::from(arrived), END)?;
     let end = settled.expand(end.into());
     let whole = CraneState::from(whole);
-    // The servo gives way by a few millimetres, which the brake does not.
+    // The servo yields by a few millimetres, unlike the brake.
     compare(
         "end of the scene",
         5e-3,
@@ -144,15 +144,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The state at `end` and how often the equations were evaluated on the way.
+/// Returns the state at `end`, and the number of evaluations of the equations.
 fn advance<M: OdeSystem<Scalar = f64>>(
     system: &M,
     t: f64,
     state: M::State,
     end: f64,
 ) -> Result<(M::State, u64), Box<dyn Error>> {
-    // The servo is stiff beside the swing, but not so stiff that an implicit method would be worth
-    // it.
+    // The servo is stiff relative to the swing, but not enough to justify an implicit method.
     let method = Verner98 { refuses_stiff: false, ..Verner98::tolerance(1e-10) };
     let mut stepper = method.start(system, t, &state, end).map_err(|cause| cause.to_string())?;
     while stepper.time() != end {
@@ -161,18 +160,19 @@ fn advance<M: OdeSystem<Scalar = f64>>(
     Ok((*stepper.state(), stepper.work().evaluations))
 }
 
-/// True if what is left out of the linear equations is small; what is frozen deviates by nothing.
+/// True if the terms missing from the linear equations are small; frozen coordinates have no
+/// deviation.
 fn is_small(deviation: CraneState<f64>) -> bool {
     <[f64; 6]>::from(deviation).iter().all(|deviation| deviation.abs() < SMALL)
 }
 
-/// Compares the energy of the whole crane with that of a reduced type.
+/// Compares the energy of the whole crane with the energy of a reduced type.
 fn check_energy(title: &str, tolerance: f64, crane: &Crane<f64>, state: CraneState<f64>, reduced: f64) {
     let whole = crane.energy(0.0, &state.coordinates(), &state.velocities());
     compare(title, tolerance, &[("in joules", reduced, whole)]);
 }
 
-/// Operations of one evaluation of the accelerations: of the whole crane, braked and settled.
+/// Counts the operations of one evaluation of the accelerations: whole crane, braked and settled.
 fn costs() -> [Counts; 3] {
     let crane = Crane::<Counted>::default();
     let (braked, settled) = (Braked::from(&crane), Settled::from(&crane));

@@ -1,12 +1,12 @@
 //! Thirty point masses on massless rods, declared in ten lines.
 //!
-//! The chain hangs from a point, bent by a little more from rod to rod, and is released. The mass
-//! matrix of its absolute angles is full. However, accelerations are found from body to body, so
-//! that their cost is proportional to the number of rods.
+//! The chain hangs from a point, with slightly increasing angles from rod to rod, and is released.
+//! The mass matrix of its absolute angles is full. However, accelerations are computed body by
+//! body, so their cost is proportional to the number of rods.
 //!
-//! The reference is the same chain with its mass matrix written by hand, in SciPy:
-//! `tools/many_of_a_kind.py`. Look for twelve digits of angles and accelerations, and for energy
-//! that stays constant.
+//! The reference is the same chain with a handwritten mass matrix, in SciPy:
+//! `tools/many_of_a_kind.py`. Look for twelve correct digits of angles and accelerations, and for
+//! constant energy.
 //!
 //! `cargo run --example long_chain`
 
@@ -34,9 +34,9 @@ lagrange::system! {
     output tip = p[n];
 }
 
-/// First, middle and last rod.
+/// Indices of the first, middle and last rod.
 const RODS: [usize; 3] = [0, 14, 29];
-/// From `tools/many_of_a_kind.py`.
+/// Values from `tools/many_of_a_kind.py`.
 const ACCELERATIONS: [f64; 3] = [-2.6245707643313034, -1.8161338664874436, -1.7932216625706707];
 const ANGLES: [f64; 3] = [-0.1523687295314143, -0.23063124607433866, -0.4220238308746291];
 const LAST_RATE: f64 = -1.7970165998404366;

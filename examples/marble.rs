@@ -1,14 +1,14 @@
 //! A marble that rolls in a round bowl, declared in one line: `contact touch = marble inside bowl`.
 //!
 //! The compiler writes the gap R − r − |c − p| and the slip velocity of the lowest point of the
-//! marble. Where it does not slip, its centre moves as a pendulum of the length
+//! marble. Without slip, its centre moves like a pendulum of the length
 //!
 //! ```text
 //! l = 7/5 (R − r),    because    T = ½ (m + J/r²) v²    with    J = 2/5 m r².
 //! ```
 //!
 //! Its period is 2π √(l/g) / M(1, cos θ₀/2), with the arithmetic-geometric mean M (Gauss). Look for
-//! the marble where it started, after one period at an amplitude of 60 degrees. With less friction
+//! the marble back at its start after one period, at an amplitude of 60 degrees. With less friction
 //! it slips on the steep part, and no longer comes back.
 
 mod common;
@@ -34,7 +34,7 @@ lagrange::system! {
     contact touch = marble inside bowl { friction: mu; }
 }
 
-/// Period of a pendulum.
+/// Computes the period of a pendulum.
 fn period(length: f64, amplitude: f64, g: f64) -> f64 {
     let (mut mean, mut root) = (1.0, (0.5 * amplitude).cos());
     while (mean - root).abs() > 1e-15 {

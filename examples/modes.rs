@@ -1,7 +1,7 @@
-//! The two modes of rods that hang from each other, as films and as a picture of their extremes.
+//! The two modes of a double pendulum of rods, as films and as a picture of their extremes.
 //!
-//! Each rod has its own place and angle, and two pins hold them by four constraints. Two of six
-//! coordinates are free, and the others follow in the shapes of modes. Two equal rods of length l
+//! Each rod has its own position and angle, and two pins impose four constraints. Two of the six
+//! coordinates are free, and the others follow from the mode shapes. Two equal rods of length l
 //! oscillate with
 //!
 //! ```text
@@ -42,7 +42,7 @@ lagrange::system! {
     emit { system_matrix, drawing }
 }
 
-/// The largest displacement, in rad.
+/// Largest angular displacement in rad.
 const AMPLITUDE: f64 = 0.35;
 const NAMES: [&str; 2] = ["slow", "fast"];
 

@@ -1,11 +1,11 @@
-//! A motor lifts an arm against gravity: its current is a first-order state, and so are the energy
-//! that is supplied and the heat.
+//! A motor lifts an arm against gravity. Its current is a first-order state, and so are the
+//! supplied energy and the heat.
 //!
 //! The current of a motor with inductance L and resistance R obeys L i̇ = u − R i − N k θ̇. Here N
 //! is the ratio of the gear and k the motor constant. The motor turns the arm with the torque N k
-//! i. Three answers are known:
+//! i. Three results are known:
 //!
-//! - the state half a second after 1 V is put on, by `tools/control.py` in multi-precision
+//! - the state half a second after 1 V is applied, by `tools/control.py` in multi-precision
 //!   arithmetic;
 //! - the arm comes to rest where the torque of the current u/R holds its weight: sin θ = 2 N k u /
 //!   (R m g l);
@@ -40,7 +40,7 @@ lagrange::system! {
     output field = 1/2 * inductance * current^2;
 }
 
-/// θ, current, supplied, heat, θ̇ at 0.5 s.
+/// Values of θ, current, supplied energy, heat and θ̇ at 0.5 s.
 const REFERENCE: [f64; 5] =
     [0.15893305523490608, 0.14099674041060242, 0.0796812707435039, 0.030514598888832695, 0.32643611220981816];
 

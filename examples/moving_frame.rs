@@ -1,6 +1,6 @@
-//! Velocity and acceleration of a point of a moving body, seen from another one.
+//! Velocity and acceleration of a point of a moving body, relative to another point.
 //!
-//! A plate flies through the plane. Its own axes start in the corner P; Q is one of its points, ρ
+//! A plate flies through the plane. Its own axes start at the corner P; Q is one of its points, ρ
 //! leads from P to Q. With e_z × (x, y) = (−y, x)
 //!
 //! ```text
@@ -8,8 +8,8 @@
 //! ```
 //!
 //! (Meriam, Kraige, *Engineering Mechanics: Dynamics*, §5/4 and §5/6). The declaration
-//! differentiates the place of Q; the formulas are written out beside it. Look for the picture, in
-//! which the arrows of v_P and ω e_z × ρ add up to v_Q.
+//! differentiates the position of Q; the formulas are evaluated for comparison. Look for the
+//! picture, in which the arrows of v_P and ω e_z × ρ add up to v_Q.
 //!
 //! `cargo run --example moving_frame --features draw`
 
@@ -40,7 +40,7 @@ lagrange::system! {
     }
     torque motor on plate;
 
-    // P and Q in the axes of the plate, whose origin is its middle.
+    // P and Q in the axes of the plate, with the origin at its centre.
     output velocity_p = velocity(plate.point(-a / 2, -b / 2));
     output velocity_q = velocity(plate.point(a / 4, b / 3));
     output acceleration_p = acceleration(plate.point(-a / 2, -b / 2));
@@ -83,12 +83,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// P and Q in the plate's own coordinates.
+/// Returns P and Q in the plate's own coordinates.
 fn points(&Plate { a, b, .. }: &Plate) -> [[f64; 2]; 2] {
     [[-a / 2.0, -b / 2.0], [a / 4.0, b / 3.0]]
 }
 
-/// Both frames, the vectors between them, and the velocities.
+/// Draws both frames, the vectors between them, and the velocities.
 fn explain(sketch: &mut Sketch, moment: &Moment<'_, Plate>) {
     let Some(plate) = moment.motion("plate") else { return };
     let [p, q] = points(moment.system);

@@ -1,23 +1,23 @@
-//! An arm with seven joints, whose hand runs around a tilted circle, pointing down all the way.
+//! An arm with seven joints, whose hand moves along a tilted circle, always pointing down.
 //!
-//! Masses and joints are those of the Franka Emika Panda as its public description has them. Seven
-//! joints for six freedoms of the hand leave one. With the desired twist (ω, ẋ) of the hand and its
-//! Jacobian J, rates of the joints are
+//! Masses and joints are taken from the public description of the Franka Emika Panda. Seven joints
+//! for six degrees of freedom of the hand leave one. With the desired twist (ω, ẋ) of the hand and
+//! its Jacobian J, rates of the joints are
 //!
 //! ```text
 //! v = z + Jᵀ (J Jᵀ)⁻¹ (twist − J z),   z = κ (q₀ − q),
 //! ```
 //!
-//! those that move the hand in this way and are nearest to z, a motion back to a comfortable
-//! posture q₀. See Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5. After each step inverse
+//! the rates closest to z that move the hand in this way, where z returns to a comfortable posture
+//! q₀. See Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5. After each step inverse
 //! kinematics puts the hand back on the circle, by 10⁻⁹ m or so. A thousand times a second a
-//! controller computes torques. If it knew the load of the hand, deviations e of the
-//! joints would decay as ë + 2 ω ė + ω² e = 0 (§8.5.2 there). It does not: the load causes
-//! additional accelerations d, and
+//! controller computes torques. If it knew the load of the hand, deviations e of the joints would
+//! decay as ë + 2 ω ė + ω² e = 0 (§8.5.2 there). It does not know the load, which causes additional
+//! accelerations d, and
 //! |e| ≤ max |d| / ω², since the response of a critically damped oscillator to an impulse never changes its sign.
 //!
 //! Torques and the motion of the hand are compared with Pinocchio's (`tools/robots.py`). Look for
-//! the deviations beside their bound.
+//! the deviations compared with their bound.
 //!
 //! `cargo run --example panda --features draw`
 
@@ -80,13 +80,16 @@ lagrange::system! {
     emit { frames, frame_jacobians, drawing }
 }
 
-/// A posture, and a state with accelerations.
+/// A posture.
 const HOME: [f64; 7] = [0.0, -FRAC_PI_4, 0.0, -3.0 * FRAC_PI_4, 0.0, FRAC_PI_2, FRAC_PI_4];
+/// Coordinates of a state.
 const Q: [f64; 7] = [0.25, -0.5, 0.375, -2.125, -0.25, 1.75, 0.5];
+/// Velocities of the state.
 const V: [f64; 7] = [0.5, -0.25, 0.75, 1.0, -1.25, 0.5, 2.0];
+/// Accelerations in the state.
 const A: [f64; 7] = [1.0, 2.0, -1.5, 0.5, 3.0, -2.5, 1.25];
-/// Torques at rest in the posture, torques of the motion, the place of the hand, its angular
-/// velocity and velocity, by Pinocchio 4.1.
+/// Torques at rest in the posture, torques of the motion, and position, angular velocity and
+/// velocity of the hand, by Pinocchio 4.1.
 const HOLDING: [f64; 7] = [
     0.0,
     -3.9878158574251565,
@@ -117,12 +120,13 @@ const TWIST: [f64; 6] = [
 
 const END: f64 = 3.0;
 const PERIOD: f64 = 1e-3;
-/// X ahead, Z down.
+/// Orientation of the hand with X ahead and Z down.
 const DOWN: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
-/// Rate of the feedback, and of the return to the posture, in 1/s.
+/// Rate of the feedback in 1/s.
 const FEEDBACK: f64 = 30.0;
+/// Rate of the return to the posture in 1/s.
 const COMFORT: f64 = 0.5;
-/// The load, in N.
+/// Load in N.
 const LOAD: f64 = 10.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -175,7 +179,7 @@ fn circle(t: f64) -> [f64; 3] {
     [START[0] + 0.8 * ahead, START[1] + aside, START[2] - 0.6 * ahead]
 }
 
-/// Angles of the joints, their rates, and mean accelerations until the next instant.
+/// Angles of the joints, their rates, and mean accelerations up to the next instant.
 #[derive(Clone, Copy)]
 struct Joints {
     q: [f64; 7],
@@ -200,7 +204,7 @@ fn plan(arm: &Panda) -> Result<Vec<Joints>, Box<dyn Error>> {
     Ok(plan)
 }
 
-/// Rates of the joints that lead the hand along the circle and keep its orientation.
+/// Returns the joint rates that move the hand along the circle and keep its orientation.
 fn rates(arm: &Panda, t: f64, q: &[f64; 7]) -> [f64; 7] {
     const MOMENT: f64 = 1e-5;
     let (ahead, behind) = (circle(t + MOMENT), circle(t - MOMENT));
@@ -209,8 +213,8 @@ fn rates(arm: &Panda, t: f64, q: &[f64; 7]) -> [f64; 7] {
     resolved_rates(&arm.hand_jacobian(t, q), &[0.0, 0.0, 0.0, x, y, z], &comfortable)
 }
 
-/// The motion under torques that are computed without knowledge of the load, and held between
-/// instants.
+/// Simulates the motion under torques that are computed without knowledge of the load, and held
+/// between instants.
 fn follow(arm: &Panda, plan: &[Joints]) -> Result<Trajectory<Panda>, Box<dyn Error>> {
     let known = Panda::default();
     let control = |_: &Panda, t: f64, state: PandaState| {
@@ -226,7 +230,7 @@ fn follow(arm: &Panda, plan: &[Joints]) -> Result<Trajectory<Panda>, Box<dyn Err
     Ok(run.run()?)
 }
 
-/// The largest deviation of each joint.
+/// Returns the largest deviation of each joint.
 fn deviations(run: &Trajectory<Panda>, plan: &[Joints]) -> [f64; 7] {
     run.iter().zip(plan).fold([0.0; 7], |largest, ((_, y), wanted)| {
         let q = PandaState::from(y).coordinates();
@@ -234,7 +238,7 @@ fn deviations(run: &Trajectory<Panda>, plan: &[Joints]) -> [f64; 7] {
     })
 }
 
-/// The largest accelerations that the load makes of its own, over ω².
+/// Returns the largest accelerations caused by the load, over ω².
 fn bounds(loaded: &Panda, run: &Trajectory<Panda>) -> [f64; 7] {
     let empty = Panda::default();
     run.iter().fold([0.0; 7], |largest, (t, y)| {
@@ -245,11 +249,11 @@ fn bounds(loaded: &Panda, run: &Trajectory<Panda>) -> [f64; 7] {
     })
 }
 
-/// Prints deviations without load, which are there since torques are held for a period, and with
-/// load beside their bound.
+/// Prints deviations without load, caused by the piecewise constant torques, and with load next to
+/// their bound.
 ///
 /// # Panics
-/// If a deviation is larger than the bound and what it is without load.
+/// If a deviation exceeds the bound by more than the deviation without load.
 fn report([empty, loaded]: [[f64; 7]; 2], bounds: [f64; 7]) {
     println!("{:>16} {:>24} {:>24} {:>10}", "deviation, mrad", "without load", "with load", "bound");
     for i in 0..7 {
@@ -259,7 +263,7 @@ fn report([empty, loaded]: [[f64; 7]; 2], bounds: [f64; 7]) {
     }
 }
 
-/// The arm after two thirds of the time, and a film.
+/// Draws the arm after two thirds of the time, and a film.
 fn draw(arm: &Panda, run: &Trajectory<Panda>) -> Result<(), Box<dyn Error>> {
     let wanted = (0..=100).map(|k| circle(END * f64::from(k) / 100.0));
     let drawing = Drawing::of(arm)

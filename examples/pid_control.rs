@@ -1,4 +1,4 @@
-//! A slide that a sampled PID controller moves against a spring, with an actuator that saturates.
+//! A slide moved against a spring by a sampled PID controller, whose actuator saturates.
 //!
 //! Every 0.05 s the controller computes the force
 //!
@@ -6,12 +6,11 @@
 //! u = Kp e + I − Kd ẋ,   I ← I + Ki h e,   e = 1 − x,
 //! ```
 //!
-//! which the actuator limits to ±15 N. While it does, the integral waits: otherwise it would
-//! continue to grow and the slide overshoot (Åström, Hägglund, *Advanced PID Control*, §3.5,
-//! "windup"). Three answers are known:
+//! which the actuator limits to ±15 N. During saturation, the integral is frozen: otherwise it
+//! would continue to grow and the slide would overshoot (Åström, Hägglund, *Advanced PID Control*,
+//! §3.5, "windup"). Three results are known:
 //!
-//! - as long as the force is saturated from the start on, the slide is a damped oscillator under a
-//!   constant force;
+//! - during the initial saturation, the slide is a damped oscillator under a constant force;
 //! - the integral leaves no error at rest: the slide comes to rest at 1 m, where the spring takes k
 //!   · 1 m = 10 N;
 //! - the state at 6 s, by `tools/control.py` in multi-precision arithmetic.
@@ -39,10 +38,10 @@ lagrange::system! {
 
 const PERIOD: f64 = 0.05;
 const LIMIT: f64 = 15.0;
-/// x ẋ at 6 s.
+/// Values of x and ẋ at 6 s.
 const REFERENCE: [f64; 2] = [0.999812453222426, 0.001210234314642701];
 
-/// A controller with its memory.
+/// A controller with its integral.
 #[derive(Default)]
 struct Pid {
     integral: f64,

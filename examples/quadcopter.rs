@@ -1,9 +1,9 @@
-//! A quadcopter that takes off, steps aside while it turns, and flips over.
+//! A quadcopter that takes off, moves aside while it turns, and flips over.
 //!
-//! A free body has no singular orientation: upside down is a place like any other. It consists of a
-//! block, two rods across and four disks, the rotors. Their thrusts f along its own Z are its
-//! inputs, and each rotor turns the frame backwards by a moment d f. By hand, about the centre of
-//! mass,
+//! A free body has no singular orientation: upside down is an orientation like any other. It
+//! consists of a block, two rods across and four disks, the rotors. The thrusts f along the body's
+//! Z-axis are its inputs, and each rotor exerts a reaction moment d f on the frame. The equations
+//! about the centre of mass are
 //!
 //! ```text
 //! m r̈ = −m g e_z + R e_z Σf,   J ω̇ + ω × J ω = (a (f₂ − f₄), a (f₃ − f₁), d (f₁ − f₂ + f₃ − f₄)).
@@ -13,13 +13,13 @@
 //! (`tools/quadcopter.py`). Then a geometric controller (Lee, Leok, McClamroch, "Geometric tracking
 //! control of a quadrotor UAV on SE(3)", 2010) computes the thrusts 250 times a second. They
 //! combine the force along R e_z that leads back to the path, and moments that turn R e_z into its
-//! direction. During the flip it follows a turn about its own X instead.
+//! direction. During the flip it follows a rotation about its own X-axis instead.
 //!
 //! Look for thrusts that point downwards while it is upside down, and end at m g/4 each.
 //!
-//! First, a linear–quadratic regulator brings it from the side, turned by 0.4 rad, back to
-//! hovering. SciPy computes the same gain from a linear model by hand, and the state after 2 s from
-//! the nonlinear equations above (`tools/optimal.py`).
+//! First, a linear–quadratic regulator returns it from a position to the side, rotated by 0.4 rad,
+//! to hovering. SciPy computes the same gain from a handwritten linear model, and the state after 2
+//! s from the nonlinear equations above (`tools/optimal.py`).
 //!
 //! `cargo run --example quadcopter --features draw,linear,plot`
 
@@ -72,7 +72,7 @@ lagrange::system! {
     emit { motion, drawing, system_matrix }
 }
 
-/// Mass, height of its centre above that of the block, and principal moments of inertia.
+/// Mass, height of its centre above the centre of the block, and principal moments of inertia.
 const BODY: [f64; 5] =
     [1.22, 0.003934426229508197, 0.008559448087431695, 0.008559448087431695, 0.016232666666666666];
 /// The centre of mass, orientation, velocity and angular velocity after 1.5 s of scripted thrusts.
@@ -96,11 +96,11 @@ const PERIOD: f64 = 4e-3;
 const END: f64 = 7.0;
 /// Maximum thrust of a rotor, in N.
 const STRONGEST: f64 = 9.0;
-/// When it is up, has stepped aside, flips, and holds its place again.
+/// Times at which it is up, has moved aside, flips, and holds its position again.
 const PHASES: [f64; 4] = [1.5, 3.0, 3.6, 4.2];
 const HEIGHT: f64 = 1.0;
 const ASIDE: f64 = 1.5;
-/// The speed at which the flip begins, in m/s.
+/// Speed at the start of the flip in m/s.
 const JUMP: f64 = 2.5;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -120,7 +120,7 @@ fn check_body(copter: &Quadcopter) {
     compare("the body", 1e-15, &[0, 1, 2, 3, 4].map(|i| (names[i], computed[i], BODY[i])));
 }
 
-/// At rest in the origin, upright.
+/// State at rest at the origin, upright.
 const REST: QuadcopterState = QuadcopterState {
     copter_x: 0.0,
     copter_y: 0.0,
@@ -173,7 +173,7 @@ fn check_scripted(copter: &Quadcopter) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The gain of the regulator for the rotor ahead.
+/// Gain of the regulator for the front rotor.
 const GAIN: [f64; 12] = [
     -2.236067977499784,
     0.0,
@@ -188,8 +188,8 @@ const GAIN: [f64; 12] = [
     -0.8345975549581596,
     0.80982508399448,
 ];
-/// Position, orientation, velocity and angular velocity 2 s after a start in the place (1, −0.5,
-/// 0.3), turned by 0.4 rad about (2, −1, 2)/3.
+/// Position, orientation, velocity and angular velocity after 2 s. The start is at (1, −0.5, 0.3),
+/// rotated by 0.4 rad about (2, −1, 2)/3.
 const REGULATED: [f64; 13] = [
     -0.004351801644371073,
     0.00823831347495289,
@@ -206,7 +206,7 @@ const REGULATED: [f64; 13] = [
     0.0009938460657340359,
 ];
 
-/// Hovers by a regulator, whose thrusts are those of equilibrium less K δ. The deviation δ of an
+/// Hovers by a regulator, whose thrusts are those of equilibrium minus K δ. The deviation δ of an
 /// orientation is a rotation about the axes of the body.
 fn hover(copter: &Quadcopter) -> Result<(), Box<dyn Error>> {
     let found = copter.equilibrium(REST).trim(&["f1", "f2", "f3", "f4"]).solve()?;
@@ -249,15 +249,15 @@ fn hover(copter: &Quadcopter) -> Result<(), Box<dyn Error>> {
 type Vector = [f64; 3];
 type Matrix = [Vector; 3];
 
-/// The target of the controller: the position of the centre of mass with the azimuth of the body's
-/// X, or a turn about its X.
+/// The target of the controller: the position of the centre of mass and the azimuth of the body's
+/// X-axis, or a rotation about this axis.
 #[derive(Clone, Copy)]
 enum Wanted {
     Place { place: Vector, velocity: Vector, acceleration: Vector, heading: [f64; 2] },
     Turn { angle: f64, rate: f64, acceleration: f64 },
 }
 
-/// From 0 to 1 with the least jerk, with its first two derivatives.
+/// Returns a transition from 0 to 1 with minimum jerk, with its first two derivatives.
 fn blend(from: f64, to: f64, t: f64) -> [f64; 3] {
     let (span, part) = (to - from, ((t - from) / (to - from)).clamp(0.0, 1.0));
     let rate = 30.0 * part * part * (1.0 - part).powi(2) / span;
@@ -284,12 +284,13 @@ fn wanted(t: f64) -> Wanted {
     }
 }
 
-/// Rates of the feedback on places and orientations, in 1/s.
+/// Rate of the position feedback in 1/s.
 const PLACE_RATE: f64 = 5.0;
+/// Rate of the orientation feedback in 1/s.
 const TURN_RATE: f64 = 24.0;
 
-/// Thrusts by the state: force along the axis of the rotors, and moments by the deviation of the
-/// orientation.
+/// Computes thrusts from the state: the force along the axis of the rotors, and moments from the
+/// deviation of the orientation.
 fn thrusts(copter: &Quadcopter, t: f64, body: &SpatialMotion<f64>) -> QuadcopterInputs {
     let (axes, weight) = (body.rotation, body.mass * copter.g);
     let (orientation, force, rates, accelerations) = match wanted(t) {
@@ -303,7 +304,7 @@ fn thrusts(copter: &Quadcopter, t: f64, body: &SpatialMotion<f64>) -> Quadcopter
             (upright(pull, azimuth), along, [0.0, 0.0, rate], [0.0; 3])
         }
         Wanted::Turn { angle, rate, acceleration } => {
-            // About X, which points along the world's y after the quarter turn on the way.
+            // Rotation about X, which points along the world's y after the preceding quarter turn.
             let (sin, cos) = angle.sin_cos();
             let orientation = [[0.0, -cos, sin], [1.0, 0.0, 0.0], [0.0, sin, cos]];
             (orientation, 0.6 * weight, [rate, 0.0, 0.0], [acceleration, 0.0, 0.0])
@@ -319,7 +320,7 @@ fn thrusts(copter: &Quadcopter, t: f64, body: &SpatialMotion<f64>) -> Quadcopter
     mixed(copter, force, std::array::from_fn(|i| inertial[i] + carried[i]))
 }
 
-/// The thrusts that together have this force and these moments, as far as rotors can.
+/// Returns the thrusts that produce this force and these moments, within the limits of the rotors.
 fn mixed(copter: &Quadcopter, force: f64, [mx, my, mz]: Vector) -> QuadcopterInputs {
     let (mean, x, y, z) = (force / 4.0, mx / (2.0 * copter.a), my / (2.0 * copter.a), mz / (4.0 * copter.d));
     QuadcopterInputs::from(
@@ -327,7 +328,7 @@ fn mixed(copter: &Quadcopter, force: f64, [mx, my, mz]: Vector) -> QuadcopterInp
     )
 }
 
-/// The orientation whose Z has this direction and whose X this azimuth, in rows.
+/// Returns the orientation, in rows, with Z in this direction and X at this azimuth.
 fn upright(direction: Vector, azimuth: f64) -> Matrix {
     let z = unit(direction);
     let y = unit(cross(z, [azimuth.cos(), azimuth.sin(), 0.0]));
@@ -335,8 +336,8 @@ fn upright(direction: Vector, azimuth: f64) -> Matrix {
     [0, 1, 2].map(|row| [x[row], y[row], z[row]])
 }
 
-/// Half the vector of the antisymmetric part of Dᵀ R: for small turns the angle from D to R, along
-/// the axes of the body.
+/// Returns half the vector of the antisymmetric part of Dᵀ R. For small rotations it is the angle
+/// from D to R, along the axes of the body.
 fn deviation(wanted: &Matrix, axes: &Matrix) -> Vector {
     let entry = |i: usize, j: usize| inner(column(wanted, i), column(axes, j));
     [entry(2, 1) - entry(1, 2), entry(0, 2) - entry(2, 0), entry(1, 0) - entry(0, 1)].map(|twice| 0.5 * twice)
@@ -350,7 +351,7 @@ fn fly(copter: &Quadcopter) -> Result<Trajectory<Quadcopter>, Box<dyn Error>> {
     Ok(run.record("center").dense().run()?)
 }
 
-/// Upright again where it should be, hovering.
+/// Checks that the copter hovers upright at its target again.
 fn check_flight(run: &Trajectory<Quadcopter>) {
     let thrusts = ["f1", "f2", "f3", "f4"].map(|name| run.column(name).unwrap_or_default());
     let strongest = thrusts.iter().flat_map(|thrust| thrust.iter()).fold(0.0_f64, |a, b| a.max(*b));
@@ -366,7 +367,7 @@ fn check_flight(run: &Trajectory<Quadcopter>) {
     compare("in its place, m", 1e-4, &rows);
 }
 
-/// The flight with the thrusts at the beginning of the flip, and a film.
+/// Draws the flight with the thrusts at the beginning of the flip, and a film.
 fn draw(copter: &Quadcopter, run: &Trajectory<Quadcopter>) -> Result<(), Box<dyn Error>> {
     let shown = PHASES[2] + 0.16;
     let y = run.at(shown)?;

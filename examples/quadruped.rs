@@ -1,17 +1,17 @@
 //! A quadruped that is dropped, lands on its feet and stands.
 //!
-//! Masses, centres of mass and joints are those of the Unitree Go2 as its public description has
-//! them. A free trunk and four legs of three links, with springs and dampers in their joints, have
-//! eighteen freedoms. The feet are rigid balls with friction on the ground, one line in the part
+//! Masses, centres of mass and joints are taken from the public description of the Unitree Go2. A
+//! free trunk and four legs of three links, with springs and dampers in their joints, have eighteen
+//! degrees of freedom. The feet are rigid balls with friction on the ground, one line in the part
 //! `Leg`. At rest, the normal forces carry the weight W, and balance its moments:
 //!
 //! ```text
 //! Σ Nᵢ = W,    Σ Nᵢ xᵢ = W x,    Σ Nᵢ yᵢ = W y,    with the feet at xᵢ, yᵢ and the centre of mass at x, y.
 //! ```
 //!
-//! Only dampers, friction and impacts act beside springs and weights, so the energy never rises.
-//! Accelerations and energy of a state in the air are compared with Pinocchio's
-//! (`tools/robots.py`), where joints have torques. Look for the balances, and for forces within
+//! Apart from springs and weights, only dampers, friction and impacts act, so the energy never
+//! rises. Accelerations and energy of a state in the air are compared with Pinocchio's
+//! (`tools/robots.py`), which applies joint torques. Look for the balances, and for forces within
 //! Coulomb's cone at all times.
 //!
 //! `cargo run --example quadruped --features draw`
@@ -72,7 +72,7 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// A state in the air: position and orientation of the trunk, then the joints, and velocities in
+/// A state in the air: position and orientation of the trunk, then the joints; velocities are in
 /// the same order.
 const Q: [f64; 19] = [
     0.0625, -0.125, 0.5, 0.8, 0.2, -0.4, 0.4, 0.25, 0.75, -1.25, -0.125, 1.0, -1.5, 0.125, 0.5, -1.75, -0.25,
@@ -80,7 +80,7 @@ const Q: [f64; 19] = [
 ];
 const V: [f64; 18] =
     [0.25, -0.5, 0.125, 0.75, -0.25, 1.5, 1.0, -2.0, 3.0, -1.0, 0.5, 2.0, -0.75, 1.25, -3.0, 1.5, -0.5, 0.25];
-/// Its accelerations and energy by Pinocchio 4.1.
+/// Accelerations and energy in this state by Pinocchio 4.1.
 const ACCELERATIONS: [f64; 18] = [
     2.657782262826317,
     -2.0263151930916274,
@@ -106,10 +106,11 @@ const ENERGY: f64 = 100.70918679961733;
 const WEIGHT: f64 = 9.81 * (7.277000000000002 + 4.0 * (0.767 + 1.2409999999999999 + 0.194));
 /// Height of the drop.
 const DROP: f64 = 0.05;
-/// When the film ends, and when the quadruped is at rest.
+/// Final time of the film.
 const LANDED: f64 = 1.5;
+/// Time at which the quadruped is at rest.
 const END: f64 = 8.0;
-/// Columns of normal forces and of the lengths of friction forces.
+/// Columns of normal forces and of the magnitudes of friction forces.
 const FORCES: [[&str; 2]; 4] = [
     ["fl.normal", "fl.friction"],
     ["fr.normal", "fr.friction"],
@@ -134,12 +135,12 @@ fn check_state(quadruped: &Quadruped) {
     ];
     let rows: [_; 18] = std::array::from_fn(|i| (names[i], accelerations[i], ACCELERATIONS[i]));
     compare("accelerations", 1e-12, &rows);
-    // That of the slab is a constant.
+    // The energy of the slab is constant.
     let slab = 9.81 * 0.005;
     compare("of the same state", 1e-13, &[("energy, J", quadruped.energy(0.0, &Q, &V) + slab, ENERGY)]);
 }
 
-/// The quadruped falls onto its feet, turned a little aside.
+/// Drops the quadruped onto its feet, slightly rotated.
 fn drop(quadruped: &Quadruped) -> Result<Trajectory<Quadruped>, Box<dyn Error>> {
     let mut start = [0.0; 37];
     let legs = 0.213 * (quadruped.pitch.cos() + (quadruped.pitch + quadruped.knee).cos());
@@ -152,7 +153,7 @@ fn drop(quadruped: &Quadruped) -> Result<Trajectory<Quadruped>, Box<dyn Error>> 
     Ok(FORCES.iter().flatten().fold(run, |run, force| run.record(force)).run()?)
 }
 
-/// Forces press and stay within the cone, and the energy never rises.
+/// Checks that forces press and stay within the cone, and that the energy never rises.
 fn check_run(quadruped: &Quadruped, run: &Trajectory<Quadruped>) {
     let column = |name: &str| run.column(name).unwrap_or_default();
     for [normal, friction] in FORCES.map(|forces| forces.map(column)) {
@@ -164,7 +165,7 @@ fn check_run(quadruped: &Quadruped, run: &Trajectory<Quadruped>) {
     println!("{} events, {:.3} J are lost", run.events().len(), energy[0] - energy[energy.len() - 1]);
 }
 
-/// All feet stick, and their forces balance the weight and its moments.
+/// Checks that all feet stick, and that their forces balance the weight and its moments.
 fn check_rest(run: &Trajectory<Quadruped>) -> Result<(), Box<dyn Error>> {
     let landed = run.system_at_end().ok_or("it has landed")?;
     let run = landed.simulate(run.last()).from(LANDED).until(END).method(Radau5::tolerance(1e-7)).run()?;
@@ -194,7 +195,7 @@ fn check_rest(run: &Trajectory<Quadruped>) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A still picture and a film.
+/// Draws a still picture and a film.
 fn draw(quadruped: &Quadruped, run: &Trajectory<Quadruped>) -> Result<(), Box<dyn Error>> {
     let drawing = Drawing::of(quadruped).title("A quadruped on its feet").view(-0.8, 0.3).nameless();
     let still = drawing.clone().picture(1.0, &run.at(1.0)?)?;

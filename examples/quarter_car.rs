@@ -1,14 +1,15 @@
-//! A quarter of a car on a measured road: the car and a wheel, between them a spring and a damper,
-//! below a tyre.
+//! A quarter of a car on a measured road: the car and a wheel, a spring and a damper between them,
+//! and a tyre below.
 //!
 //! The road is a table of heights every 0.25 m, in the file `examples/data/road.csv`, which is read
-//! while this is compiled. Between the points it is a natural cubic spline: the force of the tyre
-//! is continuous in its second derivative. Displacements of the masses are from rest on a level
-//! road, so no weight appears. At 20 m/s the car passes all 50 m in 2.5 s.
+//! at compile time. Between the points it is a natural cubic spline: the force of the tyre is
+//! continuous in its second derivative. Displacements of the masses are from rest on a level road,
+//! so weights do not appear. At 20 m/s the car passes all 50 m in 2.5 s.
 //!
 //! References: `tools/quarter_car.py`, by SciPy's spline and Runge–Kutta method, and by matrix
-//! exponentials, which agree in 12 digits. Look for the car, which the springs hold at a sixth of
-//! the acceleration of the wheel. The tyre carries less than at rest, but never leaves the road.
+//! exponentials, which agree in 12 digits. Look for the acceleration of the car, which the springs
+//! reduce to a sixth of that of the wheel. The tyre carries less than at rest, but never leaves the
+//! road.
 
 mod common;
 

@@ -1,7 +1,7 @@
-//! One body seen from two reference points: the angular velocity is the same.
+//! One body relative to two reference points: the angular velocity is the same.
 //!
-//! A rod with a plate at its end swings. The velocity of its point Q is put together once from the
-//! point P and once from the point P′,
+//! A rod with a plate at its end swings. The velocity of its point Q is composed once from point P
+//! and once from point P′,
 //!
 //! ```text
 //! v_Q = v_P + ω e_z × ρ = v_P′ + ω′ e_z × ρ′,
@@ -36,7 +36,7 @@ lagrange::system! {
 }
 
 const STATE: [f64; 6] = [0.0, 0.0, 0.35, 0.5, 0.3, 1.4];
-/// P, P′ and Q in the body's own coordinates.
+/// Points P, P′ and Q in the body's own coordinates.
 const POINTS: [[f64; 2]; 3] = [[-0.38, -0.15], [0.05, -0.2], [0.3, 0.18]];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -60,14 +60,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// ω from the velocities of two points.
+/// Computes ω from the velocities of two points.
 fn spin(body: &Motion<f64>, p: [f64; 2], q: [f64; 2]) -> f64 {
     let ([x, y], [vx, vy]) =
         (difference(body.point(q), body.point(p)), difference(body.velocity_at(q), body.velocity_at(p)));
     (x * vy - y * vx) / (x * x + y * y)
 }
 
-/// The velocity of Q, put together from that of a reference point.
+/// Draws the velocity of Q, composed from the velocity of a reference point.
 fn picture(system: &Paddle, reference: [f64; 2], name: &str) -> Result<Picture, Box<dyn Error>> {
     let label = name.to_owned();
     let drawing = Drawing::of(system)

@@ -1,13 +1,12 @@
-//! A robot arm with six joints, declared in a line for each body and one for each joint.
+//! A robot arm with six joints, declared with one line for each body and each joint.
 //!
-//! Masses, centroids and joints are those of the UR5 as its public description has them.
-//! Accelerations without torques are compared with those of Pinocchio's articulated-body algorithm.
-//! Then the arm follows a path of its joints under computed torques: inverse dynamics of the
-//! desired motion, with springs and dampers on deviations. Its hand carries a load that the
-//! controller does not know.
+//! Masses, centroids and joints are taken from the public description of the UR5. Accelerations
+//! without torques are compared with those of Pinocchio's articulated-body algorithm. Then the arm
+//! follows a path of its joints under computed torques: inverse dynamics of the desired motion,
+//! with springs and dampers on deviations. Its hand carries a load that the controller does not
+//! know.
 //!
-//! Look for how little the hand is off its path, and how far it would fall behind without the
-//! feedback.
+//! Look for the small deviation of the hand from its path, and for its lag without feedback.
 
 mod common;
 
@@ -50,7 +49,7 @@ lagrange::system! {
     output hand = wrist3.point(0, 0.0823 m, 0);
 }
 
-/// A state and its accelerations: coordinates, velocities, accelerations by Pinocchio 4.1.
+/// Coordinates and velocities of a state.
 const STATE: ([f64; 6], [f64; 6]) = (
     [
         -1.6574033314255026,
@@ -78,8 +77,9 @@ const ACCELERATIONS: [f64; 6] = [
     -1.27306933866015,
 ];
 
-/// Stiffness of the feedback by inertia, in 1/s², and its damping, in 1/s: critical.
+/// Stiffness of the feedback per inertia, in 1/s².
 const STIFFNESS: f64 = 400.0;
+/// Damping of the feedback per inertia, in 1/s: critical.
 const DAMPING: f64 = 40.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -102,7 +102,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Joint angles that swing to and fro, with their rates and accelerations.
+/// Returns oscillating joint angles, with their rates and accelerations.
 fn path(t: f64) -> [[f64; 6]; 3] {
     let (from, by, rate) = ([0.0, -1.2, 1.0, -0.5, -1.5, 0.0], [0.8, 0.5, -0.7, 0.4, 0.6, 1.0], 2.0);
     let (sin, cos) = (rate * t).sin_cos();
@@ -110,7 +110,7 @@ fn path(t: f64) -> [[f64; 6]; 3] {
     [std::array::from_fn(|i| from[i] + by[i] * (1.0 - cos)), along(rate * sin), along(rate * rate * cos)]
 }
 
-/// Computed torques (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §8.5.2) of a controller
+/// Computes the torques (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §8.5.2) of a controller
 /// that knows the arm but not its load.
 fn torques(t: f64, state: RobotArmState, (stiffness, damping): (f64, f64)) -> RobotArmInputs {
     let (q, v) = (state.coordinates(), state.velocities());
@@ -121,7 +121,7 @@ fn torques(t: f64, state: RobotArmState, (stiffness, damping): (f64, f64)) -> Ro
     RobotArmInputs::from(RobotArm::default().inverse_dynamics(t, &q, &v, &corrected))
 }
 
-/// The largest distance of the hand from where it should be, in 2 s.
+/// Returns the largest distance of the hand from its target, within 2 s.
 fn furthest(arm: &RobotArm, gains: (f64, f64)) -> Result<f64, Box<dyn Error>> {
     let [start, rest, _] = path(0.0);
     let law = |_: &RobotArm, t: f64, state: RobotArmState| torques(t, state, gains);

@@ -1,6 +1,6 @@
 //! Centre of mass and moment of inertia of a rod and of half a disk, summed over elements of mass.
 //!
-//! The rod is cut into pieces, the half-disk into pieces of rings. Their sums approach
+//! The rod is divided into pieces, the half-disk into pieces of rings. Their sums converge to
 //!
 //! ```text
 //! rod:        J_S = m l²/12,    J_end = m l²/3,
@@ -8,8 +8,8 @@
 //! ```
 //!
 //! where M is the centre of the circle and s its distance from the centre of mass S (Meriam,
-//! Kraige, *Engineering Mechanics: Dynamics*, table D/4). m s² is taken away on the way from M to
-//! S, since J_S is the smallest moment of inertia of all.
+//! Kraige, *Engineering Mechanics: Dynamics*, table D/4). m s² is subtracted when moving from M to
+//! S, since J_S is the smallest of all moments of inertia.
 //!
 //! The half-disk then rocks on a floor, without slipping. For small angles
 //!
@@ -17,7 +17,7 @@
 //! ω² = m g s/(J_S + m (r − s)²).
 //! ```
 //!
-//! Look for the errors of the sums, which fall by four when the elements are halved.
+//! Look for the errors of the sums, which fall by a factor of four when the elements are halved.
 //!
 //! `cargo run --example rod_and_half_disk --features draw`
 
@@ -60,7 +60,7 @@ lagrange::system! {
     emit { motion, drawing }
 }
 
-/// Elements along the rod, along the radius and around half the circle.
+/// Number of elements along the rod, along the radius and around half the circle.
 const PIECES: usize = 400;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -106,7 +106,7 @@ struct Summed {
     about_center: f64,
 }
 
-/// Elements of equal density, by place and size, that weigh `mass` together.
+/// Sums elements of equal density, given by position and size, with the total mass `mass`.
 fn summed(elements: &[([f64; 2], f64)], mass: f64) -> Summed {
     let density = mass / elements.iter().map(|(_, size)| size).sum::<f64>();
     let moment = |of: &dyn Fn([f64; 2]) -> f64| {
@@ -117,13 +117,13 @@ fn summed(elements: &[([f64; 2], f64)], mass: f64) -> Summed {
     Summed { center, about_origin: about([0.0; 2]), about_center: about(center) }
 }
 
-/// The middles of pieces of a rod from the origin along X, with their lengths.
+/// Returns the midpoints of pieces of a rod from the origin along X, with their lengths.
 fn rod_elements(l: f64, pieces: usize) -> Vec<([f64; 2], f64)> {
     let length = l / pieces as f64;
     (0..pieces).map(|i| ([(i as f64 + 0.5) * length, 0.0], length)).collect()
 }
 
-/// The middles of pieces of half rings, with their areas.
+/// Returns the midpoints of pieces of half rings, with their areas.
 fn half_disk_elements(r: f64, pieces: usize) -> Vec<([f64; 2], f64)> {
     let (width, step) = (r / pieces as f64, PI / pieces as f64);
     let element = |i: usize, j: usize| {
@@ -133,7 +133,7 @@ fn half_disk_elements(r: f64, pieces: usize) -> Vec<([f64; 2], f64)> {
     (0..pieces).flat_map(|i| (0..pieces).map(move |j| element(i, j))).collect()
 }
 
-/// The time of a small oscillation, between two passages through the middle.
+/// Compares the period of a small oscillation, between two passages through the middle.
 fn rocking() -> Result<(), Box<dyn Error>> {
     let rocker = Rocker::default();
     let &Rocker { m, r, g } = &rocker;
@@ -153,7 +153,7 @@ fn rocking() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Some elements of mass, the centres and their distances.
+/// Draws some elements of mass, the centres and their distances.
 fn explain(sketch: &mut Sketch, moment: &Moment<'_, Solids>) {
     let (Some(rod), Some(half)) = (moment.motion("rod"), moment.motion("half")) else { return };
     let &Solids { r, l, .. } = moment.system;

@@ -1,15 +1,15 @@
-//! A rod that moves broadside meets a fixed peg with its end.
+//! A rod that moves broadside hits a fixed peg with its end.
 //!
-//! The impulse of the peg passes the centre of mass at l/2, so that the rod starts to turn. Seen
-//! from the peg the rod has the mass 1/(1/m + (l/2)²/J) = m/4, and with the coefficient of
-//! restitution e
+//! The impulse of the peg acts at the distance l/2 from the centre of mass, so the rod starts to
+//! rotate. At the peg the rod has the effective mass 1/(1/m + (l/2)²/J) = m/4, and with the
+//! coefficient of restitution e
 //!
 //! ```text
 //! impulse = (1 + e) m v/4,    ω = (1 + e) 3 v/(2 l),    loss = (1 − e²)/4 of the kinetic energy:
 //! ```
 //!
-//! the general v⁺ = v⁻ − (1 + e) M⁻¹ Jᵀ (J M⁻¹ Jᵀ)⁻¹ J v⁻ with the gradient J of the gap. See
-//! Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8. Look for the
+//! a case of the general v⁺ = v⁻ − (1 + e) M⁻¹ Jᵀ (J M⁻¹ Jᵀ)⁻¹ J v⁻ with the gradient J of the gap.
+//! See Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8. Look for the
 //! plastic impact, e = 0: ω = 3 v/(2 l), and a quarter of the energy is lost.
 
 mod common;

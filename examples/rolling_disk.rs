@@ -1,12 +1,12 @@
 //! A coin that rolls on a table without slipping.
 //!
 //! Coordinates are the point of contact x, y, the heading φ of the track, and the tilt θ of the
-//! axis from the vertical. The last, ψ, is the coin's turn about its own axis. Rolling is two
+//! axis from the vertical. The last, ψ, is the coin's rotation about its own axis. Rolling is two
 //! constraints on velocities that cannot be integrated to functions of the coordinates, so the coin
-//! reaches any place in any direction. Their multipliers are the friction of the table.
+//! can reach any position in any orientation. Their multipliers are the friction of the table.
 //!
-//! Two motions are known. Leaning by a constant tilt the coin runs in a circle if its turns ψ̇ fit
-//! the rate n of the heading,
+//! Two motions are known. Leaning at a constant tilt the coin rolls in a circle if its spin ψ̇
+//! matches the rate n of the heading,
 //!
 //! ```text
 //! A n² sin θ cos θ − (C + m r²) n sin θ ω₃ = m g r cos θ,    ω₃ = ψ̇ + n cos θ
@@ -15,8 +15,8 @@
 //! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). Any other start wobbles; the reference
 //! for one of them comes from Newton's and Euler's equations in 40-digit arithmetic.
 //!
-//! Look for the place after a full circle, which is the start, and for the energy, which rolling
-//! does not use up.
+//! Look for the position after a full circle, which equals the initial one, and for the energy,
+//! which rolling conserves.
 
 mod common;
 
@@ -43,9 +43,9 @@ lagrange::system! {
     output normal_force = m * (g + ddot(centre.z));
 }
 
-/// Tilt, 69° from lying flat.
+/// Tilt of the axis; the coin is 69° from lying flat.
 const TILT: f64 = 1.2;
-/// The wobbling coin at t = 10 s: coordinates and the rates of heading, tilt and turns.
+/// Wobbling coin at t = 10 s: coordinates and the rates of heading, tilt and spin.
 const WOBBLED: [f64; 8] = [
     3.920_410_792_797_404,
     1.493_740_698_031_011,
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     wobble(&coin)
 }
 
-/// A coin that rolls along x at first, with these rates of heading and turns.
+/// Returns the state of a coin that initially rolls along x, with these rates of heading and spin.
 fn rolling(coin: &Coin, phi_dot: f64, psi_dot: f64) -> CoinState {
     let (x_dot, theta) = (-coin.r * psi_dot, TILT);
     CoinState {
@@ -91,8 +91,8 @@ fn circle(coin: &Coin) -> Result<(), Box<dyn Error>> {
     let (q, v) = (end.coordinates(), end.velocities());
     let t = trajectory.end_time();
     let [friction_x, friction_y] = coin.multipliers(t, &q, &v);
-    // What keeps the centre on its circle about the middle of the track, towards which the coin
-    // leans.
+    // The force that keeps the centre on its circle about the centre of the track, towards which
+    // the coin leans.
     let radius = r * (start.psi_dot / rate).abs() - r * cosine;
     let rows = [
         ("x, m", end.x, 0.0),

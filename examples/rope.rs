@@ -1,9 +1,9 @@
-//! A cylinder rolls down a slope and pulls a cuboid along a floor that is smooth at first and rough
-//! from there on.
+//! A cylinder rolls down a slope and pulls a cuboid along a floor that is smooth at first and then
+//! rough.
 //!
 //! Both have the mass m; the rope runs over a massless pulley. The cuboid, 2 r long, is on smooth
-//! floor up to s = l1. Then the friction grows with the part of it that is on rough floor, to μ m
-//! g. The cylinder may meet a wall at s = l3. From rest
+//! floor up to s = l1. Then the friction grows with the fraction of its length on rough floor, up
+//! to μ m g. The cylinder may meet a wall at s = l3. From rest
 //!
 //! ```text
 //! 5/4 v² = g s sin α                                on smooth floor,
@@ -11,10 +11,10 @@
 //! 5/4 v² = g s sin α − μ g (s − l1 − r)             on rough floor,
 //! ```
 //!
-//! so that it comes to rest at s = μ (l1 + r)/(μ − sin α), unless that is beyond the wall.
+//! so that it comes to rest at s = μ (l1 + r)/(μ − sin α), unless this is beyond the wall.
 //!
 //! The rolling is a joint, the rope a separate constraint. Their multipliers are the friction below
-//! the cylinder and the force of the rope. One more coordinate, w, has no inertia and a constraint
+//! the cylinder and the force of the rope. Another coordinate, w, has no inertia and a constraint
 //! on its velocity: it is the work of the friction, integrated along with the motion. Look for T +
 //! V − w, which stays constant, and for both ends: at rest for μ = 0.8, at the wall for μ = 0.6.
 //!
@@ -94,7 +94,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The motion from rest. What happens on the way is compared with the formulas.
+/// Simulates the motion from rest, and compares the events with the formulas.
 fn motion(scene: &Rope, title: &str) -> Result<Trajectory<Rope>, Box<dyn Error>> {
     let trajectory = scene
         .simulate([0.0; 8])
@@ -124,7 +124,7 @@ fn motion(scene: &Rope, title: &str) -> Result<Trajectory<Rope>, Box<dyn Error>>
     Ok(trajectory)
 }
 
-/// T, V from where it starts, the heat −w and their sum.
+/// Returns T, V relative to the start, the heat −w and their sum.
 fn energies(rope: &Rope, t: f64, y: &[f64; 8]) -> [f64; 4] {
     let state = RopeState::from(*y);
     let kinetic = rope.kinetic_energy(t, &state.coordinates(), &state.velocities());
@@ -132,7 +132,7 @@ fn energies(rope: &Rope, t: f64, y: &[f64; 8]) -> [f64; 4] {
     [kinetic, potential, -state.w, kinetic + potential - state.w]
 }
 
-/// The force of the rope, and by how much it differs from m g sin α − 3/2 m s̈.
+/// Returns the force of the rope, and its difference from m g sin α − 3/2 m s̈.
 fn rope_force(rope: &Rope, t: f64, y: &[f64; 8]) -> [f64; 2] {
     let state = RopeState::from(*y);
     let (q, v) = (state.coordinates(), state.velocities());
@@ -141,7 +141,7 @@ fn rope_force(rope: &Rope, t: f64, y: &[f64; 8]) -> [f64; 2] {
     [force, force - wanted]
 }
 
-/// The square of the speed at s, by the formulas above.
+/// Returns the square of the speed at s, by the formulas above.
 fn squared_speed(rope: &Rope, s: f64) -> f64 {
     let &Rope { r, l1, mu, alpha, g, .. } = rope;
     let lost = if s < l1 {
@@ -154,7 +154,7 @@ fn squared_speed(rope: &Rope, s: f64) -> f64 {
     0.8 * g * (s * alpha.sin() - mu * lost)
 }
 
-/// Four states side by side: start, the rough floor is reached, the cuboid is on it, the end.
+/// Draws four states side by side: at the start, at the rough floor, on it, and at the end.
 fn states(scene: &Rope, run: &Trajectory<Rope>) -> Result<(), Box<dyn Error>> {
     let events = run.events().iter().filter(|event| ["enters", "rough"].contains(&event.name.as_str()));
     let states = [(0.0, run.first())].into_iter().chain(events.map(|event| (event.time, event.state)));
@@ -169,14 +169,14 @@ fn states(scene: &Rope, run: &Trajectory<Rope>) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The rough part of the floor, rope, pulley and wall.
+/// Draws the rough part of the floor, the rope, the pulley and the wall.
 fn surroundings(sketch: &mut Sketch, moment: &Moment<'_, Rope>) {
     let (Some(cuboid), Some(cylinder)) = (moment.motion("cuboid"), moment.motion("cylinder")) else { return };
     let &Rope { r, l1, l3, alpha, .. } = moment.system;
     let down = |along: f64, away: f64| {
         [along * alpha.cos() + away * alpha.sin(), away * alpha.cos() - along * alpha.sin()]
     };
-    // The front of the cuboid is here as it starts.
+    // Initial position of the cuboid's front.
     let front = -l3 - 2.0 * r;
     let wall = 3.0 * r + l3 + r;
     sketch.ink(0).segment(down(wall, 0.0), down(wall, 3.0 * r));

@@ -1,13 +1,14 @@
 //! A slider-crank whose crank is driven at a constant speed.
 //!
 //! The drive is a constraint that depends on time, crank − ω t = 0, and its multiplier is the
-//! torque of the motor. The guide and the pin that joins rod and slider are two more. No degree of
-//! freedom remains, so that everything is known in closed form. With λ = r/l and the rod's angle φ,
-//! sin φ = −λ sin θ, the slider is at x = r cos θ + l cos φ. The reduced inertia I(θ) = Σ m (x′² +
-//! y′²) + J φ′² gives the torque, ½ I′(θ) ω². The pin pushes the slider with m₃ ω² x″ (Dresig,
-//! Holzweißig, *Dynamics of Machinery*, chapter 2).
+//! torque of the motor. The guide, and the pin that joins rod and slider, are two more constraints.
+//! No degree of freedom remains, so everything is known in closed form. With λ = r/l and the rod's
+//! angle φ, sin φ = −λ sin θ, the slider is at x = r cos θ + l cos φ. The reduced inertia I(θ) = Σ
+//! m (x′² + y′²) + J φ′² gives the torque, ½ I′(θ) ω². The pin pushes the slider with m₃ ω² x″
+//! (Dresig, Holzweißig, *Dynamics of Machinery*, chapter 2).
 //!
-//! Look for position, pin force and torque after a hundred turns and a bit: they have not drifted.
+//! Look for position, pin force and torque after slightly more than a hundred turns: they have not
+//! drifted.
 
 mod common;
 

@@ -1,17 +1,17 @@
-//! A cuboid slides after a cylinder that rolls, down the same slope, and catches up with it.
+//! A cuboid slides after a cylinder that rolls down the same slope, and catches up with it.
 //!
 //! Both have the mass m. The cuboid slides without friction and starts a distance d above the
-//! cylinder, which rolls without slipping, its friction slowing it down. That both stay on the
-//! slope and that the cylinder rolls are joints, whose forces are those of a free-body diagram:
+//! cylinder, which rolls without slipping and is slowed down by friction. Joints keep both on the
+//! slope and make the cylinder roll; their forces are those of a free-body diagram:
 //!
 //! ```text
 //! N = m g cos α  (both bodies),    H = m g sin α/3,    a = 2/3 g sin α  and  g sin α,    t = sqrt(6 d/(g sin α)).
 //! ```
 //!
-//! The bodies touch where the distance between them, a function of the state, falls to zero: an
+//! The bodies touch when the distance between them, a function of the state, falls to zero: an
 //! event.
 //!
-//! The statements that replace bodies and joints are printed first: they are differentiated.
+//! The statements that replace bodies and joints, and that are differentiated, are printed first.
 //!
 //! Look for the time, which is the same for every mass, and for the two free-body diagrams.
 //!
@@ -51,9 +51,9 @@ lagrange::system! {
     emit { drawing, statements }
 }
 
-/// d, in m.
+/// Distance d in m.
 const DISTANCE: f64 = 10.0;
-/// The distance for pictures, on which both bodies are seen.
+/// Shorter distance for pictures, so that both bodies are visible.
 const SHORT: f64 = 2.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -65,7 +65,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     film(&Slope::default())
 }
 
-/// At rest, the cuboid at the place 0 along the slope and the cylinder a distance below it.
+/// Returns the state at rest, with the cuboid at position 0 along the slope and the cylinder at a
+/// distance below it.
 fn start(slope: &Slope, distance: f64) -> SlopeState {
     let (sine, cosine) = slope.alpha.sin_cos();
     let on_slope = |s: f64| [s * cosine + slope.r * sine, slope.r * cosine - s * sine];
@@ -99,7 +100,7 @@ fn race(slope: &Slope) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Each body alone, with the forces on it.
+/// Draws each body alone, with the forces on it.
 fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
     let state = start(slope, SHORT).into();
     let alone = |body: &str, title: &str| {
@@ -116,7 +117,7 @@ fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A shorter race, so that both are seen.
+/// Films a shorter race, so that both bodies are visible.
 fn film(slope: &Slope) -> Result<(), Box<dyn Error>> {
     let trajectory = slope.simulate(start(slope, SHORT)).until(100.0).tolerance(1e-10).every(0.04).run()?;
     let drawing = Drawing::of(slope).title("The cuboid catches up").nameless().velocities().annotate(angle);
@@ -125,7 +126,7 @@ fn film(slope: &Slope) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The angle of the slope, where the cuboid starts.
+/// Draws the angle of the slope at the start of the cuboid.
 fn angle(sketch: &mut Sketch, moment: &Moment<'_, Slope>) {
     let (alpha, end) = (moment.system.alpha, 2.0 * SHORT);
     let foot = [end * alpha.cos(), -end * alpha.sin()];

@@ -1,12 +1,12 @@
-//! Five rows of five masses in the plane, between springs that hold them to their neighbours and to
+//! A grid of five by five masses in the plane, connected by springs to their neighbours and to
 //! fixed points around them.
 //!
-//! Springs are without tension while the masses are in their places, one length apart. The lattice
-//! is therefore stiff along its lines and soft across them. Forces across are of third order, and
-//! the motion is far from that of a linear lattice. There is no gravity.
+//! Springs are free of tension while the masses are at their rest positions, one length apart. The
+//! lattice is therefore stiff along its lines and soft across them. Forces across are of third
+//! order, and the motion is far from that of a linear lattice. There is no gravity.
 //!
 //! The reference is Newton's law for each mass, in SciPy: `tools/many_of_a_kind.py`. Look for
-//! twelve digits, and for energy that stays constant.
+//! twelve correct digits, and for constant energy.
 //!
 //! `cargo run --example spring_lattice`
 
@@ -43,9 +43,9 @@ lagrange::system! {
     }
 }
 
-/// A corner, the middle, and a mass on the rim.
+/// Indices of a corner mass, the middle mass, and a mass on the edge.
 const MASSES: [(usize, usize); 3] = [(0, 0), (2, 2), (4, 1)];
-/// From `tools/many_of_a_kind.py`.
+/// Values from `tools/many_of_a_kind.py`.
 const U: [f64; 3] = [0.06735961770228524, -0.3443510586153626, 0.13167790956440584];
 const V: [f64; 3] = [-0.1555983658483713, 0.030436138800277103, -0.07072282025838085];
 const RATE: f64 = 0.186378252469606;

@@ -1,4 +1,4 @@
-//! Andrews' squeezing mechanism: seven bodies, three closed loops, and a motor that speeds it up
+//! Andrews' squeezing mechanism: seven bodies, three closed loops, and a motor that accelerates it
 //! within 30 ms.
 //!
 //! It is the standard test of programs for mechanisms (Schiehlen, *Multibody Systems Handbook*;
@@ -6,7 +6,7 @@
 //! leave one degree of freedom, and their multipliers are the forces in the joints. The references
 //! at t = 0.03 s were computed in more than 160-bit arithmetic with two step counts.
 //!
-//! Motor and spring are all that does work, so that T + V − M β is conserved. Look for it, for the
+//! Only motor and spring do work, so T + V − M β is conserved. Look for this invariant, for the
 //! residuals of the constraints, and for the crank, which makes two and a half turns.
 
 mod common;
@@ -22,7 +22,7 @@ use squeezer::{START, Squeezer, SqueezerState};
 /// Accelerations and multipliers at the start; all others are zero.
 const FIRST: [f64; 4] =
     [14_222.443_919_954_114, -10_666.832_939_965_585, -98.566_870_396_241_09, 6.122_688_344_255_662];
-/// The angles at t = 0.03 s.
+/// Angles at t = 0.03 s.
 const LAST: [f64; 7] = [
     15.810_771_195_153_707,
     -15.756_371_058_411_839,
@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Accelerations and joint forces when the motor is switched on.
+/// Compares accelerations and joint forces when the motor is switched on.
 fn first_instant(squeezer: &Squeezer) {
     let start = SqueezerState::from(START);
     let (q, v) = (start.coordinates(), start.velocities());
@@ -76,7 +76,7 @@ fn first_instant(squeezer: &Squeezer) {
     compare("t = 0, forces in N", 1e-10, &rows);
 }
 
-/// T + V − M β
+/// Computes T + V − M β.
 fn invariant(squeezer: &Squeezer, t: f64, y: &[f64; 14]) -> f64 {
     let state = SqueezerState::from(*y);
     squeezer.energy(t, &state.coordinates(), &state.velocities()) - squeezer.drive * state.beta

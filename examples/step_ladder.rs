@@ -1,16 +1,16 @@
-//! A step ladder that slips, and the circle on which its instantaneous centre runs.
+//! A step ladder that slips, and the circular path of its instantaneous centre.
 //!
 //! Both halves have the length l; the left foot is fixed at O, the right one slips along the floor.
 //! Let φ be the angle of the left half to the floor. The hinge is at (l cos φ, l sin φ) and the
-//! right foot at (2 l cos φ, 0). The left half turns about its foot. The normals to the velocities
-//! of hinge and right foot meet in
+//! right foot at (2 l cos φ, 0). The left half rotates about its foot. The normals to the
+//! velocities of hinge and right foot intersect in
 //!
 //! ```text
 //! M = (2 l cos φ, 2 l sin φ),
 //! ```
 //!
-//! the instantaneous centre of the right half: a circle of radius 2 l about O. The man on top does
-//! not turn: he moves on an arc of radius l about the point at his height above O.
+//! the instantaneous centre of the right half, on a circle of radius 2 l about O. The man on top
+//! does not rotate: he moves on an arc of radius l about the point at his height above O.
 //!
 //! Look for the circle, for the man, who has no instantaneous centre, and for the energy, which
 //! stays constant.
@@ -52,7 +52,7 @@ lagrange::system! {
 }
 
 const START: StepLadderState = StepLadderState { phi: 70.0 * PI / 180.0, phi_dot: -0.05 };
-/// The moment of the still picture, in s.
+/// Time of the still picture in s.
 const SHOWN: f64 = 0.6;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Compares the centres with the circle all along the motion.
+/// Compares the centres with the circle throughout the motion.
 fn check_centers(ladder: &StepLadder, run: &Trajectory<StepLadder>) -> Result<(), Box<dyn Error>> {
     let (l, h) = (ladder.l, ladder.h);
     let mut worst = [0.0_f64; 5];
@@ -118,7 +118,7 @@ fn meeting_point(l: f64, phi: f64, [vx, vy]: [f64; 2]) -> [f64; 2] {
     [foot, hinge[1] - vx / vy * (foot - hinge[0])]
 }
 
-/// The circle, both normals, the velocities and the centre.
+/// Draws the circle, both normals, the velocities and the centre.
 fn explain(sketch: &mut Sketch, moment: &Moment<'_, StepLadder>) {
     let (Some(right), Some(person)) = (moment.motion("right"), moment.motion("person")) else { return };
     let l = moment.system.l;

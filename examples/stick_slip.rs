@@ -1,9 +1,9 @@
 //! A block on a running belt, held by a spring: it sticks, is carried along, slips back, and sticks
 //! again.
 //!
-//! Friction holds up to μₛ N and slows with μₖ N. Let ω² = k/m. The block slips when the spring
-//! pulls with μₛ N. It then swings about the place where it pulls with μₖ N until it is as fast as
-//! the belt again. One period takes
+//! Friction holds up to μₛ N, and is μₖ N during slip. Let ω² = k/m. The block slips when the
+//! spring force reaches μₛ N. It then oscillates about the position with spring force μₖ N until it
+//! is as fast as the belt again. One period takes
 //!
 //! ```text
 //! 2 A/v + (2 π − 2 arctan(A ω/v))/ω,    A = (μₛ − μₖ) N/k
@@ -11,7 +11,7 @@
 //!
 //! (Den Hartog, *Mechanical Vibrations*, 4th ed., §7.7). N is the multiplier of the constraint that
 //! keeps the block on the belt. Look for the times at which it sticks and slips, found as events,
-//! and for the places then.
+//! and for the positions at these times.
 
 mod common;
 

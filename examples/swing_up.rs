@@ -1,7 +1,7 @@
-//! The swing-up of a pole on a cart with the least effort, by direct collocation.
+//! The swing-up of a pole on a cart with minimum effort, by direct collocation.
 //!
-//! Within 2 s the cart moves by 1 m, and the pole from hanging to standing. Both are at rest before
-//! and after. The integral of u² is the least. The problem is that of Kelly, "An introduction to
+//! Within 2 s the cart moves by 1 m, and the pole from hanging to upright. Both are at rest before
+//! and after. The integral of u² is minimised. The problem is that of Kelly, "An introduction to
 //! trajectory optimization: how to do your own direct collocation", *SIAM Review* 59 (2017)
 //! 849–904, appendix E.1.
 //!
@@ -11,12 +11,12 @@
 //!
 //! The nonlinear program is solved by sequential quadratic programs (Nocedal, Wright, *Numerical
 //! Optimization*, 2nd ed., §18), at first with the Hessian of the effort alone. Near the solution
-//! they have that of the Lagrangian, from differences of the exact gradients; steps then are those
-//! of Newton's method. Limits of force and rail are not part of the program: the solution keeps
-//! within them, which is checked.
+//! they use the Hessian of the Lagrangian, from differences of the exact gradients; these are steps
+//! of Newton's method. Limits of force and rail are not part of the program; a check confirms that
+//! the solution satisfies them.
 //!
-//! References: CasADi and Ipopt with equations by hand, on the same grid (`tools/optimal.py`). Look
-//! for the pole, which swings back before it swings up.
+//! References: CasADi and Ipopt with handwritten equations, on the same grid (`tools/optimal.py`).
+//! Look for the pole, which swings back before it swings up.
 //!
 //! `cargo run --example swing_up --features draw,linear,plot`
 
@@ -63,20 +63,20 @@ lagrange::system! {
 
 const DURATION: f64 = 2.0;
 const DISTANCE: f64 = 1.0;
-/// Largest force, in N, and distance from the start, in m.
+/// Largest force in N, and largest distance from the start in m.
 const LIMITS: [f64; 2] = [20.0, 2.0];
 /// Intervals of the grid.
 const COUNT: usize = 30;
 const STEP: f64 = DURATION / COUNT as f64;
-/// Unknowns of a node with the middle behind it: the state, the force, the force in the middle.
+/// Unknowns of a node and the middle after it: the state, the force, and the force in the middle.
 const NODE: usize = 6;
-/// Unknowns of an interval: those of its node, and state and force of the next.
+/// Unknowns of an interval: those of its node, and state and force of the next node.
 const LOCAL: usize = 11;
 const UNKNOWNS: usize = NODE * COUNT + 5;
-/// Equations: those of motion, and both ends.
+/// Number of equations: the equations of motion, and the conditions at both ends.
 const EQUATIONS: usize = 4 * COUNT + 8;
 
-/// Effort, first and last force, and largest forces to the left and to the right, by Ipopt.
+/// Effort, first and last force, and largest forces to the left and right, by Ipopt.
 const REFERENCE: [f64; 5] =
     [58.80960350000821, 1.9336140174757521, -1.840018814025952, -13.957859123845422, 8.98080889443547];
 
@@ -92,7 +92,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!(forces.iter().all(|force| force.abs() < LIMITS[0]), "the force is limited");
     assert!((0..=COUNT).all(|k| plan[NODE * k].abs() < LIMITS[1]), "the rail ends");
 
-    // The forces of the plan move the cart; between the nodes the plan is not exact.
+    // The forces of the plan move the cart; the plan is not exact between the nodes.
     let law = |_: &CartPole, t: f64, _: CartPoleState| CartPoleInputs { u: force_at(&forces, t) };
     let nodes = (1..COUNT).map(|k| k as f64 * STEP);
     let run =
@@ -108,7 +108,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The plan from a straight line between the ends, without force.
+/// Computes the plan, starting from a straight line between the ends, without force.
 fn optimal(cart: &CartPole) -> Result<Vec<f64>, Box<dyn Error>> {
     let mut plan = vec![0.0; UNKNOWNS];
     for k in 0..=COUNT {
@@ -134,10 +134,10 @@ fn optimal(cart: &CartPole) -> Result<Vec<f64>, Box<dyn Error>> {
     Err("it does not converge".into())
 }
 
-/// Steps below this are followed by Newton's method.
+/// Step size below which Newton's method is used.
 const NEAR: f64 = 0.1;
 
-/// The part of a step that decreases the effort and the weighted defects together.
+/// Returns the fraction of a step that decreases the combined effort and weighted defects.
 fn shortened(cart: &CartPole, plan: &[f64], step: &[f64], weight: f64) -> f64 {
     let merit = |part: f64| {
         let plan = plan.iter().zip(step).map(|(entry, step)| entry + part * step).collect::<Vec<_>>();
@@ -148,7 +148,7 @@ fn shortened(cart: &CartPole, plan: &[f64], step: &[f64], weight: f64) -> f64 {
     (0..20).map(|k| 0.5_f64.powi(k)).find(|part| merit(*part) < now).unwrap_or(0.0)
 }
 
-/// The defects of a plan, and their derivatives.
+/// Defects of a plan, and their derivatives.
 struct Program {
     defects: Vec<f64>,
     gradients: DenseMatrix,
@@ -174,8 +174,8 @@ impl Program {
         program
     }
 
-    /// The step to the least effort under linearised equations, and the multipliers there. With
-    /// multipliers, the curvature of the equations counts, too.
+    /// Returns the step to the minimum effort under linearised equations, and its multipliers. With
+    /// multipliers, the curvature of the equations is also included.
     fn step(
         &self,
         cart: &CartPole,
@@ -208,7 +208,8 @@ impl Program {
     }
 }
 
-/// The defect of an interval, and its derivatives by the unknowns of the interval.
+/// Returns the defect of an interval, and its derivatives with respect to the unknowns of the
+/// interval.
 fn collocated(cart: &CartPole, local: &[f64]) -> ([f64; 4], DenseMatrix) {
     let (from, to): ([f64; 4], [f64; 4]) =
         (std::array::from_fn(|i| local[i]), std::array::from_fn(|i| local[NODE + i]));
@@ -228,20 +229,21 @@ fn collocated(cart: &CartPole, local: &[f64]) -> ([f64; 4], DenseMatrix) {
     (defect, unit1.plus(-1.0, &unit0).plus(-STEP / 6.0, &all))
 }
 
-/// Rates of the state under a force, with their derivatives by both: all emitted.
+/// Returns the emitted rates of the state under a force, and their derivatives with respect to
+/// both.
 fn rates(cart: &CartPole, y: [f64; 4], u: f64) -> ([f64; 4], DenseMatrix) {
     let driven = CartPole { u, ..*cart };
     let matrix = driven.system_matrix(0.0, &y);
     (driven.rhs(0.0, &y), DenseMatrix::from_fn(4, 5, |i, j| matrix[i][j]))
 }
 
-/// These columns among those of an interval.
+/// Places columns among those of an interval.
 fn placed(columns: &DenseMatrix, at: usize) -> DenseMatrix {
     let shown = at..at + columns.columns();
     DenseMatrix::from_fn(4, LOCAL, |i, j| if shown.contains(&j) { columns[(i, j - at)] } else { 0.0 })
 }
 
-/// The second derivatives of λᵀ times the defect of an interval, by central differences.
+/// Computes the second derivatives of λᵀ times the defect of an interval, by central differences.
 fn curvature(cart: &CartPole, local: &[f64], multipliers: &[f64]) -> DenseMatrix {
     let gradient = |j: usize, by: f64| {
         let mut moved = local.to_vec();
@@ -254,24 +256,24 @@ fn curvature(cart: &CartPole, local: &[f64], multipliers: &[f64]) -> DenseMatrix
     DenseMatrix::from_fn(LOCAL, LOCAL, |i, j| 0.5 * (slopes[i][(0, j)] + slopes[j][(0, i)]))
 }
 
-/// Simpson's weights of the squares of the forces, by their place among the unknowns.
+/// Returns Simpson's weights of the squares of the forces, by their index among the unknowns.
 fn shares() -> impl Iterator<Item = (usize, f64)> {
     let of_ends = |k: usize| if k == 0 || k == COUNT { STEP / 6.0 } else { STEP / 3.0 };
     let ends = (0..=COUNT).map(move |k| (NODE * k + 4, of_ends(k)));
     ends.chain((0..COUNT).map(|k| (NODE * k + 5, 4.0 * STEP / 6.0)))
 }
 
-/// The integral of u².
+/// Computes the integral of u².
 fn effort(plan: &[f64]) -> f64 {
     shares().map(|(place, share)| share * plan[place] * plan[place]).sum()
 }
 
-/// The forces at nodes and middles, in the order of time.
+/// Returns the forces at nodes and middles, in temporal order.
 fn forces(plan: &[f64]) -> Vec<f64> {
     (0..=2 * COUNT).map(|k| plan[NODE * (k / 2) + 4 + k % 2]).collect()
 }
 
-/// The force at a time, quadratic in each interval.
+/// Returns the force at a time, quadratic in each interval.
 fn force_at(forces: &[f64], t: f64) -> f64 {
     let k = ((t / STEP) as usize).min(COUNT - 1);
     let s = t / STEP - k as f64;
@@ -283,7 +285,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
-/// Position and angle at the nodes, and forces, over time.
+/// Plots position and angle at the nodes, and forces, over time.
 fn plot(plan: &[f64], forces: &[f64]) -> Result<(), Box<dyn Error>> {
     let curve = |name: &str, points: Vec<(f64, f64)>| Curve { name: Label::parse(name), points };
     let of_nodes = |entry: usize| (0..=COUNT).map(|k| (k as f64 * STEP, plan[NODE * k + entry])).collect();

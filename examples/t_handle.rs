@@ -1,13 +1,14 @@
-//! A handle in the shape of a T turns in space without forces, about the axis of its middle moment
-//! of inertia.
+//! A T-shaped handle rotates in space without forces, about the axis of its middle moment of
+//! inertia.
 //!
-//! That turning is unstable. A disturbance of a thousandth grows until the handle turns over, and
-//! over again, as cosmonaut Dzhanibekov observed with a wing nut. One flip follows the other after
-//! 2 K(m)/λ, with the complete elliptic integral K (Landau, Lifshitz, *Mechanics*, §37), computed
-//! with twenty digits by `tools/spatial_examples.py`. After two of them the angular velocity in the
-//! axes of the handle is the initial one. The declaration lists the cylinders of the handle.
+//! This rotation is unstable. A disturbance of a thousandth grows until the handle flips over,
+//! again and again, as cosmonaut Dzhanibekov observed with a wing nut. Flips follow each other at
+//! intervals of 2 K(m)/λ, with the complete elliptic integral K (Landau, Lifshitz, *Mechanics*,
+//! §37), computed with twenty digits by `tools/spatial_examples.py`. After two flips the angular
+//! velocity in the axes of the handle is the initial one. The declaration lists the cylinders of
+//! the handle.
 //!
-//! Look for energy and angular momentum, which are kept to rounding over ten flips.
+//! Look for energy and angular momentum, which are conserved up to rounding over ten flips.
 
 #[path = "common/gallery.rs"]
 mod gallery;
@@ -37,12 +38,12 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// Seconds from flip to flip.
+/// Time between flips in seconds.
 const FLIP: f64 = 3.028_201_494_335_086;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let handle = Handle::default();
-    // The centre of mass stays at rest: v = −ω × r of where the origin is seen from there.
+    // The centre of mass stays at rest: v = −ω × r for the position r of the origin relative to it.
     let center = handle.stem * handle.stem / 2.0 / (handle.bar + handle.stem);
     let start = HandleState {
         handle_x: 0.0,

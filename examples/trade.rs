@@ -3,9 +3,9 @@
 //!
 //!     cargo run --release --features trade --example trade
 //!
-//! rewrites `docs/trade.md` and the tables and diagrams in `docs/trade/`. Given a directory, it
-//! writes there instead. Look for the fastest method of each accuracy, and for where curves bend
-//! upwards: there rounding begins.
+//! rewrites `docs/trade.md` and the tables and diagrams in `docs/trade/`. If a directory is given,
+//! it writes there instead. Look for the fastest method for each accuracy, and for upward bends in
+//! the curves, where rounding begins.
 
 #[path = "../tests/references/mod.rs"]
 mod references;
@@ -18,7 +18,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use lagrange::trade::{Report, Trade};
 use references::{Numbers, state};
 
-/// A declaration at each level of accuracy, and in short numbers.
+/// A declaration at each level of accuracy, and in single precision.
 macro_rules! variants {
     ($module:ident { $($body:tt)* } $({ $($reduced:tt)* })?) => {
         mod $module {
@@ -64,7 +64,7 @@ variants! { elastic_pendulum {
     reduce Rigid { freeze r = l; }
 } }
 
-/// All variants of a module from a start to an end.
+/// Compares all variants of a module from a start to an end.
 macro_rules! trade {
     ($title:literal, $module:ident, $start:expr, $end:expr $(, $more:expr)?) => {{
         let (standard, fast) = ($module::Standard::default(), $module::Fast::default());
@@ -82,7 +82,7 @@ macro_rules! trade {
     }};
 }
 
-/// The elastic pendulum on a rod instead of the spring.
+/// Adds the elastic pendulum with a rod in place of the spring.
 fn on_a_rod<'a>(trade: Trade<'a>, rod: &'a elastic_pendulum::Rigid) -> Trade<'a> {
     let angle = |y: &[f64]| [y[1], y[3]];
     let expand = |y: &[f64; 2]| {
@@ -151,7 +151,7 @@ fn machine() -> String {
     name.map_or_else(|| std::env::consts::ARCH.to_string(), |(_, name)| name.trim().to_string())
 }
 
-/// The date in the Gregorian calendar, by counting from 1 March 0000 in cycles of 400 years.
+/// Returns the Gregorian date by counting from 1 March 0000 in cycles of 400 years.
 fn today() -> Result<String, Box<dyn Error>> {
     let days = SystemTime::now().duration_since(UNIX_EPOCH)?.as_secs() / 86_400 + 719_468;
     let (cycle, day) = (days / 146_097, days % 146_097);

@@ -1,14 +1,15 @@
-//! Inertial parameters of a robot arm, from the torques of its motors.
+//! Inertial parameters of a robot arm, estimated from the torques of its motors.
 //!
-//! The arm is that of Universal Robots' UR5, with masses and inertias of its public description,
-//! and friction in the joints. Its hand carries an unknown load. The joints follow sums of sines
-//! for ten seconds. Torques are measured with noise of 0.5 N m in the three large joints and of
-//! 0.05 N m in the others. From these the base parameters are estimated.
+//! The arm is a UR5 by Universal Robots, with masses and inertias from its public description, and
+//! friction in the joints. Its hand carries an unknown load. The joints follow sums of sines for
+//! ten seconds. Torques are measured with noise of 0.5 N m in the three large joints and of 0.05 N
+//! m in the others. From these the base parameters are estimated.
 //!
 //! References: an arm of six revolute joints, the first one vertical, has 7 · 6 − 6 = 36 base
 //! parameters. The formula is in Khalil, Dombre, *Modeling, Identification and Control of Robots*,
 //! §9.4. Pinocchio's regressors have the same rank (`tools/regressors.py`). Look for standard
-//! errors that cover the true values, and for torques in a motion that was not measured.
+//! errors that cover the true values, and for the predicted torques of a motion that was not
+//! measured.
 
 mod common;
 
@@ -50,19 +51,19 @@ lagrange::system! {
     emit { regressor }
 }
 
-/// Levels of the noise.
+/// Noise levels.
 const NOISE: [f64; 6] = [0.5, 0.5, 0.5, 0.05, 0.05, 0.05];
 /// Number of base parameters of bodies.
 const OF_BODIES: usize = 36;
 
-/// Positions, velocities and accelerations: four harmonics of 0.1 Hz with phases that depend on the
-/// seed.
+/// Returns positions, velocities and accelerations: four harmonics of 0.1 Hz with phases that
+/// depend on the seed.
 fn posture(t: f64, seed: f64) -> [[f64; 6]; 3] {
     let joints: [[f64; 3]; 6] = core::array::from_fn(|joint| motion(t, seed + 2.472_136 * joint as f64));
     [0, 1, 2].map(|order| joints.map(|motion| motion[order]))
 }
 
-/// The motion of one joint.
+/// Returns the motion of one joint.
 fn motion(t: f64, seed: f64) -> [f64; 3] {
     let mut motion = [0.0; 3];
     for harmonic in 1..=4 {
@@ -76,7 +77,8 @@ fn motion(t: f64, seed: f64) -> [f64; 3] {
     motion
 }
 
-/// Normally distributed numbers, the same in every run (Box and Muller 1958, on splitmix64).
+/// A generator of normally distributed numbers, the same in every run (Box and Muller 1958, on
+/// splitmix64).
 struct Normal(u64);
 
 impl Normal {
@@ -107,8 +109,8 @@ fn measured(model: &Ur5, arm: &Ur5) -> Result<Estimate, Box<dyn Error>> {
     Ok(regression.estimate()?)
 }
 
-/// Root mean squares of the torques of a motion that was not measured, and of the errors of those
-/// that belong to parameters.
+/// Returns the root mean squares of the torques of a motion that was not measured, and of their
+/// errors for given parameters.
 fn validation(arm: &Ur5, parameters: &[f64]) -> [f64; 2] {
     let mut squares = [0.0; 2];
     for step in 0..500 {
@@ -125,7 +127,7 @@ fn validation(arm: &Ur5, parameters: &[f64]) -> [f64; 2] {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // The public description knows neither load nor friction.
+    // The public description includes neither load nor friction.
     let model = Ur5::default();
     let arm = Ur5 {
         load: 1.5,

@@ -1,4 +1,4 @@
-//! A number that counts its operations.
+//! A number type that counts its operations.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -11,7 +11,7 @@ use lagrange::{Number, Scalar};
 pub(crate) struct Counts {
     /// Sums, differences, products and quotients.
     pub(crate) arithmetic: u32,
-    /// Elementary functions, a sine with its cosine being one.
+    /// Elementary functions; a sine and its cosine count as one.
     pub(crate) functions: u32,
 }
 

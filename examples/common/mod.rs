@@ -1,6 +1,6 @@
 //! Shared code of the examples.
 
-/// Prints computed values beside their references.
+/// Prints computed values next to their references.
 ///
 /// # Panics
 /// If a value differs from its reference by more than `tolerance` times the larger of 1 and the

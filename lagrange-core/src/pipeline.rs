@@ -1,9 +1,9 @@
-//! The whole of it on one screen: text or tokens → declaration → plain statements → model →
-//! equations → items. On the way to plain statements, tables are read from files, loops written
-//! out, functions inlined and bodies translated.
+//! Overview of all phases: text or tokens → declaration → plain statements → model → equations →
+//! items. On the way to plain statements, tables are read from files, loops expanded, functions
+//! inlined and bodies translated.
 //!
-//! Text and tokens go the same way. Mistakes are collected in a report. After an error the skeleton
-//! replaces the requested items, so that only the mistake is reported.
+//! Text and tokens are processed identically. Errors are collected in a report. After an error, the
+//! skeleton replaces the requested items, so that only the error is reported.
 
 mod callables;
 mod drawn;
@@ -36,12 +36,12 @@ pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};
 pub use routines::{Backend, Call, Code, LISTS, Numbers};
 pub use system::{Derived, System, parse, parse_with};
 
-/// Expands the macro: writes everything emitted for a declaration, including mistakes.
+/// Expands the macro: writes all items emitted for a declaration, including errors.
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     expand_with(tokens, krate, &no_files)
 }
 
-/// Expands a declaration that may name files, of tables and of parts.
+/// Expands a declaration that may refer to files of tables and of parts.
 pub fn expand_with(tokens: TokenStream, krate: &TokenStream, read: Reader<'_>) -> TokenStream {
     let mut report = Report::default();
     let expanded = expanded(tokens.clone(), krate, read, &mut report);
@@ -54,7 +54,7 @@ pub fn expand_with(tokens: TokenStream, krate: &TokenStream, read: Reader<'_>) -
     quote!(#diagnostics #items)
 }
 
-/// Items of a declaration, and what messages about it need.
+/// The items of a declaration, with data for messages about it.
 struct Expanded {
     items: Option<TokenStream>,
     attributes: TokenStream,
@@ -78,7 +78,7 @@ fn expanded(tokens: TokenStream, krate: &TokenStream, read: Reader<'_>, report: 
     }
 }
 
-/// The items of a declaration, and the parts that it places.
+/// Returns the items of a declaration, and the parts that it places.
 fn items(
     declaration: Declaration,
     krate: &TokenStream,

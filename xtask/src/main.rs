@@ -1,18 +1,17 @@
-//! `cargo xtask check`: everything that must hold of each change to this workspace, in one command
-//! that needs only Rust. `cargo xtask sweeps`: what takes longest, before a release or after a
-//! change to methods or contacts. `cargo xtask performance`: measures how fast emitted code is and
-//! rewrites the tables of docs/performance.md; `cargo xtask performance spatial` does so for bodies
-//! in space alone. `cargo xtask size [REVISION]`: counts lines of library code by crate.
-//! `cargo xtask package`: packages every crate and compiles it from its package.
-//! `cargo xtask interface REVISION`: compares the public interface with that of a revision.
-//! `cargo xtask wrap`: wraps comments and pages at 100 columns. `cargo xtask sentences`: lists
-//! sentences of more than 25 words.
+//! `cargo xtask check`: all checks required for a change to this workspace, in one command that
+//! needs only Rust. `cargo xtask sweeps`: the longest tests, for releases and changes to methods or
+//! contacts. `cargo xtask performance`: measures the speed of emitted code and rewrites the tables
+//! of docs/performance.md; `cargo xtask performance spatial` only does so for bodies in space.
+//! `cargo xtask size [REVISION]`: counts lines of library code by crate. `cargo xtask package`:
+//! packages every crate and compiles it from its package. `cargo xtask interface REVISION`:
+//! compares the public interface with a revision. `cargo xtask wrap`: wraps comments and pages at
+//! 100 columns. `cargo xtask sentences`: lists sentences of more than 25 words.
 #![forbid(unsafe_code)]
 
 mod package;
 #[cfg(feature = "performance")]
 mod performance;
-// The rule is one of those of the house, which test it.
+// The rule is a house rule, tested in `tests/house`.
 #[path = "../../tests/house/prose.rs"]
 mod prose;
 mod size;
@@ -25,7 +24,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
-/// One check: what it shows, and the `cargo` command that shows it.
+/// One check: its title, and its `cargo` command.
 struct Step {
     title: String,
     arguments: Vec<String>,
@@ -80,7 +79,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Measures by a program of its own, since the checks would wait until what derives is compiled.
+/// Measures with a separate build; otherwise all checks would wait for the derivation to compile.
 #[cfg(not(feature = "performance"))]
 fn performance(root: &Path, sections: &[&str]) -> Result<(), String> {
     let command = "run --quiet --package xtask --features performance --target-dir target/performance";
@@ -88,8 +87,8 @@ fn performance(root: &Path, sections: &[&str]) -> Result<(), String> {
     if step.run(root) { Ok(()) } else { Err("nothing is measured".to_owned()) }
 }
 
-/// Packages every crate, compiles each from its package, and checks what the packages hold. Options
-/// are passed on to cargo.
+/// Packages every crate, compiles each from its package, and checks the files of the packages.
+/// Options are passed to cargo.
 fn package(root: &Path, options: &[&str]) -> Result<(), String> {
     package::forget(root);
     let command =
@@ -111,7 +110,7 @@ fn code(result: Result<(), String>) -> ExitCode {
     }
 }
 
-/// Runs all steps, also after one that fails, so that one run reports every failure.
+/// Runs all steps even if one fails, so that a single run reports every failure.
 fn run(root: &Path, steps: Vec<Step>) -> ExitCode {
     let start = Instant::now();
     let mut all_passed = true;
@@ -131,23 +130,25 @@ fn run(root: &Path, steps: Vec<Step>) -> ExitCode {
 fn checks() -> Vec<Step> {
     let mut steps = vec![
         Step::new("formatting", "fmt --all --check"),
-        // All targets: benchmarks, too, are compiled as far as lints go. What adapters adapt to
-        // takes longest to compile, and is compiled below.
+        // All targets: lints also cover benchmarks. The dependencies of adapters take longest to
+        // compile, and are covered below.
         Step::new(
             "lints",
             "clippy --workspace --exclude lagrange-adapters-tests --all-targets --all-features -- -D warnings",
         ),
-        // The same random cases every time, and fewer changed texts; `cargo verify` by itself draws
-        // new ones. Among them every example, which asserts its own reference values.
+        // The random cases are the same in every run, with fewer mutated texts; plain `cargo
+        // verify` draws new ones. The tests include every example, which asserts its own reference
+        // values.
         Step::new("tests and doctests", "verify --no-fail-fast")
             .with("PROPTEST_RNG_SEED", "20")
             .with("LAGRANGE_MUTANTS", "5000"),
-        // The macro is named so that its features are those of the step before, which compiled it.
+        // The macro is listed so that its features match the previous step, which compiled it.
         Step::new(
             "messages about missing features",
             "test --package lagrange-tests --package lagrange-macro --test ui missing_features",
         ),
-        // An example among it: with what examples depend on, features are those of the lints.
+        // One example is included so that the dependencies of examples give the same features as
+        // the lints.
         Step::new(
             "documentation",
             "doc --workspace --no-deps --all-features \
@@ -158,7 +159,7 @@ fn checks() -> Vec<Step> {
         Step::new("a user without std", "build --package no_std"),
     ];
     if fuses_products() {
-        // Beside the other build, which it would undo.
+        // A separate target folder keeps the other build intact.
         let command = "test --package lagrange-math --target-dir target/fused";
         let step = Step::new("sine and cosine with fused products", command);
         steps.push(step.with("RUSTFLAGS", "-C target-feature=+fma"));
@@ -166,11 +167,11 @@ fn checks() -> Vec<Step> {
     steps
 }
 
-/// Fifteen minutes on two cores, most of them to compile optimised code.
+/// Returns steps that take fifteen minutes on two cores, mostly to compile optimised code.
 fn sweeps() -> Vec<Step> {
     vec![
         Step::new("long motions", "motions --no-fail-fast"),
-        // As `cargo verify` compiled them.
+        // Compiled with the settings of `cargo verify`.
         Step::new("random texts and trees", "verify --test mutants --test spatial -- --include-ignored"),
         Step::new(
             "adapters",
@@ -181,14 +182,15 @@ fn sweeps() -> Vec<Step> {
     ]
 }
 
-/// Compares what users can name with a revision: breaking changes, then all additions and removals.
+/// Compares the public interface with a revision: breaking changes, then all additions and
+/// removals.
 fn interface(revision: &str) -> Vec<Step> {
     vec![
         Step::new(
             "changes that break users",
             &format!("semver-checks --workspace --baseline-rev {revision}"),
         ),
-        // What users name is in this crate; `lagrange` re-exports it.
+        // The public items are in this crate; `lagrange` re-exports it.
         Step::new(
             "public interface",
             &format!("public-api --package lagrange-runtime --all-features -sss diff {revision}..HEAD"),
@@ -196,7 +198,7 @@ fn interface(revision: &str) -> Vec<Step> {
     ]
 }
 
-/// True if this processor can run what is compiled for the target feature `fma`.
+/// True if this processor supports the target feature `fma`.
 fn fuses_products() -> bool {
     #[cfg(target_arch = "x86_64")]
     let fuses = std::is_x86_feature_detected!("fma");

@@ -1,23 +1,23 @@
-//! `cargo xtask package`: every published package as the registry would get it.
+//! `cargo xtask package`: every published package as uploaded to the registry.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// Folders of the repository that no package holds.
+/// Folders of the repository excluded from every package.
 const OUTSIDE: [&str; 6] = [".cargo/", ".ci/", "docs/", "fuzz/", "target/", "tools/"];
-/// Files that every package holds.
+/// Files required in every package.
 const INSIDE: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
-/// Sources of a package in a local index of cargo that is this workspace's.
+/// Folder name by which a local index of cargo is recognised as this workspace's.
 const OWN: &str = concat!("lagrange-core-", env!("CARGO_PKG_VERSION"));
 
-/// Folder that packages are compiled in.
+/// Folder in which packages are compiled.
 pub(crate) const FOLDER: &str = "target/published";
 
-/// Deletes what cargo has kept of packages before. It takes packages of one version for the same,
-/// and would compile older sources again.
+/// Deletes cargo's cached sources of earlier packages. Cargo identifies packages by version, and
+/// would otherwise compile older sources.
 pub(crate) fn forget(root: &Path) {
-    // What is not there needs no deletion; what remains shows when it is compiled.
+    // Missing folders are ignored; failed deletions show up when packages are compiled.
     drop(fs::remove_dir_all(root.join(FOLDER)));
     let home = env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cargo"))).unwrap_or_default();
@@ -27,7 +27,7 @@ pub(crate) fn forget(root: &Path) {
     own.for_each(|entry| drop(fs::remove_dir_all(entry.path())));
 }
 
-/// Checks what the packages hold, which cargo has put into its local index.
+/// Checks the content of the packages in cargo's local index.
 pub(crate) fn check(root: &Path) -> Result<(), String> {
     let packages = packages(root)?;
     let mut mistakes = packages.iter().flat_map(|(name, files)| mistakes(name, files)).collect::<Vec<_>>();
@@ -45,8 +45,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns the names of all packages that there should be: members that are published, with their
-/// versions.
+/// Returns the expected names of all packages, the published members with their versions.
 fn published(root: &Path) -> Result<Vec<String>, String> {
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let arguments = ["tree", "--workspace", "--depth", "0", "--prefix", "none", "--format", "{p}"];
@@ -81,13 +80,13 @@ fn packages(root: &Path) -> Result<Vec<(String, Vec<String>)>, String> {
     archives.iter().map(|path| Ok((name(path), files(path)?))).collect()
 }
 
-/// Lists the files in an archive, without the folder that holds them all.
+/// Lists the files in an archive, without their common folder.
 fn files(archive: &Path) -> Result<Vec<String>, String> {
     let listed = output(Command::new("tar").arg("-tzf").arg(archive))?;
     Ok(listed.lines().filter_map(|line| Some(line.split_once('/')?.1.to_owned())).collect())
 }
 
-/// Returns what a command writes to its standard output.
+/// Returns the standard output of a command.
 fn output(command: &mut Command) -> Result<String, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command.output().map_err(|error| format!("{program} cannot be started: {error}"))?;
@@ -97,7 +96,7 @@ fn output(command: &mut Command) -> Result<String, String> {
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
-/// Returns what is wrong with the files of a package.
+/// Returns the errors in the files of a package.
 fn mistakes(name: &str, files: &[String]) -> Vec<String> {
     let missing = INSIDE.iter().filter(|file| !files.iter().any(|known| known == **file));
     let missing = missing.map(|file| format!("{name} has no {file}"));

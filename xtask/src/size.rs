@@ -1,8 +1,8 @@
-//! `cargo xtask size [REVISION]`: lines of library code by crate, and how many more or fewer than
-//! at a revision of git.
+//! `cargo xtask size [REVISION]`: lines of library code by crate, and the difference to a git
+//! revision.
 //!
-//! A line counts if it has a token of code on it. Comments, documentation, tests, test doubles and
-//! other code for tests only do not count.
+//! A line counts if it contains a token of code. Comments, documentation, tests, test doubles and
+//! other test-only code do not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -13,7 +13,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 /// Lines of code by crate.
 type Sizes = BTreeMap<String, usize>;
 
-/// Prints the size of each crate in the working tree, beside that at a revision if there is one.
+/// Prints the size of each crate in the working tree, and, if given, at a revision.
 pub(crate) fn size(root: &Path, revision: Option<&str>) -> Result<(), String> {
     let now = sizes(&files(root, &["ls-files"])?, |file| {
         std::fs::read_to_string(root.join(file)).map_err(|error| format!("{file}: {error}"))
@@ -41,20 +41,20 @@ fn print_beside(now: &Sizes, then: &Sizes) {
     }
 }
 
-/// Lists the files of libraries that a command of git names.
+/// Lists the library files reported by a git command.
 fn files(root: &Path, arguments: &[&str]) -> Result<Vec<String>, String> {
     let listed = git(root, arguments)?;
     Ok(listed.lines().filter(|file| is_library(file)).map(str::to_owned).collect())
 }
 
-/// True if a path is that of library code: in `src` of a crate, and neither a test nor a double.
+/// True for library code: a file in `src` of a crate that is neither a test nor a test double.
 fn is_library(file: &str) -> bool {
     let is_source = file.starts_with("src/") || file.starts_with("xtask/src/") || in_crate(file).is_some();
     let is_test = file.contains("/tests/") || file.ends_with("/tests.rs") || file.contains("/doubles");
     file.ends_with(".rs") && is_source && !is_test
 }
 
-/// Returns the name of the crate of the project in whose `src` a file is.
+/// Returns the name of the project's crate whose `src` contains a file.
 fn in_crate(file: &str) -> Option<&str> {
     let (folder, _) = file.split_once("/src/")?;
     let name = folder.rsplit('/').next()?;
@@ -71,7 +71,7 @@ fn sizes(files: &[String], mut text_of: impl FnMut(&str) -> Result<String, Strin
     Ok(sizes)
 }
 
-/// Returns the output of a command of git.
+/// Returns the output of a git command.
 pub(crate) fn git(root: &Path, arguments: &[&str]) -> Result<String, String> {
     let output = Command::new("git").args(arguments).current_dir(root).output();
     let output = output.map_err(|error| format!("git cannot be started: {error}"))?;
@@ -81,7 +81,7 @@ pub(crate) fn git(root: &Path, arguments: &[&str]) -> Result<String, String> {
     String::from_utf8(output.stdout).map_err(|error| error.to_string())
 }
 
-/// Counts the lines of a source text that hold code.
+/// Counts the lines of a source text that contain code.
 fn lines_of_code(text: &str) -> Result<usize, String> {
     let tokens: TokenStream = text.parse().map_err(|error| format!("{error}"))?;
     let mut lines = BTreeSet::new();
@@ -115,7 +115,7 @@ fn collect_lines(tokens: TokenStream, lines: &mut BTreeSet<usize>) {
     }
 }
 
-/// Skips an attribute and the item behind it, which ends with a semicolon or a body in braces.
+/// Skips an attribute and the item after it, which ends with a semicolon or a body in braces.
 fn skip_item(tokens: &mut std::iter::Peekable<impl Iterator<Item = TokenTree>>) {
     let is_semicolon = |token: &TokenTree| matches!(token, TokenTree::Punct(end) if end.as_char() == ';');
     let ends = |token: &TokenTree| match token {

@@ -1,16 +1,15 @@
-//! `cargo xtask wrap`: wraps the comments of Rust files and the paragraphs of pages as the house
-//! rules require.
-//! `cargo xtask sentences`: lists the sentences that are too long for them.
+//! `cargo xtask wrap`: wraps the comments of Rust files and the paragraphs of pages according to
+//! the house rules.
 
 use std::path::Path;
 
 use crate::prose::{long_sentences, wrapped};
 use crate::size::git;
 
-/// Folders whose files are compared with others byte by byte, or made by tools.
+/// Folders with generated files, or files compared byte by byte.
 const KEPT: [&str; 2] = ["lagrange-core/tests/golden/", "tests/ui/"];
 
-/// Wraps the files that git knows and prints those that changed.
+/// Wraps the files tracked by git and prints those that changed.
 pub(crate) fn wrap(root: &Path) -> Result<(), String> {
     for (file, text) in texts(root)? {
         let wrapped = wrapped(&text, file.ends_with(".rs"));
@@ -22,7 +21,7 @@ pub(crate) fn wrap(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Prints where long sentences begin.
+/// Prints the positions of long sentences.
 pub(crate) fn sentences(root: &Path) -> Result<(), String> {
     for (file, text) in texts(root)? {
         for (line, beginning) in long_sentences(&text, file.ends_with(".rs")) {
@@ -32,7 +31,7 @@ pub(crate) fn sentences(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns the texts of the files that git knows, by their paths.
+/// Returns the texts of the files tracked by git, by their paths.
 fn texts(root: &Path) -> Result<Vec<(String, String)>, String> {
     let listed = git(root, &["ls-files", "*.rs", "*.md"])?;
     let files = listed.lines().filter(|file| !KEPT.iter().any(|folder| file.starts_with(folder)));

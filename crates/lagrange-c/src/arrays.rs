@@ -9,24 +9,24 @@ use crate::names::{number, text, unit};
 pub(crate) struct Array {
     kind: &'static str,
     name: &'static str,
-    /// Documentation.
+    /// Documentation of the array.
     pub(crate) docs: &'static str,
     values: Vec<String>,
 }
 
 impl Array {
-    /// Returns its declaration without storage and values.
+    /// Returns the declaration without storage class and values.
     pub(crate) fn declaration(&self, name: &str) -> String {
         format!("const {}{name}_{}[{}]", self.kind, self.name, self.values.len())
     }
 
-    /// Returns its definition.
+    /// Returns the definition.
     pub(crate) fn definition(&self, name: &str) -> String {
         format!("{} = {{ {} }};\n", self.declaration(name), self.values.join(", "))
     }
 }
 
-/// Returns the arrays of a module that are not empty.
+/// Returns the non-empty arrays of a module.
 pub(crate) fn arrays(programs: &Programs) -> Vec<Array> {
     const TEXT: &str = "char *const ";
     let variables = &programs.variables;

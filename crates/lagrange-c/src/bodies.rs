@@ -9,8 +9,8 @@ use lagrange_core::symbol::Role;
 use crate::callables::Callables;
 use crate::functions::{Function, Part};
 
-/// Statements of the body of a function. In C, sides of switches are those of the state; scripts
-/// take them from behind the inputs.
+/// Returns the statements of a function's body. In C, sides of switches follow from the state;
+/// scripts receive them after the inputs.
 pub(crate) fn body(
     name: &str,
     programs: &Programs,
@@ -27,7 +27,7 @@ pub(crate) fn body(
     Ok(out)
 }
 
-/// Computes what programs take beside the state: sides, accelerations and multipliers.
+/// Computes the additional arguments of programs: sides, accelerations and multipliers.
 fn preparation(name: &str, programs: &Programs, target: Target, function: &Function<'_>) -> String {
     let layout = &programs.layout;
     let takes = |has: fn(Role) -> bool| function.parts.iter().any(|part| takes(part.program, has));
@@ -53,10 +53,10 @@ fn takes(program: &Program, has: fn(Role) -> bool) -> bool {
     program.values().any(|(_, op)| matches!(op, Op::Input(role) if has(*role)))
 }
 
-/// Statements that store the results of a part from a place on.
+/// Returns statements that store the results of a part from index `first` on.
 fn written(part: &Part<'_>, first: usize, state: &State<'_>) -> Result<String, Unrepresentable> {
     if part.count == 0 {
-        // C has no arrays without entries.
+        // C has no empty arrays.
         return Ok(String::new());
     }
     let (program, values) = (part.program, part.program.outputs().len());
@@ -73,8 +73,8 @@ fn written(part: &Part<'_>, first: usize, state: &State<'_>) -> Result<String, U
     Ok(format!("    {{\n    {}\n{all}{copied}    }}\n", target.array("values", values)))
 }
 
-/// The condition under which the digits of results can be trusted: rounding errors grow by less
-/// than ε^(−5/8), as in emitted code.
+/// Returns the condition under which the digits of results can be trusted: rounding errors grow by
+/// less than ε^(−5/8), as in emitted code.
 fn guard(part: &Part<'_>) -> Option<String> {
     let values = part.program.outputs().len();
     let limit = f64::EPSILON.powf(0.625);
@@ -87,7 +87,7 @@ fn guard(part: &Part<'_>) -> Option<String> {
 struct State<'a> {
     programs: &'a Programs,
     callables: &'a Callables<'a>,
-    /// True if residuals take the places of multipliers.
+    /// True if residuals are passed in place of multipliers.
     takes_residuals: bool,
 }
 

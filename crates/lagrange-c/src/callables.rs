@@ -12,7 +12,7 @@ use crate::syntax::{constants, head, in_language, list};
 
 /// The functions without a formula that a module calls.
 pub(crate) struct Callables<'a> {
-    /// Tables and their derivatives, each once.
+    /// Distinct tables and their derivatives.
     tables: Vec<&'a Opaque>,
     solutions: &'a [NewtonProgram],
     /// The language of the module.
@@ -122,7 +122,8 @@ impl<'a> Callables<'a> {
     }
 }
 
-/// The head of the function that solves equations: one value is returned, several are stored.
+/// Returns the head of the function that solves equations. A single value is returned; several
+/// values are stored.
 fn signature(target: Target, index: usize, solution: &NewtonProgram) -> String {
     let (result, parameters) = match solution.values.len() {
         1 => ("double", "const double *x"),
@@ -131,8 +132,8 @@ fn signature(target: Target, index: usize, solution: &NewtonProgram) -> String {
     head(target, &format!("LAGRANGE_FUNCTION {result}"), &format!("solution_{index}"), parameters)
 }
 
-/// The definition of a table or of one of its derivatives, whose numbers are those of the `first`
-/// with its name.
+/// Returns the definition of a table or of one of its derivatives; derivatives use the numbers of
+/// the table with the index `first`.
 fn definition(target: Target, index: usize, first: usize, function: &Opaque) -> String {
     let Some(table) = function.table() else { return String::new() };
     let size = table.interpolation.coefficients();
@@ -149,7 +150,7 @@ fn definition(target: Target, index: usize, first: usize, function: &Opaque) -> 
     out + &format!("{head}\n{{\n    return {call}, coefficients_{first}, {size});\n}}\n")
 }
 
-/// A call of the function that looks a value up, up to the coefficients.
+/// Returns the call of the lookup function up to the coefficients.
 fn call(target: Target, first: usize, function: &Opaque, table: &Table) -> String {
     let arguments = table.axes.iter().zip(["x", "y"]).zip(function.orders()).enumerate();
     let axes = arguments.map(|(argument, ((axis, variable), order))| {

@@ -1,4 +1,4 @@
-//! The functions of a module, with what they compute and in which order.
+//! The functions of a module: their content and order.
 
 use lagrange_core::model::{Extent, Product, ProductShape};
 use lagrange_core::pipeline::{Layout, Programs, Reaction};
@@ -8,25 +8,24 @@ use crate::names::with_unit;
 
 /// A function of a module.
 pub(crate) struct Function<'a> {
-    /// Its name behind the prefix.
+    /// Name after the prefix.
     pub(crate) name: String,
-    /// Documentation, and below it the meaning of the results.
+    /// Documentation, followed by the meaning of the results.
     pub(crate) docs: Vec<String>,
     /// Rows and columns of the results, or their number.
     pub(crate) shape: Vec<usize>,
-    /// The programs whose results stand one after the other.
+    /// Programs whose results are stored in order.
     pub(crate) parts: Vec<Part<'a>>,
-    /// True if residuals of the constraints stand behind the inputs.
+    /// True if residuals of the constraints follow the inputs.
     pub(crate) takes_residuals: bool,
 }
 
-/// The results of a program, or the first of them.
+/// The results of a program, or its first few results.
 pub(crate) struct Part<'a> {
     pub(crate) program: &'a Program,
     /// Number of results.
     pub(crate) count: usize,
-    /// Number of values at the end of the program that must be small: the growth of rounding
-    /// errors.
+    /// Number of final values of the program that must be small: the growth of rounding errors.
     pub(crate) growths: usize,
 }
 
@@ -87,7 +86,7 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
     ]
 }
 
-/// Functions of products that depend on the state alone.
+/// Returns the functions of products that depend only on the state.
 fn of_products(programs: &Programs) -> Vec<Function<'_>> {
     let is_of_state = |product: Product| !product.is_derivative() && product != Product::InverseDynamics;
     let known = programs.products.iter().filter(|(product, _)| is_of_state(*product));
@@ -101,7 +100,7 @@ fn of_products(programs: &Programs) -> Vec<Function<'_>> {
     written.collect()
 }
 
-/// The shape of a product with so many entries.
+/// Returns the shape of a product with this number of entries.
 fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
     let extent = |extent| match extent {
         Extent::Velocities => layout.velocities,
@@ -115,7 +114,7 @@ fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
     }
 }
 
-/// Functions that bring states back onto the constraints.
+/// Returns the functions that project states onto the constraints.
 fn of_constraints(programs: &Programs) -> Vec<Function<'_>> {
     let (growths, layout) = (programs.growths, &programs.layout);
     let is_constrained = layout.multipliers > 0;
@@ -148,13 +147,13 @@ fn of_ports(programs: &Programs) -> Vec<Function<'_>> {
     vec![outputs, function("start", start, programs.start.iter().map(Part::of).collect())]
 }
 
-/// Returns the function that places what is drawn.
+/// Returns the function that places drawn items.
 pub(crate) fn of_drawing(programs: &Programs) -> Option<Function<'_>> {
     let drawing = programs.drawing.as_ref()?;
     Some(function("drawing", &["The numbers of all that is drawn."], vec![Part::of(&drawing.program)]))
 }
 
-/// Functions of events, switches and clocks.
+/// Returns the functions of events, switches and clocks.
 fn of_changes(programs: &Programs) -> Vec<Function<'_>> {
     let variables = &programs.variables;
     let mut events = function(

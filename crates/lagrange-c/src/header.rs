@@ -39,7 +39,7 @@ pub(crate) fn header(name: &str, programs: &Programs, functions: &[Function<'_>]
     )
 }
 
-/// Comments on the entries of the state and of the parameters.
+/// Returns comments on the entries of the state and of the parameters.
 fn arguments(programs: &Programs) -> String {
     let variables = &programs.variables;
     let listed = |array: &str, names: &[String]| {

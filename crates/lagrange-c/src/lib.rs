@@ -1,14 +1,14 @@
-//! Systems as modules of C, a header and a source file that need nothing but the standard library,
-//! and as functions of JavaScript.
+//! Systems as C modules, a header and a source file that need only the standard library, and as
+//! JavaScript functions.
 //!
 //! All functions have one signature, `void NAME_rhs(double t, const double *y, const double *p,
 //! double *out)`. The time is `t`. The state `y` holds positions, then velocities; `p` holds
 //! parameters, then inputs; `out` receives the results. Numbers are in coherent units. The text is
 //! C99. Names, units, defaults and sizes are arrays and macros.
 //!
-//! The operations are those of the interpreter. With the same elementary functions, and without
-//! contraction of products and sums, results have the same bits. A [`Script`] has the same
-//! functions with the same arguments, `system_rhs(t, y, p, out)`.
+//! The operations are those of the interpreter. Results are bit-identical given the same elementary
+//! functions, and without contraction of products and sums. A [`Script`] has the same functions
+//! with the same arguments, `system_rhs(t, y, p, out)`.
 //!
 //! ```
 //! use lagrange_c::Module;
@@ -45,23 +45,23 @@ use names::identifier;
 pub use refusal::Refusal;
 pub use script::Script;
 
-/// A module of C.
+/// A C module.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Module {
-    /// The prefix of all names: that of the struct in lower case.
+    /// Prefix of all names, the name of the struct in lower case.
     pub name: String,
-    /// The header: sizes, arrays and functions, with their units.
+    /// Header: sizes, arrays and functions, with their units.
     pub header: String,
-    /// The source file, which includes the header.
+    /// Source file, which includes the header.
     pub source: String,
 }
 
 impl Module {
-    /// Writes a module. The header is included as `stem.h`, by the name of the struct without a
-    /// stem.
+    /// Writes a module. The header is included as `stem.h`; without a stem, the name of the struct
+    /// is used.
     ///
     /// # Errors
-    /// If the system holds what only compiled Rust can run, or a constant is too large.
+    /// If the system has parts that only compiled Rust can run, or a constant is too large.
     pub fn new(programs: &Programs, stem: Option<&str>) -> Result<Module, Refusal> {
         refusal::check(programs)?;
         let name = identifier(&programs.name);

@@ -1,8 +1,8 @@
-//! Names and numbers as text of C.
+//! Names and numbers as C text.
 
 use lagrange_core::emit::Variables;
 
-/// Returns a name in snake case, of ASCII letters: `double_pendulum` for `DoublePendulum`.
+/// Returns a name in snake case with ASCII letters: `double_pendulum` for `DoublePendulum`.
 pub(crate) fn identifier(name: &str) -> String {
     let mut written = String::new();
     let mut was_lower = false;
@@ -20,7 +20,7 @@ pub(crate) fn identifier(name: &str) -> String {
     written
 }
 
-/// Returns a text as a literal.
+/// Returns a text as a string literal.
 pub(crate) fn text(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
@@ -39,7 +39,7 @@ pub(crate) fn unit<'a>(variables: &'a Variables, name: &str) -> &'a str {
     variables.unit(name).unwrap_or_default()
 }
 
-/// Returns a name with its unit in words.
+/// Returns a name with its unit as text.
 pub(crate) fn with_unit(variables: &Variables, name: &str) -> String {
     match unit(variables, name) {
         "" | "1" => name.to_owned(),

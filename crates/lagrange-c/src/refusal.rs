@@ -1,4 +1,4 @@
-//! Systems that C and JavaScript cannot compute.
+//! Systems that cannot be written as C or JavaScript.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -10,17 +10,17 @@ use lagrange_core::pipeline::Programs;
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// It declares rigid contacts or friction with these names.
+    /// The system declares rigid contacts or friction with these names.
     Touching(Vec<String>),
-    /// It delays signals, which are the inputs of these names.
+    /// The system delays signals, the inputs with these names.
     Delays(Vec<String>),
-    /// It calls these functions of the user's crate.
+    /// The system calls these functions of the user's crate.
     Functions(Vec<String>),
-    /// Noises with these names act on it.
+    /// Noise with these names acts on the system.
     Noise(Vec<String>),
     /// Some of these constraints always follow from others.
     Redundant(Vec<String>),
-    /// These constants are out of the range of `double`.
+    /// These constants are outside the range of `double`.
     Constants(Vec<String>),
 }
 

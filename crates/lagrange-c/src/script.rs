@@ -1,4 +1,4 @@
-//! Systems as functions of JavaScript.
+//! Systems as JavaScript functions.
 
 use lagrange_core::code::{SCRIPT_PRELUDE, Target, Unrepresentable};
 use lagrange_core::pipeline::Programs;
@@ -13,24 +13,24 @@ use crate::syntax::head;
 /// The prefix of all functions.
 const PREFIX: &str = "system";
 
-/// Functions of JavaScript: those of the module of C, under names such as `system_rhs`, and
+/// JavaScript functions: those of the C module, under names such as `system_rhs`, and
 /// `system_drawing` if a drawing is requested.
 ///
-/// `p` holds parameters, inputs, then the sides of the switches: 1 or −1, fixed by the caller.
-/// Functions that take residuals of constraints find them behind the sides.
+/// `p` holds parameters, inputs, then the sides of the switches: 1 or −1, fixed by the caller. For
+/// functions with residuals of constraints, the residuals follow the sides.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Script {
-    /// The text, which needs nothing else.
+    /// Self-contained text.
     pub text: String,
-    /// Names of the functions without the prefix `system_`.
+    /// Names of the functions, without the prefix `system_`.
     pub functions: Vec<String>,
 }
 
 impl Script {
-    /// Writes those functions of a system whose names are wanted, and those that they call.
+    /// Writes the requested functions of a system, and the functions that they call.
     ///
     /// # Errors
-    /// If the system holds what only compiled Rust can run, or a constant is too large.
+    /// If the system has parts that only compiled Rust can run, or a constant is too large.
     pub fn new(programs: &Programs, is_wanted: impl Fn(&str) -> bool) -> Result<Script, Refusal> {
         refusal::check(programs)?;
         let refused = |error: Unrepresentable| Refusal::Constants(error.constants);
@@ -44,7 +44,7 @@ impl Script {
         };
         let (mut text, mut names) =
             (SCRIPT_PRELUDE.to_owned() + &callables.definitions().map_err(refused)?, Vec::new());
-        // Other functions call those of accelerations and multipliers, which stand before them.
+        // Other functions call those of accelerations and multipliers, which precede them.
         for function in functions.iter().rev() {
             let is_called = text.contains(&format!(" {PREFIX}_{}(t, y, p, ", function.name));
             if is_wanted(&function.name) || is_called {

@@ -1,4 +1,4 @@
-//! Linear models of declared systems: from a place as it is written to text or JSON.
+//! Linear models of declared systems: from a textual operating point to text or JSON.
 
 use lagrange_dynamic::{DeclaredSystem, FoundEquilibrium, SearchSettings};
 use lagrange_runtime::linear::{DenseMatrix, Eigenmode, LinearModel, Modes, Stability};
@@ -7,24 +7,25 @@ use serde_json::{Map, Value, json};
 use crate::arguments::Point;
 use crate::motions::{Failure, set, start, time};
 
-/// A linear model with its modes and the place where it holds.
+/// A linear model with its modes and operating point.
 pub(crate) struct Linearised {
     time: f64,
     /// Names and values of the state.
     state: Vec<(String, f64)>,
     /// Names and values of the inputs.
     inputs: Vec<(String, f64)>,
-    /// Present if it was searched for.
+    /// Equilibrium, if it was searched for.
     equilibrium: Option<FoundEquilibrium>,
     model: LinearModel,
     modes: Modes,
 }
 
 impl Linearised {
-    /// Understands a place, sets the parameters of the system, and linearises it there.
+    /// Reads an operating point, sets the parameters of the system, and linearises it there.
     ///
     /// # Errors
-    /// The first setting that makes no sense, or why there is no equilibrium or no linear model.
+    /// If a setting is invalid, with the first one, or if there is no equilibrium or no linear
+    /// model.
     pub(crate) fn new(point: &Point, system: &mut DeclaredSystem) -> Result<Self, Failure> {
         set(&point.values, system)?;
         let near = start("at", &point.values, system)?;
@@ -38,7 +39,7 @@ impl Linearised {
         Ok(Linearised { time, state, inputs: inputs(system), equilibrium, model, modes })
     }
 
-    /// Returns all of it as text, or as JSON.
+    /// Returns the result as text or JSON.
     pub(crate) fn text(&self, is_json: bool) -> String {
         if is_json { format!("{:#}\n", self.json()) } else { self.table() }
     }
@@ -102,7 +103,7 @@ impl Linearised {
     }
 }
 
-/// The equilibrium, if one is wanted; trimmed inputs of the system then have the values there.
+/// Finds the equilibrium if it is requested, and sets the trimmed inputs of the system.
 fn equilibrium(
     point: &Point,
     time: f64,
@@ -125,7 +126,7 @@ fn equilibrium(
     Ok(Some(found))
 }
 
-/// Checks the names that a search keeps or sets.
+/// Checks the names of held and trimmed quantities.
 fn check_unknowns(point: &Point, system: &DeclaredSystem) -> Result<(), Failure> {
     let states = system.state_names();
     let inputs = inputs(system).into_iter().map(|(name, _)| name).collect::<Vec<_>>();
@@ -138,7 +139,7 @@ fn check_unknowns(point: &Point, system: &DeclaredSystem) -> Result<(), Failure>
     Ok(())
 }
 
-/// Names and values of the inputs.
+/// Returns names and values of the inputs.
 fn inputs(system: &DeclaredSystem) -> Vec<(String, f64)> {
     let values = system.numeric().fields().iter().copied();
     let all = system.variables().fields.iter().cloned().zip(values);
@@ -161,7 +162,7 @@ fn lines(values: &[(String, f64)]) -> String {
     values.iter().map(|(name, value)| format!("  {name} = {value:?}\n")).collect()
 }
 
-/// A matrix with names of rows and columns; nothing if it has no entries.
+/// Formats a matrix with names of rows and columns; an empty one gives no text.
 fn matrix(name: &str, matrix: &DenseMatrix, rows: &[String], columns: &[String]) -> String {
     if rows.is_empty() || columns.is_empty() {
         return String::new();

@@ -1,4 +1,4 @@
-//! The command line, read into a command.
+//! Parsing of the command line into a command.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use lexopt::{Arg, Error, Parser, ValueExt};
 
 /// Name of the standard input.
 pub(crate) const STANDARD_INPUT: &str = "-";
-/// The word before a command that is run again.
+/// Keyword before a command to be rerun on changes.
 const WATCH: &str = "watch";
 
 /// All commands and options.
@@ -98,16 +98,16 @@ Exit codes: 0, no errors; 1, a file has errors or cannot be read or written; 2, 
 no linear model.
 ";
 
-/// A request of a command line.
+/// The request on a command line.
 #[derive(Debug)]
 pub(crate) enum Request {
-    /// All commands and options.
+    /// Prints all commands and options.
     Help,
-    /// The version.
+    /// Prints the version.
     Version,
-    /// A command.
+    /// Runs a command.
     Command(Box<Command>),
-    /// A command, again whenever its files change.
+    /// Runs a command, and again whenever its files change.
     Watch(Box<Command>),
 }
 
@@ -116,34 +116,34 @@ pub(crate) enum Request {
 pub(crate) struct Command {
     /// The action.
     pub(crate) action: Action,
-    /// Files to read; one, except for checks.
+    /// Files to read: exactly one, except for checks.
     pub(crate) inputs: Vec<PathBuf>,
-    /// File to write; the standard output without one.
+    /// File to write; the standard output by default.
     pub(crate) output: Option<PathBuf>,
 }
 
 /// An action on files.
 #[derive(Clone, Debug)]
 pub(crate) enum Action {
-    /// Lists mistakes.
+    /// Lists errors.
     Check {
         /// True for JSON.
         is_json: bool,
     },
-    /// Writes what follows from a declaration.
+    /// Writes a text derived from a declaration.
     Write(Text),
-    /// Writes a module of C.
+    /// Writes a C module.
     Module,
     /// Writes a unit of the Functional Mock-up Interface.
     Unit {
-        /// Values at the start.
+        /// Initial values.
         values: Values,
-        /// True without a compiled library.
+        /// True if no compiled library is included.
         is_source: bool,
         /// Version of the standard.
         version: Version,
     },
-    /// Writes a page in which the system moves, from these values at the start.
+    /// Writes a page with a live simulation, from these initial values.
     Page(Values),
     /// Computes a motion.
     Simulate(Settings),
@@ -151,7 +151,7 @@ pub(crate) enum Action {
     Film(Settings),
     /// Computes many motions.
     Ensemble(EnsembleOptions),
-    /// Measures methods.
+    /// Compares methods.
     Trade(TradeOptions),
     /// Computes a linear model.
     Linearise(Point),
@@ -159,7 +159,7 @@ pub(crate) enum Action {
     Urdf(Options),
 }
 
-/// Values at the start, as they are written.
+/// Initial values, as written.
 #[derive(Clone, Default, Debug)]
 pub(crate) struct Values {
     /// Parameters and inputs, by name.
@@ -169,7 +169,7 @@ pub(crate) struct Values {
 }
 
 impl Values {
-    /// Reads the value of an option; false if there is none of this name.
+    /// Reads the value of an option; returns false for unknown names.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
             "set" => self.fields.push(assignment(option, parser)?),
@@ -180,25 +180,25 @@ impl Values {
     }
 }
 
-/// The place of a linear model, as it is written.
+/// Operating point of a linear model, as written.
 #[derive(Clone, Default, Debug)]
 pub(crate) struct Point {
-    /// Values at the place.
+    /// Values at the operating point.
     pub(crate) values: Values,
     /// Time.
     pub(crate) time: Option<String>,
-    /// True to search for an equilibrium near it.
+    /// True to search for a nearby equilibrium.
     pub(crate) is_equilibrium: bool,
-    /// Coordinates and states that the search keeps.
+    /// Coordinates and states kept fixed by the search.
     pub(crate) hold: Vec<String>,
-    /// Inputs that the search sets.
+    /// Inputs adjusted by the search.
     pub(crate) trim: Vec<String>,
     /// True for JSON.
     pub(crate) is_json: bool,
 }
 
 impl Point {
-    /// Reads the value of an option; false if there is none of this name.
+    /// Reads the value of an option; returns false for unknown names.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
             "at" => self.values.start.push(assignment(option, parser)?),
@@ -212,31 +212,31 @@ impl Point {
     }
 }
 
-/// Settings of a motion, as they are written.
+/// Settings of a motion, as written.
 #[derive(Clone, Default, Debug)]
 pub(crate) struct Settings {
-    /// End.
+    /// Final time.
     pub(crate) until: Option<String>,
     /// Interval between samples.
     pub(crate) every: Option<String>,
-    /// Values at the start.
+    /// Initial values.
     pub(crate) values: Values,
     /// Name of the method.
     pub(crate) method: Option<String>,
-    /// Tolerated error.
+    /// Error tolerance.
     pub(crate) tolerance: Option<String>,
     /// Length of steps.
     pub(crate) step: Option<String>,
     /// Seed of noise and of random values.
     pub(crate) seed: Option<String>,
-    /// True for a column of the energy.
+    /// True to add a column with the energy.
     pub(crate) has_energy: bool,
     /// File for the events.
     pub(crate) events: Option<PathBuf>,
 }
 
 impl Settings {
-    /// Reads the value of an option; false if there is none of this name.
+    /// Reads the value of an option; returns false for unknown names.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
             "until" => self.until = Some(parser.value()?.string()?),
@@ -252,10 +252,10 @@ impl Settings {
     }
 }
 
-/// Settings of many motions, as they are written.
+/// Settings of many motions, as written.
 #[derive(Clone, Default, Debug)]
 pub(crate) struct EnsembleOptions {
-    /// Settings that all of them share.
+    /// Common settings.
     pub(crate) settings: Settings,
     /// Quantities that differ between motions, with their ranges.
     pub(crate) vary: Vec<(String, String)>,
@@ -266,7 +266,7 @@ pub(crate) struct EnsembleOptions {
 }
 
 impl EnsembleOptions {
-    /// Reads the value of an option; false if there is none of this name.
+    /// Reads the value of an option; returns false for unknown names.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
             "vary" => self.vary.push(assignment(option, parser)?),
@@ -279,21 +279,21 @@ impl EnsembleOptions {
     }
 }
 
-/// Settings of a measurement of methods, as they are written.
+/// Settings of a comparison of methods, as written.
 #[derive(Clone, Default, Debug)]
 pub(crate) struct TradeOptions {
-    /// End of the motion.
+    /// Final time of the motion.
     pub(crate) until: Option<String>,
-    /// Values at the start.
+    /// Initial values.
     pub(crate) values: Values,
-    /// Wanted error.
+    /// Error goal.
     pub(crate) error: Option<String>,
-    /// Time of a run after which no finer setting is tried.
+    /// Duration of a run after which no finer setting is tried.
     pub(crate) longest: Option<String>,
 }
 
 impl TradeOptions {
-    /// Reads the value of an option; false if there is none of this name.
+    /// Reads the value of an option; returns false for unknown names.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
             "until" => self.until = Some(parser.value()?.string()?),
@@ -305,7 +305,7 @@ impl TradeOptions {
     }
 }
 
-/// A version of the Functional Mock-up Interface.
+/// Reads a version of the Functional Mock-up Interface.
 fn fmi_version(parser: &mut Parser) -> Result<Version, Error> {
     match &*parser.value()?.string()? {
         "2" | "2.0" => Ok(Version::Two),
@@ -314,14 +314,14 @@ fn fmi_version(parser: &mut Parser) -> Result<Version, Error> {
     }
 }
 
-/// A name and its value.
+/// Reads a name and its value.
 fn assignment(option: &str, parser: &mut Parser) -> Result<(String, String), Error> {
     let text = parser.value()?.string()?;
     let sides = text.split_once('=').map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned()));
     sides.ok_or_else(|| format!("`--{option} {text}` has no value: write `--{option} {text}=1`").into())
 }
 
-/// A text that follows from a declaration.
+/// A text derived from a declaration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Text {
     /// Equations, structure and cost.
@@ -332,7 +332,7 @@ pub(crate) enum Text {
     Statements,
     /// Emitted code.
     Rust,
-    /// The kernel in C.
+    /// Kernel in C.
     Kernel(Precision),
 }
 
@@ -357,7 +357,7 @@ impl Action {
         })
     }
 
-    /// Sets a flag; false if the action has none of this name.
+    /// Sets a flag; returns false if the action does not have it.
     fn set(&mut self, flag: &str) -> bool {
         match (self, flag) {
             (Action::Check { is_json }, "json") => *is_json = true,
@@ -380,7 +380,7 @@ impl Action {
 }
 
 impl Action {
-    /// Reads the value of an option; false if the action has none of this name.
+    /// Reads the value of an option; returns false if the action does not have it.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match (self, option) {
             (Action::Unit { version, .. }, "fmi") => *version = fmi_version(parser)?,
@@ -397,10 +397,10 @@ impl Action {
     }
 }
 
-/// Reads the arguments behind the name of the program.
+/// Reads the arguments after the name of the program.
 ///
 /// # Errors
-/// If they are no command, an option does not belong to it, or the number of files is wrong.
+/// If there is no valid command, an option does not belong to it, or the number of files is wrong.
 pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
     let mut action = match parser.next()? {
         Some(Arg::Value(name)) if name == WATCH => return watch(parser),
@@ -435,7 +435,7 @@ pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
     }
 }
 
-/// Reads the command behind `watch`.
+/// Reads the command after `watch`.
 fn watch(parser: Parser) -> Result<Request, Error> {
     match read_arguments(parser)? {
         Request::Command(command)

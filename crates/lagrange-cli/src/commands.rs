@@ -1,4 +1,4 @@
-//! The commands.
+//! Execution of the commands.
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
@@ -27,23 +27,23 @@ use crate::motions::{Failure, Motion, set, start};
 use crate::source;
 use crate::trades;
 
-/// Number of operations beyond which compilers need minutes for derivatives in units.
+/// Number of operations above which compilers need minutes for the derivatives in units.
 const MOST_DERIVATIVES: usize = 20_000;
 
-/// The end of a command; mistakes are printed.
+/// The result of a command, whose errors have been printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Ended {
     /// Without errors.
     Well,
     /// With errors in files.
     WithMistakes,
-    /// At options that make no sense for the file.
+    /// With options that are invalid for the file.
     Misused,
     /// With a motion that failed before its end.
     Early,
 }
 
-/// A command that came to no result; its mistakes are printed.
+/// The failure of a command, whose errors have been printed.
 struct Printed;
 
 type Outcome<T> = Result<T, Printed>;
@@ -90,7 +90,7 @@ impl Command {
         motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
     }
 
-    /// Computes many motions and writes their ends.
+    /// Computes many motions and writes their final states.
     fn ensemble(&self, options: &EnsembleOptions) -> Ended {
         let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
             return Ended::WithMistakes;
@@ -108,7 +108,7 @@ impl Command {
         if ends.failures.is_empty() { Ended::Well } else { Ended::Early }
     }
 
-    /// Measures methods and writes which to use.
+    /// Compares methods and writes the recommended one.
     fn trade(&self, options: &TradeOptions) -> Ended {
         let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
             return Ended::WithMistakes;
@@ -158,7 +158,7 @@ impl Command {
         ended(written.is_ok())
     }
 
-    /// Writes a page in which the system moves.
+    /// Writes a page with a live simulation.
     fn page(&self, values: &Values) -> Ended {
         let Ok((mut system, name)) = self.source().and_then(|source| Ok((drawn(&source)?, source.name)))
         else {
@@ -218,7 +218,7 @@ impl Command {
     }
 }
 
-/// Prints why a motion or a linear model is not written.
+/// Prints the reason for a missing motion or linear model.
 fn failed(failure: Failure) -> Ended {
     let (message, end) = match failure {
         Failure::Usage(message) => (message, Ended::Misused),
@@ -229,7 +229,7 @@ fn failed(failure: Failure) -> Ended {
     end
 }
 
-/// Returns the values at the start of a unit.
+/// Returns the initial values of a unit.
 fn started(system: &DeclaredSystem, state: Vec<f64>, values: &Values) -> Start {
     let is_given = |name: &String| values.start.iter().any(|(given, _)| given == name);
     let are_given = system.state_names().iter().map(is_given).collect();
@@ -240,14 +240,13 @@ fn ended(is_well: bool) -> Ended {
     if is_well { Ended::Well } else { Ended::WithMistakes }
 }
 
-/// Returns a system that can be run; prints warnings and errors.
+/// Returns a runnable system; prints warnings and errors.
 fn declared(source: &Source) -> Outcome<DeclaredSystem> {
     let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
     dynamic(source, Programs::new(&derived))
 }
 
-/// Returns a system that can be run, with its drawing if there is something to draw; prints
-/// warnings and errors.
+/// Returns a runnable system, with its drawing if it can be drawn; prints warnings and errors.
 fn drawn(source: &Source) -> Outcome<DeclaredSystem> {
     let system = source.system_with("drawing").or_else(|_| source.system());
     let derived = reported(source, system, |system| system.derive(StrategyChoice::Cheapest))?;
@@ -258,8 +257,8 @@ fn dynamic(source: &Source, programs: Programs) -> Outcome<DeclaredSystem> {
     DeclaredSystem::new(programs).map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
 }
 
-/// Returns a system with the derivatives of its rates, if they are small enough to be written out;
-/// prints warnings and errors.
+/// Returns a system with the derivatives of its rates, if they are small enough; prints warnings
+/// and errors.
 fn with_jacobian(source: &Source) -> Outcome<Derived> {
     derived(source, |system| {
         let choice = StrategyChoice::Cheapest;
@@ -267,8 +266,8 @@ fn with_jacobian(source: &Source) -> Outcome<Derived> {
     })
 }
 
-/// Returns a system with the derivatives of rates and outputs by state and inputs, if they are
-/// small enough; prints warnings and errors.
+/// Returns a system with the derivatives of rates and outputs with respect to state and inputs, if
+/// they are small enough; prints warnings and errors.
 fn with_derivatives(source: &Source) -> Outcome<Derived> {
     derived(source, |system| {
         let choice = StrategyChoice::Cheapest;
@@ -283,7 +282,7 @@ fn derived(source: &Source, derive: impl FnOnce(System) -> Result<Derived, Repor
     reported(source, source.system(), derive)
 }
 
-/// Derives a system that is read already; prints warnings and errors.
+/// Derives a parsed system; prints warnings and errors.
 fn reported(
     source: &Source,
     system: Result<System, Report>,
@@ -297,7 +296,7 @@ fn reported(
     Ok(derived)
 }
 
-/// Returns everything that is reported of a declaration, up to its code.
+/// Returns the full report on a declaration, including its code generation.
 fn checked(source: &Source) -> Report {
     let derived = match source.system().and_then(|system| system.derive(StrategyChoice::Cheapest)) {
         Ok(derived) => derived,
@@ -307,7 +306,7 @@ fn checked(source: &Source) -> Report {
     derived.emit(&quote!(::lagrange)).err().unwrap_or(warnings)
 }
 
-/// Returns a text that follows from a declaration; prints warnings and errors.
+/// Returns a text derived from a declaration; prints warnings and errors.
 fn written(source: &Source, text: Text) -> Outcome<String> {
     let refused = |report: Report| {
         mistakes::print(source, &report);
@@ -328,7 +327,7 @@ fn written(source: &Source, text: Text) -> Outcome<String> {
     }
 }
 
-/// Lays emitted items out.
+/// Formats emitted items.
 fn rust(items: TokenStream) -> Outcome<String> {
     let file = syn::parse2(items).map_err(|error| print_error(&format!("emitted code: {error}")))?;
     Ok(prettyplease::unparse(&file))
@@ -356,7 +355,7 @@ fn write(output: Option<&Path>, text: impl AsRef<[u8]>) -> Outcome<()> {
     result.map_err(|message| print_error(&message))
 }
 
-/// Prints mistakes without their places, which are not in the file.
+/// Prints errors without positions, which are not in the file.
 fn print_plainly(source: &Source, report: &Report) -> Printed {
     for mistake in report.diagnostics() {
         let help = mistake.help.as_ref().map_or(String::new(), |help| format!(" (help: {help})"));

@@ -1,4 +1,4 @@
-//! Many motions of a declared system: from ranges as they are written to the ends of motions.
+//! Many motions of a declared system: from textual ranges to final states.
 
 use std::path::Path;
 
@@ -10,26 +10,27 @@ use crate::motions::{
     Failure, check_format, end, method, named_value, number, set, start_from, start_values,
 };
 
-/// Number of motions if it is not specified, and the largest one.
+/// Default number of motions.
 const MOTIONS: u64 = 100;
+/// Maximum number of motions.
 const MAX_MOTIONS: u64 = 10_000_000;
-/// Ending of the names of columns with starts.
+/// Suffix of the names of columns with initial values.
 const AT_START: &str = " at start";
 
-/// A quantity that differs between motions, uniformly in a range.
+/// A quantity that is uniformly distributed over the motions in a range.
 struct Varied<'a> {
     name: &'a str,
     low: f64,
     high: f64,
-    /// True for an entry of the start, false for a parameter or an input.
+    /// True for an entry of the initial state, false for a parameter or an input.
     is_entry: bool,
 }
 
-/// Computes the ends of motions with these options, and sets the parameters of the system. Entries
-/// of the start that vary are further columns, `x at start`.
+/// Computes the final states of motions with these options, and sets the parameters of the system.
+/// Varied entries of the initial state are additional columns, `x at start`.
 ///
 /// # Errors
-/// The first option that makes no sense.
+/// If an option is invalid, with the first one.
 pub(crate) fn ends(
     options: &EnsembleOptions,
     output: Option<&Path>,
@@ -52,7 +53,7 @@ pub(crate) fn ends(
     Ok(ends)
 }
 
-/// Checks that each quantity has its value from one option.
+/// Checks that each quantity has its value from a single option.
 fn check_names(varied: &[Varied<'_>], options: &EnsembleOptions) -> Result<(), Failure> {
     let Values { fields, start } = &options.settings.values;
     for (index, Varied { name, .. }) in varied.iter().enumerate() {
@@ -74,7 +75,7 @@ fn unknown(name: &str, system: &DeclaredSystem) -> Failure {
     Failure::Usage(format!("--vary: there is no `{name}`; known are {known}"))
 }
 
-/// Reads `LOW..HIGH`.
+/// Parses `LOW..HIGH`.
 fn varied<'a>(name: &'a str, range: &str, system: &DeclaredSystem) -> Result<Varied<'a>, Failure> {
     let wrong = |why: &str| Failure::Usage(format!("--vary {name}={range}: {why}"));
     let sides = range.split_once("..").ok_or_else(|| wrong("a range is missing: write `0..1`"))?;
@@ -87,13 +88,13 @@ fn varied<'a>(name: &'a str, range: &str, system: &DeclaredSystem) -> Result<Var
     Ok(Varied { name, low, high, is_entry })
 }
 
-/// Columns by name, with a value for each motion.
+/// Columns by name, with one value for each motion.
 type Columns = Vec<(String, Vec<f64>)>;
 
-/// The starts of motions, and a column for each quantity that varies.
+/// Initial states of motions, and a column for each varied quantity.
 type Drawn = (Vec<Vec<f64>>, Vec<Vec<f64>>);
 
-/// The settings of the ensemble, and the entries of its starts that vary.
+/// Returns the settings of the ensemble, and the varied entries of its initial states.
 fn settings(
     options: &EnsembleOptions,
     varied: &[Varied<'_>],
@@ -119,8 +120,7 @@ fn settings(
     Ok((EnsembleSettings { starts, varied, from: 0.0, until, method, threads }, named(entries)))
 }
 
-/// Draws the values of each motion in the order in which they are written; its start may depend on
-/// them.
+/// Draws the values of each motion in writing order; its initial state may depend on them.
 fn drawn(
     options: &EnsembleOptions,
     varied: &[Varied<'_>],
@@ -146,7 +146,7 @@ fn drawn(
     Ok((starts, columns))
 }
 
-/// Returns the ends as CSV: times, states, outputs, and parameters if one varies.
+/// Returns the final states as CSV: times, states, outputs, and parameters if one varies.
 pub(crate) fn csv(ends: &EnsembleEnds, system: &DeclaredSystem) -> String {
     let titled = |name: &String| match system.variables().unit(name.trim_end_matches(AT_START)) {
         Some(unit) => format!(",{name} in {unit}"),

@@ -1,11 +1,11 @@
 //! `lagrange`: declarations of mechanical systems on the command line.
 //!
-//! A file holds what `lagrange::system!` takes. `lagrange check` lists its mistakes as the compiler
-//! shows them. `lagrange equations` writes its equations of motion, and `lagrange rust` the code of
-//! the macro. `lagrange simulate` computes a motion without a compiler, `lagrange film` films it,
-//! `lagrange ensemble` computes many, and `lagrange linearise` a linear model. `lagrange urdf`
-//! writes the declaration of a robot. `lagrange watch` runs a command again when its files change.
-//! `lagrange --help` has everything.
+//! A file contains the input of `lagrange::system!`. `lagrange check` lists its errors in the style
+//! of the compiler. `lagrange equations` writes its equations of motion, and `lagrange rust` the
+//! code of the macro. `lagrange simulate` computes a motion without a compiler, `lagrange film`
+//! films it, `lagrange ensemble` computes many, and `lagrange linearise` computes a linear model.
+//! `lagrange urdf` writes the declaration of a robot. `lagrange watch` reruns a command when its
+//! files change. `lagrange --help` lists everything.
 #![forbid(unsafe_code)]
 
 mod analyses;
@@ -25,11 +25,11 @@ use arguments::{HELP, Request, read_arguments};
 use commands::Ended;
 use watch::watch;
 
-/// Exit code of a run whose files have mistakes.
+/// Exit code if files have errors.
 const MISTAKES: u8 = 1;
-/// Exit code of a command that has no meaning.
+/// Exit code of an invalid command.
 const USAGE: u8 = 2;
-/// Exit code of a motion that failed before its end, or of a state without a linear model.
+/// Exit code if a motion failed before its end, or a state has no linear model.
 const EARLY: u8 = 3;
 
 fn main() -> ExitCode {

@@ -1,4 +1,4 @@
-//! Mistakes as the compiler shows them, and as JSON.
+//! Errors in the style of the compiler, and as JSON.
 
 use std::io::{IsTerminal, stderr};
 
@@ -7,7 +7,7 @@ use lagrange_core::diagnostics::{Diagnostic, Origin, Report, Severity};
 use lagrange_dynamic::Source;
 use serde_json::{Value, json};
 
-/// Prints all mistakes of a file to the standard error, in colours where that is a terminal.
+/// Prints all errors of a file to the standard error, in colour if it is a terminal.
 pub(crate) fn print(source: &Source, report: &Report) {
     let is_coloured = stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let renderer = if is_coloured { Renderer::styled() } else { Renderer::plain() };
@@ -34,14 +34,14 @@ fn group<'a>(source: &'a Source, diagnostic: &'a Diagnostic) -> Group<'a> {
     }
 }
 
-/// Marks a stretch of the text, if it is known where that is.
+/// Marks a range of the text, if its position is known.
 fn annotation<'a>(kind: AnnotationKind, origin: Origin) -> Option<Annotation<'a>> {
     Some(kind.span(origin.bytes()?))
 }
 
-/// Returns the mistakes of a file as JSON objects with `file`, `severity`, `message`, `help` and
-/// `notes`. Each mistake and each note has a place: `line` and `column`, from one, in characters,
-/// and `bytes`, from zero, the second excluded. Null stands for what is unknown or missing.
+/// Returns the errors of a file as JSON objects with `file`, `severity`, `message`, `help` and
+/// `notes`. Each error and note has the fields `line` and `column`, one-based and in characters. It
+/// also has `bytes`, a zero-based half-open range. Unknown or missing values are null.
 pub(crate) fn as_json(source: &Source, report: &Report) -> Vec<Value> {
     report.diagnostics().iter().map(|diagnostic| value(source, diagnostic)).collect()
 }

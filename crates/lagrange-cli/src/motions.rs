@@ -1,4 +1,4 @@
-//! Motions of declared systems: from settings as they are written to files.
+//! Motions of declared systems: from textual settings to files.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -18,34 +18,34 @@ use crate::values::value;
 const FORMATS: [&str; 4] = ["csv", "parquet", "svg", "png"];
 /// Formats of films in the plane and in space.
 const FILMS: [[&str; 3]; 2] = [["html", "gif", "svg"], ["html", "gif", "glb"]];
-/// Seconds between pictures of a film.
+/// Seconds between the pictures of a film.
 const PICTURE: f64 = 0.04;
 
-/// A motion or a linear model that is not written, or not to its end.
+/// The reason why a motion or a linear model is missing or incomplete.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The settings make no sense.
+    /// The settings are invalid.
     Usage(String),
-    /// The motion failed, and what it reached is written; or there is no linear model.
+    /// The motion failed after writing its results so far, or there is no linear model.
     Ended(String),
     /// A file cannot be written.
     File(String),
 }
 
-/// A motion whose settings are understood.
+/// A motion with validated settings.
 pub(crate) struct Motion<'a> {
     run: RunSettings,
     output: Option<&'a Path>,
     events: Option<&'a Path>,
-    /// The system if the motion is filmed.
+    /// System to be filmed, if a film is requested.
     filmed: Option<DeclaredSystem>,
 }
 
 impl<'a> Motion<'a> {
-    /// Understands settings, and sets the parameters of the system.
+    /// Reads settings, and sets the parameters of the system.
     ///
     /// # Errors
-    /// The first setting that makes no sense.
+    /// If a setting is invalid, with the first one.
     pub(crate) fn new(
         settings: &'a Settings,
         output: Option<&'a Path>,
@@ -55,11 +55,10 @@ impl<'a> Motion<'a> {
         Motion::of(settings, output, system)
     }
 
-    /// Understands settings of a film, and sets the parameters of the system, whose drawing is
-    /// known.
+    /// Reads settings of a film, and sets the parameters of the system, which includes its drawing.
     ///
     /// # Errors
-    /// The first setting that makes no sense.
+    /// If a setting is invalid, with the first one.
     pub(crate) fn filmed(
         settings: &'a Settings,
         output: Option<&'a Path>,
@@ -94,19 +93,19 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Returns the time of the end.
+/// Returns the end time.
 ///
 /// # Errors
-/// If it is missing or makes no sense.
+/// If it is missing or invalid.
 pub(crate) fn end(until: Option<&str>) -> Result<f64, Failure> {
     let missing = || Failure::Usage("the end is missing: write `--until 10`".to_owned());
     time("until", until.ok_or_else(missing)?)
 }
 
-/// Reads a whole number, if it is written.
+/// Parses a whole number, if it is given.
 ///
 /// # Errors
-/// If it is none.
+/// If the text is not a whole number.
 pub(crate) fn number(option: &str, text: Option<&str>) -> Result<Option<u64>, Failure> {
     let wrong = |text: &str| Failure::Usage(format!("--{option} {text}: expected a whole number"));
     text.map(|text| text.trim().parse().map_err(|_| wrong(text))).transpose()
@@ -115,7 +114,7 @@ pub(crate) fn number(option: &str, text: Option<&str>) -> Result<Option<u64>, Fa
 /// Returns the method with its settings.
 ///
 /// # Errors
-/// If there is no such method, or it has no such setting.
+/// If the method is unknown, or does not have one of the settings.
 pub(crate) fn method(settings: &Settings) -> Result<MethodChoice, Failure> {
     let tolerance = settings.tolerance.as_deref().map(|text| {
         let bad = |error| Failure::Usage(format!("--tolerance {text}: {error}"));
@@ -138,7 +137,7 @@ pub(crate) fn method(settings: &Settings) -> Result<MethodChoice, Failure> {
 /// Sets parameters and inputs.
 ///
 /// # Errors
-/// The first value that makes no sense, or is missing.
+/// If a value is invalid or missing, with the first one.
 pub(crate) fn set(values: &Values, system: &mut DeclaredSystem) -> Result<(), Failure> {
     for (name, text) in &values.fields {
         let value = named_value("set", (name, text), system)?;
@@ -150,18 +149,18 @@ pub(crate) fn set(values: &Values, system: &mut DeclaredSystem) -> Result<(), Fa
     }
 }
 
-/// Returns the state at the start, of which an option of this name sets entries.
+/// Returns the initial state, with entries set by the option of this name.
 ///
 /// # Errors
-/// The first value that makes no sense, or is missing.
+/// If a value is invalid or missing, with the first one.
 pub(crate) fn start(option: &str, values: &Values, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
     start_from(option, &start_values(option, values, system)?, system)
 }
 
-/// Returns the entries that an option of this name sets.
+/// Returns the entries set by the option of this name.
 ///
 /// # Errors
-/// The first value that makes no sense.
+/// If a value is invalid, with the first one.
 pub(crate) fn start_values(
     option: &str,
     values: &Values,
@@ -172,10 +171,10 @@ pub(crate) fn start_values(
     values.start.iter().map(named).collect()
 }
 
-/// Returns the state at the start with these entries.
+/// Returns the initial state with these entries.
 ///
 /// # Errors
-/// If one is unknown or missing.
+/// If an entry is unknown or missing.
 pub(crate) fn start_from(
     option: &str,
     values: &[(String, f64)],
@@ -192,7 +191,7 @@ pub(crate) fn start_from(
 /// Returns the value of a variable of the system, in its unit.
 ///
 /// # Errors
-/// If it makes no sense.
+/// If it is invalid.
 pub(crate) fn named_value(
     option: &str,
     (name, text): (&str, &str),
@@ -202,19 +201,19 @@ pub(crate) fn named_value(
     value(name, text, unit).map_err(|error| Failure::Usage(format!("--{option} {name}={text}: {error}")))
 }
 
-/// Reads a time, in seconds where no unit is written.
+/// Parses a time, in seconds by default.
 ///
 /// # Errors
-/// If it makes no sense.
+/// If it is invalid.
 pub(crate) fn time(option: &str, text: &str) -> Result<f64, Failure> {
     value(&format!("--{option}"), text, Some("s"))
         .map_err(|error| Failure::Usage(format!("--{option} {text}: {error}")))
 }
 
-/// Checks that the extension of a file is one of these formats.
+/// Checks that a file has one of these formats as its extension.
 ///
 /// # Errors
-/// If it is not.
+/// If it does not.
 pub(crate) fn check_format(output: Option<&Path>, formats: &[&str]) -> Result<(), Failure> {
     let Some(path) = output else { return Ok(()) };
     match extension(path) {
@@ -290,7 +289,7 @@ impl Motion<'_> {
     }
 }
 
-/// The events of a motion as CSV: time, name and state.
+/// Returns the events of a motion as CSV: time, name and state.
 fn events<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> String {
     let state = &motion.names()[..motion.first().as_ref().len()];
     let mut text = format!("t,event,{}\n", state.join(","));

@@ -1,4 +1,4 @@
-//! Files with declarations, and the standard input.
+//! Input files with declarations, and the standard input.
 
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::arguments::STANDARD_INPUT;
 /// Reads a file, or the standard input for `-`.
 ///
 /// # Errors
-/// The name of the file and the reason why it cannot be read.
+/// If the file cannot be read, with its name and the reason.
 pub(crate) fn read(path: &Path) -> Result<Source, String> {
     if path.as_os_str() == STANDARD_INPUT {
         let text = standard_input().map_err(|reason| format!("the standard input: {reason}"))?;

@@ -1,4 +1,4 @@
-//! Methods measured on a motion, and the one to use for a wanted error.
+//! Comparison of methods on a motion, and the best one for a given error.
 
 use std::path::Path;
 
@@ -9,14 +9,14 @@ use crate::arguments::TradeOptions;
 use crate::motions::{Failure, end, set, start, time};
 use crate::values::value;
 
-/// Seconds of a run after which no finer setting is tried, if nothing else is specified.
+/// Duration of a run in seconds after which no finer setting is tried, by default.
 const LONGEST: f64 = 0.2;
 
-/// Measures methods, sets the parameters of the system, and returns the best option for the wanted
-/// error or for several errors. All measurements are saved to a folder if there is one.
+/// Measures methods, sets the parameters of the system, and returns the best option for one or
+/// several error goals. All measurements are saved to a folder, if one is given.
 ///
 /// # Errors
-/// The first option that makes no sense, or an error that no method reaches.
+/// If an option is invalid, with the first one, or if no method reaches an error goal.
 pub(crate) fn text(
     options: &TradeOptions,
     folder: Option<&Path>,
@@ -56,7 +56,7 @@ fn positive(option: &str, number: Result<f64, String>, text: &str) -> Result<f64
     }
 }
 
-/// Returns the options of the fastest run with this error at most, and what it measured.
+/// Returns the options of the fastest run with at most this error, and its measurement.
 fn proposal(report: &Report, error: f64) -> Result<String, Failure> {
     let Some((row, found)) = report.fastest(error) else {
         let errors = report.rows().iter().filter_map(|row| Some(row.outcome.as_ref().ok()?.error));
@@ -71,7 +71,7 @@ fn proposal(report: &Report, error: f64) -> Result<String, Failure> {
     Ok(format!("{}\nerror {error:.1e}, {evaluations} evaluations, {milliseconds:.2} ms\n", options_of(row)))
 }
 
-/// Returns what to add to an error if finer runs were left out.
+/// Returns a remark on errors if finer runs were omitted.
 fn cut(report: &Report) -> &'static str {
     if report.is_cut() {
         "; finer settings than those of long runs were not tried: set a longer `--longest`"
@@ -103,7 +103,7 @@ fn table(report: &Report) -> String {
 /// are not larger than measured.
 fn options_of(row: &MeasuredRun) -> String {
     let exponent = row.setting.log10().floor();
-    // Rounding must not turn 9.99… into a digit less.
+    // Rounding must not reduce the digit of 9.99….
     let digits = (row.setting / 10_f64.powf(exponent) * 10.0 + 1e-9).floor() / 10.0;
     format!("--method {} --{} {digits}e{exponent}", row.variant, row.knob())
 }

@@ -1,15 +1,15 @@
-//! Numbers with units on the command line, read as the language reads defaults of parameters.
+//! Numbers with units on the command line, parsed like defaults of parameters in the language.
 
 use lagrange_core::diagnostics::Severity;
 use lagrange_core::expr::evaluate;
 use lagrange_core::pipeline::parse;
 
-/// Reads the value of a quantity in coherent units. `unit` is that of the quantity, if it is known.
+/// Parses the value of a quantity in coherent units. `unit` is the unit of the quantity, if known.
 ///
 /// # Errors
-/// The mistakes in words.
+/// If the text is invalid, with the errors as text.
 pub(crate) fn value(quantity: &str, text: &str, unit: Option<&str>) -> Result<f64, String> {
-    // Another statement would be no mistake there.
+    // An additional statement would otherwise be accepted.
     if text.trim().is_empty() || text.contains([';', '{', ',', '=']) {
         return Err("expected a number".to_owned());
     }

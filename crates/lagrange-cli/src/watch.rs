@@ -1,4 +1,4 @@
-//! Commands that run again whenever their files change.
+//! Commands that are rerun whenever their files change.
 
 use std::fs;
 use std::path::PathBuf;
@@ -10,18 +10,19 @@ use lagrange_dynamic::Source;
 use crate::arguments::Command;
 use crate::source;
 
-/// Time between two looks at the files.
+/// Polling interval for the files.
 const INTERVAL: Duration = Duration::from_millis(200);
 
-/// Time of the last change and size of each file; `None` for one that cannot be read.
+/// Last modification time and size of each file; `None` if it cannot be read.
 type Stamps = Vec<Option<(SystemTime, u64)>>;
 
-/// Runs a command now, and again after each change of its files and of those that they include,
-/// until the process is ended. Mistakes are printed as without watching.
+/// Runs a command now, and again after each change of its files and of included ones, until the
+/// process is terminated. Errors are printed as usual.
 pub(crate) fn watch(command: &Command) -> ! {
     loop {
         let files = files(command);
-        // Taken before the command reads the files: a change meanwhile is one.
+        // Recorded before the command reads the files, so that changes in the meantime are
+        // detected.
         let before = stamps(&files);
         command.run();
         let names = files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>();
@@ -30,7 +31,7 @@ pub(crate) fn watch(command: &Command) -> ! {
     }
 }
 
-/// Returns the files that a command reads, and those that they include.
+/// Returns the files read by a command, and the files that they include.
 fn files(command: &Command) -> Vec<PathBuf> {
     let mut files = command.inputs.iter().map(|path| Source::file(path).to_owned()).collect::<Vec<_>>();
     for source in command.inputs.iter().filter_map(|path| source::read(path).ok()) {
@@ -47,7 +48,7 @@ fn stamps(files: &[PathBuf]) -> Stamps {
     files.iter().map(stamp).collect()
 }
 
-/// Waits until files have changed, and then until they rest: editors write in several steps.
+/// Waits until files change and then stay unchanged, since editors write in several steps.
 fn wait_for_change(files: &[PathBuf], before: &Stamps) {
     let mut last = before.clone();
     loop {

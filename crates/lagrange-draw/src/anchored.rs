@@ -1,8 +1,8 @@
 //! Detection of ends of springs and dampers that are fixed to the ground.
 //!
-//! A scene states where a connector ends, and on which bodies it pulls. An end on no body is at
-//! rest if it never leaves its place, neither during the film nor in another configuration at
-//! another time. Such an end needs a support, unless a line or a joint is drawn there already.
+//! A scene specifies the ends of each connector and the bodies it acts on. An end on no body counts
+//! as fixed if it never moves, neither during the film nor in a different configuration at a
+//! different time. It then needs a support, unless a line or a joint is already drawn there.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -13,14 +13,14 @@ use crate::snapshot::{Snapshot, Span};
 use crate::stretch::coordinates;
 use lagrange_runtime::scene::{Connector, LoadOrigin};
 
-/// The angles of short walls at the ends of connectors, by name and number of the end. The
-/// connector is on the left of its wall.
+/// Angles of the short walls at the ends of connectors, by name and end index. The connector is on
+/// the left of its wall.
 pub(super) type Anchored = BTreeMap<(String, usize), f64>;
 
-/// Relative distance, in lengths of a connector, below which points coincide.
+/// Distance, relative to the length of a connector, below which points coincide.
 const TOUCHING: f64 = 1e-6;
 
-/// The ends that are held throughout a film; the scene in another configuration is `elsewhere`.
+/// Returns the fixed ends throughout a film; `elsewhere` is the scene in a different configuration.
 pub(super) fn anchored(film: &[Snapshot], elsewhere: &Snapshot) -> Anchored {
     let mut anchored = Anchored::new();
     for Span { name, kind, ends } in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
@@ -43,8 +43,8 @@ fn is_at_rest(name: &str, end: usize, at: Point, film: &[Snapshot], elsewhere: &
     film.iter().chain([elsewhere]).all(|snapshot| snapshot.ends(name).is_some_and(|ends| ends[end] == at))
 }
 
-/// True if the connector pulls on a body there at all times; where both ends meet that is not seen
-/// at one time.
+/// True if the connector acts on a body at this end at all times. At times at which both ends
+/// coincide, this cannot be decided.
 fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -> bool {
     film.iter().chain([elsewhere]).all(|snapshot| {
         let at = snapshot.ends(name).map(|ends| ends[end]);
@@ -54,20 +54,20 @@ fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -
     })
 }
 
-/// True if a line or a joint is drawn there.
+/// True if a line or a joint is drawn at this point.
 fn is_held(at: Point, ends: &[Point; 2], snapshot: &Snapshot) -> bool {
     let close = TOUCHING * length(subtract(ends[1], ends[0]));
     let on_line = snapshot.lines.iter().any(|line| coordinates(line, at)[1].abs() <= close);
     on_line || snapshot.joints.iter().any(|joint| length(subtract(joint.at, at)) <= close)
 }
 
-/// The direction of a level or upright wall from which a connector leads away on the left, as the
-/// mean of the film has it.
+/// Returns the direction of a horizontal or vertical wall with the connector on its left, averaged
+/// over the film.
 fn wall(name: &str, end: usize, film: &[Snapshot]) -> Option<f64> {
     let away =
         film.iter().filter_map(|snapshot| snapshot.ends(name)).map(|ends| subtract(ends[1 - end], ends[end]));
     let [x, y] = away.fold([0.0, 0.0], add);
-    // A connector that is not a number is refused later.
+    // Non-finite connectors are rejected later.
     unit([x, y])?;
     let quarters: [(f64, f64); 4] = [(x, 0.0), (y, 1.0), (-x, 2.0), (-y, 3.0)];
     let best = quarters
@@ -87,7 +87,7 @@ mod tests {
     use crate::snapshot::{Joint, Line, Snapshot, Span};
     use lagrange_runtime::scene::{self, Connector, LoadOrigin};
 
-    /// A spring that pulls on a body at its second end.
+    /// Creates a spring that acts on a body at its second end.
     fn spring(from: Point, to: Point) -> Snapshot {
         let (name, body) = ("k".to_string(), Some("mass".to_string()));
         let value = Value::Force([0.0, 1.0]);

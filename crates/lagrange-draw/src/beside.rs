@@ -3,14 +3,14 @@
 use crate::geometry::{add, moved};
 use crate::picture::{Mark, Picture, Point};
 
-/// Up to this many pictures are in one row.
+/// Maximum number of pictures in a row.
 const ROW: usize = 3;
-/// Between the titles of all of them.
+/// Separator between the titles in the combined title.
 pub(super) const SEPARATOR: &str = "; ";
 
 impl Picture {
-    /// Arranges pictures next to each other, each with its title above; more than three in several
-    /// rows.
+    /// Arranges pictures next to each other, each with its title above; more than three are split
+    /// into rows.
     pub fn beside(pictures: &[Picture]) -> Picture {
         let columns = columns(pictures.len());
         let (mut size, mut marks) = ([0.0_f64, 0.0_f64], Vec::new());

@@ -3,20 +3,23 @@
 
 use crate::picture::Colour;
 
-/// Outlines, joints and text.
+/// Colour of outlines, joints and text.
 pub(super) const INK: Colour = Colour([40, 40, 40, 255]);
-/// Lines that help.
+/// Colour of auxiliary lines.
 pub(super) const PALE: Colour = Colour([130, 130, 130, 255]);
 pub(super) const HATCHING: Colour = Colour([150, 150, 150, 255]);
 /// Colour of the background.
 pub(super) const PAPER: Colour = Colour([255, 255, 255, 255]);
 
-/// The colours of what moves and acts.
+/// Colour of velocities.
 pub(super) const VELOCITY: Colour = INKS[1];
+/// Colour of accelerations.
 pub(super) const ACCELERATION: Colour = INKS[4];
+/// Colour of forces.
 pub(super) const FORCE: Colour = INKS[2];
-/// Forces without a name.
+/// Colour of unnamed forces.
 pub(super) const REST: Colour = INK;
+/// Colour of instantaneous centres.
 pub(super) const CENTER: Colour = INKS[3];
 
 const INKS: [Colour; 7] = [
@@ -29,44 +32,44 @@ const INKS: [Colour; 7] = [
     Colour([86, 180, 233, 255]),
 ];
 
-/// Fraction of paper in the colour of a body.
+/// Fraction of the background colour in the colour of a body.
 const LIGHTNESS: f64 = 0.78;
-/// The order of the colours of bodies: neighbours differ much.
+/// Order of the colours of bodies, in which neighbours differ strongly.
 const BODIES: [usize; 6] = [6, 5, 3, 4, 1, 2];
 
-/// The order of the colours of traces.
+/// Order of the colours of traces.
 const TRACES: [usize; 6] = [3, 5, 6, 4, 1, 2];
 
-/// The colour of the trace of this index.
+/// Returns the colour of the trace with this index.
 pub(super) fn trace(index: usize) -> Colour {
     INKS[TRACES[index % TRACES.len()]]
 }
 
-/// The colour of this number; numbers beyond the last start again.
+/// Returns the colour with this number; numbers past the last one wrap around.
 pub(super) fn ink(number: usize) -> Colour {
     INKS[number % INKS.len()]
 }
 
-/// The light colour of the body of this index.
+/// Returns the light colour of the body with this index.
 pub(super) fn body(index: usize) -> Colour {
     light(INKS[BODIES[index % BODIES.len()]])
 }
 
-/// Returns the colour of the body of this index in pictures of the plane, as CSS has it.
+/// Returns the colour of the body with this index in pictures of the plane, in CSS notation.
 pub fn body_colour(index: usize) -> String {
     let Colour([red, green, blue, _]) = body(index);
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-/// Fraction of paper in the colour of a solid, whose shaded faces are darker.
+/// Fraction of the background colour in the colour of a solid; its shaded faces are darker.
 const SOLID: f64 = 0.45;
 
-/// The colour of the solid body of this index where light falls on it.
+/// Returns the colour of the fully lit faces of the solid with this index.
 pub(super) fn solid(index: usize) -> Colour {
     mixed(INKS[BODIES[index % BODIES.len()]], PAPER, SOLID)
 }
 
-/// A colour with a part of another, whose opacity stays.
+/// Mixes a fraction of another colour into a colour, keeping its opacity.
 pub(super) fn mixed(Colour(a): Colour, Colour(b): Colour, part: f64) -> Colour {
     let mix = |channel: usize| {
         let [a, b] = [a[channel], b[channel]].map(f64::from);

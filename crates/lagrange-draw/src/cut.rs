@@ -1,17 +1,17 @@
-//! Holes: the part of one area that lies in another.
+//! Holes: intersections of two areas.
 
 use crate::geometry::{dot, flattened, mix, polyline, subtract, turned};
 use crate::picture::{Point, Segment};
 
-/// Straight pieces to a curve where areas overlap in part.
+/// Straight pieces per curve for partially overlapping areas.
 const PIECES: usize = 16;
 
-/// The lines around what a hole cuts out of a part: the hole itself if it lies inside, nothing if
-/// it lies outside.
+/// Returns the outlines of the intersection of a hole with a part: the hole itself if it is inside,
+/// nothing if it is outside.
 ///
-/// In between, one of the two must be convex. Its sides cut the other one after another
-/// (Sutherland, Hodgman, *Communications of the ACM* 17, 1974). Where neither is, less is cut out
-/// than both share.
+/// Otherwise one of the two must be convex. Its sides clip the other one in turn (Sutherland,
+/// Hodgman, *Communications of the ACM* 17, 1974). If neither is convex, the result is smaller than
+/// the intersection.
 pub(super) fn common(part: &[Segment], hole: &[Segment]) -> Vec<Vec<Segment>> {
     let (outer, inner) = (flattened(part, PIECES), flattened(hole, PIECES));
     if inner.iter().all(|p| contains(&outer, *p)) {
@@ -21,7 +21,7 @@ pub(super) fn common(part: &[Segment], hole: &[Segment]) -> Vec<Vec<Segment>> {
     if cut.len() < 3 { Vec::new() } else { vec![polyline(cut, true)] }
 }
 
-/// True if a hole and a part share some of their area, but the hole is not inside.
+/// True if a hole and a part overlap, but the hole is not inside.
 pub(super) fn crosses(part: &[Segment], hole: &[Segment]) -> bool {
     let (outer, inner) = (flattened(part, PIECES), flattened(hole, PIECES));
     let inside = inner.iter().filter(|p| contains(&outer, **p)).count();

@@ -19,7 +19,7 @@ use lagrange_runtime::scene::Space;
 use lagrange_runtime::scene::Spatial;
 use lagrange_runtime::system::{OdeSystem, split};
 
-/// The note about contacts in a state from which no motion starts, as while bodies overlap.
+/// Note on contacts in a state from which no motion can start, for example if bodies overlap.
 const WITHOUT_MOTION: &str = "forces of contacts that overlap";
 
 /// A time and a state.
@@ -37,11 +37,11 @@ pub trait DrawnSpace: Stored {
     #[doc(hidden)]
     const SIZE: [f64; 2];
 
-    /// A motion as it is recorded.
+    /// Type of recorded motions.
     #[doc(hidden)]
     type Recording: Recorded;
 
-    /// Records a motion in which the system may change between instants.
+    /// Records a motion in which the system may differ between instants.
     #[doc(hidden)]
     fn record<M: Scene<Space = Self>>(
         drawing: &Drawing<'_, M>,
@@ -51,18 +51,19 @@ pub trait DrawnSpace: Stored {
         M::Scalar: Into<f64>;
 }
 
-/// Pictures of a system of rigid bodies in the plane or in space, as it declares itself.
+/// Pictures of a declared system of rigid bodies, in the plane or in space.
 ///
-/// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are requested.
-/// One window shows all that is ever drawn, on one scale, and arrows of one kind have one scale.
+/// Bodies, connectors, joints, lines and names are always drawn; arrows and other additions are
+/// optional. All pictures share one window and one scale, and all arrows of one kind share one
+/// scale.
 ///
-/// In the plane x points to the right and y upwards. Springs and dampers that end at a point
-/// without a body and without motion get a short wall there. Those between the same points lie next
-/// to each other. The longest arrow is a quarter of the picture. Positions, angles and vectors are
-/// those of the declaration.
+/// In the plane x points to the right and y upwards. Springs and dampers whose end is at rest on no
+/// body get a short wall there. Connectors between the same points are drawn next to each other.
+/// The longest arrow is a quarter of the picture. Positions, angles and vectors are those of the
+/// declaration.
 ///
-/// In space z points upwards. Solids are shaded and hide everything behind them; bodies that are
-/// given by numbers only are drawn as rods between their joints.
+/// In space z points upwards. Solids are shaded and hide everything behind them; bodies given only
+/// by numbers are drawn as rods between their joints.
 ///
 /// ```
 /// use lagrange::draw::Drawing;
@@ -111,7 +112,8 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         }
     }
 
-    /// Sets width and height in pixels of 1/96 inch; 640 by 400 without this, in space 640 by 480.
+    /// Sets width and height in pixels of 1/96 inch; the default is 640 by 400, in space 640 by
+    /// 480.
     pub fn size(mut self, width: f64, height: f64) -> Self {
         self.look.size = [width, height];
         self
@@ -138,18 +140,18 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
     /// Adds the forces and moments that have names: declared ones, weights, constraint forces of
     /// joints, and those of springs, dampers and contacts of bodies. Forces of contacts,
     /// `touch.normal` and `touch.friction`, are those of a motion that starts from the state. In
-    /// space moments have two heads. Torques on angles act on the bodies that turn as the angles
-    /// do. A line below the picture names the omitted ones: forces of joints that the coordinates
-    /// satisfy, and torques on angles that determine no body. [`hide`](Self::hide) removes a name
-    /// from it. Hand-written constraints and potentials, impacts and dry friction of events act,
-    /// too, but have no such names. In the plane, [`free_body`](Self::free_body) shows their
+    /// space, arrows of moments have two heads. Torques on angles act on the bodies that rotate by
+    /// these angles. A line below the picture names the omitted ones: forces of joints that the
+    /// coordinates satisfy, and torques on angles that determine no body. [`hide`](Self::hide)
+    /// removes a name from it. Hand-written constraints and potentials, impacts and dry friction of
+    /// events also act, but have no names. In the plane, [`free_body`](Self::free_body) shows their
     /// resultant.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
     }
 
-    /// Adds the own axes X, Y and, in space, Z of the bodies.
+    /// Adds the body-fixed axes X, Y and, in space, Z.
     pub fn frames(mut self) -> Self {
         self.wanted.frames = true;
         self
@@ -167,8 +169,8 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds the path of a point, given at a time and a state `[q…, v…]`, through all moments so
-    /// far.
+    /// Adds the path of a point, a function of time and state `[q…, v…]`, through all moments up to
+    /// the current one.
     pub fn trace(
         mut self,
         label: &str,
@@ -178,8 +180,8 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds moments before those of the pictures, for traces. In the plane, the window then
-    /// includes the places at these moments.
+    /// Adds moments before the pictures, for traces. In the plane, the window then includes the
+    /// positions at these moments.
     pub fn past(mut self, states: impl IntoIterator<Item = (M::Scalar, M::State)>) -> Self {
         self.past.extend(states);
         self
@@ -187,12 +189,12 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
 }
 
 impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
-    /// Draws nothing but one body and the forces and moments that act on it.
+    /// Draws only one body and the forces and moments that act on it.
     ///
-    /// The loads other than those of [`forces`](Self::forces) follow from the motion. Their
-    /// resultant is drawn in dark grey at the centre of mass. It is the force R = m a − Σ F, with
-    /// the moment M_R = J α − Σ M about the centre of mass. It is omitted if only rounding is left.
-    /// [`Moment::force`] knows R by this name.
+    /// Loads not listed in [`forces`](Self::forces) follow from the motion. Their resultant is
+    /// drawn in dark grey at the centre of mass. It is the force R = m a − Σ F, with the moment M_R
+    /// = J α − Σ M about the centre of mass. It is omitted if it is zero up to rounding.
+    /// [`Moment::force`] returns it under the name R.
     pub fn free_body(mut self, body: &str) -> Self {
         self.free_body = Some(body.to_owned());
         self.wanted.is_free = true;
@@ -200,13 +202,13 @@ impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
     }
 
     /// Adds the instantaneous centres of rotation M, each with a ray from the centre of mass. A
-    /// body that does not turn has none; one that is far away is indicated by its ray.
+    /// body that does not turn has none; a distant one is indicated by its ray.
     pub fn centers(mut self) -> Self {
         self.wanted.centers = true;
         self
     }
 
-    /// Adds whatever else is to be drawn at a moment.
+    /// Adds user-drawn elements at each moment.
     pub fn annotate(mut self, sketch: impl Fn(&mut Sketch, &Moment<'_, M>) + 'a) -> Self {
         self.sketches.push(Rc::new(sketch));
         self
@@ -214,8 +216,8 @@ impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
 }
 
 impl<M: Scene<Space = Spatial>> Drawing<'_, M> {
-    /// Sets the direction of the eye, in radians: the azimuth from x towards y, and the elevation
-    /// above the plane of both. The default is −60° and 25°.
+    /// Sets the viewing direction in radians: the azimuth from x towards y, and the elevation above
+    /// the xy-plane. The default is −60° and 25°.
     pub fn view(mut self, azimuth: f64, elevation: f64) -> Self {
         self.look.direction = Direction { azimuth, elevation, ..self.look.direction };
         self
@@ -233,13 +235,13 @@ impl<M: Scene<Space = Spatial>> Drawing<'_, M> {
         self
     }
 
-    /// Adds a floor at a height, as a grid.
+    /// Adds a floor at a height, drawn as a grid.
     pub fn floor(mut self, height: f64) -> Self {
         self.wanted.floor = Some(height);
         self
     }
 
-    /// Adds a line through at least two points that do not move, such as a path to follow.
+    /// Adds a fixed line through at least two points, such as a path to follow.
     pub fn path(mut self, label: &str, points: impl IntoIterator<Item = [f64; 3]>) -> Self {
         self.paths.push((label.to_owned(), points.into_iter().collect()));
         self
@@ -250,8 +252,8 @@ impl<M: Scene<Space: DrawnSpace>> Drawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Draws the picture at a time and a state `[q…, v…]`, with forces under the inputs that the
-    /// system has.
+    /// Draws the picture at a time and a state `[q…, v…]`, with forces for the current inputs of
+    /// the system.
     ///
     /// # Errors
     /// If a number is not finite, there is nothing to draw, or the picture is too small. Also if
@@ -260,7 +262,7 @@ where
         self.pictures([(t, *y)])?.pop().ok_or(DrawError::NothingToDraw)
     }
 
-    /// Draws pictures at several times and states, with one window and one scale of arrows.
+    /// Draws pictures at several times and states, with a common window and scale of arrows.
     ///
     /// # Errors
     /// As for [`picture`](Self::picture).
@@ -272,21 +274,22 @@ where
         Ok(M::Space::record(self, &shots)?.pictures().into_owned())
     }
 
-    /// The system that is drawn.
+    /// Returns the drawn system.
     pub(super) fn system(&self) -> &M {
         self.system
     }
 
-    /// The system as it is in this shot.
+    /// Returns the system in this shot.
     pub(super) fn system_in<'s>(&'s self, (_, other): &'s Shot<M>) -> &'s M {
         other.as_ref().unwrap_or(self.system)
     }
 
-    /// The scene of a shot with what is hidden, which must be there.
+    /// Returns the scene of a shot without hidden items, which must exist.
     pub(super) fn snapshot(&self, shot: &Shot<M>) -> Result<Snapshot<M::Space>, DrawError> {
         let ((t, y), system) = (&shot.0, self.system_in(shot));
         let (q, v) = split::<M>(y);
-        // The forces of contacts, and accelerations under them, are those of a motion from here.
+        // The forces of contacts, and the resulting accelerations, are those of a motion from this
+        // state.
         let begun = system.begin(*t, y);
         let in_modes = begun.as_ref().ok().and_then(Option::as_ref).unwrap_or(system);
         let mut snapshot = Snapshot::of(in_modes, *t, &q, &v);

@@ -8,7 +8,7 @@ use lagrange_runtime::scene::Connector;
 /// A shape in a picture, with its name, label and layer.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Element {
-    /// Name in messages, which identifies the element in the other pictures of a film.
+    /// Name in messages; identifies the element across the pictures of a film.
     pub(super) name: String,
     /// Label; empty if there is none.
     pub(super) label: String,
@@ -17,7 +17,7 @@ pub(super) struct Element {
     pub(super) shape: Shape,
 }
 
-/// From back to front.
+/// The layer of an element, from back to front.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) enum Layer {
     Ground,
@@ -32,17 +32,17 @@ pub(super) enum Layer {
 /// The shape of an element.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Shape {
-    /// A body whose own coordinates are placed so, with its centre of mass.
+    /// A body with its centre of mass; `place` maps from its own coordinates.
     Body { place: Place, center: Point, pieces: Vec<Piece> },
-    /// A line with hatching on its right, along these stretches from a point of it, whose ends may
-    /// be infinite. These points of it must be visible.
+    /// A line with hatching on its right, drawn along `stretches` from a point on it, whose ends
+    /// may be infinite. The points `seen` must be visible.
     Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
-    /// A spring or damper, `lane` places on the left of the line between its ends; for torsion,
-    /// around as many others.
+    /// A spring or damper, `lane` lanes to the left of the line between its ends; a torsional one
+    /// surrounds `lane` others.
     Connector { kind: Connector, ends: [Point; 2], lane: f64 },
-    /// Two bodies turn about it.
+    /// A pin between two moving bodies.
     Pin { at: Point },
-    /// A body turns about it, and it is at rest.
+    /// A pin between a body and the ground.
     Anchor { at: Point },
     /// A short line with hatching on its right, which holds a connector on its left.
     Wall { at: Point, angle: f64 },
@@ -50,15 +50,15 @@ pub(super) enum Shape {
     Slider { at: Point },
     /// An arrow from a point, or to it if it pushes.
     Arrow { from: Point, vector: Point, measure: Measure, is_push: bool },
-    /// An arrow around a point, counterclockwise if positive, outside of so many others.
+    /// An arrow around a point, counterclockwise if positive, outside `ring` others.
     Turn { at: Point, moment: f64, ring: usize },
     /// A point.
     Dot { at: Point },
-    /// A dashed line to a point that may be far away, which is marked if it is in the picture.
+    /// A dashed line to a point, possibly far away, which is marked if it is in the picture.
     Ray { from: Point, to: Point },
     /// A straight line between two points.
     Segment { ends: [Point; 2], is_dashed: bool },
-    /// A dashed straight line without ends.
+    /// A dashed straight line that extends to the borders.
     Through { points: [Point; 2] },
     /// A circle.
     Circle { center: Point, radius: f64, is_dashed: bool },
@@ -70,47 +70,48 @@ pub(super) enum Shape {
     Polyline { points: Vec<Point> },
     /// An area with these corners.
     Area { points: Vec<Point> },
-    /// Nothing but its label.
+    /// A text without a mark.
     Words { at: Point },
 }
 
 /// The meaning of an arrow's length.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Measure {
-    /// Lengths of the world.
+    /// A length in the world.
     World,
-    /// Pixels.
+    /// A length in pixels.
     Pixels,
     Velocity,
     Acceleration,
     Force,
 }
 
-/// A place that must be in a picture.
+/// A place that must be visible.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Reach {
-    /// In the world.
+    /// Point in the world.
     pub(super) at: Point,
-    /// From there, in pixels, y upwards.
+    /// Offset from the point in pixels, y upwards.
     pub(super) offset: Point,
-    /// Pixels to all sides.
+    /// Margin on all sides in pixels.
     pub(super) room: f64,
 }
 
-/// Room for joints, connectors and bodies around their points, for hatching, and for arcs of
-/// moments and angles.
+/// Room around joints, connectors and bodies.
 const ROOM: f64 = 9.0;
+/// Room for hatching.
 const GROUND: f64 = 16.0;
+/// Room for arcs of moments and angles.
 const ROUND: f64 = 30.0;
-/// From one connector to the next between the same points, and by how much one about a point is
-/// wider than that within it.
+/// Distance between neighbouring connectors with the same ends.
 pub(super) const LANE: f64 = 20.0;
+/// Relative increase in radius from one connector about a point to the next.
 pub(super) const WIDER: f64 = 0.6;
-/// From one arc about a point to the next.
+/// Distance between neighbouring arcs about a point.
 pub(super) const RING: f64 = 8.0;
 
 impl Element {
-    /// All numbers of it, which must be finite.
+    /// Returns all numbers of the element, which must be finite.
     pub(super) fn numbers(&self) -> Vec<f64> {
         let mut numbers: Vec<f64> =
             self.reaches(&|_| 1.0).iter().flat_map(|r| [r.at, r.offset].concat()).collect();
@@ -126,8 +127,8 @@ impl Element {
         numbers
     }
 
-    /// The places that must be in the picture, if so many pixels stand for a unit of what is
-    /// measured.
+    /// Returns the places that must be in the picture, where `pixels` gives the pixels per unit of
+    /// a measure.
     pub(super) fn reaches(&self, pixels: &dyn Fn(Measure) -> f64) -> Vec<Reach> {
         let point = |at: Point, room: f64| Reach { at, offset: [0.0, 0.0], room };
         let all = |points: &[Point]| points.iter().map(|at| point(*at, ROOM)).collect();

@@ -1,10 +1,10 @@
-//! Why a picture could not be made.
+//! Errors in making pictures.
 
 use std::fmt::{Display, Formatter};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a picture could not be made or written.
+/// The reason why a picture could not be made or written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum DrawError {
@@ -14,16 +14,16 @@ pub enum DrawError {
         item: String,
         /// Description of the number.
         what: &'static str,
-        /// When.
+        /// Time of the moment.
         time: f64,
     },
     /// The scene has no body of this name.
     UnknownBody(String),
-    /// The scene has nothing of this name that could be hidden.
+    /// The scene has no item of this name to hide.
     UnknownItem(String),
-    /// There is no moment, or nothing in it that has a place.
+    /// There is no moment, or no item in it has a position.
     NothingToDraw,
-    /// The azimuth or the elevation from which a scene in space is to be seen is not finite.
+    /// The azimuth or the elevation of the view in space is not finite.
     View([f64; 2]),
     /// The picture is too small for its margins, or larger than an image can be.
     Size([f64; 2]),
@@ -34,7 +34,7 @@ pub enum DrawError {
         /// The extensions that can be written.
         known: &'static [&'static str],
     },
-    /// Pictures and times do not make a film; the text gives the reason.
+    /// Pictures and times do not make a film, for this reason.
     Film(String),
     /// A file could not be written.
     Io {
@@ -45,7 +45,7 @@ pub enum DrawError {
     },
 }
 
-/// Refuses a film for a reason.
+/// Returns the error of an invalid film, with a reason.
 pub(super) fn refusal(reason: &str) -> DrawError {
     DrawError::Film(reason.to_owned())
 }

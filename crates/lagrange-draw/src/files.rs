@@ -15,7 +15,7 @@ impl Picture {
     }
 
     /// Saves the picture to a file; an older one stays until the new one is complete. Its extension
-    /// selects the format: `svg`, or `png` with two pixels to that of a screen.
+    /// selects the format: `svg`, or `png` with two pixels per screen pixel in each direction.
     ///
     /// # Errors
     /// If the extension is not supported, the picture is too large for an image, or the operating

@@ -1,4 +1,4 @@
-//! Vectors of the plane and of space; curves of the plane.
+//! Vectors in the plane and in space; curves in the plane.
 
 use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -21,12 +21,12 @@ pub(super) fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     a.into_iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The third component of a × b.
+/// Returns the third component of a × b.
 pub(super) fn cross(a: Point, b: Point) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// Rotates by a right angle from x to y.
+/// Rotates by a right angle, from x towards y.
 pub(super) fn turned(a: Point) -> Point {
     [-a[1], a[0]]
 }
@@ -39,7 +39,7 @@ pub(super) fn direction(angle: f64) -> Point {
     [angle.cos(), angle.sin()]
 }
 
-/// The direction of a vector, if it has one.
+/// Returns the direction of a vector unless it is zero or not finite.
 pub(super) fn unit<const N: usize>(a: [f64; N]) -> Option<[f64; N]> {
     let length = length(a);
     (length > 0.0 && length.is_finite()).then(|| times(1.0 / length, a))
@@ -49,15 +49,15 @@ pub(super) fn mix<const N: usize>(a: [f64; N], b: [f64; N], part: f64) -> [f64; 
     add(a, times(part, subtract(b, a)))
 }
 
-/// Returns the smallest and the largest coordinates of points along each axis; of no points, ∞ and
-/// −∞.
+/// Returns the smallest and the largest coordinates of points along each axis; without points, ∞
+/// and −∞.
 pub(super) fn bounds<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> [[f64; N]; 2] {
     points.into_iter().fold([[f64::INFINITY; N], [f64::NEG_INFINITY; N]], |[low, high], point| {
         [from_fn(|k| low[k].min(point[k])), from_fn(|k| high[k].max(point[k]))]
     })
 }
 
-/// Returns the largest extent of points along an axis; of no points, zero.
+/// Returns the largest extent of points along an axis; without points, zero.
 pub(super) fn extent<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> f64 {
     let [low, high] = bounds(points);
     subtract(high, low).into_iter().fold(0.0, f64::max)
@@ -88,7 +88,7 @@ pub(super) fn moved(segments: &[Segment], to: impl Fn(Point) -> Point) -> Vec<Se
     segments.iter().map(moved).collect()
 }
 
-/// A line through points, closed or not; none through none.
+/// Returns a line through points, closed or open; without points, an empty one.
 pub(super) fn polyline(points: impl IntoIterator<Item = Point>, is_closed: bool) -> Vec<Segment> {
     let mut points = points.into_iter();
     let mut segments: Vec<Segment> = points.next().map(Segment::Move).into_iter().collect();
@@ -99,9 +99,9 @@ pub(super) fn polyline(points: impl IntoIterator<Item = Point>, is_closed: bool)
     segments
 }
 
-/// Returns an arc of an ellipse about the origin, without a start. It has Bézier curves for at most
-/// a right angle each, whose control points are 4/3 tan(δ/4) along the tangents. Source: Goldapp, *Computer
-/// Aided Geometric Design* 8 (1991).
+/// Returns an arc of an ellipse about the origin, without its initial point. It consists of Bézier
+/// curves of at most a right angle each, with control points 4/3 tan(δ/4) along the tangents.
+/// Source: Goldapp, *Computer Aided Geometric Design* 8 (1991).
 pub(super) fn arc(radii: Point, from: f64, to: f64) -> Vec<Segment> {
     let count = arc_pieces(to - from);
     let step = (to - from) / count as f64;
@@ -116,12 +116,13 @@ pub(super) fn arc(radii: Point, from: f64, to: f64) -> Vec<Segment> {
     (0..count).map(piece).collect()
 }
 
-/// At most a turn and some, whatever the angle; a right angle may be a little more by rounding.
+/// Returns the number of Bézier curves, limited for large angles. A right angle may be slightly
+/// exceeded due to rounding.
 fn arc_pieces(angle: f64) -> usize {
     ((angle.abs() / FRAC_PI_2 - 1e-9).ceil().max(1.0) as usize).min(64)
 }
 
-/// An ellipse about the origin.
+/// Returns an ellipse about the origin.
 pub(super) fn ellipse(radii: Point) -> Vec<Segment> {
     let mut segments = vec![Segment::Move([radii[0], 0.0])];
     segments.extend(arc(radii, 0.0, TAU));
@@ -129,7 +130,7 @@ pub(super) fn ellipse(radii: Point) -> Vec<Segment> {
     segments
 }
 
-/// The points of a line, curves cut into as many straight pieces.
+/// Returns the points of a line, each curve cut into this many straight pieces.
 pub(super) fn flattened(segments: &[Segment], pieces: usize) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::new();
     for segment in segments {
@@ -145,13 +146,13 @@ pub(super) fn flattened(segments: &[Segment], pieces: usize) -> Vec<Point> {
     points
 }
 
-/// De Casteljau's construction.
+/// Evaluates a Bézier curve by de Casteljau's construction.
 fn bezier([a, b, c, d]: [Point; 4], s: f64) -> Point {
     let (ab, bc, cd) = (mix(a, b, s), mix(b, c, s), mix(c, d, s));
     mix(mix(ab, bc, s), mix(bc, cd, s), s)
 }
 
-/// The part of a segment inside a box, if there is one (Liang, Barsky, *ACM Transactions on
+/// Returns the part of a segment inside a box, if there is one (Liang, Barsky, *ACM Transactions on
 /// Graphics* 3, 1984).
 pub(super) fn clipped([a, b]: [Point; 2], [low, high]: [Point; 2]) -> Option<[Point; 2]> {
     let along = subtract(b, a);

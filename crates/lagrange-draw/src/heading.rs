@@ -1,5 +1,5 @@
-//! Titles above pictures and notes below them: in several lines or smaller letters if they are
-//! long.
+//! Titles above pictures and notes below them. Long ones are broken into lines or set in smaller
+//! letters.
 
 use crate::colour::{INK, REST};
 use crate::picture::Mark;
@@ -7,35 +7,38 @@ use crate::view::{BORDER, MARGIN};
 use lagrange_plot::label::{Anchor, Label};
 use lagrange_plot::lettering::LEEWAY;
 
-/// A title as it is set.
+/// A typeset title.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Heading {
     size: f64,
     lines: Vec<String>,
 }
 
-/// The size of letters, and by what it is made smaller until all fits.
+/// Default font size.
 const FONT: f64 = 16.0;
+/// Factor by which the font size is reduced until the title fits.
 const SMALLER: f64 = 0.9;
-/// The size of the letters of notes beside those of titles.
+/// Font size of notes relative to titles.
 const NOTE: f64 = 0.8;
-/// From one line to the next, and below the last one, in terms of the size of letters.
+/// Line spacing relative to the font size.
 const LINE: f64 = 1.2;
+/// Space below the last line, in pixels.
 const BELOW: f64 = 4.0;
-/// The most lines, and the largest part of the height of the picture that they take.
+/// Maximum number of lines.
 const MOST: usize = 3;
+/// Maximum fraction of the picture's height.
 const SHARE: f64 = 0.25;
-/// Smaller letters are no letters any more.
+/// Minimum font size.
 const LEAST: f64 = 0.5;
 
-/// A note in small letters, if there is anything to note.
+/// Sets a note in small letters; an empty text gives no lines.
 pub(super) fn note(text: &str, size: [f64; 2]) -> Heading {
     let Heading { size, lines } = lines(text, size);
-    // Broken for larger letters, it fits in smaller ones.
+    // Lines broken for larger letters also fit in smaller ones.
     Heading { size: NOTE * size, lines }
 }
 
-/// A word of a title and its width in letters of size 1, behind a blank and without it.
+/// A word of a title, with its width in letters of size 1 with and without a preceding blank.
 struct Word<'t> {
     text: &'t str,
     width: f64,
@@ -47,7 +50,7 @@ impl Word<'_> {
         Word { text, width: width(text), behind_blank: width(&format!(" {text}")) }
     }
 
-    /// More opened than closed braces in it.
+    /// Returns the number of opening minus closing braces.
     fn braces(&self) -> isize {
         self.text.matches('{').count() as isize - self.text.matches('}').count() as isize
     }
@@ -58,17 +61,17 @@ fn width(text: &str) -> f64 {
     Label::parse(text).width(1.0)
 }
 
-/// A title in the largest letters in which it fits above a picture of this size.
+/// Sets a title in the largest letters that fit above a picture of this size.
 pub(super) fn lines(title: &str, [across, down]: [f64; 2]) -> Heading {
     let room = across - 2.0 * BORDER;
-    // Measured once: long titles are broken at many sizes.
+    // Widths are measured once, since long titles are broken at many sizes.
     let words = title.split_whitespace().map(Word::new).collect::<Vec<_>>();
     let mut size = FONT;
     loop {
         let lines = wrapped(&words, room / (LEEWAY * size));
         let is_narrow = lines.iter().all(|(_, width)| LEEWAY * width * size <= room);
         let is_low = lines.len() <= 1 || lines.len() as f64 * LINE * size <= SHARE * down;
-        // Without any room the picture is refused for its size.
+        // A picture without any room is rejected for its size.
         if (is_narrow && is_low && lines.len() <= MOST) || size < LEAST || room.is_nan() {
             return Heading { size, lines: lines.into_iter().map(|(line, _)| line).collect() };
         }
@@ -76,8 +79,8 @@ pub(super) fn lines(title: &str, [across, down]: [f64; 2]) -> Heading {
     }
 }
 
-/// Broken at blanks where a line would be longer than this in letters of size 1, each line with its
-/// width.
+/// Breaks lines at blanks that would exceed this length in letters of size 1, and returns each with
+/// its width.
 fn wrapped(words: &[Word<'_>], longest: f64) -> Vec<(String, f64)> {
     let mut lines: Vec<(String, f64)> = Vec::new();
     let mut braces = 0;
@@ -99,7 +102,7 @@ fn wrapped(words: &[Word<'_>], longest: f64) -> Vec<(String, f64)> {
     lines
 }
 
-/// The pixels that it takes below the margin.
+/// Returns the height below the margin in pixels.
 pub(super) fn height(heading: &Heading) -> f64 {
     match heading.lines.len() {
         0 => 0.0,
@@ -107,7 +110,7 @@ pub(super) fn height(heading: &Heading) -> f64 {
     }
 }
 
-/// Its lines in the middle of the upper border.
+/// Returns the marks of the lines, centred at the top.
 pub(super) fn marks(heading: &Heading, [across, _]: [f64; 2]) -> Vec<Mark> {
     let size = heading.size;
     let mark = |(index, text): (usize, &String)| Mark::Text {
@@ -120,7 +123,7 @@ pub(super) fn marks(heading: &Heading, [across, _]: [f64; 2]) -> Vec<Mark> {
     heading.lines.iter().enumerate().map(mark).collect()
 }
 
-/// Its lines in the middle of the lower border instead.
+/// Returns the marks of the lines, centred at the bottom.
 pub(super) fn marks_below(heading: &Heading, size: [f64; 2]) -> Vec<Mark> {
     let shift = size[1] - 2.0 * MARGIN - height(heading);
     let mut marks = marks(heading, size);

@@ -1,8 +1,8 @@
 //! Placement of labels that overlap neither each other nor lines.
 //!
-//! Each label keeps one of eight sides of its place through a whole film, so that it never jumps.
-//! Labels are placed one after another, each where it obstructs least. Those of bodies come last,
-//! and are omitted where there is no room.
+//! Each label stays on one of eight sides of its anchor throughout a film, so that it never jumps.
+//! Labels are placed in turn, each at the least obstructive position. Labels of bodies come last,
+//! and are omitted if there is no room.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -17,40 +17,43 @@ use lagrange_plot::lettering::CAPITALS;
 /// A box: its corners with the smallest and the largest coordinates.
 type Area = [Point; 2];
 
-/// The labels of all elements at one moment, and the lines they should keep off.
+/// The labels of all elements at one moment, and the lines that they should avoid.
 pub(super) struct Sheet {
-    /// None where an element has no label.
+    /// Tag of each element; none if it has no label.
     pub(super) tags: Vec<Option<Tag>>,
     pub(super) lines: Vec<[Point; 2]>,
-    /// Areas that bodies cover, each with the index of its element.
+    /// Areas covered by bodies, each with the index of its element.
     pub(super) areas: Vec<(usize, Vec<Point>)>,
 }
 
-/// Angles from the wanted direction, the better ones first, and from the horizontal where no
-/// direction is wanted.
+/// Angles relative to the preferred direction, best first.
 const ALONG: [f64; 8] = [0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0];
+/// Angles from the horizontal if no direction is preferred, best first.
 const AROUND: [f64; 8] = [0.25, 0.75, -0.25, -0.75, 0.0, 1.0, 0.5, -0.5];
-/// Distances in pixels that are tried for a label if no place nearby is free.
+/// Additional distances in pixels that are tried if no nearby place is free.
 const FARTHER: [f64; 4] = [0.0, 7.0, 14.0, 21.0];
-/// Last there are places beyond all of what is named.
+/// Number of distances; the last one is beyond the extent of the named element.
 const RINGS: usize = FARTHER.len() + 1;
-/// The number of the place that is the point itself.
+/// Index of the place on the anchor itself.
 const ON_POINT: usize = AROUND.len() * RINGS;
-/// Penalties for overlapping another label, for each pixel of shift into the picture, for a line
-/// across the label, and for a less suitable side.
+/// Penalty for overlapping another label.
 const ON_LABEL: f64 = 60.0;
+/// Penalty for each pixel of shift into the picture.
 const OUTSIDE: f64 = 0.1;
+/// Penalty for a line across the label.
 const CROSSED: f64 = 3.0;
+/// Penalty for a less suitable side.
 const WORSE: f64 = 0.2;
 /// Average penalty above which an optional label is omitted.
 const BEARABLE: f64 = 4.0;
-/// A film is looked at so many times for places of labels.
+/// Maximum number of moments of a film that are considered for placing labels.
 const LOOKS: usize = 24;
-/// Pieces of a curve, and room around a label.
+/// Straight pieces per curve.
 const PIECES: usize = 6;
+/// Room around a label in pixels.
 const ROOM: f64 = 1.5;
 
-/// The marks of labels at each moment; all moments have as many.
+/// Returns the marks of labels at each moment; their number is the same at all moments.
 pub(super) fn labels(film: &[Sheet], window: Area) -> Vec<Vec<Mark>> {
     let count = film.first().map_or(0, |sheet| sheet.tags.len());
     let every = film.len().div_ceil(LOOKS).max(1);
@@ -61,7 +64,7 @@ pub(super) fn labels(film: &[Sheet], window: Area) -> Vec<Vec<Mark>> {
     order.sort_by_key(|index| may_hide(*index));
     let mut sides = vec![None; count];
     for index in order {
-        // What is free but farther away is better than what may not be taken.
+        // A free but more distant place is better than a forbidden one.
         let place = |side: usize| {
             let cost = cost(index, side, &looked, &placed, window);
             (may_hide(index) && cost > BEARABLE, cost + worse(index, side, &looked), side)
@@ -79,12 +82,12 @@ pub(super) fn labels(film: &[Sheet], window: Area) -> Vec<Vec<Mark>> {
         .collect()
 }
 
-/// The straight pieces of the dark lines among marks.
+/// Returns the straight pieces of the dark lines among marks.
 pub(super) fn lines(marks: &[Mark]) -> Vec<[Point; 2]> {
     let mut lines = Vec::new();
     for mark in marks {
         let Mark::Path { segments, style } = mark else { continue };
-        // Hatching may be written upon.
+        // Labels may cover hatching.
         if style.stroke.is_none_or(|colour| colour == HATCHING) {
             continue;
         }
@@ -103,7 +106,7 @@ pub(super) fn lines(marks: &[Mark]) -> Vec<[Point; 2]> {
     lines
 }
 
-/// Returns the areas that the marks of a body cover.
+/// Returns the areas covered by the marks of a body.
 pub(super) fn areas(marks: &[Mark]) -> Vec<Vec<Point>> {
     let area = |mark: &Mark| match mark {
         Mark::Path { segments, style } if style.fill.is_some() && style.stroke.is_none() => {
@@ -141,12 +144,12 @@ fn worse(index: usize, side: usize, looked: &[&Sheet]) -> f64 {
     }
 }
 
-/// True if a place is on a body of another name.
+/// True if a place is on a different body.
 fn is_elsewhere(index: usize, place: Point, sheet: &Sheet) -> bool {
     sheet.areas.iter().any(|(body, area)| *body != index && contains(area, place))
 }
 
-/// The middle of a label at one of its places: on its point, if that is possible, or on one of
+/// Returns the centre of a label at one of its places: on its anchor, if possible, or on one of
 /// eight sides.
 fn middle(tag: &Tag, place: usize) -> Point {
     let (side, ring) = (place % AROUND.len(), place / AROUND.len());
@@ -160,7 +163,7 @@ fn middle(tag: &Tag, place: usize) -> Point {
         None => tag.gap.max(tag.reach) + tag.gap,
     };
     let towards = direction(angle);
-    // Towards a corner of the text, the whole of it lies beyond its place.
+    // In the direction of a corner of the text, all of it is beyond its anchor.
     let shift =
         |axis: usize| gap * towards[axis] + tag.half[axis] * (SQRT_2 * towards[axis]).clamp(-1.0, 1.0);
     add(tag.at, [shift(0), shift(1)])
@@ -172,7 +175,7 @@ fn area(tag: &Tag, side: usize) -> Area {
     [[x - width, y - height], [x + width, y + height]]
 }
 
-/// Moved into the window as far as it sticks out.
+/// Shifts an area into the window if it extends beyond it.
 fn held([low, high]: Area, window: Area) -> Area {
     let shift = |k: usize| (window[0][k] - low[k]).max(0.0) + (window[1][k] - high[k]).min(0.0);
     let by = [shift(0), shift(1)];
@@ -183,7 +186,7 @@ fn overlap(a: Area, b: Area) -> bool {
     (0..2).all(|axis| a[0][axis] < b[1][axis] && b[0][axis] < a[1][axis])
 }
 
-/// The mark of a label; empty without a label or without a place for it.
+/// Returns the mark of a label; without a label or a place for it, the mark is empty.
 fn mark(tag: &Option<Tag>, side: Option<usize>, window: Area) -> Mark {
     let size = tag.as_ref().map_or(FONT, |tag| tag.size);
     let (at, text, colour) = match (tag, side) {
@@ -197,7 +200,7 @@ fn mark(tag: &Option<Tag>, side: Option<usize>, window: Area) -> Mark {
             (at, Default::default(), colour)
         }
     };
-    // The base line is half a capital below the middle.
+    // The baseline is half a capital below the middle.
     let at = add(at, [0.0, 0.5 * CAPITALS * size]);
     Mark::Text { at, text, size, anchor: Anchor::Middle, colour }
 }
@@ -251,7 +254,8 @@ mod tests {
     fn a_label_keeps_off_a_line_at_every_moment() {
         let at = [100.0, 100.0];
         let line = |y: f64| vec![[[0.0, y], [300.0, y]]];
-        // Above the place at first, then below: only beside it nothing is ever crossed.
+        // A line crosses above the anchor at first, later below. Only a label to its side is never
+        // crossed.
         let film = [
             Sheet { tags: vec![tag(at, false)], lines: line(86.0), areas: Vec::new() },
             Sheet { tags: vec![tag(at, false)], lines: line(114.0), areas: Vec::new() },
@@ -289,7 +293,7 @@ mod tests {
         assert!(x(0) > 100.0 && x(1) < 100.0);
     }
 
-    /// The lines and as many across.
+    /// Returns the lines and their transposes.
     fn crossed(lines: &[[[f64; 2]; 2]]) -> Vec<[[f64; 2]; 2]> {
         lines.iter().flat_map(|[a, b]| [[*a, *b], [[a[1], a[0]], [b[1], b[0]]]]).collect()
     }

@@ -1,4 +1,4 @@
-//! Elements of all moments of a film as pictures with the same marks in the same order.
+//! Layout of a film's elements as pictures with the same marks in the same order.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +12,7 @@ use crate::picture::{Mark, Picture, Point};
 use crate::tag::{Tag, tag};
 use crate::view::{MARGIN, View};
 
-/// The identity of an element across pictures: its kind, its name, and its number among equals.
+/// The identity of an element across pictures: its kind, its name, and its index among equal ones.
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 struct Key {
     layer: Layer,
@@ -25,8 +25,8 @@ struct Key {
 /// An element at one moment.
 type Drawn = (Vec<Mark>, Option<Tag>);
 
-/// Pictures of a film: at each moment the time and the elements. The longest arrow of each kind
-/// takes this part of the smaller side of what is within the margins.
+/// Lays out the pictures of a film from its times and elements. The longest arrow of each kind has
+/// the length `longest`, relative to the smaller side within the margins.
 pub(super) fn pictures(
     film: &[(f64, Vec<Element>)],
     paper: &Paper,
@@ -57,13 +57,13 @@ fn check(time: f64, elements: &[Element]) -> Result<(), DrawError> {
     }
 }
 
-/// One window and one scale of arrows for all.
+/// Computes the common window and scale of arrows.
 fn common_view(film: &[(f64, Vec<Element>)], window: [Point; 2], longest: f64) -> Result<View, DrawError> {
     let room = subtract(window[1], window[0]);
     let elements = || film.iter().flat_map(|(_, elements)| elements);
     let scale = |measure: Measure| {
         let largest = elements().map(|element| magnitude(&element.shape, measure)).fold(0.0, f64::max);
-        // The smallest numbers have no reciprocal.
+        // The reciprocal of tiny numbers overflows.
         let scale = longest * room[0].min(room[1]) / largest;
         if scale.is_finite() { scale } else { 0.0 }
     };
@@ -80,7 +80,7 @@ fn common_view(film: &[(f64, Vec<Element>)], window: [Point; 2], longest: f64) -
     View::new(window, arrows, &reaches)
 }
 
-/// Ends of rays that are not far away compared to the size of all the rest.
+/// Returns the ends of rays that are not far away relative to the size of everything else.
 fn near<'a>(elements: impl Iterator<Item = &'a Element>, reaches: &[Reach]) -> Vec<Reach> {
     const FAR: f64 = 0.7;
     let places = || reaches.iter().map(|reach| reach.at);
@@ -114,7 +114,7 @@ fn draw(elements: &[Element], view: &View) -> Vec<(Key, Drawn)> {
     elements.iter().map(&mut keyed).collect()
 }
 
-/// All keys in an order that is that of every moment, as far as they agree, from back to front.
+/// Merges the keys of all moments from back to front, in the order of each moment if these agree.
 fn aligned(film: &[Vec<(Key, Drawn)>]) -> Vec<Key> {
     let mut keys: Vec<Key> = Vec::new();
     let mut known: BTreeSet<Key> = BTreeSet::new();
@@ -133,7 +133,7 @@ fn aligned(film: &[Vec<(Key, Drawn)>]) -> Vec<Key> {
     keys
 }
 
-/// Returns placeholders for missing elements: their marks without visible content.
+/// Returns placeholders for missing elements: their marks without content.
 fn patterns(film: &[Vec<(Key, Drawn)>]) -> BTreeMap<Key, Vec<Mark>> {
     let all = film.iter().flatten();
     all.map(|(key, (marks, _))| (key.clone(), marks.iter().cloned().map(Mark::emptied).collect())).collect()

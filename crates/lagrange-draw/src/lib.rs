@@ -1,8 +1,8 @@
 //! Pictures and films of systems of rigid bodies in the plane and in space.
 //!
-//! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and states of it into
-//! [`Picture`]s. Nothing is computed of the motion here, and nothing needs tuning: window, scales,
-//! colours and places of labels follow from the drawing.
+//! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and its states into
+//! [`Picture`]s. The motion itself is not computed here. Nothing needs tuning: window, scales,
+//! colours and label positions follow from the drawing.
 //!
 //! ```
 //! use std::f64::consts::FRAC_PI_2;

@@ -1,7 +1,7 @@
 //! Labels of forces and moments.
 //!
 //! Weights are G, forces of springs, dampers and pins F, normal forces N, friction forces H,
-//! moments M. Names stand as subscripts where there are several.
+//! moments M. Names are added as subscripts if there are several.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use crate::snapshot::Snapshot;
 use lagrange_plot::notation::{formula, symbol};
 use lagrange_runtime::scene::{Joint, LoadOrigin};
 
-/// The label of a force or moment.
+/// Returns the label of a force or moment.
 pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
     let letter = match load.value {
         Value::Force(_) => "F",
@@ -18,7 +18,7 @@ pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
     };
     match (load.cause, &load.body) {
         (LoadOrigin::Gravity, Some(body)) => symbol("G", body, snapshot.bodies.len() > 1),
-        // Declared loads have no names of their own.
+        // Declared loads have no individual names.
         (LoadOrigin::Applied, _) if ["force", "torque"].contains(&&*load.name) => letter.into(),
         (LoadOrigin::Connector, _) => symbol(letter, &load.name, true),
         (LoadOrigin::Joint, _) => of_joint(load, snapshot).unwrap_or_else(|| formula(&load.name)),
@@ -30,13 +30,13 @@ pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
     }
 }
 
-/// The symbol of the normal force or the friction of a contact beside those with these names.
+/// Returns the symbol of the normal force or friction of a contact; `names` lists all such forces.
 pub(super) fn contact_label<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> String {
     let letter = if name.ends_with(".friction") { "H" } else { "N" };
     symbol(letter, owner(name), names.map(owner).collect::<BTreeSet<&str>>().len() > 1)
 }
 
-/// The symbol of a constraint force, if the scene has its joint.
+/// Returns the symbol of a constraint force, if the scene has its joint.
 fn of_joint(load: &Load, snapshot: &Snapshot) -> Option<String> {
     let name = owner(&load.name);
     let joint = snapshot.joints.iter().find(|joint| joint.name == name)?;
@@ -50,7 +50,7 @@ fn of_joint(load: &Load, snapshot: &Snapshot) -> Option<String> {
     Some(symbol(letter, name, joints.collect::<BTreeSet<&str>>().len() > 1))
 }
 
-/// The name of the joint or contact: the part before a point.
+/// Returns the name of the joint or contact, the part before a dot.
 fn owner(name: &str) -> &str {
     name.split_once('.').map_or(name, |(owner, _)| owner)
 }

@@ -1,19 +1,20 @@
-//! The look of pictures and the additions to a scene, as a drawing requests them.
+//! The look of pictures and the requested additions to a scene.
 
 /// The look of pictures, independent of their content.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Look {
     pub(super) size: [f64; 2],
     pub(super) title: String,
-    /// Used in space only.
+    /// Viewing direction, used in space only.
     pub(super) direction: Direction,
 }
 
 /// The viewing direction of a scene in space.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Direction {
-    /// In radians.
+    /// Azimuth in radians.
     pub(super) azimuth: f64,
+    /// Elevation in radians.
     pub(super) elevation: f64,
     pub(super) is_perspective: bool,
 }
@@ -26,13 +27,13 @@ pub(super) struct Wanted {
     pub(super) forces: bool,
     pub(super) frames: bool,
     pub(super) names: bool,
-    /// In the plane: instantaneous centres.
+    /// True if instantaneous centres are drawn, in the plane.
     pub(super) centers: bool,
-    /// In the plane: true if a body is drawn without what surrounds it.
+    /// True if a body is drawn without its surroundings, in the plane.
     pub(super) is_free: bool,
-    /// In space: the axes of the world.
+    /// True if the axes of the world are drawn, in space.
     pub(super) axes: bool,
-    /// In space: the height of a floor.
+    /// Height of a floor, in space.
     pub(super) floor: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! A moment of a motion, as those see it who add to pictures.
+//! A moment of a motion, as passed to user additions to pictures.
 
 use crate::load::Value;
 use crate::remainder::REMAINDER;

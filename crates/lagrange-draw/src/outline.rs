@@ -7,9 +7,10 @@ use crate::picture::{Point, Segment};
 use lagrange_runtime::scalar::Scalar;
 use lagrange_runtime::scene::{Outline, Part};
 
-/// Inner end of the radius that shows a body's rotation, as a fraction of the radius: the middle
-/// stays free for names. On rings it is short.
+/// Inner end of the radius that shows a body's rotation, as a fraction of the radius. The middle
+/// stays free for names.
 const INNER: f64 = 0.4;
+/// Inner end of this radius on rings, where it is short.
 const NEAR_RIM: f64 = 0.8;
 
 /// A part of a body in the body's own coordinates.
@@ -23,16 +24,16 @@ pub(super) struct Piece {
 /// The shape of a body, in its own coordinates.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Form {
-    /// It has no extent.
+    /// A point without extent.
     Dot,
-    /// It has no thickness: a rod of this length.
+    /// A rod of this length, without thickness.
     Rod(f64),
-    /// It has no thickness: a circle of this radius.
+    /// A circle of this radius, without thickness.
     Ring(f64),
-    /// The area within closed lines. What two of them enclose is outside.
+    /// The area within closed lines, by the even–odd rule.
     Area(Vec<Vec<Segment>>),
-    /// A round shape with part of a radius, between these distances from the middle, which shows
-    /// its rotation.
+    /// A round shape with part of a radius, between these distances from the middle, to show its
+    /// rotation.
     Round(Vec<Vec<Segment>>, [f64; 2]),
 }
 
@@ -42,7 +43,8 @@ impl Piece {
         Piece { form: form(part.shape), place, is_hole: part.is_hole }
     }
 
-    /// Its lines in the body's own coordinates. What has no thickness is drawn this thick.
+    /// Returns the lines in the body's own coordinates. Shapes without thickness are drawn with
+    /// `thickness`.
     pub(super) fn rings(&self, thickness: f64) -> Vec<Vec<Segment>> {
         let half = 0.5 * thickness;
         let rings = match &self.form {
@@ -54,13 +56,13 @@ impl Piece {
         rings.iter().map(|ring| moved(ring, |p| self.place.of(p))).collect()
     }
 
-    /// Points on its rim in the body's own coordinates.
+    /// Returns points on the rim in the body's own coordinates.
     pub(super) fn rim(&self) -> impl Iterator<Item = Point> + '_ {
         const PIECES: usize = 8;
         self.rings(0.0).into_iter().flat_map(|ring| flattened(&ring, PIECES))
     }
 
-    /// The outer part of a radius, if that shows how it is turned.
+    /// Returns the outer part of a radius, if it shows the rotation.
     pub(super) fn radius(&self) -> Option<[Point; 2]> {
         match self.form {
             Form::Round(_, ends) => Some(ends.map(|x| self.place.of([x, 0.0]))),
@@ -70,7 +72,7 @@ impl Piece {
     }
 }
 
-/// A line of this half length along X and half thickness.
+/// Returns a line of this half length along X and this half thickness.
 fn capsule(half: f64, radius: f64) -> Vec<Segment> {
     let mut segments = vec![Segment::Move([half, -radius])];
     segments.extend(moved(&arc([radius, radius], -FRAC_PI_2, FRAC_PI_2), |[x, y]| [x + half, y]));
@@ -122,13 +124,15 @@ fn sector(radius: f64, from: f64, to: f64) -> Vec<Segment> {
     segments
 }
 
-/// The third corner by the law of cosines; not a number if no triangle has these sides.
+/// Returns a triangle, with its third corner by the law of cosines. It is NaN if no triangle has
+/// these sides.
 fn triangle(a: f64, b: f64, c: f64) -> Vec<Point> {
     let x = (a * a + c * c - b * b) / (2.0 * a);
     vec![[0.0, 0.0], [a, 0.0], [x, (c * c - x * x).sqrt()]]
 }
 
-/// Not a number unless there is a whole number of corners.
+/// Returns a regular polygon. It is NaN unless the number of corners is an integer of at least
+/// three and at most `MOST`.
 fn regular_polygon(n: f64, radius: f64) -> Vec<Point> {
     const MOST: f64 = 10_000.0;
     if n.fract() != 0.0 || !(3.0..=MOST).contains(&n) {

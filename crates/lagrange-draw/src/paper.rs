@@ -13,18 +13,18 @@ use crate::view::{BORDER, MARGIN};
 pub(super) struct Paper {
     size: [f64; 2],
     title: String,
-    /// The title, and the note below the drawing.
+    /// Title above, and note below the drawing.
     heading: [Heading; 2],
 }
 
 impl Paper {
-    /// Paper for a drawing with this note, which may be empty.
+    /// Creates paper for a drawing with this note, which may be empty.
     pub(super) fn new(look: &Look, note: &str) -> Paper {
         let heading = [heading::lines(&look.title, look.size), heading::note(note, look.size)];
         Paper { size: look.size, title: look.title.clone(), heading }
     }
 
-    /// Returns the corners of what lies within margins of this width.
+    /// Returns the corners of the area within margins of this width.
     pub(super) fn window(&self, margin: f64) -> Result<[Point; 2], DrawError> {
         let [above, below] = self.heading.each_ref().map(heading::height);
         let window = [[margin, margin + above], [self.size[0] - margin, self.size[1] - margin - below]];
@@ -37,7 +37,7 @@ impl Paper {
     pub(super) fn finished(&self, scenes: Vec<(Vec<Mark>, Sheet)>) -> Vec<Picture> {
         let [width, height] = self.size;
         let (marks, sheets): (Vec<_>, Vec<_>) = scenes.into_iter().unzip();
-        // Labels may use the margins, but for those with the title and the note.
+        // Labels may use the margins, except those of the title and the note.
         let [above, below] = self.heading.each_ref().map(heading::height);
         let below = if below > 0.0 { MARGIN + below } else { BORDER };
         let labels = labels::labels(&sheets, [[BORDER, MARGIN + above], [width - BORDER, height - below]]);

@@ -1,8 +1,8 @@
 //! Detection of coincident springs and dampers, and the offset with which they are drawn.
 //!
-//! A spring and a damper between the same two points are drawn next to each other, as in every
-//! textbook on oscillations. A torsion damper about the place of a torsion spring is drawn around
-//! it. Connectors that merely meet at one moment stay where they are.
+//! A spring and a damper between the same two points are drawn next to each other, as in textbooks
+//! on oscillations. A torsion damper about the point of a torsion spring is drawn around it.
+//! Connectors that meet only at one moment are not shifted.
 
 use std::collections::BTreeMap;
 
@@ -11,25 +11,25 @@ use crate::picture::Point;
 use crate::snapshot::{Snapshot, Span};
 use lagrange_runtime::scene::Connector;
 
-/// The place of connectors among those that would lie on each other, by name. Between points: so
-/// many places on the left of the middle between them, going from its first end to the second.
-/// About a point: so many are within it. What lies alone has none.
+/// Offsets of coincident connectors, by name. Between points, it is the number of lanes to the left
+/// of the line from the first end to the second. About a point, it is the number of connectors
+/// inside. Connectors without coincidence have no entry.
 pub(super) type Lanes = BTreeMap<String, f64>;
 
 /// Distance, as a fraction of the scene, below which points coincide.
 const TOUCHING: f64 = 1e-6;
 
-/// A connector that lies on the first one of its group, in the same direction or against it.
+/// A connector that coincides with the first one of its group, in the same or opposite direction.
 struct Member {
     name: String,
     is_damper: bool,
     is_reversed: bool,
 }
 
-/// The places throughout a film, given also the scene in another configuration, `elsewhere`.
+/// Returns the offsets throughout a film; `elsewhere` is the scene in a different configuration.
 pub(super) fn lanes(film: &[Snapshot], elsewhere: Option<&Snapshot>) -> Lanes {
     let moments: Vec<&Snapshot> = film.iter().chain(elsewhere).collect();
-    // Connectors may have no length, at a moment or ever.
+    // Connectors may have zero length, at some moment or always.
     let ends = moments.iter().flat_map(|snapshot| &snapshot.connectors).flat_map(|connector| connector.ends);
     let centers = moments.iter().flat_map(|snapshot| &snapshot.bodies).map(|body| body.motion.center);
     let close = TOUCHING * extent(ends.chain(centers));
@@ -50,7 +50,7 @@ pub(super) fn lanes(film: &[Snapshot], elsewhere: Option<&Snapshot>) -> Lanes {
     groups.into_iter().flat_map(|(turns, members)| places(turns, members)).collect()
 }
 
-/// The places within a group.
+/// Returns the offsets within a group.
 fn places(turns: bool, mut members: Vec<Member>) -> Vec<(String, f64)> {
     let middle = 0.5 * (members.len() - 1) as f64;
     if turns {
@@ -64,8 +64,8 @@ fn places(turns: bool, mut members: Vec<Member>) -> Vec<(String, f64)> {
     placed.filter(|(_, place)| *place != 0.0).collect()
 }
 
-/// Returns true if two connectors have the same ends at all moments, with true if their directions
-/// are opposite.
+/// Returns whether their directions are opposite if two connectors have the same ends at all
+/// moments.
 fn meets([one, other]: [&str; 2], moments: &[&Snapshot], close: f64) -> Option<bool> {
     [false, true].into_iter().find(|is_reversed| {
         moments.iter().all(|snapshot| match (snapshot.ends(one), snapshot.ends(other)) {
@@ -124,8 +124,7 @@ mod tests {
         assert!(found(&[apart]).is_empty());
     }
 
-    /// At one moment the ends meet, but for a rounding; at another they lie on the other side of
-    /// each other.
+    /// At one moment the ends coincide up to rounding; at another they have passed each other.
     #[test]
     fn a_pair_stays_side_by_side_while_its_ends_pass_each_other() {
         let at = |x: f64, off: f64| {

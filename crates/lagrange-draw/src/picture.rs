@@ -1,4 +1,4 @@
-//! A finished picture: marks in pixels, from back to front, for any format.
+//! Finished pictures: marks in pixels, from back to front, independent of the format.
 
 use lagrange_plot::label::Anchor;
 
@@ -10,10 +10,10 @@ pub(crate) type Point = [f64; 2];
 pub struct Picture {
     /// Width and height.
     pub(crate) size: [f64; 2],
-    /// Description in words, for readers who cannot see the picture.
+    /// Textual description, for readers who cannot see the picture.
     pub(crate) title: String,
-    /// From back to front. Pictures of one film have the same marks in the same order; those
-    /// without anything to show are empty.
+    /// Marks from back to front. Pictures of one film have the same marks in the same order;
+    /// invisible ones are empty.
     pub(crate) marks: Vec<Mark>,
 }
 
@@ -35,15 +35,15 @@ pub(crate) enum Mark {
         text: String,
         /// Height of the font.
         size: f64,
-        /// Part of the text at the point.
+        /// Position of the anchor point within the text.
         anchor: Anchor,
-        /// Its colour.
+        /// Colour of the text.
         colour: Colour,
     },
 }
 
 impl Mark {
-    /// Returns the mark without anything to show.
+    /// Returns the mark without content.
     pub(crate) fn emptied(mut self) -> Mark {
         match &mut self {
             Mark::Path { segments, .. } => segments.clear(),
@@ -69,16 +69,16 @@ pub(crate) enum Segment {
 /// The style of a path.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Style {
-    /// The colour of the line, if there is one.
+    /// Colour of the line, if there is one.
     pub(crate) stroke: Option<Colour>,
-    /// Its width.
+    /// Width of the line.
     pub(crate) width: f64,
-    /// Lengths of dashes and gaps; empty for a full line.
+    /// Lengths of dashes and gaps; empty for a solid line.
     pub(crate) dashes: &'static [f64],
-    /// The colour inside, if there is one. What two lines enclose both is outside.
+    /// Fill colour, if there is one, by the even–odd rule.
     pub(crate) fill: Option<Colour>,
 }
 
-/// Red, green, blue and opacity, each to 255.
+/// Red, green, blue and opacity, each from 0 to 255.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Colour(pub(crate) [u8; 4]);

@@ -1,4 +1,4 @@
-//! Bodies and joints of the plane as they are stored.
+//! Stored bodies and joints of the plane.
 
 use crate::geometry::Place;
 use crate::outline::Piece;
@@ -72,7 +72,7 @@ impl Named for Body {
 }
 
 impl Body {
-    /// From its own coordinates to the world.
+    /// Returns the map from the body's own coordinates to the world.
     pub(super) fn place(&self) -> Place {
         let Motion { center, centroid, angle, .. } = self.motion;
         let turned = Place { at: [0.0, 0.0], angle }.of(centroid);
@@ -88,12 +88,12 @@ impl Snapshot {
         self.body(name).map(|body| Remainder::of(&body.motion, loads, epsilon))
     }
 
-    /// Only one body and what acts on it.
+    /// Keeps only one body and its loads.
     pub(super) fn free_body(mut self, name: &str) -> Self {
         self.bodies.retain(|body| body.name == name);
         self.loads.retain(|load| load.body.as_deref() == Some(name));
-        // What is not known of a free body is its remainder. Joints stay, for they tell what a
-        // force is.
+        // Loads omitted from a free body are part of its remainder. Joints stay, since they
+        // determine the labels of forces.
         Snapshot { lines: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
     }
 }

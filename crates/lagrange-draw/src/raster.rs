@@ -9,12 +9,12 @@ use lagrange_files as files;
 use lagrange_plot::label::{Anchor, Label};
 use lagrange_plot::pixels::{Path as Line, PathBuilder, Pixels, Transform};
 
-/// PNG files are so many times finer than a screen of 96 dots to the inch.
+/// Resolution of PNG files relative to a screen of 96 dots per inch.
 const FINENESS: f64 = 2.0;
 
-/// Draws a picture with so many pixels to the pixel of a screen.
+/// Draws a picture with `scale` pixels per screen pixel.
 pub(crate) fn rasterise(picture: &Picture, scale: f64) -> Result<Pixels, DrawError> {
-    // Sides beyond those of integers saturate and are refused with the others.
+    // Sides beyond the range of integers saturate and are rejected with other large ones.
     let size = picture.size.map(|side| (side * scale).ceil() as u32);
     let mut pixels = Pixels::white(size, scale).ok_or(DrawError::Size(picture.size))?;
     for mark in &picture.marks {
@@ -88,7 +88,7 @@ mod tests {
         polyline([[low, low], [high, low], [high, high], [low, high]], true)
     }
 
-    /// A square with a hole and a letter beside it.
+    /// Returns a square with a hole, and a letter next to it.
     fn picture() -> Picture {
         let segments = [square(5.0, 35.0), square(15.0, 25.0)].concat();
         let style = Style { stroke: Some(INK), width: 2.0, dashes: &[], fill: Some(body(0)) };
@@ -114,7 +114,7 @@ mod tests {
         assert!(dark > 0, "the letter");
     }
 
-    /// Columns and rows from the first to the last with ink on them, in units of the picture.
+    /// Columns and rows from the first to the last with ink, in units of the picture.
     fn inked(picture: &Picture) -> [[f64; 2]; 2] {
         let pixels = rasterise(picture, 4.0).expect("fits");
         let width = pixels.width() as usize;
@@ -126,8 +126,7 @@ mod tests {
         })
     }
 
-    /// An anchor of the document is the start, the middle or the end of the text, and its height
-    /// the base line.
+    /// The anchor of a text in the document is its start, middle or end, on the baseline.
     #[test]
     fn letters_are_where_the_document_has_them() {
         let wide = Label::parse("HEH_2").width(20.0);
@@ -144,7 +143,7 @@ mod tests {
             assert!(
                 (columns[0] - (90.0 - left)).abs() < 1.0 && (columns[1] - (90.0 - left + wide)).abs() < 1.0
             );
-            // Capitals stand on the base line, a subscript of a half size hangs below.
+            // Capitals stand on the baseline; a subscript of half the size extends below it.
             assert!(
                 (rows[0] - (40.0 - 20.0 * CAPITALS)).abs() < 0.5 && (rows[1] - 44.0).abs() < 0.5,
                 "{rows:?}"

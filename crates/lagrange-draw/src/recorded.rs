@@ -7,7 +7,7 @@ use crate::error::DrawError;
 use crate::picture::Picture;
 use crate::timeline::Timeline;
 
-/// A motion as it was recorded by a drawing.
+/// A motion recorded by a drawing.
 pub trait Recorded: Clone + PartialEq + Debug {
     /// The extension of files in this space's format.
     const FORMAT: &'static str;

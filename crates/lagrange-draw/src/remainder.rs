@@ -3,7 +3,7 @@
 //! By Newton's law, all forces on a body add up to m a. By the axiom of angular momentum, all
 //! moments about its centre of mass add up to J α. Named loads may add up to less: joints that the
 //! coordinates satisfy, hand-written constraints and potentials, contacts and friction have no
-//! named force. The rest is still known,
+//! named force. Their resultant still follows:
 //!
 //! ```text
 //! R = m a − Σ F,    M_R = J α − Σ (M + r × F).
@@ -18,15 +18,15 @@ use lagrange_runtime::body::Motion;
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Remainder {
     pub(super) at: Point,
-    /// Zero where only rounding is left.
+    /// Resultant force; zero if only rounding errors remain.
     pub(super) force: Point,
-    /// Zero where only rounding is left.
+    /// Resultant moment; zero if only rounding errors remain.
     pub(super) moment: f64,
 }
 
 /// Label of the remainder.
 pub(super) const REMAINDER: &str = "R";
-/// Positions are known to so many roundings.
+/// Error of positions in units of rounding.
 const POSITION_ROUNDINGS: f64 = 64.0;
 
 impl Remainder {
@@ -57,13 +57,13 @@ impl Remainder {
                 }
             }
         }
-        // Accelerations lose digits in the elimination of the others. Half of all digits is more
-        // than a picture can show.
+        // Accelerations lose digits in the elimination of unknowns. Half of all digits is more than
+        // a picture can show.
         let half = epsilon.sqrt();
         let gyration = (motion.inertia / motion.mass).abs().sqrt();
         let gyration = if gyration.is_finite() { gyration } else { 0.0 };
         let least = half * (moments + gyration * forces) + POSITION_ROUNDINGS * epsilon * shifts;
-        // What is not a number is passed on and refused.
+        // Non-finite values are passed on and rejected later.
         let is_rounding = length(force) <= half * forces;
         Remainder {
             at: center,
@@ -83,8 +83,8 @@ mod tests {
 
     const EPSILON: f64 = f64::EPSILON;
 
-    /// A rod of mass 3 and length 2 that swings about its end in the origin, level at this moment:
-    /// α = −3 g/(2 l).
+    /// A rod of mass 3 and length 2 that swings about its end at the origin. It is horizontal at
+    /// this moment: α = −3 g/(2 l).
     const ROD: Motion<f64> = Motion {
         mass: 3.0,
         inertia: 1.0,

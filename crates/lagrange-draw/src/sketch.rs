@@ -5,11 +5,11 @@ use crate::element::{Element, Layer, Measure, Shape};
 use crate::picture::{Colour, Point};
 use lagrange_plot::notation::formula;
 
-/// A sheet over a picture, in the coordinates of the scene.
+/// User marks over a picture, in the coordinates of the scene.
 ///
 /// Points and lengths are those of the scene, angles in radians counterclockwise. Labels are
-/// written as in formulas: `v_P`, `J_{SP}`, `phi` for φ; an empty label draws nothing. Marks that
-/// are drawn at some moments of a film only are not visible at the others.
+/// written as in formulas: `v_P`, `J_{SP}`, `phi` for φ; an empty label draws nothing. Marks drawn
+/// only at some moments of a film are invisible at the others.
 #[derive(Debug)]
 pub struct Sketch {
     pub(super) elements: Vec<Element>,
@@ -21,8 +21,8 @@ impl Sketch {
         Sketch { elements: Vec::new(), ink: INK }
     }
 
-    /// Sets the colour of later marks: 0 dark grey, then blue, vermilion, green, purple, orange,
-    /// light blue. Velocities, accelerations and forces have separate colours.
+    /// Sets the colour of later marks: 0 is dark grey, followed by blue, vermilion, green, purple,
+    /// orange, light blue. Velocities, accelerations and forces have separate colours.
     pub fn ink(&mut self, number: usize) -> &mut Self {
         self.ink = ink(number);
         self
@@ -63,17 +63,17 @@ impl Sketch {
         self.add(label, Shape::Arrow { from, vector, measure: Measure::World, is_push: false })
     }
 
-    /// Draws a velocity, on the scale of all velocities of the film.
+    /// Draws a velocity, at the common scale of velocities of the film.
     pub fn velocity(&mut self, from: [f64; 2], velocity: [f64; 2], label: &str) -> &mut Self {
         self.measured(from, velocity, label, Measure::Velocity, VELOCITY)
     }
 
-    /// Draws an acceleration, on the scale of all accelerations of the film.
+    /// Draws an acceleration, at the common scale of accelerations of the film.
     pub fn acceleration(&mut self, from: [f64; 2], acceleration: [f64; 2], label: &str) -> &mut Self {
         self.measured(from, acceleration, label, Measure::Acceleration, ACCELERATION)
     }
 
-    /// Draws a force, on the scale of all forces of the film.
+    /// Draws a force, at the common scale of forces of the film.
     pub fn force(&mut self, from: [f64; 2], force: [f64; 2], label: &str) -> &mut Self {
         self.measured(from, force, label, Measure::Force, FORCE)
     }
@@ -83,15 +83,15 @@ impl Sketch {
         self.add(label, Shape::Angle { at, from, to })
     }
 
-    /// Draws a line with arrowheads for a distance, with the label on the left in the direction
-    /// from one point to the other.
+    /// Draws a line with arrowheads to mark a distance, with its label on the left as seen from
+    /// `from` to `to`.
     pub fn dimension(&mut self, from: [f64; 2], to: [f64; 2], label: &str) -> &mut Self {
         self.add(label, Shape::Dimension { ends: [from, to] })
     }
 
-    /// Writes text with its middle at a point, or beside it where it would lie on a line.
+    /// Writes text centred at a point, or next to it to avoid lines.
     pub fn text(&mut self, at: [f64; 2], text: &str) -> &mut Self {
-        // A single word is a symbol, a sentence is not.
+        // A single word is typeset as a symbol, a sentence is not.
         let written = if text.contains(' ') { text.to_string() } else { formula(text) };
         self.push(written, text, Shape::Words { at }, self.ink);
         self
@@ -125,7 +125,7 @@ impl Sketch {
     }
 
     fn push(&mut self, label: String, name: &str, shape: Shape, colour: Colour) {
-        // Text may change through a film and is still the same element.
+        // Text may change during a film but remains the same element.
         let name = if matches!(shape, Shape::Words { .. }) { "text" } else { name };
         let name = if name.is_empty() { "sketch" } else { name }.to_string();
         self.elements.push(Element { name, label, colour, layer: Layer::Sketch, shape });

@@ -15,7 +15,7 @@ pub trait Stored: Space {
     /// A joint, apart from its name and place.
     type Joint: Clone + PartialEq + Debug;
 
-    /// Stores a body, the one of this index in the scene.
+    /// Stores a body with its index in the scene.
     fn body<S: Scalar + Into<f64>>(
         name: &str,
         index: usize,
@@ -34,9 +34,9 @@ pub trait Stored: Space {
     fn moment<S: Scalar + Into<f64>>(moment: Self::Moment<S>) -> Self::Moment<f64>;
 }
 
-/// Something with a name.
+/// An item with a name.
 pub trait Named {
-    /// Returns its name.
+    /// Returns the name of the item.
     fn name(&self) -> &str;
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Snapshot<D: Stored = Plane> {
     pub(super) connectors: Vec<Span<D>>,
     pub(super) joints: Vec<Joint<D>>,
     pub(super) loads: Vec<Load<D>>,
-    /// Loads that act but are unknown.
+    /// Loads that act but are not drawn.
     pub(super) omitted: Vec<String>,
     /// Resultant of unnamed loads on a free body.
     pub(super) remainder: Option<Remainder>,
@@ -91,7 +91,7 @@ impl<D: Stored> Snapshot<D> {
         Snapshot::collected(|keep| system.items(t, q, v, keep))
     }
 
-    /// Keeps the items that are handed out.
+    /// Collects the visited items.
     pub(super) fn collected<S: Scalar + Into<f64>>(
         visit: impl FnOnce(&mut dyn FnMut(Item<'_, S, D>)),
     ) -> Self {
@@ -145,7 +145,7 @@ impl<D: Stored> Snapshot<D> {
         self.connectors.iter().find(|connector| connector.name == name).map(|connector| connector.ends)
     }
 
-    /// The names of everything.
+    /// Returns the names of all items.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         let bodies = self.bodies.iter().map(Named::name).chain(self.lines.iter().map(|line| &*line.name));
         let connectors = self.connectors.iter().map(|connector| &*connector.name);
@@ -155,7 +155,7 @@ impl<D: Stored> Snapshot<D> {
         bodies.chain(connectors).chain(joints).chain(loads).chain(omitted)
     }
 
-    /// Without what has one of these names.
+    /// Removes the items with these names.
     pub(super) fn without(mut self, hidden: &[String]) -> Self {
         let is_shown = |name: &str| hidden.iter().all(|other| other != name);
         self.bodies.retain(|body| is_shown(body.name()));

@@ -1,4 +1,4 @@
-//! From scenes to elements: the marks and labels of each item.
+//! Conversion of scenes to elements: the marks and labels of each item.
 
 use crate::anchored::Anchored;
 use crate::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VELOCITY};
@@ -16,7 +16,7 @@ use crate::stretch::{self, Stretches};
 use lagrange_plot::notation::{formula, symbol};
 use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
 
-/// The data that stay the same throughout a film.
+/// The data that remain constant throughout a film.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Fixed {
     pub(super) stretches: Stretches,
@@ -26,11 +26,10 @@ pub(super) struct Fixed {
 
 /// Length of the axes of a body in pixels.
 const AXIS: f64 = 42.0;
-/// A body that turns slower than by this part of the fastest one of a film has no centre that could
-/// be drawn.
+/// Fraction of a film's fastest rotation below which a body has no drawable centre of rotation.
 const TURNING: f64 = 1e-9;
 
-/// All elements of a scene.
+/// Returns all elements of a scene.
 pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, fastest: f64) -> Vec<Element> {
     let mut elements = lines(snapshot, &fixed.stretches);
     elements.extend(walls(snapshot, &fixed.anchored));
@@ -93,7 +92,8 @@ fn connector(name: &str, kind: Connector, ends: [Point; 2], lane: f64, wanted: W
     element(name, label, INK, Layer::Connector, shape)
 }
 
-/// True if a connector was declared without a name: it is called by its kind and a number then.
+/// True if a connector was declared without a name. Its name then consists of its kind and a
+/// number.
 pub fn is_made_up(name: &str, kind: Connector) -> bool {
     let kind = match kind {
         Connector::Spring => "spring_",
@@ -139,7 +139,7 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
     if wanted.accelerations {
         arrow("a", ACCELERATION, motion.center, motion.acceleration, Measure::Acceleration);
     }
-    // What is not a number is passed on and refused.
+    // Non-finite values are passed on and rejected later.
     let is_translating = motion.angular_velocity.abs() <= TURNING * fastest;
     if wanted.centers && !is_translating {
         // r_M = r_S + e_z × v_S/ω.
@@ -150,7 +150,7 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
     elements
 }
 
-/// A force or moment behind others.
+/// Returns the element of a force or moment after the loads `before`.
 fn load(load: &Load, before: &[Load], snapshot: &Snapshot, is_free: bool) -> Element {
     let body = load.body.as_deref().and_then(|name| snapshot.body(name));
     let shape = match load.value {
@@ -158,7 +158,7 @@ fn load(load: &Load, before: &[Load], snapshot: &Snapshot, is_free: bool) -> Ele
             let is_push = is_free && pushes(load, vector, body.map(|body| body.motion.center));
             Shape::Arrow { from: load.at, vector, measure: Measure::Force, is_push }
         }
-        // A moment acts on the whole of a body, wherever it comes from.
+        // A moment acts on the whole body, whatever its source.
         Value::Moment(moment) => {
             let at = body.map_or(load.at, |body| body.motion.center);
             Shape::Turn { at, moment, ring: moments(before, load.body.as_deref()) }
@@ -181,7 +181,8 @@ fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
     vec![of(REMAINDER, arrow), of("M_R", turn)]
 }
 
-/// True if a force of contact points into the body; on a free body it is then drawn from outside.
+/// True if a contact or joint force points into the body. On a free body it is then drawn from
+/// outside.
 fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
     const NARROW: f64 = 0.5;
     let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));
@@ -189,7 +190,7 @@ fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
     is_contact && dot(force, inwards) > NARROW * length(force) * length(inwards)
 }
 
-/// The path of a point so far, and where it is now.
+/// Returns the path of a point up to its current position, and a mark there.
 pub(super) fn trace(label: &str, points: &[Point], colour: Colour) -> Vec<Element> {
     let path = Shape::Polyline { points: points.to_vec() };
     let mut elements = vec![element(label, String::new(), colour, Layer::Trace, path)];

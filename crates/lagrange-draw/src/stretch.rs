@@ -1,8 +1,8 @@
 //! The extents of lines in a picture.
 //!
-//! Lines of a scene have no ends. However, where two of them cross, a floor ends at a wall, and a
-//! plateau where a slope begins. A line at rest is therefore cut where others cross it, and the
-//! stretches remain that an object touches at any time.
+//! Lines of a scene have no ends. However, if two of them cross, a floor ends at a wall, and a
+//! plateau at the start of a slope. A line at rest is therefore cut at its crossings, and only the
+//! stretches remain that an object touches at some time.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::picture::Point;
 use crate::snapshot::{Line, Snapshot};
 use lagrange_runtime::scene::Joint;
 
-/// Stretches along each line, by its name.
+/// Drawn stretches of each line, by its name.
 pub(super) type Stretches = BTreeMap<String, Vec<[f64; 2]>>;
 
 const ENDLESS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
@@ -22,7 +22,7 @@ const TOUCHING: f64 = 1e-6;
 /// determines its length.
 const LONGER: f64 = 0.2;
 
-/// The stretches that are drawn of each line throughout a film.
+/// Returns the drawn stretches of each line throughout a film.
 pub(super) fn stretches(film: &[Snapshot]) -> Stretches {
     let centers = film.iter().flat_map(|snapshot| &snapshot.bodies).map(|body| body.motion.center);
     let joints = film.iter().flat_map(|snapshot| &snapshot.joints).map(|joint| joint.at);
@@ -70,7 +70,7 @@ fn of_line(line: &Line, film: &[Snapshot], close: f64) -> Vec<[f64; 2]> {
     if kept.is_empty() { vec![ENDLESS] } else { kept }
 }
 
-/// The coordinates of a point along and across a line.
+/// Returns the coordinates of a point along and across a line.
 pub(super) fn coordinates(line: &Line, p: Point) -> [f64; 2] {
     let (along, from) = (direction(line.place.angle), subtract(p, line.place.at));
     [dot(along, from), dot(turned(along), from)]
@@ -89,7 +89,7 @@ fn rim(line: &Line, snapshot: &Snapshot) -> Vec<f64> {
     points.map(|p| coordinates(line, body.place().of(p))[0]).collect()
 }
 
-/// The length of a line that moves, from what lies on it.
+/// Returns the extent of a moving line, determined by the points on it.
 fn moving(marks: &[f64], has_body: bool) -> [f64; 2] {
     let (low, high) =
         marks.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(*s), h.max(*s)));

@@ -1,5 +1,5 @@
-//! Pictures as SVG: a document of paths and texts without script, style sheet or anything from
-//! elsewhere.
+//! Pictures as SVG: a document of paths and texts without scripts, style sheets or external
+//! resources.
 
 use crate::beside::SEPARATOR;
 use crate::picture::{Colour, Mark, Picture, Segment, Style};
@@ -7,14 +7,14 @@ use lagrange_plot::characters::{escaped, number};
 use lagrange_plot::label::Label;
 use lagrange_plot::lettering::FAMILY;
 
-/// The document.
+/// Returns a picture as an SVG document.
 pub(crate) fn document(picture: &Picture) -> String {
     let marks: String = picture.marks.iter().filter(|mark| !is_empty(mark)).map(mark).collect();
     format!("{}{marks}</svg>\n", opening(picture))
 }
 
-/// The start of the document: its size, title and description, and what all marks share. Blanks at
-/// the ends of pieces of a text stay, which some viewers leave out otherwise.
+/// Returns the start of the document: its size, title and description, and the common attributes of
+/// all marks. Blanks at the ends of text pieces are preserved, since some viewers would drop them.
 pub(crate) fn opening(picture: &Picture) -> String {
     let [width, height] = picture.size.map(number);
     format!(
@@ -33,7 +33,7 @@ fn description(picture: &Picture) -> String {
     for mark in &picture.marks {
         if let Mark::Text { text, .. } = mark {
             let label = Label::parse(text).plain();
-            // Titles and lines of them are no labels.
+            // Titles and their lines are not labels.
             let is_caption = picture.title.split(SEPARATOR).any(|part| part == text);
             let is_title = is_caption || (text.contains(' ') && picture.title.contains(text));
             if !label.is_empty() && !is_title && !labels.contains(&label) {
@@ -48,7 +48,7 @@ fn description(picture: &Picture) -> String {
     }
 }
 
-/// True if a mark shows nothing.
+/// True if a mark has no content.
 pub(crate) fn is_empty(mark: &Mark) -> bool {
     match mark {
         Mark::Path { segments, .. } => segments.is_empty(),
@@ -56,7 +56,7 @@ pub(crate) fn is_empty(mark: &Mark) -> bool {
     }
 }
 
-/// The element of a mark.
+/// Returns the element of a mark.
 pub(crate) fn mark(mark: &Mark) -> String {
     match mark {
         Mark::Path { segments, style: how } => {
@@ -68,7 +68,7 @@ pub(crate) fn mark(mark: &Mark) -> String {
     }
 }
 
-/// The attribute `d` of a path.
+/// Returns the attribute `d` of a path.
 pub(crate) fn path_data(segments: &[Segment]) -> String {
     let point = |[x, y]: [f64; 2]| format!("{} {}", number(x), number(y));
     let command = |segment: &Segment| match *segment {
@@ -80,7 +80,7 @@ pub(crate) fn path_data(segments: &[Segment]) -> String {
     segments.iter().map(command).collect()
 }
 
-/// The attributes that say how a path is drawn, each after a blank.
+/// Returns the attributes for the style of a path, each preceded by a blank.
 pub(crate) fn style(style: &Style) -> String {
     let mut attributes = paint("fill", style.fill);
     if style.stroke.is_some() {

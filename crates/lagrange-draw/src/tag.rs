@@ -11,47 +11,49 @@ use lagrange_plot::label::{Label, SUBSCRIPT};
 use lagrange_plot::lettering::LEEWAY;
 use lagrange_runtime::scene::Connector;
 
-/// A label and the place beside which it is written.
+/// A label and its anchor.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Tag {
     pub(super) text: String,
     pub(super) at: Point,
     pub(super) side: Side,
-    /// From the place to the text.
+    /// Distance from the anchor to the text.
     pub(super) gap: f64,
     pub(super) colour: Colour,
-    /// True if it may be left out where there is no room.
+    /// True if the label may be omitted for lack of room.
     pub(super) may_hide: bool,
-    /// Extent of the named element from the place.
+    /// Extent of the named element from the anchor.
     pub(super) reach: f64,
-    /// The size of its letters.
+    /// Font size.
     pub(super) size: f64,
     /// Half width and half height of the text.
     pub(super) half: Point,
 }
 
-/// On which side of its place a label is.
+/// The preferred position of a label relative to its anchor.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Side {
-    /// Anywhere around.
+    /// On any side.
     Around,
-    /// On it if there is room, else around.
+    /// On the anchor if there is room, else on any side.
     Within,
     /// In this direction if there is room.
     Along(Point),
 }
 
-/// The size of labels.
+/// Default font size of labels.
 pub(super) const FONT: f64 = 15.0;
-/// The part of the width of a picture that a label may take, unless its letters were smaller than
-/// these.
+/// Maximum width of a label relative to the picture, unless this requires letters below the minimum
+/// size.
 const WIDEST: f64 = 0.5;
+/// Minimum font size at which this limit applies.
 const SMALLEST: f64 = 8.0;
+/// Default distance from the anchor to the text.
 const GAP: f64 = 4.0;
-/// From the middle of a body or connector.
+/// Distance from the middle of a body or connector.
 const WIDE_GAP: f64 = 8.0;
 
-/// The label of an element, if it has one.
+/// Returns the label of an element, if it has one.
 pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
     if element.label.is_empty() {
         return None;
@@ -71,24 +73,24 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
     Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, reach, size, half })
 }
 
-/// The size of the letters of a label in a picture of a width, and half its own width and height.
+/// Returns the font size of a label in a picture of a width, and half the label's width and height.
 pub(super) fn extent(label: &str, room: f64) -> (f64, Point) {
-    // Subscripts hang below.
+    // Subscripts extend below the baseline.
     let has_subscript = Label::parse(label).has_subscript();
     let (size, width) = fitting(label, room);
     let height = if has_subscript { size * (1.0 + SUBSCRIPT.1) } else { size };
     (size, [0.5 * width, 0.5 * height])
 }
 
-/// The pixels from the centre of a body to the farthest point of its rim.
+/// Returns the distance in pixels from the centre of a body to the farthest point of its rim.
 fn reach(shape: &Shape, view: &View) -> f64 {
     let Shape::Body { place, center, pieces } = shape else { return 0.0 };
     let rim = pieces.iter().flat_map(Piece::rim).map(|p| subtract(place.of(p), *center));
     view.length(rim.map(length).fold(0.0, f64::max))
 }
 
-/// The size of the letters of a label, and its width: smaller where it would take more than a part
-/// of the room.
+/// Returns the font size of a label and its width. The size is reduced if the label would exceed
+/// its part of the room.
 fn fitting(label: &str, room: f64) -> (f64, f64) {
     let width = Label::parse(label).width(1.0);
     let size = FONT.min((WIDEST * room / width).max(SMALLEST)).min(room / (LEEWAY * width));
@@ -99,7 +101,7 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
     let middle = |ends: &[Point; 2]| {
         let ends = ends.map(|p| view.point(p));
         let normal = unit(turned(subtract(ends[1], ends[0])));
-        // Above rather than below.
+        // Labels are above rather than below.
         let normal = normal.map(|n| if n[1] > 0.0 { times(-1.0, n) } else { n });
         (mix(ends[0], ends[1], 0.5), normal.map_or(Side::Around, Side::Along))
     };
@@ -117,12 +119,12 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
         Shape::Connector { ends, lane, .. } => {
             Some((view.point(ends[0]), Side::Around, ANGLE * (1.0 + WIDER * lane)))
         }
-        // What does not turn has no label either.
+        // Without an arrow there is no label.
         Shape::Turn { moment: 0.0, .. } => None,
         Shape::Turn { at, ring, .. } => Some((view.point(*at), Side::Around, ANGLE + RING * *ring as f64)),
         Shape::Arrow { from, vector, measure, is_push } => {
             let vector = view.vector(*vector, *measure);
-            // What has no arrow has no label either.
+            // Without an arrow there is no label.
             (length(vector) >= 1.0).then_some(())?;
             let start = arrow::start(view.point(*from), vector, *is_push);
             let (end, outwards) =

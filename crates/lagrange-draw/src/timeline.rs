@@ -1,25 +1,25 @@
-//! When the pictures of a film are shown, and the quantities that are plotted under them.
+//! Display times of a film's pictures, and the quantities plotted below them.
 
 use crate::error::{DrawError, refusal};
 
 /// Times, and values at these times.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Timeline {
-    /// In seconds, rising or falling.
+    /// Times in seconds, rising or falling.
     pub(crate) times: Vec<f64>,
     pub(crate) curves: Vec<Curve>,
 }
 
-/// A quantity that is plotted under the picture of a page.
+/// A quantity plotted below the picture of a page.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Curve {
     pub(crate) name: String,
-    /// One for each picture; what is not finite leaves a gap.
+    /// One value for each picture; non-finite values leave gaps.
     pub(crate) values: Vec<f64>,
 }
 
 impl Timeline {
-    /// Times that rise or fall throughout.
+    /// Creates a timeline of strictly monotonic times.
     pub(crate) fn new(times: Vec<f64>) -> Result<Timeline, DrawError> {
         let is_finite = times.iter().all(|time| time.is_finite());
         let rises = times.windows(2).all(|pair| pair[0] < pair[1]);
@@ -35,7 +35,7 @@ impl Timeline {
         self.elapsed().last().copied().unwrap_or(0.0)
     }
 
-    /// Seconds from its start to each of its times.
+    /// Returns the time in seconds from the start to each of the times.
     pub(crate) fn elapsed(&self) -> Vec<f64> {
         let start = self.times.first().copied().unwrap_or(0.0);
         self.times.iter().map(|time| (time - start).abs()).collect()

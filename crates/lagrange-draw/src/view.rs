@@ -1,41 +1,42 @@
-//! The window of a film: which part of the world is shown, and how large.
+//! The window of a film: the visible part of the world and its scale.
 
 use crate::element::{Measure, Reach};
 use crate::error::DrawError;
 use crate::geometry::{bounds, clipped, mix, subtract, times};
 use crate::picture::Point;
 
-/// Free margin at the borders, and minimum distance of labels and titles from them.
+/// Free margin at the borders.
 pub(super) const MARGIN: f64 = 12.0;
+/// Minimum distance of labels and titles from the borders.
 pub(super) const BORDER: f64 = 2.0;
 
-/// From the world to pixels, alike in both directions.
+/// A map from the world to pixels, with the same scale in both directions.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct View {
-    /// Pixels to a unit of length.
+    /// Pixels per unit of length.
     scale: f64,
-    /// A point of the world, and its pixel: numbers near each other keep their digits when they are
-    /// subtracted.
+    /// A point of the world, whose pixel is `origin`. Subtracting it first preserves the digits of
+    /// nearby numbers.
     base: Point,
     origin: Point,
-    /// The corners of what may be drawn on, in pixels.
+    /// Corners of the drawing area in pixels.
     pub(super) window: [Point; 2],
-    /// Pixels to a unit of velocity, acceleration and force.
+    /// Pixels per unit of velocity, acceleration and force.
     pub(super) arrows: [f64; 3],
 }
 
 /// Halvings of the range of scales.
 const ROUNDS: usize = 60;
-/// If all that is shown is in one place, this part of the smaller side stands for a unit of length.
+/// Fraction of the smaller side per unit of length if everything shown is at one point.
 const UNIT: f64 = 0.25;
-/// A window is wider than this many distances of neighbouring numbers, so that what is in it has a
-/// place.
+/// Minimum width of a window in units of the spacing of neighbouring numbers, so that positions in
+/// it are distinct.
 const NEIGHBOURS: f64 = 4096.0;
-/// Smaller extents have no reciprocal.
+/// Extent below which reciprocals overflow.
 const TINY: f64 = 1e-300;
 
 impl View {
-    /// The largest scale at which everything lies within the window, its middle in the middle.
+    /// Creates the view with the largest scale at which everything fits in the window, centred.
     pub(super) fn new(window: [Point; 2], arrows: [f64; 3], reaches: &[Reach]) -> Result<Self, DrawError> {
         let size = subtract(window[1], window[0]);
         let [low, high] = bounds(reaches.iter().map(|reach| reach.at));
@@ -72,17 +73,17 @@ impl View {
         [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
     }
 
-    /// A length in pixels.
+    /// Converts a length to pixels.
     pub(super) fn length(&self, length: f64) -> f64 {
         self.scale * length
     }
 
-    /// A length of the world.
+    /// Converts pixels to a length of the world.
     pub(super) fn of_pixels(&self, pixels: f64) -> f64 {
         pixels / self.scale
     }
 
-    /// A vector in pixels, y downwards.
+    /// Converts a vector to pixels, y downwards.
     pub(super) fn vector(&self, vector: Point, measure: Measure) -> Point {
         let [x, y] = times(self.pixels(measure), vector);
         [x, -y]
@@ -98,7 +99,7 @@ impl View {
         }
     }
 
-    /// The part of a segment in pixels that is in the window.
+    /// Returns the part of a segment in pixels inside the window.
     pub(super) fn clipped(&self, ends: [Point; 2]) -> Option<[Point; 2]> {
         clipped(ends, self.window)
     }
@@ -108,7 +109,7 @@ impl View {
     }
 }
 
-/// The range of an axis in pixels at a scale.
+/// Returns the range of an axis in pixels at a scale.
 fn range(reaches: &[Reach], axis: usize, scale: f64) -> [f64; 2] {
     reaches.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], reach| {
         let at = scale * reach.at[axis] + reach.offset[axis];
@@ -116,7 +117,7 @@ fn range(reaches: &[Reach], axis: usize, scale: f64) -> [f64; 2] {
     })
 }
 
-/// The largest number up to a limit that fits, if small ones do.
+/// Returns the largest number up to a limit that fits, or none if even zero does not.
 fn largest(most: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
     if !most.is_finite() || most <= 0.0 || !fits(0.0) {
         return None;

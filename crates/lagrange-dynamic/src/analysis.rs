@@ -1,4 +1,4 @@
-//! Equilibria and linear models of systems that were read at run time.
+//! Equilibria and linear models of systems read at run time.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -11,17 +11,17 @@ use crate::system::DynamicSystem;
 /// A search for an equilibrium, or for a steady motion if velocities are not zero.
 #[derive(Clone, Debug)]
 pub struct SearchSettings {
-    /// Time, which stands still.
+    /// Constant time.
     pub time: f64,
-    /// The state near which to search, of which velocities are kept.
+    /// State near which to search; its velocities are kept.
     pub near: Vec<f64>,
     /// Coordinates and first-order states that keep their values.
     pub hold: Vec<String>,
-    /// Inputs that are unknowns, too.
+    /// Inputs that are additional unknowns.
     pub trim: Vec<String>,
 }
 
-/// A state at which nothing changes but positions by constant velocities.
+/// A state in which only positions may change, at constant velocities.
 #[derive(Clone, PartialEq, Debug)]
 pub struct FoundEquilibrium {
     /// The state.
@@ -34,7 +34,7 @@ pub struct FoundEquilibrium {
     pub freedom: usize,
 }
 
-/// The reason why there is no equilibrium or no linear model.
+/// The reason why no equilibrium or linear model was found.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum AnalysisError {
@@ -42,14 +42,14 @@ pub enum AnalysisError {
     WithoutDerivatives,
     /// A parameter is out of its declared range, with its name, value and range.
     Parameter(String),
-    /// The search came to no end.
+    /// The search did not converge.
     Search {
-        /// The equation that is left, by name, and the place where the search stopped.
+        /// Name of the unsatisfied equation, and the point where the search stopped.
         message: String,
-        /// The state at which it stopped.
+        /// State at which the search stopped.
         state: Vec<f64>,
     },
-    /// The equations have no derivatives there, or motions do not pass through the state.
+    /// The equations have no derivatives at the state, or no motions pass through it.
     Linearisation(String),
 }
 
@@ -80,7 +80,7 @@ impl DeclaredSystem {
     /// Linearises the equations of motion and the outputs at a time and a state.
     ///
     /// # Errors
-    /// If there are no derivatives, by the declaration or at the state, a parameter is out of its
+    /// If there are no derivatives, in the declaration or at the state, a parameter is out of its
     /// range, or the state violates constraints.
     pub fn linearise(&self, time: f64, state: &[f64]) -> Result<LinearModel, AnalysisError> {
         self.check_derivatives()?;

@@ -1,5 +1,4 @@
-//! Constraints of interpreted systems, and the ways back onto them, which are those of emitted
-//! types.
+//! Constraints of interpreted systems, and projections onto them, as for emitted types.
 
 use lagrange_core::model::Product;
 use lagrange_runtime::constraint::{self, ConstrainedSystem};
@@ -15,7 +14,7 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         self.programs().layout.multipliers > 0
     }
 
-    /// True if constraints hold states after each step, rather than their stabilisation.
+    /// True if states are projected onto constraints after each step instead of being stabilised.
     pub(crate) fn is_projected(&self) -> bool {
         self.is_held() && !self.programs().variables.is_stabilised
     }
@@ -42,7 +41,7 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         }
     }
 
-    /// A product that systems with constraints always have; NaN otherwise.
+    /// Returns a product that systems with constraints always have; NaN otherwise.
     fn of_constraints(&self, product: Product, t: f64, q: &[f64], v: &[f64], length: usize) -> Vec<f64> {
         self.numeric.product(product, t, q, v).unwrap_or_else(|| vec![f64::NAN; length])
     }
@@ -61,7 +60,7 @@ impl<const CAPACITY: usize> ConstrainedSystem for DynamicSystem<CAPACITY> {
         Inline::of(&self.numeric.multipliers(t, q.as_ref(), v.as_ref()))
     }
 
-    /// They do not depend on velocities, for which zeros stand.
+    /// Residuals do not depend on velocities, which are set to zero.
     fn position_residuals(&self, t: f64, q: &Inline<CAPACITY>) -> Inline<CAPACITY> {
         let (programs, at_rest) = (self.programs(), vec![0.0; self.programs().layout.velocities]);
         Inline::of(&self.numeric.evaluate(&programs.position_residuals, t, q.as_ref(), &at_rest))

@@ -1,5 +1,4 @@
-//! Declared systems with values for their parameters, before the size of their state is known to
-//! the compiler.
+//! Declared systems with values for their parameters, independent of the size of their state.
 
 use std::sync::Arc;
 
@@ -12,12 +11,12 @@ use crate::names::{Names, names_of};
 use crate::refusal::{NoSuchName, Refusal, StartError};
 use crate::system::DynamicSystem;
 
-/// Room for entries of a state.
+/// Capacities of states for which code is compiled.
 const CAPACITIES: [usize; 3] = [8, 32, LARGEST];
-/// Room for the entries of every state.
+/// Capacity of the largest states.
 pub(crate) const LARGEST: usize = 128;
 
-/// A system that was read at run time, with values for its parameters and inputs.
+/// A system read at run time, with values for its parameters and inputs.
 #[derive(Clone, Debug)]
 pub struct DeclaredSystem {
     numeric: NumericSystem,
@@ -26,27 +25,26 @@ pub struct DeclaredSystem {
 
 /// A computation with a system.
 pub trait Visitor {
-    /// Its result.
+    /// Result of the computation.
     type Output;
 
-    /// Computes with a system whose states have room for so many entries.
+    /// Computes with a system whose states have at most `CAPACITY` entries.
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output;
 }
 
 impl DeclaredSystem {
-    /// Takes the programs of a system. Parameters and inputs have their defaults, or are NaN until
-    /// they are set; inputs remain what they are set to.
+    /// Creates a system from its programs. Parameters and inputs have their defaults, or are NaN
+    /// until they are set; inputs stay constant.
     ///
     /// # Errors
-    /// If it holds what only compiled code can run.
+    /// If it has parts that only compiled Rust can run.
     pub fn new(programs: Programs) -> Result<Self, Refusal> {
         check(&programs)?;
         let names = names_of(&programs);
         Ok(DeclaredSystem { numeric: NumericSystem::of(Arc::new(programs)), names })
     }
 
-    /// Compiles programs instead of interpreting them, each when it is run for the first time.
-    /// Results are the same.
+    /// Compiles programs on their first run instead of interpreting them. Results are the same.
     pub fn compiled_by(self, backend: Arc<dyn Backend>) -> Self {
         DeclaredSystem { numeric: self.numeric.compiled_by(backend), ..self }
     }
@@ -69,7 +67,7 @@ impl DeclaredSystem {
     /// Sets a parameter or an input, in coherent units.
     ///
     /// # Errors
-    /// If there is none of this name; elements of arrays are called `k[0]`.
+    /// If the name is unknown; elements of arrays are called `k[0]`.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), NoSuchName> {
         match self.numeric.set(name, value) {
             true => Ok(()),
@@ -88,17 +86,17 @@ impl DeclaredSystem {
         self.variables().state_names()
     }
 
-    /// Returns the declared state at the start, whose entries without a value are zero; `None` if
+    /// Returns the declared initial state, in which entries without a value are zero; `None` if
     /// nothing is declared.
     pub fn start(&self) -> Option<Vec<f64>> {
         self.programs().start.as_ref().map(|start| self.evaluated(start))
     }
 
-    /// Returns the declared state at the start with other values for some of its entries. If
-    /// nothing is declared, velocities are zero, and each position needs a value.
+    /// Returns the declared initial state with other values for some of its entries. If nothing is
+    /// declared, velocities are zero, and each position needs a value.
     ///
     /// # Errors
-    /// If the state has no entry of a name, or an entry has no value.
+    /// If a name is unknown, or an entry has no value.
     pub fn start_with(&self, values: &[(String, f64)]) -> Result<Vec<f64>, StartError> {
         let (names, positions) = (self.state_names(), self.variables().positions.len());
         let undeclared = || {
@@ -122,7 +120,7 @@ impl DeclaredSystem {
         self.numeric.evaluate(program, 0.0, &[], &[])
     }
 
-    /// Computes with the system, in the smallest room that its state fits into.
+    /// Computes with the system, in the smallest capacity that fits its state.
     pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         let [small, middle, _] = CAPACITIES;
         match room(self.programs()) {
@@ -137,7 +135,7 @@ impl DeclaredSystem {
     }
 }
 
-/// The room that the longest vector of a system needs.
+/// Returns the length of the longest vector of a system.
 fn room(programs: &Programs) -> usize {
     let layout = &programs.layout;
     (layout.positions + layout.velocities).max(layout.multipliers).max(layout.inputs)

@@ -1,4 +1,4 @@
-//! Many motions of a system that was read at run time, over threads.
+//! Parallel runs of a system read at run time.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -13,48 +13,49 @@ use crate::method::MethodChoice;
 use crate::refusal::NoSuchName;
 use crate::system::DynamicSystem;
 
-/// The motions of an ensemble. Each is a run of its own, with the bits of a single one.
+/// The motions of an ensemble. Each is bit-identical to a separate run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct EnsembleSettings {
-    /// States at the start, one for each motion.
+    /// Initial states, one for each motion.
     pub starts: Vec<Vec<f64>>,
-    /// Parameters and inputs of constant value that differ between motions, by name. Each has a
-    /// value for each motion.
+    /// Constant parameters and inputs that differ between motions, by name, with a value for each
+    /// motion.
     pub varied: Vec<(String, Vec<f64>)>,
-    /// Time of the start.
+    /// Initial time.
     pub from: f64,
-    /// Time of the end.
+    /// Final time.
     pub until: f64,
     /// The method.
     pub method: MethodChoice,
-    /// Number of threads; one for each processor if it is `None`. Results do not depend on it.
+    /// Number of threads; one per processor if it is `None`. Results do not depend on it.
     pub threads: Option<usize>,
 }
 
-/// The ends of motions, a row for each. Rows of motions that failed are NaN, but for parameters.
+/// The final states of motions, a row for each. Rows of failed motions are NaN except for
+/// parameters.
 #[derive(Clone, PartialEq, Debug)]
 pub struct EnsembleEnds {
-    /// Times of the ends: those wanted, or earlier ones where events stopped motions.
+    /// Final times: the requested one, or earlier ones if events stopped motions.
     pub times: Vec<f64>,
-    /// Names of the columns: the state, outputs and, if something varies, parameters and the inputs
-    /// that vary.
+    /// Names of the columns: the state, outputs and, if anything varies, parameters and varied
+    /// inputs.
     pub names: Vec<String>,
     /// Columns, in the order of their names.
     pub columns: Vec<Vec<f64>>,
-    /// Motions that failed, in their order.
+    /// Failed motions, in order.
     pub failures: Vec<FailedMotion>,
 }
 
 /// A motion that failed.
 #[derive(Clone, PartialEq, Debug)]
 pub struct FailedMotion {
-    /// Its index, from zero.
+    /// Zero-based index of the motion.
     pub index: usize,
-    /// The time of the last good state.
+    /// Time of the last valid state.
     pub time: f64,
-    /// The last good state.
+    /// Last valid state.
     pub state: Vec<f64>,
-    /// Why and where it failed.
+    /// Reason and place of the failure.
     pub message: String,
 }
 
@@ -66,25 +67,25 @@ pub enum EnsembleError {
     Unknown(NoSuchName),
     /// A name varies twice.
     Repeated(String),
-    /// A list has another length than that of the starts.
+    /// A list differs in length from the initial states.
     Length {
-        /// The parameter or input.
+        /// Name of the parameter or input.
         name: String,
         /// Number of its values.
         values: usize,
         /// Number of motions.
         motions: usize,
     },
-    /// A start has another number of entries than the state.
+    /// An initial state has the wrong number of entries.
     Start {
-        /// The motion, from zero.
+        /// Zero-based index of the motion.
         motion: usize,
         /// Number of its entries.
         entries: usize,
-        /// Names of those of a state.
+        /// Names of the entries of a state.
         state: Vec<String>,
     },
-    /// Another setting makes no sense, in words.
+    /// Another setting is invalid, for this reason.
     Setting(String),
 }
 
@@ -110,11 +111,11 @@ impl Display for EnsembleError {
 impl Error for EnsembleError {}
 
 impl DeclaredSystem {
-    /// Computes motions over threads, and keeps their ends.
+    /// Computes motions in parallel, and keeps their final states.
     ///
     /// # Errors
-    /// If settings make no sense. A motion that fails is among the
-    /// [`failures`](EnsembleEnds::failures), and the others continue.
+    /// If settings are invalid. A failed motion is listed in [`failures`](EnsembleEnds::failures),
+    /// and the others continue.
     pub fn ensemble(&self, settings: &EnsembleSettings) -> Result<EnsembleEnds, EnsembleError> {
         let names = self.state_names();
         let wrong = settings.starts.iter().position(|start| start.len() != names.len());
@@ -125,7 +126,7 @@ impl DeclaredSystem {
         self.visit(Motions { settings, varied: self.places(settings)? })
     }
 
-    /// The places of what varies among parameters and inputs, with the values.
+    /// Returns the indices of varied parameters and inputs, with their values.
     fn places<'a>(&self, settings: &'a EnsembleSettings) -> Result<Vec<(usize, &'a [f64])>, EnsembleError> {
         let (known, motions) = (&self.variables().fields, settings.starts.len());
         let mut places: Vec<(usize, &[f64])> = Vec::new();
@@ -146,10 +147,10 @@ impl DeclaredSystem {
     }
 }
 
-/// Settings whose names are understood.
+/// Validated settings.
 struct Motions<'a> {
     settings: &'a EnsembleSettings,
-    /// Places among parameters and inputs, with a value for each motion.
+    /// Indices of parameters and inputs, with a value for each motion.
     varied: Vec<(usize, &'a [f64])>,
 }
 
@@ -210,7 +211,7 @@ impl EnsembleEnds {
         }
     }
 
-    /// Adds columns for inputs that vary; parameters have theirs.
+    /// Adds columns for varied inputs; parameters already have columns.
     fn with(mut self, varied: &[(String, Vec<f64>)]) -> Self {
         for (name, values) in varied {
             if !self.names.contains(name) {

@@ -17,7 +17,7 @@ use crate::system::DynamicSystem;
 #[derive(Clone, PartialEq, Debug)]
 pub struct DeclaredFilm {
     kind: Kind,
-    /// Samples that are shown.
+    /// Indices of the displayed samples.
     shown: Vec<usize>,
 }
 
@@ -28,9 +28,9 @@ enum Kind {
 }
 
 impl DeclaredFilm {
-    /// Creates the film of a system at times, with a state `[q…, v…]` for each. Of samples at the
-    /// same time, which impacts may leave, it shows the last. Bodies, connectors and joints are
-    /// drawn, without forces.
+    /// Creates the film of a system at times, with a state `[q…, v…]` for each. If impacts leave
+    /// several samples at one time, it shows the last one. Bodies, connectors and joints are drawn
+    /// without forces.
     ///
     /// # Errors
     /// If the system was read without its [drawing](crate::Source::system_with), or there is no
@@ -56,7 +56,7 @@ impl DeclaredFilm {
         Ok(DeclaredFilm { kind, shown })
     }
 
-    /// Adds a curve to the plot under the picture of a page, with a value for each sample.
+    /// Adds a curve to the plot below the picture of a page, with a value for each sample.
     ///
     /// # Errors
     /// If there are fewer values than samples.
@@ -77,7 +77,7 @@ impl DeclaredFilm {
         }
     }
 
-    /// Saves it to a [file](Film::save), whose extension selects the format.
+    /// Saves the film to a [file](Film::save), whose extension selects the format.
     ///
     /// # Errors
     /// If there is no such format of films in the plane or in space, or the file cannot be written.
@@ -114,7 +114,7 @@ pub fn title(name: &str) -> String {
     title
 }
 
-/// A system with what there is to draw of it, in the plane or in space.
+/// A system and its scene, in the plane or in space.
 struct Drawn<'a, D> {
     system: &'a DynamicSystem<LARGEST>,
     scene: &'a DrawnScene,

@@ -1,4 +1,4 @@
-//! Parameters of a system that was read at run time, from data.
+//! Estimation of parameters of systems read at run time from data.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -12,51 +12,51 @@ use crate::inline::Inline;
 use crate::refusal::NoSuchName;
 use crate::system::DynamicSystem;
 
-/// A fit of motions to data, by the method `verner`.
+/// A fit of motions to data, integrated by the method `verner`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct FitSettings {
-    /// State at the start.
+    /// Initial state.
     pub start: Vec<f64>,
     /// Times and measured columns: entries of the state or outputs.
     pub data: Data,
-    /// Parameters, inputs of constant value and entries of the start that vary, by name, with lower
-    /// and upper bounds, which may be infinite.
+    /// Varied parameters, constant inputs and entries of the initial state, by name. Lower and
+    /// upper bounds may be infinite.
     pub varied: Vec<(String, [f64; 2])>,
     /// Standard deviations of the noise, by column.
     pub noise: Vec<(String, f64)>,
-    /// Time of the start; the first time of the data if it is `None`.
+    /// Initial time; the first time of the data if it is `None`.
     pub from: Option<f64>,
-    /// Tolerated error of a step.
+    /// Error tolerance of a step.
     pub tolerance: f64,
-    /// Number of points from which to search.
+    /// Number of starting points of the search.
     pub starts: usize,
-    /// Number of iterations from each of them.
+    /// Maximum number of iterations from each starting point.
     pub max_iterations: usize,
 }
 
 /// The values of a fit.
 #[derive(Clone, PartialEq, Debug)]
 pub struct FoundFit {
-    /// Values with standard errors, in the order in which they vary.
+    /// Values with standard errors, in the order of the varied quantities.
     pub values: Vec<FittedValue>,
-    /// Covariance matrix of the values, in rows, with zeros for those at a bound. `None` if data do
-    /// not tell all of them, or there are no more values than variables and no noise levels.
+    /// Covariance matrix of the values, in rows, with zeros for values at a bound. `None` if data
+    /// do not determine all values, or there are no noise levels and too few data to estimate them.
     pub covariance: Option<Vec<Vec<f64>>>,
-    /// The combination of relative changes that data tell least.
+    /// Combination of relative changes that is least determined by the data.
     pub weakest: Vec<(&'static str, f64)>,
-    /// The standard error of that combination.
+    /// Standard error of this combination.
     pub weakest_error: f64,
     /// Sum of squares of the residuals, each over its noise level.
     pub chi_square: f64,
-    /// Number of values in the data minus that of the variables that no bound holds.
+    /// Number of data values minus the number of variables not at a bound.
     pub degrees_of_freedom: usize,
     /// Number of iterations of the best search.
     pub iterations: usize,
-    /// Parameters and inputs of the system, with those that were fitted.
+    /// Parameters and inputs of the system, including the fitted ones.
     pub fields: Vec<f64>,
-    /// State at the start, with the entries that were fitted.
+    /// Initial state, including the fitted entries.
     pub start: Vec<f64>,
-    /// All of it in words.
+    /// Full result as text.
     pub report: String,
 }
 
@@ -64,15 +64,15 @@ pub struct FoundFit {
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum FitFailure {
-    /// The system has nothing of this name to vary or to measure.
+    /// The system has no quantity of this name to vary or measure.
     Unknown(NoSuchName),
-    /// Data or settings make no sense.
+    /// Data or settings are invalid.
     Setting(String),
     /// No motion reaches the end of the data.
     Motion(String),
-    /// The data do not tell all variables, or the search did not come to an end.
+    /// The data do not determine all variables, or the search did not converge.
     Unfinished {
-        /// The combination that is not known, or the number of iterations.
+        /// Undetermined combination, or the number of iterations.
         message: String,
         /// The best values.
         best: Box<FoundFit>,
@@ -93,13 +93,13 @@ impl Display for FitFailure {
 impl Error for FitFailure {}
 
 impl DeclaredSystem {
-    /// Fits parameters, inputs and entries of the start to data.
+    /// Fits parameters, inputs and entries of the initial state to data.
     ///
     /// # Errors
     /// If any of these holds:
-    /// - data or settings make no sense;
+    /// - data or settings are invalid;
     /// - no motion reaches the end of the data;
-    /// - the search does not end, or data do not tell all variables.
+    /// - the search does not converge, or data do not determine all variables.
     pub fn fit(&self, settings: &FitSettings) -> Result<FoundFit, FitFailure> {
         let measurable = [self.state_names(), self.variables().outputs.concat()].concat();
         let variable = [&self.variables().fields[..], &self.state_names()].concat();

@@ -1,4 +1,4 @@
-//! Interpreted systems whose states are arrays, as motions with derivatives need them.
+//! Interpreted systems whose states are arrays, as required by motions with derivatives.
 
 use lagrange_runtime::event::{Action, DeclaredEvent, Response};
 use lagrange_runtime::system::{
@@ -11,19 +11,18 @@ use crate::system::DynamicSystem;
 
 type Outcome<T> = Result<T, StepFailure<f64>>;
 
-/// An interpreted system with an array as state. The entries behind its own are zero, and remain
-/// so.
+/// An interpreted system with an array as state. Entries after the system's own are always zero.
 #[derive(Clone, Debug)]
 pub(crate) struct FixedSystem<const N: usize>(pub(crate) DynamicSystem<N>);
 
 impl<const N: usize> FixedSystem<N> {
-    /// Returns the entries that are those of the system.
+    /// Returns the system's own entries.
     pub(crate) fn own(&self, y: &[f64; N]) -> Inline<N> {
         let layout = &self.0.programs().layout;
         self.0.state(&y[..layout.positions + layout.velocities])
     }
 
-    /// Changes a state, if that succeeds.
+    /// Applies a change to a state if it succeeds.
     fn change(
         y: &mut [f64; N],
         own: Inline<N>,
@@ -134,8 +133,7 @@ impl<const N: usize> OdeSystem for FixedSystem<N> {
     }
 }
 
-/// Positions and velocities have the lengths that they have, so that only states have zeros behind
-/// them.
+/// Positions and velocities keep their lengths; only states are padded with zeros.
 impl<const N: usize> MechanicalSystem for FixedSystem<N> {
     type Coordinates = Inline<N>;
     type Velocities = Inline<N>;

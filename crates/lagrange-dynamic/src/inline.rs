@@ -1,15 +1,15 @@
-//! Vectors whose length is known at run time, with room for a fixed number of entries. States are
-//! copied without a heap, as those of emitted types are.
+//! Vectors whose length is known at run time, with a fixed capacity. States are copied without heap
+//! allocation, like those of emitted types.
 
 use std::fmt::{self, Debug, Formatter};
 
 use lagrange_runtime::system::StateVector;
 
-/// A vector of at most `CAPACITY` numbers. One that was joined of two remembers where the second
-/// part begins.
+/// A vector of at most `CAPACITY` numbers. A vector joined from two parts stores the start of the
+/// second part.
 #[derive(Clone, Copy)]
 pub struct Inline<const CAPACITY: usize> {
-    /// The entries, followed by zeros.
+    /// Entries, followed by zeros.
     entries: [f64; CAPACITY],
     length: usize,
     /// Length of the first part.
@@ -79,7 +79,7 @@ impl<const CAPACITY: usize> StateVector<f64> for Inline<CAPACITY> {
         vector
     }
 
-    /// The length of the first part is known here, since its type does not tell.
+    /// The stored length of the first part is used, since the type does not determine it.
     #[inline]
     fn parts(&self, _first: usize) -> (&[f64], &[f64]) {
         self.as_ref().split_at(self.first)
@@ -94,7 +94,7 @@ pub struct Rows<const CAPACITY: usize> {
 }
 
 impl<const CAPACITY: usize> Rows<CAPACITY> {
-    /// Returns the matrix of these entries, row by row, of which each row has `length`.
+    /// Returns the matrix of these entries in row-major order, with rows of this length.
     pub(crate) fn of(entries: &[f64], length: usize) -> Self {
         let mut rows = Inline::of(&vec![0.0; length]).zero_square();
         for (row, entries) in rows.as_mut().iter_mut().zip(entries.chunks(length.max(1))) {

@@ -1,4 +1,4 @@
-//! Items to draw, from their numbers.
+//! Drawn items from their numbers.
 
 use lagrange_core::bodies::{DrawnKind, JointForm, SpatialJointForm};
 use lagrange_core::pipeline::{PlacedItem, PlacedPart};
@@ -9,14 +9,14 @@ use lagrange_runtime::scene::{
     SpatialJointKind,
 };
 
-/// A space whose items are handed out from their numbers. Bodies have no rates, which pictures need
-/// for arrows only.
+/// A space whose items are constructed from their numbers. Bodies have no rates, which are only
+/// needed for arrows.
 pub trait NumberedSpace: Space {
-    /// Hands out an item whose numbers come first, and leaves those of other items.
+    /// Visits an item whose numbers come first, and leaves the numbers of other items.
     fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Self>));
 }
 
-/// Hands out items with the numbers that their program returns.
+/// Visits items with the numbers returned by their program.
 pub fn visit_items<D: NumberedSpace>(
     items: &[PlacedItem],
     numbers: &[f64],
@@ -26,7 +26,7 @@ pub fn visit_items<D: NumberedSpace>(
     items.iter().for_each(|item| D::item(item, &mut numbers, visit));
 }
 
-/// Numbers that are taken one after another; NaN beyond the last.
+/// Numbers that are consumed in order; NaN after the last.
 #[derive(Debug)]
 pub struct Numbers<'a>(&'a [f64]);
 
@@ -45,7 +45,7 @@ impl Numbers<'_> {
         std::array::from_fn(|_| self.take())
     }
 
-    /// Returns the solid of a part, with its place.
+    /// Returns the solid of a part, with its placement.
     fn solid<'p>(&mut self, part: &PlacedPart) -> Part<'p, f64, Spatial> {
         let shape = match part.variant {
             "SlenderRod" => Solid::SlenderRod(self.one()),
@@ -62,7 +62,7 @@ impl Numbers<'_> {
         Part { shape, at: self.take(), rotation: self.rows(), is_hole: part.is_hole }
     }
 
-    /// Returns the outline of a part, with its place. Corners are those taken before.
+    /// Returns the outline of a part, with its placement. `corners` have already been consumed.
     fn outline<'c>(&mut self, part: &PlacedPart, corners: &'c [[f64; 2]]) -> Part<'c, f64, Plane> {
         let shape = match part.variant {
             "SlenderRod" => Outline::SlenderRod(self.one()),
@@ -88,7 +88,7 @@ impl Numbers<'_> {
         for part in parts {
             let count = if part.has_corners { part.dimension_count / 2 } else { 0 };
             corners.push((0..count).map(|_| self.take()).collect());
-            // The place of the part takes three.
+            // The placement of the part has three numbers.
             let others = 3 + if part.has_corners { 0 } else { part.dimension_count };
             rest.extend((0..others).map(|_| self.one()));
         }
@@ -136,7 +136,7 @@ impl NumberedSpace for Plane {
                 };
                 visit(Item::Joint { name, kind, at: numbers.take() });
             }
-            // Of space, or loads, which have no numbers here.
+            // Items of space, and loads, which have no numbers here.
             _ => {}
         }
     }
@@ -175,13 +175,13 @@ impl NumberedSpace for Spatial {
                     SpatialJoint { kind: joint(*kind), axis, bodies: links.each_ref().map(Option::as_deref) };
                 visit(Item::Joint { name, kind, at });
             }
-            // Of the plane, or loads, which have no numbers here.
+            // Items of the plane, and loads, which have no numbers here.
             _ => {}
         }
     }
 }
 
-/// Returns the kind of a connector as scenes call it.
+/// Converts the kind of a connector to that of scenes.
 pub fn connector(kind: ConnectorKind) -> Connector {
     match kind {
         ConnectorKind::Spring => Connector::Spring,
@@ -218,7 +218,7 @@ mod tests {
 
     use super::{NumberedSpace, Numbers, visit_items};
 
-    /// Every shape in space, with the solid that draws it.
+    /// Every shape in space, with its solid.
     const SHAPES: [(&str, Solid<f64>); 11] = [
         ("point_mass()", Solid::PointMass),
         ("slender_rod(2)", Solid::SlenderRod(2.0)),
@@ -233,7 +233,7 @@ mod tests {
         ("cone(2, 3)", Solid::Cone(2.0, 3.0)),
     ];
 
-    /// Every shape in the plane but polygons, with the outline that draws it.
+    /// Every shape in the plane except polygons, with its outline.
     const OUTLINES: [(&str, Outline<f64>); 13] = [
         ("point_mass()", Outline::PointMass),
         ("slender_rod(2)", Outline::SlenderRod(2.0)),
@@ -250,7 +250,7 @@ mod tests {
         ("polygon((0, 0), (2, 0), (0, 2))", Outline::Polygon(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])),
     ];
 
-    /// Hands out the items of a declaration at a position; no number may be left.
+    /// Visits the items of a declaration at a position, and checks that no number is left.
     fn items<D: NumberedSpace>(text: &str, visit: &mut dyn FnMut(Item<'_, f64, D>)) {
         let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
         let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{text}: {report}")));

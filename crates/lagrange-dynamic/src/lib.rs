@@ -1,9 +1,9 @@
-//! Motions of systems that are declared in text and read at run time.
+//! Motions of systems declared in text and read at run time.
 //!
-//! A [`DeclaredSystem`] is what the macro would emit a type for, as interpreted programs. It is
-//! visited as a [`DynamicSystem`], which implements the traits of emitted types. Simulations,
-//! methods, events, files and plots are therefore those of `lagrange-runtime`. Their results have
-//! the bits of the compiled type.
+//! A [`DeclaredSystem`] consists of interpreted programs instead of the type emitted by the macro.
+//! It is visited as a [`DynamicSystem`], which implements the traits of emitted types. Simulations,
+//! methods, events, files and plots are therefore those of `lagrange-runtime`. Results are
+//! bit-identical to those of the compiled type.
 //!
 //! ```
 //! use lagrange_core::derive::StrategyChoice;
@@ -34,10 +34,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The interpreter takes some times as long as compiled code. [`DeclaredSystem::compiled_by`] takes
-//! a compiler in its place, such as that of `lagrange-jit`; `docs/performance.md` has numbers.
-//! Contacts, friction and functions of the user's crate are [refused](Refusal). Numbers are `f64`,
-//! whatever scalar the declaration names.
+//! The interpreter is several times slower than compiled code. [`DeclaredSystem::compiled_by`]
+//! replaces it by a compiler, such as that of `lagrange-jit`; timings are in `docs/performance.md`.
+//! Contacts, friction and functions of the user's crate are [rejected](Refusal). Numbers are `f64`,
+//! whatever scalar type is declared.
 //!
 //! Users of the macro do not compile this crate.
 #![forbid(unsafe_code)]

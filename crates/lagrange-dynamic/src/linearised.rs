@@ -1,4 +1,4 @@
-//! Derivatives of interpreted systems, from which equilibria and linear models are found.
+//! Derivatives of interpreted systems for equilibria and linear models.
 
 use lagrange_runtime::constraint::ConstrainedSystem;
 use lagrange_runtime::system::{LinearisedSystem, MatrixLayout};

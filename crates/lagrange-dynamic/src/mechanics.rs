@@ -75,7 +75,7 @@ impl<const CAPACITY: usize> LagrangianSystem for DynamicSystem<CAPACITY> {
     }
 }
 
-/// The state has no fields for its names; it is the vector itself.
+/// The state has no named fields; it is the vector itself.
 impl<const CAPACITY: usize> NamedSystem for DynamicSystem<CAPACITY> {
     type NamedState = Inline<CAPACITY>;
 }
@@ -94,7 +94,7 @@ impl<const CAPACITY: usize> ControlledSystem for DynamicSystem<CAPACITY> {
         Inline::of(&self.numeric.fields()[self.programs().layout.parameters..])
     }
 
-    /// Inputs for which there is no number are NaN, as all are if there are too many.
+    /// Inputs without a number are NaN; if there are too many numbers, all inputs are NaN.
     fn with_inputs(&self, inputs: Inline<CAPACITY>) -> Self {
         let (layout, given) = (self.programs().layout, inputs.as_ref());
         let mut system = self.clone();

@@ -11,9 +11,9 @@ use lagrange_runtime::simulate::{Drive, Simulation, SimulationError, Trajectory}
 
 use crate::system::DynamicSystem;
 
-/// Tolerated error of a step if none is given.
+/// Default error tolerance of a step.
 const TOLERANCE: f64 = 1e-9;
-/// Names of the methods; the last two are those for noise.
+/// Names of the methods; the last two are for noise.
 pub(crate) const NAMES: [&str; 6] = ["verner", "radau", "rk4", "gauss", "maruyama", "stochastic"];
 
 /// A method of integration with its settings.
@@ -21,12 +21,12 @@ pub(crate) const NAMES: [&str; 6] = ["verner", "radau", "rk4", "gauss", "maruyam
 pub enum MethodChoice {
     /// Verner's pair of orders 9 and 8, `verner`.
     Verner {
-        /// Tolerated error of a step.
+        /// Error tolerance of a step.
         tolerance: f64,
     },
     /// The Radau IIA method of order 5 for stiff systems, `radau`.
     Radau {
-        /// Tolerated error of a step.
+        /// Error tolerance of a step.
         tolerance: f64,
     },
     /// The classical Runge–Kutta method of order 4, `rk4`.
@@ -56,8 +56,8 @@ pub enum MethodChoice {
 }
 
 impl MethodChoice {
-    /// Returns the method of a name, of which `verner` is the default. Those of equal steps need a
-    /// step, others may have a tolerance. The seed of noise is zero.
+    /// Returns the method with a name, `verner` by default. Methods with constant steps need a
+    /// step; others accept a tolerance. The seed of noise is zero.
     ///
     /// # Errors
     /// If there is no such method, or it needs other settings.
@@ -90,7 +90,7 @@ impl MethodChoice {
 }
 
 impl MethodChoice {
-    /// Returns the method with this seed of the noise; the same for methods without noise.
+    /// Returns the method with this seed of the noise; methods without noise are unchanged.
     #[must_use]
     pub fn with_seed(self, seed: u64) -> MethodChoice {
         match self {
@@ -105,7 +105,7 @@ impl MethodChoice {
     /// Runs a simulation by this method.
     ///
     /// # Errors
-    /// As those of [`Simulation::run`].
+    /// If the run fails, as in [`Simulation::run`].
     pub fn run<const CAPACITY: usize, K, D>(
         self,
         simulation: Simulation<'_, DynamicSystem<CAPACITY>, K, D>,
@@ -136,13 +136,13 @@ impl MethodChoice {
     }
 }
 
-/// The reason why a name and settings are no method.
+/// The reason why a name and settings do not specify a method.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum MethodError {
     /// There is no method of this name.
     Unknown(String),
-    /// The method has no such setting.
+    /// The method does not have this setting.
     Useless {
         /// Name of the method.
         method: String,

@@ -17,7 +17,8 @@ use lagrange_runtime::system::{
 use crate::inline::{Inline, Rows};
 use crate::system::DynamicSystem;
 
-/// A mass matrix of more velocities is not asked whether it is singular, as in emitted code.
+/// Maximum number of velocities for which the mass matrix is tested for singularity, as in emitted
+/// code.
 const LARGEST_MASS_MATRIX: usize = 64;
 
 impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
@@ -39,7 +40,7 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         })
     }
 
-    /// The mass matrix, where it determines the accelerations.
+    /// Computes the mass matrix, if it determines the accelerations.
     fn mass_matrix(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Option<Rows<CAPACITY>> {
         let layout = &self.programs().layout;
         let determines = layout.multipliers == 0 && layout.velocities <= LARGEST_MASS_MATRIX;
@@ -48,12 +49,12 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         Some(Rows::of(&entries, layout.velocities))
     }
 
-    /// The periods of the clocks.
+    /// Computes the periods of the clocks.
     fn periods(&self) -> impl Iterator<Item = f64> {
         self.programs().clocks.iter().map(|clock| self.numeric.evaluate(&clock.period, 0.0, &[], &[])[0])
     }
 
-    /// The values of algebraic unknowns, by name.
+    /// Computes the values of algebraic unknowns, by name.
     fn unknowns(&self, t: f64, y: &Inline<CAPACITY>) -> Vec<(&'static str, f64)> {
         let values = self.evaluate(&self.programs().unknown_values, t, y);
         self.names.unknowns.iter().copied().zip(values).collect()

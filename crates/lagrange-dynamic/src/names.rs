@@ -1,7 +1,7 @@
-//! Names of systems that are read at run time.
+//! Names of systems read at run time.
 //!
-//! Failures and tables hold names as `&'static str`, as those of emitted types are. Names are
-//! therefore kept for good, once for all systems with the same ones.
+//! Failures and tables store names as `&'static str`, like those of emitted types. Names are
+//! therefore leaked, once for all systems with the same names.
 
 use std::collections::HashMap;
 #[cfg(feature = "fit")]
@@ -20,15 +20,15 @@ type Texts = &'static [&'static str];
 pub(crate) struct Names {
     /// Names and units of the variables.
     pub(crate) description: Description,
-    /// Parameters, then inputs.
+    /// Names of parameters, then inputs.
     pub(crate) fields: Texts,
-    /// Inputs, columns of outputs, constraints.
+    /// Names of inputs, columns of outputs, and constraints.
     pub(crate) layout: MatrixLayout,
-    /// Declared events, then those of switches.
+    /// Declared events, then the events of switches.
     pub(crate) events: &'static [DeclaredEvent],
-    /// Algebraic unknowns.
+    /// Names of algebraic unknowns.
     pub(crate) unknowns: Texts,
-    /// Entries of the state.
+    /// Names of entries of the state.
     #[cfg(feature = "fit")]
     state: Texts,
     #[cfg(feature = "fit")]
@@ -37,8 +37,8 @@ pub(crate) struct Names {
 
 #[cfg(feature = "fit")]
 impl Names {
-    /// Returns the description of states with this number of entries. Those behind the declared
-    /// ones have names that no declaration has. The number is always the same for the same names.
+    /// Returns the description of states with this number of entries. Additional entries have names
+    /// that no declaration can contain. The number is always the same for the same names.
     pub(crate) fn filled(&'static self, entries: usize) -> &'static Description {
         self.filled.get_or_init(|| {
             let velocities = self.state[self.description.coordinates.len()..].iter().copied();
@@ -47,7 +47,7 @@ impl Names {
         })
     }
 
-    /// Returns the name of a parameter, an input or an entry of the state that is kept for good.
+    /// Returns the static name of a parameter, an input or an entry of the state.
     pub(crate) fn known(&self, name: &str) -> Option<&'static str> {
         self.fields.iter().chain(self.state).copied().find(|known| *known == name)
     }

@@ -1,23 +1,23 @@
-//! Systems and starts that cannot be run, and names that a system does not have.
+//! Errors for systems and initial states that cannot be run, and for unknown names.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-/// The reason why a system is not run.
+/// The reason why a system cannot be run.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// It declares rigid contacts or friction with these names.
+    /// The system declares rigid contacts or friction with these names.
     Touching(Vec<String>),
-    /// It delays signals, which are the inputs of these names.
+    /// The system delays signals, the inputs with these names.
     Delays(Vec<String>),
-    /// It calls these functions of the user's crate.
+    /// The system calls these functions of the user's crate.
     Functions(Vec<String>),
-    /// Its state has more entries than there is room for.
+    /// The system exceeds the supported size.
     TooLarge {
-        /// Entries of the state, or constraints or inputs if there are more of these.
+        /// Number of entries of the state, or of constraints or inputs if larger.
         entries: usize,
-        /// The largest number.
+        /// Maximum number of entries.
         most: usize,
     },
 }
@@ -49,7 +49,7 @@ impl Error for Refusal {}
 pub struct NoSuchName {
     /// The name.
     pub name: String,
-    /// The names that there are.
+    /// Known names.
     pub known: Vec<String>,
 }
 
@@ -64,7 +64,7 @@ impl Display for NoSuchName {
 
 impl Error for NoSuchName {}
 
-/// The reason why no state follows from the values of its entries.
+/// The reason why values of entries do not determine a state.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum StartError {

@@ -1,4 +1,4 @@
-//! Runs with settings that are known at run time.
+//! Runs with settings specified at run time.
 
 use lagrange_runtime::integrate::Verner98;
 use lagrange_runtime::simulate::{Simulate, Simulation};
@@ -9,22 +9,22 @@ use crate::system::DynamicSystem;
 /// The settings of a run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RunSettings {
-    /// State at the start: positions, then velocities.
+    /// Initial state: positions, then velocities.
     pub start: Vec<f64>,
-    /// Time of the start.
+    /// Initial time.
     pub from: f64,
-    /// Time of the end.
+    /// Final time.
     pub until: f64,
-    /// Interval of the samples; those after each step if it is `None`.
+    /// Interval of the samples; one sample per step if it is `None`.
     pub every: Option<f64>,
-    /// The method, by which [`MethodChoice::run`] runs the simulation.
+    /// Method, with which [`MethodChoice::run`] runs the simulation.
     pub method: MethodChoice,
-    /// True if the energy is a column. The system must have it.
+    /// True if the energy is a column. The system must provide it.
     pub has_energy: bool,
 }
 
 impl RunSettings {
-    /// Returns the simulation of a system with these settings, but for the method. Declared outputs
+    /// Returns the simulation of a system with these settings except the method. Declared outputs
     /// are columns.
     pub fn simulation<'a, const CAPACITY: usize>(
         &self,

@@ -1,4 +1,4 @@
-//! Declarations in files of Rust.
+//! Declarations in Rust files.
 
 use std::ops::Range;
 
@@ -8,15 +8,15 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 struct Declaration {
     /// Name of the struct; empty if it has none.
     name: String,
-    /// Bytes between the braces.
+    /// Byte range between the braces.
     inside: Range<usize>,
 }
 
-/// Returns a text in which all but one declaration is blank, so that everything keeps its place.
-/// Texts that are a declaration, or hold none, stay as they are.
+/// Blanks everything except one declaration, which keeps its position. Texts without the macro stay
+/// unchanged.
 ///
 /// # Errors
-/// If there are several and none is named, or none has the name.
+/// If there are several and no name is given, or none has the name.
 pub(crate) fn with_declaration(text: &str, name: Option<&str>) -> Result<String, String> {
     let declarations = declarations(text);
     let names = || declarations.iter().map(|one| format!("`#{}`", one.name)).collect::<Vec<_>>().join(", ");
@@ -34,7 +34,7 @@ pub(crate) fn with_declaration(text: &str, name: Option<&str>) -> Result<String,
     }
 }
 
-/// Blanks everything before a declaration, and leaves out what is behind it.
+/// Blanks everything before a declaration, and removes everything after it.
 fn alone(text: &str, declaration: &Declaration) -> String {
     let blank = |c: char| if c == '\n' { c } else { ' ' };
     let before = text.get(..declaration.inside.start).unwrap_or_default();
@@ -45,7 +45,7 @@ fn alone(text: &str, declaration: &Declaration) -> String {
         .collect()
 }
 
-/// Returns all declarations, in their order; none if the text does not consist of tokens.
+/// Returns all declarations in order; none if the text is not a sequence of tokens.
 fn declarations(text: &str) -> Vec<Declaration> {
     let mut found = Vec::new();
     let mut open: Vec<TokenStream> = text.parse().into_iter().collect();
@@ -61,7 +61,7 @@ fn declarations(text: &str) -> Vec<Declaration> {
     found
 }
 
-/// Reads `system`, `!` and braces.
+/// Parses `system`, `!` and braces.
 fn declaration(tokens: &[TokenTree]) -> Option<Declaration> {
     let [TokenTree::Ident(macro_name), TokenTree::Punct(mark), TokenTree::Group(group)] = tokens else {
         return None;
@@ -71,7 +71,7 @@ fn declaration(tokens: &[TokenTree]) -> Option<Declaration> {
     is_one.then(|| Declaration { name: name(group.stream()), inside })
 }
 
-/// Returns the word behind `struct`.
+/// Returns the word after `struct`.
 fn name(tokens: TokenStream) -> String {
     let mut behind = tokens.into_iter().skip_while(|token| token.to_string() != "struct").skip(1);
     behind.next().map(|token| token.to_string()).unwrap_or_default()

@@ -1,5 +1,5 @@
-//! Texts that hold a declaration, alone or in the macro `lagrange::system! { … }` of a file of
-//! Rust.
+//! Texts that contain a declaration, either alone or in the macro `lagrange::system! { … }` of a
+//! Rust file.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -12,23 +12,24 @@ use lagrange_core::tables::FileText;
 
 use crate::rust_file::with_declaration;
 
-/// A text with the place that it was read from.
+/// A text and its origin.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Source {
     /// Name of the file in messages.
     pub name: String,
-    /// Content.
+    /// Content of the file.
     pub text: String,
-    /// Folder where its tables are.
+    /// Folder of its tables.
     pub folder: PathBuf,
 }
 
 impl Source {
-    /// Reads a file. Where a file of Rust holds several declarations, its path names one:
+    /// Reads a file. If a Rust file contains several declarations, its path must name one:
     /// `film.rs#CartPole`.
     ///
     /// # Errors
-    /// The name of the file and the reason why it cannot be read, or which declarations it holds.
+    /// If the file cannot be read, with its name and the reason, or if the declaration is ambiguous
+    /// or missing, with the existing ones.
     pub fn read(path: &Path) -> Result<Source, String> {
         let (path, declaration) = parts(path);
         let name = path.display().to_string();
@@ -48,30 +49,30 @@ impl Source {
     /// Parses and checks the declaration.
     ///
     /// # Errors
-    /// All mistakes in it and in its tables.
+    /// With all errors in it and in its tables.
     pub fn system(&self) -> Result<System, Report> {
         self.parsed(&without_macro(&self.text))
     }
 
-    /// Parses and checks the declaration, and requests one more product of it, such as `drawing`.
+    /// Parses and checks the declaration, with an additional product such as `drawing`.
     ///
     /// # Errors
-    /// All mistakes in it and in its tables, and the reason why it has no such product.
+    /// With all errors in it and in its tables, or the reason why it cannot have this product.
     pub fn system_with(&self, product: &str) -> Result<System, Report> {
         let longer = format!("{}\nemit {{ {product} }}", without_macro(&self.text));
         self.parsed(&longer)
     }
 
-    /// Derives the equations with the derivatives of rates and outputs by state and inputs.
+    /// Derives the equations with the derivatives of rates and outputs with respect to state and
+    /// inputs.
     ///
     /// # Errors
-    /// All mistakes, and the reason why there are no derivatives, as with clocks.
+    /// With all errors, or the reason why there are no derivatives, for example clocks.
     pub fn linearised(&self) -> Result<Derived, Report> {
         self.system_with("system_matrix")?.derive(StrategyChoice::Cheapest)
     }
 
-    /// Returns the paths of all files that the declaration includes, also of those that cannot be
-    /// read; each once.
+    /// Returns the paths of all included files without repetition, including unreadable ones.
     pub fn included(&self) -> Vec<PathBuf> {
         let paths = RefCell::new(Vec::new());
         let table = |path: &str| {
@@ -81,13 +82,13 @@ impl Source {
             }
             files::read(&self.folder, path)
         };
-        // Mistakes are those of the command that reads the declaration.
+        // Errors are reported by the command that reads the declaration.
         drop(parse_with(&without_macro(&self.text), &table));
         paths.into_inner()
     }
 
     fn parsed(&self, text: &str) -> Result<System, Report> {
-        // Code that is written holds the points of tables, so it is compiled without their files.
+        // Written code contains the points of tables, and is compiled without their files.
         let table = |path: &str| {
             let file = files::read(&self.folder, path)?;
             Ok(FileText { path: String::new(), ..file })
@@ -96,13 +97,13 @@ impl Source {
     }
 }
 
-/// Splits a path into that of the file and the name of a declaration.
+/// Splits a path into the path of the file and the name of a declaration.
 fn parts(path: &Path) -> (&Path, Option<&str>) {
     let split = path.to_str().and_then(|text| text.rsplit_once('#')).filter(|_| !path.exists());
     split.map_or((path, None), |(file, name)| (Path::new(file), Some(name)))
 }
 
-/// Blanks the macro around a declaration, if there is one alone.
+/// Blanks the macro around a declaration, if there is exactly one.
 fn without_macro(text: &str) -> String {
     with_declaration(text, None).unwrap_or_else(|_| text.to_owned())
 }

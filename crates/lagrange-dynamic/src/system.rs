@@ -11,7 +11,7 @@ use lagrange_runtime::system::StateVector;
 use crate::inline::Inline;
 use crate::names::Names;
 
-/// An interpreted system whose states have room for `CAPACITY` entries.
+/// An interpreted system with states of at most `CAPACITY` entries.
 #[derive(Clone, Debug)]
 pub struct DynamicSystem<const CAPACITY: usize> {
     pub(crate) numeric: NumericSystem,
@@ -31,7 +31,7 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
     /// Returns the state of these entries, positions first.
     ///
     /// # Panics
-    /// If there are fewer entries than positions, or more than there is room for.
+    /// If there are fewer entries than positions, or more than `CAPACITY`.
     pub fn state(&self, entries: &[f64]) -> Inline<CAPACITY> {
         let (positions, velocities) = entries.split_at(self.programs().layout.positions);
         Inline::joined(positions, velocities)
@@ -49,7 +49,7 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
     }
 }
 
-/// The places behind the last switch are not finite, and so never fixed.
+/// Slots after the last switch are not finite, and therefore never fixed.
 impl<const CAPACITY: usize> SwitchedSystem<MAX_LOCATED> for DynamicSystem<CAPACITY> {
     const FIRST: usize = 0;
 

@@ -1,15 +1,15 @@
-//! Largest numbers and sizes that a declaration may have, all in one place.
+//! Limits on the numbers and sizes of a declaration, all in one place.
 //!
-//! Each is checked before the work that it bounds. The table in the description of the language
-//! lists them with their messages, and a test provokes every one of these. Budgets inside
-//! algorithms, beyond which an expression stays as it is, are not among them.
+//! Each limit is checked before the work that it bounds. The table in the language reference lists
+//! them with their messages, and a test triggers each of these. Budgets inside algorithms, beyond
+//! which an expression stays unchanged, are not included.
 
-/// Bracket groups and conditions inside each other. Nothing else is read by recursion, except for
-/// the few tokens that are handed to `syn`.
+/// Nesting of bracket groups and conditions. Nothing else is parsed recursively, except for the few
+/// tokens passed to `syn`.
 pub const MAX_NESTING: u32 = 64;
 
-/// Indices behind a name. Emitted types hold arrays in arrays, which the compiler of Rust walks by
-/// recursion.
+/// Indices after a name. Emitted types contain nested arrays, which the Rust compiler traverses
+/// recursively.
 pub const MAX_INDICES: usize = 8;
 
 /// Characters of a number, whose value is kept exactly.
@@ -24,13 +24,13 @@ pub const MAX_NUMBER_BITS: u64 = 20_000;
 /// Exponent of a unit.
 pub const MAX_UNIT_EXPONENT: i64 = 99;
 
-/// Statements and terms that loops and sums stand for.
+/// Statements and terms in the expansion of loops and sums.
 pub const MAX_WRITTEN_OUT: u64 = 200_000;
 
-/// Parts in each other.
+/// Nesting of parts.
 pub const MAX_PARTS_NESTED: usize = 32;
 
-/// Loops, conditions and parts in each other, as they are expanded: by recursion.
+/// Nesting of loops, conditions and parts, which are expanded recursively.
 pub const MAX_EXPANDED_NESTING: usize = 256;
 
 /// Placements of parts.
@@ -39,54 +39,55 @@ pub const MAX_PLACED: usize = 20_000;
 /// Elements of arrays, most of which are fields of the emitted type and names in its methods.
 pub const MAX_ELEMENTS: u64 = 20_000;
 
-/// Terms that calls of functions stand for.
+/// Terms in the expansion of function calls.
 pub const MAX_INLINED: u64 = 200_000;
 
 /// Points of a table.
 pub const MAX_POINTS: usize = 100_000;
 
-/// Bytes of a table file: enough for the largest table, and read by an unoptimised macro in
+/// Bytes of a table file: sufficient for the largest table, which an unoptimised macro reads in
 /// seconds.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
 
-/// Bytes of all files of parts together.
+/// Total bytes of all files of parts.
 pub const MAX_PART_BYTES: u64 = 1 << 20;
 
 /// Steps of Newton's method for an algebraic unknown.
 pub const MAX_ITERATIONS: i32 = 1_000;
 
-/// Branches of a combined condition, once it is written as choices by one comparison each.
+/// Branches of a combined condition after its conversion to choices by single comparisons.
 pub const MAX_BRANCHES: u64 = 100;
 
-/// Algebraic unknowns that are solved for together, whose derivatives are written by Cramer's rule.
+/// Jointly solved algebraic unknowns, whose derivatives are written by Cramer's rule.
 pub const MAX_COUPLED: usize = 8;
 
 /// Events of a declaration.
 pub const MAX_EVENTS: usize = 64;
 
-/// Events and switches together that runs can look for; more switches are stepped across.
+/// Total number of events and switches located by runs; further switches are stepped across.
 pub const MAX_LOCATED: usize = 64;
 
-/// Velocities, as matrices have an entry for each pair of them.
+/// Velocities, since matrices have an entry for each pair.
 pub const MAX_VELOCITIES: usize = 2_000;
 
-/// First-order states, each of which has an equation as velocities do.
+/// First-order states, each with an equation like a velocity.
 pub const MAX_STATES: usize = 2_000;
 
 /// Constraints, which are compared with each other.
 pub const MAX_CONSTRAINTS: usize = 1_000;
 
-/// Constraints beyond the number of velocities: all of them are coupled with each other.
+/// Constraints in excess of the number of velocities, all of which are coupled with each other.
 pub const MAX_DEPENDENT_CONSTRAINTS: usize = 20;
 
 /// Outputs, each of which is a method.
 pub const MAX_OUTPUTS: usize = 5_000;
 
-/// Operations of emitted code: reading more takes minutes and as much memory as many machines have.
+/// Operations of emitted code; parsing more takes minutes, and exhausts the memory of many
+/// machines.
 pub const MAX_OPERATIONS: usize = 2_000_000;
 
-/// Operations from which on compiling takes more than about five seconds, which is worth a warning.
+/// Operations above which compilation takes more than about five seconds, which triggers a warning.
 pub const MANY_OPERATIONS: usize = 80_000;
 
-/// White noises, whose increments methods of integration keep without a heap.
+/// White noises, whose increments are stored without heap allocation.
 pub const MAX_NOISES: usize = 16;

@@ -1,4 +1,4 @@
-//! Names and the role each plays in a system.
+//! Names and their roles in a system.
 
 use crate::collections::OrderedMap;
 
@@ -6,24 +6,23 @@ use crate::collections::OrderedMap;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct SymbolId(u32);
 
-/// Meaning of a symbol; the number is its index among its kind, in declaration order.
+/// Role of a symbol; the number is its index among its kind, in declaration order.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Role {
     /// A run-time parameter: constant during the motion.
     Parameter(u32),
     /// A control: like a parameter for the calculus, but its rate is unknown.
     Input(u32),
-    /// A white noise, whose values are not those of a function of time.
+    /// A white noise, which is not a function of time.
     Noise(u32),
     /// Time `t`.
     Time,
     /// A position: a generalised coordinate, or a component of a unit quaternion.
     Coordinate(u32),
-    /// A first-order state, a position that no velocity displaces; the number is its index among
-    /// all positions.
+    /// A first-order state, a position independent of velocities; the number is its index among all
+    /// positions.
     State(u32),
-    /// A state that only events change, and that is constant between them; the number is its index
-    /// among all positions.
+    /// A state that only changes at events; the number is its index among all positions.
     Discrete(u32),
     /// A generalised velocity: the rate of a coordinate, or a component of an angular velocity.
     Velocity(u32),
@@ -42,12 +41,12 @@ pub enum Role {
     Placeholder(u32),
 }
 
-/// A symbol: its name as the user wrote it, and its role.
+/// A symbol: its name as written by the user, and its role.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Symbol {
-    /// The name; for a rate that of what changes.
+    /// Name; for a rate, the name of the changing quantity.
     pub name: String,
-    /// The role.
+    /// Role of the symbol.
     pub role: Role,
     /// Number of dots over the name: the order of its derivative with respect to time.
     pub dots: u8,
@@ -74,7 +73,7 @@ impl Symbol {
 }
 
 impl Role {
-    /// Number of dots over the name of a coordinate that the symbol is a rate of.
+    /// Returns the number of dots over the name of the coordinate whose rate the symbol is.
     fn dots(self) -> u8 {
         match self {
             Role::Velocity(_) => 1,
@@ -103,7 +102,7 @@ impl Symbols {
         SymbolId(self.by_role.index_or_insert_with(role, symbol) as u32)
     }
 
-    /// Returns the symbol behind an id of this table.
+    /// Returns the symbol with an id of this table.
     pub fn get(&self, id: SymbolId) -> &Symbol {
         self.by_role.value_at(id.0 as usize)
     }

@@ -1,4 +1,4 @@
-//! Archives without compression, whose bytes depend on the files alone.
+//! Archives without compression, whose bytes depend only on the files.
 
 use std::io::{self, Cursor, Write};
 

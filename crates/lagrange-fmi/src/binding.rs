@@ -1,4 +1,4 @@
-//! The names by which the functions of the standard call the module.
+//! The names through which the functions of the standard call the module.
 
 use lagrange_core::pipeline::{Programs, Reaction};
 use lagrange_core::syntax::ast::Direction;
@@ -44,7 +44,7 @@ fn sizes(programs: &Programs) -> String {
     sizes.map(|(name, size)| format!("#define {name} {size}\n")).concat()
 }
 
-/// Returns an array; C has none without entries.
+/// Returns an array; an empty one gets a zero, since C has no empty arrays.
 fn array(kind: &str, name: &str, values: impl Iterator<Item = String>) -> String {
     let values = values.collect::<Vec<_>>();
     let values = if values.is_empty() { "0".to_owned() } else { values.join(", ") };
@@ -90,7 +90,7 @@ fn arrays(programs: &Programs, start: &Start, variables: &[Variable]) -> String 
     .concat()
 }
 
-/// Bounds that a field may not have itself: 1 for the lower, 2 for the upper one.
+/// Returns the excluded bounds of each field: 1 for the lower, 2 for the upper one.
 fn excluded(programs: &Programs) -> impl Iterator<Item = String> {
     let is_excluded = |bound: Option<(f64, bool)>| bound.is_some_and(|(_, is_included)| !is_included);
     let of = move |field: usize| {
@@ -109,7 +109,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Functions that exist whether the module has them or not.
+/// Returns the functions that exist regardless of the module.
 fn functions(name: &str, programs: &Programs) -> String {
     let (variables, events) = (&programs.variables, programs.variables.events.len());
     let call = |exists: bool, function: &str, out: &str| match exists {
@@ -171,7 +171,7 @@ fn function(name: &str, signature: &str, body: &str) -> String {
     format!("\nstatic void {name}{signature}\n{{\n    {unused};\n{body}}}\n")
 }
 
-/// A function that calls one of several by its index.
+/// Returns a function that calls one of several by its index.
 fn chosen(name: &str, function_name: &str, indices: &[usize]) -> String {
     let case = |index: &usize| {
         format!("    if (index == {index})\n        {name}_{function_name}_{index}(t, y, p, out);\n")

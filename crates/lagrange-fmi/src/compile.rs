@@ -10,13 +10,13 @@ use crate::version::Version;
 /// A compiled library.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Binary {
-    /// Its path in the archive, such as `binaries/linux64/swing.so`.
+    /// Path in the archive, such as `binaries/linux64/swing.so`.
     pub path: String,
-    /// Its content.
+    /// Content of the library.
     pub bytes: Vec<u8>,
 }
 
-/// Compiles sources in a folder of their own.
+/// Compiles sources in a temporary folder.
 pub(crate) fn compiled(
     (name, version): (&str, Version),
     compiler: &str,
@@ -42,7 +42,7 @@ fn library_of(
     }
     let mut words = compiler.split_whitespace();
     let mut command = Command::new(words.next().unwrap_or("cc"));
-    // Without contraction, results are those of other machines.
+    // Without contraction, results equal those of other machines.
     command.args(words).args(["-std=c99", "-O2", "-ffp-contract=off", "-shared", "-fvisibility=hidden"]);
     if cfg!(unix) {
         command.arg("-fPIC");

@@ -6,7 +6,7 @@ use lagrange_core::pipeline::{Layout, Place, Programs};
 use lagrange_core::program::{Op, Program, ValueId};
 use lagrange_core::symbol::Role;
 
-/// Returns the numbers that a result of a program is made of.
+/// Returns the roles of the arguments of a program's result.
 fn roles(program: &Program, output: usize) -> BTreeSet<Role> {
     let mut found = BTreeSet::new();
     let mut seen = BTreeSet::new();
@@ -23,7 +23,7 @@ fn roles(program: &Program, output: usize) -> BTreeSet<Role> {
     found
 }
 
-/// Dependencies of results, also through sides, accelerations and multipliers.
+/// Dependencies of results, including those through sides, accelerations and multipliers.
 pub(crate) struct Dependencies<'a> {
     programs: &'a Programs,
 }
@@ -33,7 +33,7 @@ impl<'a> Dependencies<'a> {
         Dependencies { programs }
     }
 
-    /// Returns the numbers that a result depends on in the end.
+    /// Returns the roles that a result ultimately depends on.
     fn of(&self, program: &Program, output: usize) -> BTreeSet<Role> {
         let programs = self.programs;
         let mut found = BTreeSet::new();
@@ -48,7 +48,7 @@ impl<'a> Dependencies<'a> {
         found
     }
 
-    /// Returns the places that a rate depends on: entries of the state, then of the fields.
+    /// Returns the indices that a rate depends on: entries of the state, then fields.
     pub(crate) fn of_rate(&self, index: usize) -> BTreeSet<usize> {
         let positions = self.programs.layout.positions;
         places(
@@ -60,7 +60,7 @@ impl<'a> Dependencies<'a> {
         )
     }
 
-    /// Returns the places that each output depends on.
+    /// Returns the indices that each output depends on.
     pub(crate) fn of_outputs(&self) -> Vec<BTreeSet<usize>> {
         let outputs = self.programs.outputs.iter();
         let all = outputs.flat_map(|(_, program)| {
@@ -69,7 +69,7 @@ impl<'a> Dependencies<'a> {
         all.collect()
     }
 
-    /// Returns true for each entry of the state whose declared start follows from parameters.
+    /// Returns true for each entry of the state whose declared initial value depends on parameters.
     pub(crate) fn of_start(&self) -> Vec<bool> {
         let states = self.programs.layout.positions + self.programs.layout.velocities;
         let follows =

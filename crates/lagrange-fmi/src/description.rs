@@ -1,4 +1,4 @@
-//! The description of a unit in XML.
+//! The XML description of a unit.
 
 use std::collections::BTreeSet;
 
@@ -9,15 +9,15 @@ use crate::quantities::Definitions;
 use crate::variables::{Kind, Variable};
 use crate::version::Version;
 
-/// The heads of a description.
+/// The header data of a description.
 pub(crate) struct Heading<'a> {
     pub(crate) version: Version,
     /// Name of the library.
     pub(crate) identifier: &'a str,
     pub(crate) guid: &'a str,
-    /// Tolerance of runs that set none.
+    /// Default tolerance of runs.
     pub(crate) tolerance: f64,
-    /// Source files that are compiled.
+    /// Source files to compile.
     pub(crate) sources: Vec<&'a str>,
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn description(
     )
 }
 
-/// The elements of model exchange and of co-simulation.
+/// Returns the elements of model exchange and of co-simulation.
 fn kinds(programs: &Programs, heading: &Heading<'_>) -> String {
     let has_derivatives = programs.linearised.is_some();
     let (provided, content) = match heading.version {
@@ -94,7 +94,7 @@ fn files(element: &str, sources: &[&str]) -> String {
     sources.iter().map(|file| format!("      <{element} name=\"{file}\"/>\n")).collect()
 }
 
-/// Returns the description of the compilation, a file of its own since version 3.0.
+/// Returns the build description, a separate file since version 3.0.
 pub(crate) fn build(version: Version, identifier: &str, sources: &[&str]) -> Option<String> {
     let text = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  \
@@ -105,7 +105,7 @@ pub(crate) fn build(version: Version, identifier: &str, sources: &[&str]) -> Opt
     (version == Version::Three).then_some(text)
 }
 
-/// Returns `structured` if the names have the form that this asks for.
+/// Returns `structured` if all names have the required form.
 fn convention(variables: &[Variable]) -> &'static str {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "_.[](,)".contains(c);
     match variables.iter().all(|variable| variable.name.chars().all(is_plain)) {
@@ -114,7 +114,7 @@ fn convention(variables: &[Variable]) -> &'static str {
     }
 }
 
-/// The element of a variable.
+/// Returns the element of a variable.
 fn written(version: Version, reference: usize, variable: &Variable) -> String {
     let (role, value) = match variable.kind {
         Kind::State(value, false) => ("causality=\"local\" initial=\"exact\"", start(value)),
@@ -152,8 +152,8 @@ fn start(value: f64) -> String {
     format!(" start=\"{value:?}\"")
 }
 
-/// Returns the number by which other elements name a variable: its place, which starts at 1, or
-/// since version 3.0 its value reference.
+/// Returns the number by which other elements refer to a variable: its one-based index, or since
+/// version 3.0 its value reference.
 fn number(version: Version, reference: usize) -> usize {
     match version {
         Version::Two => reference + 1,
@@ -161,7 +161,7 @@ fn number(version: Version, reference: usize) -> usize {
     }
 }
 
-/// The order of outputs, rates, unknowns at the start and indicators, with what they depend on.
+/// Returns the order of outputs, rates, initial unknowns and indicators, with their dependencies.
 fn structure(version: Version, dependencies: &Dependencies<'_>, variables: &[Variable]) -> String {
     let of_kind = |wanted: fn(Kind) -> bool| {
         let all = variables.iter().enumerate();
@@ -193,11 +193,10 @@ fn structure(version: Version, dependencies: &Dependencies<'_>, variables: &[Var
     format!("  <ModelStructure>\n{}  </ModelStructure>\n", lists.collect::<String>())
 }
 
-/// Value references of unknowns, with the numbers of what they depend on.
+/// Value references of unknowns, with the numbers of their dependencies.
 type Unknowns = Vec<(usize, Option<Vec<usize>>)>;
 
-/// A list in an element of its own, as version 2.0 has it; nothing without a name or without
-/// unknowns.
+/// Returns a list in its own element, as in version 2.0; empty without a name or unknowns.
 fn nested(list: &str, unknowns: &Unknowns) -> String {
     match list.is_empty() || unknowns.is_empty() {
         true => String::new(),
@@ -208,7 +207,7 @@ fn nested(list: &str, unknowns: &Unknowns) -> String {
     }
 }
 
-/// The elements of unknowns, which begin alike.
+/// Returns the elements of unknowns, which have a common prefix.
 fn elements(head: &str, version: Version, unknowns: &Unknowns) -> String {
     let element = |(reference, known): &(usize, Option<Vec<usize>>)| {
         let known = known.as_ref().map_or_else(String::new, |known| {
@@ -220,7 +219,7 @@ fn elements(head: &str, version: Version, unknowns: &Unknowns) -> String {
     unknowns.iter().map(element).collect()
 }
 
-/// Returns a text as the value of an attribute.
+/// Escapes a text as the value of an attribute.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }

@@ -1,4 +1,4 @@
-//! Reasons why a unit is not made.
+//! Errors in making units.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -8,21 +8,21 @@ use lagrange_c::Refusal;
 
 use crate::version::Version;
 
-/// The reason why a unit is not made.
+/// The reason why a unit was not made.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum ExportError {
-    /// The system holds what C cannot compute.
+    /// C cannot compute the system.
     Refused(Refusal),
     /// These variables have no finite value.
     WithoutValue(Vec<String>),
-    /// Two variables have this name.
+    /// Two variables share this name.
     SameName(String),
     /// This version of the standard has no name for binaries of this platform.
     Platform(Version),
     /// The compiler with this name could not be run.
     NoCompiler(String, io::Error),
-    /// The compiler with this name rejected the sources, with these words.
+    /// The compiler with this name rejected the sources, with this output.
     Compiler(String, String),
     /// Files could not be read or written.
     Files(io::Error),

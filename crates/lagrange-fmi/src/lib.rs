@@ -1,10 +1,10 @@
 //! Systems as units of the Functional Mock-up Interface 2.0 or 3.0, for model exchange and
 //! co-simulation.
 //!
-//! A unit is an archive with a description in XML, with sources, and with a library for one
-//! platform. The sources are the module that `lagrange-c` writes, and C that implements the
-//! functions of the standard: instances, and a thin layer for each version. Other platforms compile
-//! them. The same declaration and the same compiler give the same bytes.
+//! A unit is an archive with an XML description, sources, and a library for one platform. The
+//! sources are the module written by `lagrange-c`, and C code for the functions of the standard:
+//! instances, and a thin layer for each version. Other platforms can compile them. The same
+//! declaration and the same compiler give the same bytes.
 //!
 //! The standards: *Functional Mock-up Interface for Model Exchange and Co-Simulation*, version
 //! 2.0.4, Modelica Association 2022; *Functional Mock-up Interface Specification*, version 3.0.2,

@@ -1,4 +1,4 @@
-//! Units of measurement as definitions of the standard.
+//! Units of measurement as unit definitions of the FMI standard.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -6,9 +6,9 @@ use std::fmt::Write;
 use lagrange_core::syntax::parse_unit;
 use lagrange_core::units::{Unit, UnitFactor};
 
-/// Bases of the standard, in the order of the exponents of a dimension.
+/// Base units of the standard, in the order of the exponents of a dimension.
 const BASES: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
-/// Angles, which are plain numbers.
+/// Unit of angles, which are plain numbers.
 const RADIAN: &str = "rad";
 
 /// Units by name.
@@ -18,8 +18,8 @@ pub(crate) struct Definitions {
 }
 
 impl Definitions {
-    /// Defines a unit, or that of a rate in it. Returns its name; `None` for plain numbers and
-    /// unknown units.
+    /// Defines a unit, or the unit of a rate of change in it. Returns its name; `None` for plain
+    /// numbers and unknown units.
     pub(crate) fn define(&mut self, unit: Option<&str>, is_rate: bool) -> Option<String> {
         let unit = parse_unit(unit?)?;
         let unit = if is_rate { per_second(&unit)? } else { unit };
@@ -31,7 +31,7 @@ impl Definitions {
         Some(name)
     }
 
-    /// Returns the element that defines all units; nothing without any.
+    /// Returns the element that defines all units; it is empty without units.
     pub(crate) fn written(&self) -> String {
         let units = self.units.iter().map(|(name, unit)| match base(unit) {
             Some(base) => format!("    <Unit name=\"{name}\">\n      {base}\n    </Unit>\n"),
@@ -51,7 +51,8 @@ fn per_second(unit: &Unit) -> Option<Unit> {
     Unit::of(factors, unit.origin)
 }
 
-/// Returns the unit in base units; `None` if exponents are not whole, which the standard lacks.
+/// Returns the unit in base units; `None` for fractional exponents, which the standard does not
+/// support.
 fn base(unit: &Unit) -> Option<String> {
     let mut base = "<BaseUnit".to_owned();
     let radians = unit.factors.iter().find(|factor| factor.name == RADIAN).map(|factor| &factor.exponent);

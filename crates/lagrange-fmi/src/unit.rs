@@ -13,10 +13,10 @@ use crate::quantities::Definitions;
 use crate::variables::{Start, variables};
 use crate::version::Version;
 
-/// Tolerance of steps in runs that set none.
+/// Default tolerance of steps.
 const TOLERANCE: f64 = 1e-10;
 
-/// Sources that are the same for all systems and versions.
+/// Sources common to all systems and versions.
 const SOURCES: [(&str, &str); 8] = [
     ("export.h", include_str!("../sources/export.h")),
     ("instance.h", include_str!("../sources/instance.h")),
@@ -31,13 +31,13 @@ const SOURCES: [(&str, &str); 8] = [
 /// A unit of the Functional Mock-up Interface.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MockupUnit {
-    /// The version of the standard.
+    /// Version of the standard.
     pub version: Version,
-    /// The name of its library: that of the struct in lower case.
+    /// Name of the library, the name of the struct in lower case.
     pub name: String,
-    /// Its description in XML.
+    /// XML description.
     pub description: String,
-    /// Names and texts of its sources.
+    /// Names and texts of the sources.
     pub sources: Vec<(&'static str, String)>,
 }
 
@@ -45,7 +45,7 @@ impl MockupUnit {
     /// Writes the description and the sources of a system.
     ///
     /// # Errors
-    /// If C cannot compute the system, or a value at the start is missing.
+    /// If C cannot compute the system, or an initial value is missing.
     pub fn new(programs: &Programs, start: &Start, version: Version) -> Result<MockupUnit, ExportError> {
         let module = Module::new(programs, Some("model"))?;
         check(programs, start)?;
@@ -76,7 +76,7 @@ impl MockupUnit {
         Ok(MockupUnit { version, description: described(&guid, &sources), sources, name })
     }
 
-    /// Compiles the sources for this machine by a C compiler, such as `cc`.
+    /// Compiles the sources for this machine with a C compiler, such as `cc`.
     ///
     /// # Errors
     /// If the compiler does not start or rejects the sources.
@@ -84,7 +84,7 @@ impl MockupUnit {
         compiled((&self.name, self.version), compiler, &self.sources)
     }
 
-    /// Packs the unit into the bytes of a file `*.fmu`. Without a binary, it has sources alone.
+    /// Packs the unit into the bytes of a file `*.fmu`. Without a binary, it contains only sources.
     ///
     /// # Errors
     /// If the archive is too large.
@@ -98,7 +98,7 @@ impl MockupUnit {
     }
 }
 
-/// Returns the names of the sources that are compiled.
+/// Returns the names of the sources to compile.
 fn compiled_files(sources: &[(&'static str, String)]) -> Vec<&'static str> {
     sources.iter().map(|(file, _)| *file).filter(|file| file.ends_with(".c")).collect()
 }
@@ -112,7 +112,7 @@ fn check(programs: &Programs, start: &Start) -> Result<(), ExportError> {
     if missing.is_empty() { Ok(()) } else { Err(ExportError::WithoutValue(missing)) }
 }
 
-/// Returns a name that texts determine: their hash of 128 bits by the function FNV-1a.
+/// Returns an identifier determined by texts: their 128-bit hash by the function FNV-1a.
 fn guid<'a>(texts: impl Iterator<Item = &'a str>) -> String {
     const PRIME: u128 = (1 << 88) + 0x13b;
     const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;

@@ -5,14 +5,15 @@ use lagrange_core::pipeline::Programs;
 use crate::error::ExportError;
 use crate::quantities::Definitions;
 
-/// Values at the start, in coherent units.
+/// Initial values, in coherent units.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Start {
-    /// Parameters, then inputs.
+    /// Values of parameters, then inputs.
     pub fields: Vec<f64>,
-    /// The state: positions, then velocities.
+    /// State: positions, then velocities.
     pub state: Vec<f64>,
-    /// True for entries of the state that do not follow the declared start when parameters change.
+    /// True for entries of the state that do not follow the declared initial values when parameters
+    /// change.
     pub are_given: Vec<bool>,
 }
 
@@ -23,16 +24,16 @@ pub(crate) struct Variable {
     pub(crate) kind: Kind,
 }
 
-/// The part that a variable plays.
+/// The role of a variable.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Kind {
-    /// An entry of the state with its value at the start; true if that follows from parameters.
+    /// An entry of the state with its initial value; true if this depends on parameters.
     State(f64, bool),
-    /// The rate of the entry of the state with this index.
+    /// The rate of the state entry with this index.
     Rate(usize),
     /// A parameter with its value and its bounds.
     Parameter(f64, [Option<f64>; 2]),
-    /// An input with its value at the start.
+    /// An input with its initial value.
     Input(f64),
     /// An output.
     Output,

@@ -1,11 +1,11 @@
-//! Versions of the standard, and what has another name in each.
+//! Versions of the standard, and their differences.
 
 use std::env::consts::{ARCH, OS};
 
 /// A version of the standard.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Version {
-    /// Version 2.0, which most programs import.
+    /// Version 2.0, supported by most programs.
     #[default]
     Two,
     /// Version 3.0.
@@ -13,7 +13,7 @@ pub enum Version {
 }
 
 impl Version {
-    /// Returns the number by which descriptions name the version.
+    /// Returns the version number in descriptions.
     #[must_use]
     pub fn number(self) -> &'static str {
         match self {
@@ -22,7 +22,7 @@ impl Version {
         }
     }
 
-    /// Names and texts of the sources that only this version has.
+    /// Returns names and texts of the sources specific to this version.
     pub(crate) fn sources(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Version::Two => &[
@@ -37,7 +37,7 @@ impl Version {
         }
     }
 
-    /// Folder and extension of libraries for this machine.
+    /// Returns folder and extension of libraries for this machine.
     pub(crate) fn platform(self) -> Option<(&'static str, &'static str)> {
         let (system, extension) = match OS {
             "linux" => ("linux", "so"),

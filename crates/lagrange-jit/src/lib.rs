@@ -1,9 +1,8 @@
-//! Machine code of declarations that are read at run time, by
-//! [Cranelift](https://cranelift.dev).
+//! Machine code of declarations read at run time, by [Cranelift](https://cranelift.dev).
 //!
 //! The [`Compiler`] plugs into `lagrange-core` and everything above it: it compiles the
-//! [`Program`]s of a system, each when it is run for the first time. Results have the bits of the
-//! interpreter. There is no second copy of anything that simulates.
+//! [`Program`]s of a system on their first run. Results are bit-identical to the interpreter. No
+//! simulation code is duplicated.
 //!
 //! ```
 //! use lagrange_core::derive::StrategyChoice;
@@ -18,11 +17,11 @@
 //! ```
 //!
 //! Products, sums, quotients, roots, magnitudes and conditions are instructions. Other elementary
-//! functions are calls of the functions that the interpreter calls. Tables and solutions of
-//! equations are computed by the functions of the interpreter, too: compiled code calls them back.
-//! Not a number may have another sign or payload, which no operation here depends on.
+//! functions are calls of the interpreter's functions. Tables and solutions of equations are also
+//! computed by callbacks to the interpreter's functions. NaN may have a different sign or payload,
+//! on which no operation here depends.
 //!
-//! All code that is not checked by the compiler of Rust is in one file, `machine.rs`.
+//! All code without the checks of the Rust compiler is in one file, `machine.rs`.
 #![deny(unsafe_code)]
 
 mod machine;
@@ -44,13 +43,13 @@ use lagrange_core::program::Program;
 use machine::{Machine, Taken};
 use translate::{Translation, signature};
 
-/// Values, operands and outputs of the largest program that is compiled. Each value may need eight
-/// bytes of the stack, and registers are assigned in a time that grows faster than the size.
+/// Maximum size of compiled programs: values, operands and outputs. Each value may need eight bytes
+/// of stack, and the time of register allocation grows faster than the size.
 pub const LARGEST_PROGRAM: usize = 30_000;
 
-/// Settings of Cranelift. Without optimisation, code is made faster and runs as fast: programs are
-/// optimised before. Frames of more than a page touch each of their pages, so that a stack that is
-/// full is noticed.
+/// Settings of Cranelift. Without optimisation, code is generated faster and runs equally fast,
+/// since programs are already optimised. Frames larger than a page touch each of their pages, so
+/// that stack overflow is detected.
 const SETTINGS: [(&str, &str); 5] = [
     ("opt_level", "none"),
     ("is_pic", "false"),
@@ -59,7 +58,7 @@ const SETTINGS: [(&str, &str); 5] = [
     ("probestack_strategy", "inline"),
 ];
 
-/// A compiler of programs for the processor on which it runs.
+/// A compiler of programs for the current processor.
 #[derive(Clone)]
 pub struct Compiler {
     isa: OwnedTargetIsa,
@@ -69,11 +68,11 @@ pub struct Compiler {
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum CompileError {
-    /// Cranelift does not know this processor.
+    /// Cranelift does not support this processor.
     Processor(String),
     /// The program has more values, operands and outputs than [`LARGEST_PROGRAM`].
     TooLarge(usize),
-    /// Cranelift fails.
+    /// Cranelift failed.
     Cranelift(Box<ModuleError>),
 }
 
@@ -111,10 +110,10 @@ impl Debug for Compiler {
 }
 
 impl Compiler {
-    /// Returns the compiler for the processor on which it runs.
+    /// Returns the compiler for the current processor.
     ///
     /// # Errors
-    /// If Cranelift does not know the processor.
+    /// If Cranelift does not support the processor.
     pub fn for_this_processor() -> Result<Arc<Compiler>, CompileError> {
         let mut flags = settings::builder();
         for (name, value) in SETTINGS {
@@ -124,7 +123,7 @@ impl Compiler {
         Ok(Arc::new(Compiler { isa: isa.finish(settings::Flags::new(flags))? }))
     }
 
-    /// Compiles a program whose numbers have the places of a layout; `call` computes solutions of
+    /// Compiles a program whose arguments have the places of a layout; `call` computes solutions of
     /// equations.
     ///
     /// # Errors
@@ -164,7 +163,7 @@ impl Backend for Compiler {
     }
 }
 
-/// Number of values, operands and outputs.
+/// Returns the number of values, operands and outputs.
 fn size(program: &Program) -> usize {
     let mut operands = 0;
     program.values().for_each(|(_, op)| op.for_each_operand(|_| operands += 1));

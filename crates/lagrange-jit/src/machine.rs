@@ -1,9 +1,9 @@
-//! The boundary between Rust and machine code, with all that the compiler of Rust cannot check.
-//! Here are the call of compiled code, and the functions that compiled code calls.
+//! The boundary between Rust and machine code, with everything that the Rust compiler cannot check.
+//! It consists of the call of compiled code, and the functions called by compiled code.
 //!
-//! Compiled code reads and writes no memory but its stack, the lists of numbers and the outputs. It
-//! reads each list up to the length that the translation found, and writes as many outputs as the
-//! program has: [`Machine::run`] checks both.
+//! Compiled code only accesses its stack, the lists of numbers and the outputs. It reads each list
+//! up to the length found by the translation, and writes exactly the outputs of the program:
+//! [`Machine::run`] checks both.
 #![allow(unsafe_code, reason = "machine code is called by its address")]
 
 use std::fmt::{self, Debug, Formatter};
@@ -19,21 +19,21 @@ use lagrange_core::opaque::Opaque;
 use lagrange_core::pipeline::{Call, Code, LISTS, Numbers};
 use lagrange_math::sin_cos_each;
 
-/// Compiled code: time, starts of the lists of numbers, outputs.
+/// Compiled code: a function of the time, the starts of the lists of numbers, and the outputs.
 type Entry = unsafe extern "C" fn(f64, *const *const f64, *mut f64);
 
 /// The machine code of a program.
 pub(crate) struct Machine {
-    /// Owner of the memory in which the code is; locked by nobody but `drop`.
+    /// Owner of the code's memory; only locked by `drop`.
     module: Mutex<Option<JITModule>>,
     entry: Entry,
-    /// Numbers that the code takes, and functions that it calls by their addresses.
+    /// Arguments of the code, and functions that it calls by their addresses.
     taken: Taken,
 }
 
-/// Numbers that compiled code takes, and functions that it calls.
+/// Arguments of compiled code, and functions that it calls.
 pub(crate) struct Taken {
-    /// Lengths that the lists of numbers have at least.
+    /// Minimum lengths of the lists of numbers.
     pub(crate) lengths: [usize; LISTS],
     /// Number of outputs.
     pub(crate) outputs: usize,
@@ -41,13 +41,13 @@ pub(crate) struct Taken {
     pub(crate) functions: Vec<Arc<Bound>>,
 }
 
-/// A function without a formula, as compiled code calls it.
+/// A function without a formula, as called by compiled code.
 pub(crate) struct Bound {
     pub(crate) function: Opaque,
     pub(crate) call: Call,
     /// Number of arguments.
     pub(crate) arguments: usize,
-    /// Number of results: one, or that of the unknowns that are solved for together.
+    /// Number of results: one, or the number of jointly solved unknowns.
     pub(crate) results: usize,
 }
 
@@ -58,7 +58,7 @@ impl Debug for Machine {
 }
 
 impl Machine {
-    /// Takes a module whose function `entry` was translated so.
+    /// Takes ownership of a module whose function `entry` was translated with these arguments.
     pub(crate) fn new(module: JITModule, entry: FuncId, taken: Taken) -> Machine {
         let address = module.get_finalized_function(entry);
         // SAFETY: the function has the signature of `Entry`, by `translate::signature`, and the
@@ -98,15 +98,15 @@ impl Drop for Machine {
     }
 }
 
-/// Sine and cosine, one after the other.
+/// Computes sine and cosine, in this order.
 pub(crate) extern "C" fn sine_and_cosine(angle: f64, pair: *mut f64) {
     // SAFETY: compiled code passes a place on its stack for two numbers.
     let pair = unsafe { from_raw_parts_mut(pair, 2) };
     pair.copy_from_slice(&[angle.sin(), angle.cos()]);
 }
 
-/// Sines and cosines of several angles, in pairs. What comes of an angle does not depend on the
-/// others.
+/// Computes sines and cosines of several angles, in pairs. The results of an angle do not depend on
+/// the others.
 pub(crate) extern "C" fn sines_and_cosines(angles: *const f64, pairs: *mut f64, count: usize) {
     // SAFETY: compiled code passes places on its stack: `count` angles, and room for twice as many
     // numbers behind them.
@@ -123,7 +123,7 @@ pub(crate) extern "C" fn sines_and_cosines(angles: *const f64, pairs: *mut f64, 
     }
 }
 
-/// Values of a function without a formula; NaN where it has fewer than are expected.
+/// Computes the values of a function without a formula; NaN if there are fewer than expected.
 pub(crate) extern "C" fn values_of(bound: *const Bound, arguments: *const f64, results: *mut f64) {
     // SAFETY: compiled code passes the address of a function in its `Taken`. It has places on its
     // stack for as many arguments and results.
@@ -141,7 +141,7 @@ pub(crate) extern "C" fn values_of(bound: *const Bound, arguments: *const f64, r
     }
 }
 
-/// Addresses of functions that compiled code calls. The list names each elementary function.
+/// Addresses of functions called by compiled code. The list names each elementary function.
 macro_rules! addresses {
     ($($function:ident($($argument:ident),+),)+) => {
         /// Returns the address of an elementary function, and the number of its arguments.

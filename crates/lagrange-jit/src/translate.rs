@@ -1,6 +1,6 @@
-//! From programs to the intermediate representation of Cranelift, operation by operation, in the
-//! order of the program. Each gives the bits of the interpreter (`lagrange-algebra`,
-//! `program/interpret.rs`).
+//! Translation of programs to the intermediate representation of Cranelift, operation by operation,
+//! in the order of the program. Each result is bit-identical to the interpreter
+//! (`lagrange-algebra`, `program/interpret.rs`).
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -21,10 +21,10 @@ use lagrange_core::symbol::Role;
 
 use crate::machine::{Bound, Taken, address, elementary, sine_and_cosine, sines_and_cosines, values_of};
 
-/// Bytes of a number.
+/// Size of a number in bytes.
 const SIZE: i32 = 8;
 
-/// Returns the signature of compiled code: time, starts of the lists of numbers, outputs.
+/// Returns the signature of compiled code: time, starts of the lists of numbers, and outputs.
 pub(crate) fn signature(isa: &dyn TargetIsa) -> Signature {
     let mut signature = Signature::new(isa.default_call_conv());
     let pointer = AbiParam::new(isa.pointer_type());
@@ -40,7 +40,7 @@ enum Kept {
     Row(Row),
 }
 
-/// Numbers on the stack: `count` from the place `first` of a slot.
+/// Numbers on the stack: `count` from index `first` of a slot.
 #[derive(Clone, Copy)]
 struct Row {
     slot: StackSlot,
@@ -59,17 +59,17 @@ pub(crate) struct Translation<'a, 'b> {
     t: Value,
     starts: Value,
     outputs: Value,
-    /// Starts of lists, once they are loaded.
+    /// Starts of lists that have been loaded.
     lists: [Option<Value>; LISTS],
     kept: ValueTable<Kept>,
-    /// Unknowns that were solved for together, and the arguments for which they were.
+    /// Results of jointly solved unknowns, keyed by the unknowns and their arguments.
     solved: HashMap<(&'a [String], &'a [ValueId]), Row>,
     is_fused: bool,
     taken: Taken,
 }
 
 impl<'a, 'b> Translation<'a, 'b> {
-    /// Begins the only block of a function with [`signature`].
+    /// Starts the only block of a function with [`signature`].
     pub(crate) fn new(
         builder: &'a mut FunctionBuilder<'b>,
         program: &'a Program,
@@ -103,7 +103,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         }
     }
 
-    /// Translates all operations, and returns the numbers.
+    /// Translates all operations, and returns the arguments of the code.
     pub(crate) fn run(mut self) -> Taken {
         for (_, op) in self.program.values() {
             let kept = self.operation(op);
@@ -166,7 +166,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         }
     }
 
-    /// Products with a sum, rounded as `elementary::multiply_add` rounds them.
+    /// Translates products with a sum, rounded as by `elementary::multiply_add`.
     fn fused(&mut self, op: &Op) -> Value {
         let (Op::MultiplyAdd(a, b, c) | Op::MultiplySubtract(a, b, c) | Op::SubtractProduct(a, b, c)) = op
         else {
@@ -185,7 +185,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         self.builder.ins().fadd(product, c)
     }
 
-    /// Repeated squaring from the lowest bit of the exponent.
+    /// Translates a power by repeated squaring from the lowest bit of the exponent.
     fn power(&mut self, base: ValueId, exponent: i32) -> Value {
         let (mut product, mut square) = (self.constant(1.0), self.number(base));
         let mut remaining = exponent.unsigned_abs();
@@ -205,7 +205,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         self.builder.ins().fdiv(one, product)
     }
 
-    /// One of two numbers by a relation; NaN where an operand of the relation is NaN.
+    /// Selects one of two numbers by a relation; NaN if an operand of the relation is NaN.
     fn select(&mut self, relation: Relation, operands: [ValueId; 2], choices: [ValueId; 2]) -> Value {
         let condition = match relation {
             Relation::Less => FloatCC::LessThan,
@@ -258,7 +258,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         self.number_in(results, function.place())
     }
 
-    /// Calls a function without a formula, and keeps all its values.
+    /// Calls a function without a formula, and stores all its values.
     fn values_of(&mut self, function: &Opaque, arguments: &[ValueId]) -> Row {
         let (first, count) = (arguments.len(), function.unknowns().len().max(1));
         let (function, call) = (function.clone(), self.call.clone());
@@ -278,7 +278,7 @@ impl<'a, 'b> Translation<'a, 'b> {
             place => place.and_then(|place| self.layout.entry(place)),
         };
         let Some((list, index)) = place else { return self.constant(f64::NAN) };
-        // No list is long enough for a place that an instruction cannot name.
+        // Indices beyond the range of an instruction's offset exceed any list.
         let offset = i32::try_from(index).ok().and_then(|index| index.checked_mul(SIZE));
         let length = &mut self.taken.lengths[list];
         *length = (*length).max(offset.map_or(usize::MAX, |_| index + 1));
@@ -294,7 +294,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         self.builder.ins().f64const(number)
     }
 
-    /// The number that an operation gives.
+    /// Returns the number that results from an operation.
     fn number(&self, id: ValueId) -> Value {
         match self.kept[id] {
             Kept::Number(value) => value,
@@ -309,7 +309,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         }
     }
 
-    /// The number at a place of a row; NaN behind its end.
+    /// Returns the number at an index of a row; NaN beyond its end.
     fn number_in(&mut self, row: Row, place: usize) -> Value {
         if place >= row.count {
             return self.constant(f64::NAN);
@@ -318,7 +318,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         self.builder.ins().stack_load(self.pointer, F64, row.slot, offset)
     }
 
-    /// Room on the stack for numbers.
+    /// Allocates stack space for numbers.
     fn slot(&mut self, numbers: usize) -> StackSlot {
         let bytes = SIZE as u32 * numbers.max(1) as u32;
         self.builder.create_sized_stack_slot(StackSlotData::new(StackSlotKind::ExplicitSlot, bytes, 3))
@@ -348,7 +348,8 @@ impl<'a, 'b> Translation<'a, 'b> {
     }
 }
 
-/// True if `multiply_add` rounds once: (1 + ε)(1 − ε) − 1 = −ε² vanishes if the product is rounded.
+/// True if `multiply_add` rounds only once: (1 + ε)(1 − ε) − 1 = −ε² vanishes if the product is
+/// rounded.
 fn is_fused() -> bool {
     multiply_add(1.0 + f64::EPSILON, 1.0 - f64::EPSILON, -1.0) != 0.0
 }

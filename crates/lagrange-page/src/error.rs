@@ -1,4 +1,4 @@
-//! Systems that no page can show.
+//! Systems that cannot be shown on a page.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -6,16 +6,16 @@ use std::fmt::{self, Display, Formatter};
 use lagrange_c::Refusal;
 use lagrange_draw::DrawError;
 
-/// The reason why there is no page of a system.
+/// The reason why a system has no page.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum PageError {
     /// The system cannot be written as JavaScript.
     Script(Refusal),
-    /// Its drawing at the start is not possible.
+    /// The initial state cannot be drawn.
     Drawing(DrawError),
-    /// The parameter, the input or the entry of the start of this name is not finite, or belongs to
-    /// a quaternion of zeros.
+    /// The parameter, input or initial value with this name is not finite, or belongs to a
+    /// quaternion of zeros.
     NotFinite(String),
 }
 

@@ -1,8 +1,8 @@
-//! Pages in which declared systems move by themselves.
+//! Pages with live simulations of declared systems.
 //!
 //! A page is one HTML file with the equations of motion as JavaScript, and their integration. It
-//! has sliders of parameters, inputs and starts, and plots of states, outputs and energy. It shows
-//! the drawing if the programs hold one.
+//! has sliders for parameters, inputs and initial values, and plots of states, outputs and energy.
+//! It shows the drawing if the programs have one.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -38,7 +38,7 @@ const STYLE: &str = include_str!("page.css");
 const MOTION: &str = include_str!("motion.js");
 const PAGE: &str = include_str!("page.js");
 
-/// True for the functions that a page calls.
+/// True for the functions called by a page.
 fn is_used(name: &str) -> bool {
     const CALLED: [&str; 10] = [
         "rhs",
@@ -56,11 +56,11 @@ fn is_used(name: &str) -> bool {
         || ["after_event_", "after_clock_", "clock_"].iter().any(|start| name.starts_with(start))
 }
 
-/// Returns the page of a system whose parameters and inputs have the values that it starts with,
-/// and whose state starts from `start`.
+/// Returns the page of a system with the current values of its parameters and inputs, and the
+/// initial state `start`.
 ///
 /// # Errors
-/// If the system holds what only compiled Rust can run, or a number at the start is not finite.
+/// If the system has parts that only compiled Rust can run, or an initial value is not finite.
 pub fn page(system: &NumericSystem, start: &[f64]) -> Result<String, PageError> {
     let programs = system.programs();
     let start = normalised(programs, start);
@@ -83,7 +83,7 @@ pub fn page(system: &NumericSystem, start: &[f64]) -> Result<String, PageError> 
     ))
 }
 
-/// Numbers that are none would turn into zeros on their way to the page.
+/// Checks that all numbers are finite; others would become zeros on the page.
 fn check(system: &NumericSystem, start: &[f64]) -> Result<(), PageError> {
     let variables = &system.programs().variables;
     let names = variables.fields.iter().cloned().chain(variables.state_names());

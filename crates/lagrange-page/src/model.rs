@@ -1,4 +1,4 @@
-//! Names, units, ranges and starts, as the page reads them.
+//! Names, units, ranges and initial values as data for the page.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use lagrange_core::syntax::ast::Direction;
 use lagrange_plot::notation::Columns;
 use serde_json::{Value, json};
 
-/// Returns all that the page knows of a system beside its functions and its scene.
+/// Returns all data of a system for the page, apart from its functions and its scene.
 pub(crate) fn model(system: &NumericSystem, start: &[f64]) -> Value {
     let programs = system.programs();
     let (layout, variables) = (&programs.layout, &programs.variables);
@@ -32,7 +32,7 @@ pub(crate) fn model(system: &NumericSystem, start: &[f64]) -> Value {
     })
 }
 
-/// A name with its label and its unit.
+/// Returns a name with its label and unit.
 fn named(programs: &Programs, labels: &Columns, name: &str) -> Value {
     let unit = programs.variables.unit(name).unwrap_or_default();
     json!({ "name": name, "label": labels.label(name).html(), "unit": unit })
@@ -52,7 +52,7 @@ fn states(programs: &Programs, start: &[f64]) -> Vec<Value> {
     let state = |(index, (name, value)): (usize, (&String, &f64))| {
         let is_angle = index < positions && programs.variables.unit(name) == Some("rad");
         let range = match () {
-            // Four numbers of length one are not set one by one.
+            // The components of a quaternion cannot be set individually.
             () if quaternions.iter().any(|first| (*first..first + 4).contains(&index)) => [*value; 2],
             () if is_angle => [value.min(-PI), value.max(PI)],
             () => around(*value, if index < positions { 1.0 } else { 5.0 }),
@@ -64,13 +64,13 @@ fn states(programs: &Programs, start: &[f64]) -> Vec<Value> {
     names.iter().zip(start).enumerate().map(state).collect()
 }
 
-/// A range to both sides, no smaller than to a distance.
+/// Returns a range symmetric about zero that extends at least to a distance.
 fn around(value: f64, least: f64) -> [f64; 2] {
     let reach = least.max(2.0 * value.abs());
     [-reach, reach]
 }
 
-/// Parameters, then inputs.
+/// Returns parameters, then inputs.
 fn quantities(programs: &Programs, values: &[f64]) -> Vec<Value> {
     let names = &programs.variables.fields;
     let labels = Columns::new(names.iter().map(|name| &**name));
@@ -94,8 +94,9 @@ fn bounds(programs: &Programs, parameter: usize) -> Bounds {
     range.map(|range| range.bounds).unwrap_or_default()
 }
 
-/// The range of a slider within the declared bounds: from nothing to the double, or as far to the
-/// other side of a negative value. Bounds that are excluded are approached to a hundredth.
+/// Returns the range of a slider within the declared bounds. It extends from zero to twice the
+/// value, or symmetrically for values that are not positive. Excluded bounds are approached to
+/// within a hundredth.
 fn range(value: f64, [low, high]: Bounds) -> [f64; 2] {
     let size = if value == 0.0 { 1.0 } else { value.abs() };
     let [free_low, free_high] = if value > 0.0 { [0.0, 2.0 * value] } else { [-2.0 * size, 2.0 * size] };
@@ -127,7 +128,7 @@ fn events(programs: &Programs) -> Vec<Value> {
             Reaction::Record => "record",
             Reaction::Stop => "stop",
             Reaction::Replace(_) => "replace",
-            // Contacts are refused before.
+            // Contacts have already been rejected.
             Reaction::Impact => "impact",
         };
         json!({ "name": event.name, "direction": direction, "action": action })

@@ -1,4 +1,4 @@
-//! The picture of a page, and the script that moves it.
+//! The picture of a page, and the script that animates it.
 
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 const PLANE: &str = include_str!("plane.js");
 const SPACE: &str = include_str!("space.js");
 
-/// A picture that a page moves; nothing by default.
+/// A picture that a page animates; empty by default.
 #[derive(Default)]
 pub(crate) struct Shown {
     /// Elements of the picture.
@@ -20,13 +20,13 @@ pub(crate) struct Shown {
     pub(crate) scene: Value,
     /// The script.
     pub(crate) viewer: String,
-    /// Rules of CSS.
+    /// CSS rules.
     pub(crate) style: &'static str,
-    /// Help on keys.
+    /// Help text for keys.
     pub(crate) keys: &'static str,
 }
 
-/// Returns the picture of a system, as far as it has a drawing.
+/// Returns the picture of a system, if it has a drawing.
 pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Shown, DrawError> {
     match &system.programs().drawing {
         None => Ok(Shown::default()),
@@ -88,7 +88,7 @@ fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Resu
     })
 }
 
-/// Places at which the numbers of items begin, by kind.
+/// Indices of the first numbers of items, by kind.
 #[derive(Default)]
 struct Places {
     /// Bodies and frames, and true for a frame.

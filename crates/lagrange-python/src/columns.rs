@@ -1,4 +1,4 @@
-//! Columns by name, of which the first are times and states.
+//! Columns by name, starting with times and states.
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::PyKeyError;
@@ -6,13 +6,13 @@ use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
 use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
 
 /// Columns of equal length: times, the entries of states, then the others. Trajectories and
-/// ensembles are such columns with more about them.
+/// ensembles extend them.
 #[pyclass(name = "Columns", module = "lagrange", subclass, frozen)]
 pub(crate) struct PyColumns {
     /// Times, then the other columns.
     pub(crate) names: Vec<String>,
     pub(crate) columns: Vec<Vec<f64>>,
-    /// Number of entries of the state, the columns behind the times.
+    /// Number of entries of the state, the columns after the times.
     pub(crate) entries: usize,
 }
 
@@ -22,10 +22,10 @@ impl PyColumns {
         &self.columns[0]
     }
 
-    /// Returns the place of a column.
+    /// Returns the index of a column.
     ///
     /// # Errors
-    /// `KeyError` if there is none of this name.
+    /// `KeyError` if there is no column of this name.
     pub(crate) fn place(&self, name: &str) -> PyResult<usize> {
         self.names.iter().position(|known| known == name).ok_or_else(|| {
             PyKeyError::new_err(format!("there is no column `{name}`; there are {}", self.names.join(", ")))

@@ -1,4 +1,4 @@
-//! Systems from declarations, and with derivatives that are derived when they are needed.
+//! Systems from declarations, with additional products derived on demand.
 
 use std::sync::OnceLock;
 
@@ -11,7 +11,7 @@ use pyo3::{PyResult, Python};
 
 use crate::error::declaration_error;
 
-/// A system with further products; empty until one is needed.
+/// A system with additional products, each empty until first used.
 #[derive(Default)]
 pub(crate) struct Derivatives {
     linearised: OnceLock<DeclaredSystem>,
@@ -51,7 +51,7 @@ impl Derivatives {
         with_product(py, &self.parametric, (source, "parameter_jacobian"), system)
     }
 
-    /// Returns the system with what there is to draw.
+    /// Returns the system with its drawing.
     ///
     /// # Errors
     /// `ValueError` if it has no bodies.
@@ -87,7 +87,7 @@ fn with_product(
 /// Sets all parameters and inputs.
 ///
 /// # Errors
-/// `KeyError` if the system has fewer.
+/// `KeyError` if the system has fewer values.
 pub(crate) fn copy_values(system: &mut DeclaredSystem, values: &[f64]) -> PyResult<()> {
     let names = system.variables().fields.clone();
     let mut pairs = names.iter().zip(values);
@@ -98,7 +98,7 @@ pub(crate) fn copy_values(system: &mut DeclaredSystem, values: &[f64]) -> PyResu
 /// Derives equations.
 ///
 /// # Errors
-/// `DeclarationError` with the mistakes.
+/// `DeclarationError` with all errors.
 pub(crate) fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult<Derived> {
     let derived = system.and_then(|system| system.derive(StrategyChoice::Cheapest));
     derived.map_err(|report| declaration_error(py, &report))

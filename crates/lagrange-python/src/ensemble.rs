@@ -1,4 +1,4 @@
-//! Ensembles of motions, with starts and parameters of Python.
+//! Ensembles of motions, with initial states and parameters from Python.
 
 use lagrange_dynamic::{DeclaredSystem, EnsembleSettings, FailedMotion};
 use numpy::{PyArray1, ToPyArray};
@@ -9,14 +9,14 @@ use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
 use crate::columns::PyColumns;
 use crate::values::{PerMotion, check_values, per_motion, start_of};
 
-/// The ends of motions, a row for each.
+/// The final states of motions, a row for each.
 #[pyclass(name = "Ensemble", module = "lagrange", extends = PyColumns, frozen)]
 pub(crate) struct PyEnsemble {
     failures: Vec<FailedMotion>,
 }
 
 impl PyEnsemble {
-    /// Computes motions while other threads of Python run.
+    /// Computes motions while other Python threads run.
     pub(crate) fn compute(
         py: Python<'_>,
         system: &DeclaredSystem,
@@ -33,7 +33,7 @@ impl PyEnsemble {
 
 #[pymethods]
 impl PyEnsemble {
-    /// Motions that failed as tuples of index, time, last good state and message.
+    /// Failed motions as tuples of index, time, last valid state and message.
     #[getter]
     fn failures<'py>(&self, py: Python<'py>) -> Vec<(usize, f64, Bound<'py, PyArray1<f64>>, String)> {
         let failure = |failed: &FailedMotion| {
@@ -49,15 +49,15 @@ impl PyEnsemble {
     }
 }
 
-/// The starts of motions, and what varies between them by name.
+/// Initial states of motions, and varied quantities by name.
 type Motions = (Vec<Vec<f64>>, Vec<(String, Vec<f64>)>);
 
-/// Returns the motions from starts, which are rows of an array, or numbers and arrays by entry, and
-/// from parameters.
+/// Returns the motions from initial states and parameters. Initial states are rows of an array, or
+/// numbers and arrays by entry.
 ///
 /// # Errors
-/// `ValueError` for wrong shapes, numbers of runs that differ, and values that are missing;
-/// `KeyError` for parameters that are unknown.
+/// `ValueError` for wrong shapes, inconsistent numbers of runs, and missing values; `KeyError` for
+/// unknown parameters.
 pub(crate) fn motions(
     system: &DeclaredSystem,
     starts: Option<&Bound<'_, PyAny>>,
@@ -82,7 +82,7 @@ pub(crate) fn motions(
     Ok((starts, parameters.iter().map(|(name, value)| (name.clone(), each(value))).collect()))
 }
 
-/// The rows of an array.
+/// Returns the rows of an array.
 fn states(system: &DeclaredSystem, rows: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
     let names = system.state_names();
     let wrong = |_| {
@@ -95,7 +95,7 @@ fn states(system: &DeclaredSystem, rows: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<
     rows.extract().map_err(wrong)
 }
 
-/// The number of motions that all of these have values for.
+/// Returns the common number of motions of these values.
 fn number<'a>(mut lengths: impl Iterator<Item = (&'a str, usize)>) -> PyResult<usize> {
     let unknown = "nothing tells the number of runs: pass an array of starts or of parameters";
     let (first, motions) = lengths.next().ok_or_else(|| PyValueError::new_err(unknown))?;
@@ -107,7 +107,7 @@ fn number<'a>(mut lengths: impl Iterator<Item = (&'a str, usize)>) -> PyResult<u
     }
 }
 
-/// Checks that all parameters and inputs have values beside those that motions give.
+/// Checks that all parameters and inputs have values, including those specified for each motion.
 fn check_all(system: &DeclaredSystem, given: &[(String, PerMotion)]) -> PyResult<()> {
     let mut complete = system.clone();
     for (name, _) in given {

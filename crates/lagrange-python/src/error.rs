@@ -11,7 +11,7 @@ create_exception!(lagrange, EquilibriumError, PyRuntimeError, "A search that fou
 create_exception!(lagrange, FitError, PyRuntimeError, "A fit without a result.");
 create_exception!(lagrange, SimulationError, PyRuntimeError, "A motion that failed.");
 
-/// Returns the exception of a report: the text of all mistakes, and the place of the first one.
+/// Returns the exception of a report: the text of all errors, and the position of the first one.
 pub(crate) fn declaration_error(py: Python<'_>, report: &Report) -> PyErr {
     let errors = || report.diagnostics().iter().filter(|found| found.severity == Severity::Error);
     let text = errors().map(line).collect::<Vec<_>>().join("\n");
@@ -26,7 +26,7 @@ pub(crate) fn declaration_error(py: Python<'_>, report: &Report) -> PyErr {
     set.err().unwrap_or(error)
 }
 
-/// A mistake in a line, with its place and help.
+/// Formats an error on a line, with its position and help.
 fn line(diagnostic: &Diagnostic) -> String {
     let place = match diagnostic.origin.position() {
         Some([line, column]) => format!("line {line}, column {column}: "),

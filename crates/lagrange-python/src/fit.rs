@@ -1,4 +1,4 @@
-//! Fits of parameters to data of Python.
+//! Fits of parameters to data from Python.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,7 @@ use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python, pyclass, pymethods};
 
 use crate::error::FitError;
 
-/// Fitted values with what data tell of them.
+/// Fitted values and their uncertainty.
 #[pyclass(name = "Fit", module = "lagrange", frozen)]
 pub(crate) struct PyFit {
     found: FoundFit,
@@ -19,11 +19,12 @@ pub(crate) struct PyFit {
     system: Py<PyAny>,
 }
 
-/// Makes a system of parameters and inputs.
+/// A function that creates a system from parameters and inputs.
 type MakeSystem<'a> = &'a dyn Fn(&[f64]) -> PyResult<Py<PyAny>>;
 
 impl PyFit {
-    /// Fits a system while other threads of Python run. Systems are made with the parameters found.
+    /// Fits a system while other Python threads run. `make` creates the system with the fitted
+    /// parameters.
     pub(crate) fn search(
         py: Python<'_>,
         system: &DeclaredSystem,
@@ -42,7 +43,7 @@ impl PyFit {
         }
     }
 
-    /// A dictionary of the values, by name.
+    /// Returns a dictionary of the values, by name.
     fn named<'py, T: pyo3::IntoPyObject<'py>>(
         &self,
         py: Python<'py>,
@@ -56,14 +57,14 @@ impl PyFit {
     }
 }
 
-/// The exception of a fit without a result, with the best values.
+/// Returns the exception of a fit without a result, with the best values.
 fn unfinished(py: Python<'_>, message: String, best: PyFit) -> PyErr {
     let error = FitError::new_err(message);
     let set = Py::new(py, best).and_then(|best| error.value(py).setattr("fit", best));
     set.err().unwrap_or(error)
 }
 
-/// Checks what is named otherwise in Rust.
+/// Checks settings whose errors have different names in Rust.
 fn check(settings: &FitSettings) -> PyResult<()> {
     if settings.varied.is_empty() {
         return Err(PyValueError::new_err(
@@ -99,7 +100,7 @@ impl PyFit {
         self.matrix(py, |covariance, i, j| covariance[i][j])
     }
 
-    /// Covariances over standard errors; NaN for values at a bound.
+    /// Correlations of the values; NaN for values at a bound.
     #[getter]
     fn correlations<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
         self.matrix(py, |covariance, i, j| {
@@ -107,7 +108,7 @@ impl PyFit {
         })
     }
 
-    /// The combination of relative changes that data tell least, by name.
+    /// Combination of relative changes that is least determined by the data, by name.
     #[getter]
     fn weakest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let weakest = PyDict::new(py);
@@ -158,7 +159,7 @@ impl PyFit {
 }
 
 impl PyFit {
-    /// A square matrix of entries that follow from the covariance matrix.
+    /// Returns a square matrix of entries derived from the covariance matrix.
     fn matrix<'py>(
         &self,
         py: Python<'py>,
@@ -171,11 +172,11 @@ impl PyFit {
     }
 }
 
-/// Reads times, `t`, and measured columns, in which `None` is a missing value. They are a
-/// dictionary, a data frame, or the path of a file of comma-separated values.
+/// Reads times, `t`, and measured columns, in which `None` is a missing value. The source is a
+/// dictionary, a data frame, or the path of a CSV file.
 ///
 /// # Errors
-/// `ValueError` if there are no times, or a column is no list of numbers. `OSError` if a file
+/// `ValueError` if there are no times, or a column is not a list of numbers. `OSError` if a file
 /// cannot be read. `TypeError` for anything else.
 pub(crate) fn data(table: &Bound<'_, PyAny>) -> PyResult<Data> {
     if let Ok(path) = table.extract::<PathBuf>() {
@@ -203,7 +204,8 @@ pub(crate) fn data(table: &Bound<'_, PyAny>) -> PyResult<Data> {
     Ok(data)
 }
 
-/// The names of the columns of a dictionary, or of a data frame: some are mappings, others are not.
+/// Returns the names of the columns of a dictionary, or of a data frame, which may not be a
+/// mapping.
 fn names_of(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     let names = table.call_method0("keys").or_else(|_| table.getattr("columns"));
     let names = names.and_then(|names| names.try_iter()?.map(|name| name?.extract()).collect());
@@ -212,7 +214,7 @@ fn names_of(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     })
 }
 
-/// Reads what varies: names, or a dictionary of bounds, in which `None` is no bound.
+/// Reads the varied quantities: names, or a dictionary of bounds, in which `None` means unbounded.
 ///
 /// # Errors
 /// `ValueError` for anything else.

@@ -1,4 +1,4 @@
-//! Declared systems as a module of Python.
+//! Declared systems as a Python module.
 //!
 //! The module reads declarations as text, and interprets them by `lagrange-dynamic`: motions have
 //! the bits of compiled code. `lagrange.pyi` documents it for those who use it.

@@ -114,7 +114,7 @@ impl PyLinearModel {
         Ok(modes.modes().iter().map(|mode| PyMode { mode: mode.clone(), names: names.to_vec() }).collect())
     }
 
-    /// True or false, or none where nonlinear terms decide.
+    /// True or false, or none if nonlinear terms decide.
     #[getter]
     fn is_stable(&self) -> PyResult<Option<bool>> {
         let modes = self.0.modes().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
@@ -199,7 +199,8 @@ fn dense(name: &str, rows: &[Vec<f64>]) -> PyResult<DenseMatrix> {
     }
 }
 
-/// `ValueError` for states without a linear model, else with the state at which a search stopped.
+/// Returns `ValueError` for states without a linear model, otherwise an exception with the state at
+/// which the search stopped.
 fn exception(py: Python<'_>, error: &AnalysisError) -> PyErr {
     let AnalysisError::Search { message, state } = error else {
         return PyValueError::new_err(error.to_string());

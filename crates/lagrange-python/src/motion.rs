@@ -22,7 +22,7 @@ pub(crate) struct PyTrajectory {
 pub(crate) type NewTrajectory = (PyTrajectory, PyColumns);
 
 impl PyTrajectory {
-    /// Returns a motion and its columns, which Python joins.
+    /// Returns a motion and its columns, which Python combines.
     pub(crate) fn new<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> NewTrajectory {
         let names = motion.names().iter().map(String::as_str);
         let column = |name: &str| motion.column(name).unwrap_or_default().to_vec();
@@ -79,7 +79,7 @@ impl PyTrajectory {
         self.events.iter().map(event).collect()
     }
 
-    /// Plots columns, by default the state, each in a panel.
+    /// Plots columns, by default the state, each in its own panel.
     #[pyo3(signature = (*names, x="t"))]
     fn plot(slf: PyRef<'_, Self>, names: Vec<String>, x: &str) -> PyResult<PyPlot> {
         let columns = slf.as_super();

@@ -1,4 +1,4 @@
-//! Plots and films, which notebooks show.
+//! Plots and films, displayed by notebooks.
 
 use std::path::PathBuf;
 
@@ -11,8 +11,9 @@ use pyo3::{PyErr, PyResult, pyclass, pymethods};
 
 use crate::columns::PyColumns;
 
-/// Width and height of one panel, and of several.
+/// Width and height of a single panel.
 const WIDE: (u32, u32) = (860, 420);
+/// Width and height of each of several panels.
 const SMALL: (u32, u32) = (480, 230);
 
 /// A plot of columns.
@@ -23,10 +24,10 @@ pub(crate) struct PyPlot {
 }
 
 impl PyPlot {
-    /// Plots columns, each in a panel of its own, over one of them.
+    /// Plots columns, each in its own panel, over one of them.
     ///
     /// # Errors
-    /// `KeyError` for a column that is not there, `ValueError` if there is nothing to plot.
+    /// `KeyError` for an unknown column, `ValueError` if there is nothing to plot.
     pub(crate) fn new(
         columns: &PyColumns,
         units: &[Option<&str>],
@@ -58,7 +59,7 @@ impl PyPlot {
 
 #[pymethods]
 impl PyPlot {
-    /// The picture as a document of SVG.
+    /// The picture as an SVG document.
     #[getter]
     fn svg(&self) -> &str {
         &self.svg
@@ -86,7 +87,7 @@ fn plot_error(error: PlotError) -> PyErr {
     }
 }
 
-/// Returns a label followed by a unit; that of plain numbers is left out.
+/// Returns a label followed by a unit, which is omitted for plain numbers.
 fn in_unit(label: Label, unit: Option<&str>) -> Label {
     match unit.filter(|unit| *unit != "1") {
         Some(unit) => label.then(&format!(" in {}", notation::unit(unit))),
@@ -109,13 +110,13 @@ impl PyFilm {
 
 #[pymethods]
 impl PyFilm {
-    /// The page of HTML.
+    /// The HTML page.
     #[getter]
     fn html(&self) -> String {
         self.film.html()
     }
 
-    /// Returns the page for Jupyter. A frame keeps its style apart from that of the notebook.
+    /// Returns the page for Jupyter. A frame isolates its style from that of the notebook.
     fn _repr_html_(&self) -> String {
         let page = self.film.html().replace('&', "&amp;").replace('"', "&quot;");
         let height = self.height;

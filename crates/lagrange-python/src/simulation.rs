@@ -1,4 +1,4 @@
-//! Runs with settings of Python.
+//! Runs with settings from Python.
 
 use std::cell::RefCell;
 
@@ -16,10 +16,10 @@ use crate::motion::{NewTrajectory, PyTrajectory};
 /// A run whose inputs are constant.
 pub(crate) struct FreeRun(pub(crate) RunSettings);
 
-/// A run whose inputs are a function of Python.
+/// A run with inputs from a Python function.
 pub(crate) struct DrivenRun<'py> {
     pub(crate) settings: RunSettings,
-    /// Takes time and state, and returns the inputs.
+    /// Function of time and state that returns the inputs.
     pub(crate) law: Bound<'py, PyAny>,
 }
 
@@ -39,7 +39,8 @@ impl FailedRun {
         }
     }
 
-    /// Returns the exception: `ValueError` for settings, else with what the motion reached.
+    /// Returns the exception: `ValueError` for invalid settings, otherwise one with the motion so
+    /// far.
     pub(crate) fn exception(self, py: Python<'_>) -> PyErr {
         if self.is_setting {
             return PyValueError::new_err(self.message);
@@ -67,7 +68,7 @@ impl Visitor for DrivenRun<'_> {
         let law = |_: &DynamicSystem<CAPACITY>, t: f64, y: Inline<CAPACITY>| {
             self.inputs(t, y.as_ref()).map(|inputs| Inline::of(&inputs)).unwrap_or_else(|error| {
                 raised.borrow_mut().get_or_insert(error);
-                // None are missing inputs, with which the run ends.
+                // An empty vector means missing inputs, which end the run.
                 Inline::of(&[])
             })
         };

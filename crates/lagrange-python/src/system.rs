@@ -86,7 +86,7 @@ impl PySystem {
         Ok(units)
     }
 
-    /// The declared state at the start, with other values for some entries.
+    /// The declared initial state, with other values for some entries.
     #[pyo3(signature = (**values))]
     fn start<'py>(
         &self,
@@ -315,14 +315,14 @@ impl PySystem {
         Ok(format!("$${}$$", self.latex(py)?))
     }
 
-    /// The system as a module of C: its header and its source.
+    /// The system as a C module: its header and its source.
     fn c(&self) -> PyResult<(String, String)> {
         let module = Module::new(self.declared.programs(), None);
         let module = module.map_err(|refusal| PyValueError::new_err(refusal.to_string()))?;
         Ok((module.header, module.source))
     }
 
-    /// The code that the macro of Rust emits.
+    /// The code emitted by the Rust macro.
     fn rust(&self, py: Python<'_>) -> PyResult<String> {
         let items = self.derived(py)?.emit(&quote!(::lagrange));
         let items = items.map_err(|report| declaration_error(py, &report))?;
@@ -341,19 +341,18 @@ impl PySystem {
         Ok(PySystem { source, declared, derivatives: Arc::default() })
     }
 
-    /// The system with other values.
+    /// Returns the system with other values.
     fn around(&self, declared: DeclaredSystem) -> PySystem {
         PySystem { declared, source: self.source.clone(), derivatives: self.derivatives.clone() }
     }
 
-    /// The system with its system matrix.
+    /// Returns the system with its system matrix.
     fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
         self.check_values()?;
         self.derivatives.linearised(py, &self.source, &self.declared)
     }
 
-    /// The derivatives of the rates by some of parameters and inputs, of which parameters come
-    /// first.
+    /// Returns the derivatives of the rates by a range of parameters and inputs, in this order.
     fn by_fields<'py>(
         &self,
         py: Python<'py>,
@@ -380,7 +379,8 @@ impl PySystem {
         derive(py, self.source.system())
     }
 
-    /// The state of an array, of a dictionary of entries, or as it is declared.
+    /// Returns the state from an array or from a dictionary of entries, or the declared initial
+    /// state.
     fn state(&self, start: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
         let Some(start) = start else { return start_of(&self.declared, &[]) };
         if let Ok(values) = start.cast::<PyDict>() {
@@ -408,7 +408,7 @@ impl PySystem {
         check_values(&self.declared)
     }
 
-    /// Positions and velocities.
+    /// Splits a state into positions and velocities.
     fn parts<'y>(&self, y: &'y [f64]) -> PyResult<(&'y [f64], &'y [f64])> {
         self.check(y)?;
         Ok(y.split_at(self.declared.programs().layout.positions))

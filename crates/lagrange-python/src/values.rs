@@ -1,4 +1,4 @@
-//! Values by name, from dictionaries of Python.
+//! Values by name from Python dictionaries.
 
 use lagrange_dynamic::DeclaredSystem;
 use pyo3::exceptions::PyValueError;
@@ -20,7 +20,7 @@ impl PerMotion {
         }
     }
 
-    /// Returns the number of motions, if it tells.
+    /// Returns the number of motions, if it is determined.
     pub(crate) fn motions(&self) -> Option<usize> {
         match self {
             PerMotion::Same(_) => None,
@@ -51,10 +51,10 @@ pub(crate) fn per_motion(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(St
     values.iter().map(value).collect()
 }
 
-/// Returns the declared start with other values for some of its entries.
+/// Returns the declared initial state with other values for some entries.
 ///
 /// # Errors
-/// `ValueError` for names that the state does not have, and entries without a value.
+/// `ValueError` for unknown names, and for entries without a value.
 pub(crate) fn start_of(system: &DeclaredSystem, values: &[(String, f64)]) -> PyResult<Vec<f64>> {
     system.start_with(values).map_err(|error| PyValueError::new_err(error.to_string()))
 }
@@ -62,7 +62,7 @@ pub(crate) fn start_of(system: &DeclaredSystem, values: &[(String, f64)]) -> PyR
 /// Checks that all parameters and inputs have values.
 ///
 /// # Errors
-/// `ValueError` with the first that has none.
+/// `ValueError` with the first name without a value.
 pub(crate) fn check_values(system: &DeclaredSystem) -> PyResult<()> {
     match system.missing() {
         Some(name) => Err(PyValueError::new_err(format!(

@@ -1,7 +1,7 @@
-//! The diffusions of a model: what a unit of each white noise adds to the rates of the state.
+//! Diffusions of a model: the contribution of a unit of each white noise to the rates of the state.
 //!
 //! A noise w of the density S is √S dW/dt. The equations M v̇ = f + Σ wₖ dₖ and ż = h + Σ wₖ eₖ
-//! have the diffusions gₖ = √Sₖ (eₖ, M⁻¹ dₖ). M is factorised once for all of them.
+//! have the diffusions gₖ = √Sₖ (eₖ, M⁻¹ dₖ). M is factorised only once.
 
 use super::cost::cost;
 use super::elimination::order::{eliminate_dense, eliminate_recursive};
@@ -12,32 +12,32 @@ use lagrange_algebra::calculus::{adjoint, jacobian};
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::number::Number;
 
-/// Above this many velocities a full matrix is not factorised as a trial.
+/// Number of velocities above which a full matrix is not tried.
 const LARGEST_TRIAL: usize = 20;
 
 /// The diffusions of a model.
 #[derive(Clone, Default, Debug)]
 pub struct Diffusion {
-    /// The diffusion of each noise, with one entry for each of the state.
+    /// Diffusion of each noise, with one entry per state variable.
     pub columns: Vec<Vec<ExprId>>,
-    /// Their dependence on the state.
+    /// Dependence of the diffusions on the state.
     pub kind: DiffusionKind,
 }
 
 /// Dependence of diffusions on the state.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum DiffusionKind {
-    /// None.
+    /// No dependence.
     #[default]
     Additive,
-    /// A dependence on what no noise drives.
+    /// Dependence only on entries that no noise drives.
     Unambiguous,
-    /// Any other.
+    /// Any other dependence.
     Multiplicative,
 }
 
 impl Diffusion {
-    /// The diffusions of a model without constraints.
+    /// Computes the diffusions of a model without constraints.
     pub(super) fn new(model: &mut Model, forms: &mut Forms) -> Diffusion {
         if model.noises.is_empty() {
             return Diffusion::default();
@@ -58,13 +58,14 @@ impl Diffusion {
     }
 }
 
-/// The factor of a noise in the rate of a position.
+/// Returns the factor of a noise in the rate of a position.
 fn rate(model: &mut Model, noise: &Noise, position: ExprId) -> ExprId {
     let found = noise.rates.iter().find(|(of, _)| *of == position);
     found.map_or_else(|| model.graph.number(0), |(_, factor)| *factor)
 }
 
-/// The accelerations by a unit of each noise, in the cheaper of two ways to factorise M.
+/// Computes the accelerations due to a unit of each noise, by the cheaper of two factorisations of
+/// M.
 fn accelerations(model: &mut Model, forms: &mut Forms) -> Vec<Vec<ExprId>> {
     let velocities = model.velocities();
     let noises = model.noises.clone();
@@ -94,8 +95,8 @@ fn accelerations(model: &mut Model, forms: &mut Forms) -> Vec<Vec<ExprId>> {
     cheapest.map_or_else(Vec::new, |(_, columns)| columns)
 }
 
-/// The dependence of the diffusions g on the state. All (gⱼ·∇) gₖ vanish if no diffusion depends on
-/// an entry that one of them drives.
+/// Determines the dependence of the diffusions g on the state. All (gⱼ·∇) gₖ vanish if no diffusion
+/// depends on an entry that one of them drives.
 fn kind(model: &mut Model, columns: &[Vec<ExprId>]) -> DiffusionKind {
     let entries = columns.concat();
     let state = Dependencies::COORDINATE | Dependencies::VELOCITY | Dependencies::STATE;

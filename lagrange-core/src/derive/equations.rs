@@ -29,8 +29,8 @@ use lagrange_algebra::simplify::{self, Angles};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 
-/// The equations of motion and the other requested products of a model. Products that are not
-/// requested are not among `products`; the two sides of M q̈ = f come with the accelerations.
+/// The equations of motion and the other requested products of a model. `products` only contains
+/// requested products; both sides of M q̈ = f accompany the accelerations.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// q̈ as functions of t, q, v.
@@ -43,13 +43,12 @@ pub struct Equations {
     /// `None` if no pivot may vanish, as for declared kinetic energies, and for systems with
     /// constraints, contacts or friction, which report it elsewhere.
     pub pivot_growth: Option<ExprId>,
-    /// Strategy that computes them.
+    /// Strategy for the accelerations.
     pub strategy: Strategy,
-    /// True if the kinetic energy can be kept a sum of squares: whatever is quadratic in the
-    /// velocities is a sum of squares of rates.
+    /// True if the kinetic energy can be kept as a sum of squares: all quadratic terms in the
+    /// velocities are sums of squares of rates.
     pub is_sum_of_squares: bool,
-    /// The counted cost of each strategy, as far as it was tried, in the order of
-    /// [`Strategy::ALL`].
+    /// Counted cost of each strategy that was tried, in the order of [`Strategy::ALL`].
     pub costs: [Option<f64>; 3],
     /// M in rows; empty if it is large and was not requested.
     pub mass_matrix: Rows,
@@ -57,10 +56,10 @@ pub struct Equations {
     pub forcing: Vec<ExprId>,
     /// ∂L/∂q + Q, by which the momenta change without constraints
     pub free_momentum_rates: Option<Vec<ExprId>>,
-    /// Equations of motion to be expanded in Taylor series, if that is requested.
+    /// Equations of motion for the expansion in Taylor series, if requested.
     pub series: Option<SeriesEquations>,
-    /// Requested products other than both sides of M q̈ = f and the content of the model; matrices
-    /// row by row.
+    /// Requested products other than both sides of M q̈ = f and those contained in the model;
+    /// matrices row by row.
     products: Vec<(Product, Vec<ExprId>)>,
     /// Jacobians of frames in the order of `Scene::twists`, each in six rows.
     pub frame_jacobians: Vec<Vec<ExprId>>,
@@ -70,7 +69,7 @@ pub struct Equations {
     pub diffusion: Diffusion,
     /// Structure found in the system.
     pub structure: Structure,
-    /// Surfaces on which what determines the motion is not smooth.
+    /// Surfaces on which the equations of motion are not smooth.
     pub switches: Vec<Switch>,
     /// Names for intermediate results, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
@@ -171,7 +170,7 @@ impl Equations {
         if model.accuracy == Accuracy::Strict {
             equations.contract(model);
         }
-        // Between two steps, noise passes a surface any number of times.
+        // Noise may cross a surface any number of times within a step.
         if model.noises.is_empty() {
             equations.switches = Switch::find(model, &equations.of_motion(model), &solution.guards);
         }
@@ -206,8 +205,8 @@ impl Equations {
     }
 
     /// True if the mass matrix is constant during the motion and nothing but constraint forces
-    /// depends on a velocity. It is judged by what the expressions mention: a velocity that cancels
-    /// unseen still counts.
+    /// depends on a velocity. This is judged by the symbols in the expressions: a velocity that
+    /// cancels undetected still counts.
     pub fn is_separable(&self, model: &Model) -> bool {
         let depends = |&value: &ExprId| model.graph.dependencies(value).intersects(Dependencies::VELOCITY);
         let free = if model.constraints.is_empty() { &self.accelerations } else { &self.forcing };
@@ -238,7 +237,7 @@ impl Equations {
         roots
     }
 
-    /// Writes what is emitted beside the accelerations with as little to cancel as is found.
+    /// Simplifies the emitted expressions other than accelerations to reduce cancellation.
     fn contract(&mut self, model: &mut Model) {
         let mut places = self.mass_matrix.iter_mut().flatten().chain(&mut self.forcing).collect::<Vec<_>>();
         let products = self.products.iter_mut().filter(|(product, _)| !product.is_derivative());
@@ -253,9 +252,8 @@ impl Equations {
     }
 }
 
-/// True if the mass matrix or something that is made of it will be needed, whatever strategy is
-/// taken. Constraints, contacts and friction have rows of their own in it, and `strict` looks for
-/// what cancels there.
+/// True if the mass matrix, or something derived from it, is needed regardless of the strategy.
+/// Constraints, contacts and friction add rows to it, and `strict` searches it for cancellation.
 fn wants_mass_matrix(model: &Model, choice: StrategyChoice) -> bool {
     let is_made_of_it = |product: &Product| {
         product.is_derivative() || matches!(product, Product::MassMatrix | Product::Latex | Product::Taylor)
@@ -266,7 +264,7 @@ fn wants_mass_matrix(model: &Model, choice: StrategyChoice) -> bool {
     is_asked_for || !is_free || is_factorised || model.accuracy == Accuracy::Strict
 }
 
-/// The shape of the mass matrix, which is written down for that only where nothing else shows it.
+/// Determines the shape of the mass matrix, which is only written down if nothing else reveals it.
 fn mass_structure(model: &mut Model, split: &SplitLagrangian, forms: &mut Forms) -> MassStructure {
     if !forms.is_pushed() && !split.has_other_inertia {
         let residual = residual(model, split, AccelerationTerms::Kept, Terms::All);
@@ -278,9 +276,9 @@ fn mass_structure(model: &mut Model, split: &SplitLagrangian, forms: &mut Forms)
     MassStructure::of_matrix(&model.graph, forms.mass_matrix())
 }
 
-/// Returns the elimination for the right-hand sides of constraints, and of contacts and friction
-/// beside them. It is that of the chosen strategy or, if it has none, that of the mass matrix.
-/// `None` without constraints.
+/// Returns the elimination for the right-hand sides of constraints, contacts and friction. It is
+/// that of the chosen strategy or, if there is none, of the mass matrix. `None` without
+/// constraints.
 fn kept_elimination(
     model: &mut Model,
     forms: &mut Forms,
@@ -298,7 +296,7 @@ fn kept_elimination(
     steps.map(Some).ok_or(SingularMassMatrix)
 }
 
-/// The derivatives of accelerations that are wanted, by the state and by parameters and inputs.
+/// Computes the requested derivatives of accelerations, by the state and by parameters and inputs.
 fn jacobians(
     model: &mut Model,
     split: &SplitLagrangian,
@@ -327,8 +325,8 @@ fn jacobians(
     wanted.into_iter().map(derived).collect()
 }
 
-/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act. An
-/// angular momentum p in turning axes changes by −ω × p besides.
+/// Computes ∂L/∂q + Q, which equals the rate of ∂L/∂v by Lagrange's equations, unless constraints
+/// act. An angular momentum p in rotating axes also changes by −ω × p.
 fn free_momentum_rates(model: &mut Model, forces: &[ExprId]) -> Vec<ExprId> {
     let (positions, velocities) = (model.positions(), model.velocities());
     let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
@@ -347,7 +345,7 @@ fn free_momentum_rates(model: &mut Model, forces: &[ExprId]) -> Vec<ExprId> {
     rates.collect()
 }
 
-/// Each of `values` and what is added to it, if anything is.
+/// Adds the corresponding entries of `added`, if any, to each of `values`.
 fn sums(model: &mut Model, values: &[ExprId], added: &[&[ExprId]]) -> Vec<ExprId> {
     let sum = |(i, &value): (usize, &ExprId)| {
         let terms = added.iter().filter_map(|list| list.get(i).copied()).chain([value]).collect::<Vec<_>>();
@@ -356,7 +354,8 @@ fn sums(model: &mut Model, values: &[ExprId], added: &[&[ExprId]]) -> Vec<ExprId
     values.iter().enumerate().map(sum).collect()
 }
 
-/// Names of the user, then of matrix entries and of what the solution computes on the way.
+/// Returns the user's names, followed by names of matrix entries and intermediate results of the
+/// solution.
 fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Vec<(ExprId, String)> {
     let symbols = model.speeds.iter().map(|speed| model.graph.symbol_of(speed.acceleration));
     let accelerations = solution.values.iter().zip(symbols);
@@ -364,7 +363,7 @@ fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Ve
     let derived = matrix_labels(&model.graph, mass_matrix).into_iter().chain(accelerations);
     let rates = model.states().map(|state| (state.rate, format!("{}_dot", state.name)));
     let derived = derived.chain(rates).chain(solution.labels.iter().cloned());
-    // A symbol or the sine of an angle says itself what it is, unless the user has named it.
+    // Symbols and sines of angles are self-explanatory, unless the user has named them.
     let says_itself = |id| matches!(model.graph.node(id), Node::Symbol(_) | Node::Call(..));
     let labels = model.labels.iter().cloned().chain(derived.filter(|(id, _)| !says_itself(*id)));
     labels.filter(|(id, _)| model.graph.as_number(*id).is_none()).collect()

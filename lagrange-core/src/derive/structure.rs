@@ -1,5 +1,5 @@
-//! Structure of a system, found in its equations: the shape of the mass matrix, cyclic coordinates,
-//! conserved quantities.
+//! Structure detected in the equations of a system: the shape of the mass matrix, cyclic
+//! coordinates, conserved quantities.
 
 use crate::model::{Action, Model};
 use lagrange_algebra::calculus::{adjoint, gradient};
@@ -12,11 +12,11 @@ use lagrange_expr::symbol::Role;
 /// The shape of the mass matrix.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MassStructure {
-    /// No entry depends on anything but parameters.
+    /// True if entries depend only on parameters.
     pub is_constant: bool,
-    /// An entry depends on velocities.
+    /// True if an entry depends on velocities.
     pub depends_on_velocities: bool,
-    /// Coordinates that are coupled with each other; single ones form separate blocks.
+    /// Groups of coupled coordinates; uncoupled ones form separate blocks.
     pub blocks: Vec<Vec<usize>>,
 }
 
@@ -77,14 +77,14 @@ pub enum Conserved {
     Energy,
 }
 
-/// Structure of a system, as far as it can be found in its equations.
+/// Structure of a system, as far as its equations reveal it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Structure {
     /// The shape of the mass matrix.
     pub mass: MassStructure,
     /// Coordinates that the Lagrangian does not depend on.
     pub cyclic: Vec<usize>,
-    /// Conserved quantities that follow.
+    /// Conserved quantities that result.
     pub conserved: Vec<Conserved>,
 }
 

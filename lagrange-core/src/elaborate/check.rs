@@ -1,4 +1,4 @@
-//! The checks that need the whole declaration, and the model they certify.
+//! Checks of the whole declaration, and the resulting model.
 
 use super::constraints::{check_reduced_constraints, is_constrained};
 use super::damping::with_limits;
@@ -29,7 +29,7 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{StateKind, StatementKind};
 
-/// The model and what is to be reduced of it; `None` if anything is wrong, which has been reported.
+/// Returns the model and its reductions; `None` after an error, which has been reported.
 pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>, Terms)> {
     check_statements(&mut elaborator);
     if elaborator.evaluator.report.has_errors() {
@@ -56,7 +56,7 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
     Some((into_model(elaborator, energies, lagrangian), reductions, terms))
 }
 
-/// Checks that need no Lagrangian.
+/// Performs the checks that need no Lagrangian.
 fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_header(elaborator);
     check_state_names(elaborator);
@@ -89,25 +89,25 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
         report.error(first.span, messages::underivable(&names, scalar)).help(messages::UNDERIVABLE_HELP);
     }
     if !declaration.unreadable_words.is_empty() {
-        // What is missing may be in a statement that could not be read.
+        // The missing item may be in an unreadable statement.
         return;
     }
     let has = |kind: fn(&StatementKind) -> bool| declaration.statements.iter().any(|s| kind(&s.kind));
     if declaration.coordinates().is_empty() {
         report.error(declaration.name.span, messages::NO_COORDINATES).help(messages::COORDINATES_HELP);
     }
-    // The energy of a body that could not be read is missing because of that.
+    // An unreadable body accounts for the missing energy.
     let is_clear = declaration.bodies.is_empty() || !report.has_errors();
     let has_energy = has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_)));
-    // States alone have no velocities, and no energy.
+    // Systems of states alone have no velocities, and no energy.
     let is_mechanical = !declaration.velocities().is_empty() || declaration.states().next().is_none();
     if is_clear && is_mechanical && !has_energy {
         report.error(declaration.name.span, messages::NO_ENERGY).help(messages::ENERGY_HELP);
     }
 }
 
-/// The state has a field for every coordinate and for every velocity. Names that were declared are
-/// compared with each other elsewhere.
+/// Checks that fields of the state are distinct. The state has a field for every coordinate and
+/// velocity. Declared names are checked against each other elsewhere.
 fn check_state_names(elaborator: &mut Elaborator<'_>) {
     let is_declared = |speed: &Speed| elaborator.evaluator.scope.is_velocity(&speed.name);
     let coordinates = elaborator.coordinates.iter().map(|(c, span)| (&c.name, c.position, *span));
@@ -156,7 +156,7 @@ fn check_energies(elaborator: &mut Elaborator<'_>) {
 
 fn check_products(elaborator: &mut Elaborator<'_>) {
     for &(product, wanted, span) in &elaborator.wanted {
-        // A body may be where the text could not be read.
+        // A body may be in an unreadable part of the text.
         let is_unclear = product.is_of_bodies() && !elaborator.declaration.unreadable_words.is_empty();
         if wanted && elaborator.is_undefined(product) && !is_unclear {
             let (message, help) = match product {
@@ -188,7 +188,7 @@ fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'s
     }
 }
 
-/// Some methods are called by others.
+/// Checks that methods called by others are also emitted.
 fn check_needed_products(elaborator: &mut Elaborator<'_>) {
     let is_canonical =
         elaborator.velocities_are_rates() && elaborator.products().contains(&Product::MomentumRates);
@@ -210,7 +210,7 @@ fn check_needed_products(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Accelerations jump where contacts and friction change what they do.
+/// Reports derivatives beside contacts and friction, at whose changes of mode accelerations jump.
 fn check_derivatives(elaborator: &mut Elaborator<'_>) {
     let Some((reaction, declared)) = elaborator.reactions.first() else { return };
     for &(product, wanted, span) in &elaborator.wanted {
@@ -223,8 +223,8 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// A linear model knows no jumps of the state, and the matrix of constants that have no rate is
-/// singular.
+/// Reports linear models of discrete systems. A linear model does not include jumps of the state,
+/// and the matrix of constants without a rate is singular.
 fn check_linear_model(elaborator: &mut Elaborator<'_>) {
     let discrete = elaborator.states.iter().filter(|state| state.kind == StateKind::Discrete);
     let mut places = discrete.map(|state| state.name.span).chain(elaborator.clocks.iter().map(|(_, at)| *at));
@@ -238,8 +238,8 @@ fn check_linear_model(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Second derivatives with respect to components of unit quaternions depend on how the Lagrangian
-/// continues to other lengths.
+/// Reports Hessians with unit quaternions. Second derivatives by their components depend on the
+/// extension of the Lagrangian to other lengths.
 fn check_hessian(elaborator: &mut Elaborator<'_>) {
     if elaborator.orientations.is_empty() {
         return;
@@ -252,8 +252,8 @@ fn check_hessian(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Names of methods that systems with constraints, contacts or events have beside those of all
-/// systems.
+/// Reports outputs named like the additional methods of systems with constraints, contacts or
+/// events.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
     let has_regressor = elaborator.products().contains(&Product::Regressor);
     let groups: [(bool, &[&str]); 9] = [
@@ -297,8 +297,8 @@ fn total(
     elaborator.evaluator.graph.total(values)
 }
 
-/// Every velocity must appear in the kinetic energy, and the momenta must not depend on inputs,
-/// whose rates would be needed.
+/// Checks that every velocity appears in the kinetic energy, and that momenta do not depend on
+/// inputs, whose rates would be needed.
 fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
     let velocities = elaborator.speeds.iter().map(|(speed, _)| speed.velocity).collect::<Vec<_>>();
     let momenta = gradient(&mut elaborator.evaluator.graph, lagrangian, &velocities);
@@ -310,7 +310,7 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
         if !is_determined && !is_constrained(elaborator, speed.velocity) {
             let name = elaborator.name_of_freedom(speed);
             let graph = &elaborator.evaluator.graph;
-            // A Lagrangian of its own may have terms of magnets, which are linear.
+            // A declared Lagrangian may have linear terms, for example of magnets.
             let is_separate = elaborator.lagrangian.is_empty();
             let is_linear = is_separate && graph.reachable(&[lagrangian]).contains(&speed.velocity);
             let error = elaborator.evaluator.report.error(*span, messages::no_inertia(name));
@@ -346,7 +346,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
     let noises = separate_noises(&mut elaborator);
     let states = positions_of_states(&elaborator);
     let mut labels = elaborator.labels;
-    // Rates of what has a name occur in the equations whether or not the user wrote them.
+    // Rates of named expressions occur in the equations even if the user did not write them.
     let moving = Dependencies::VELOCITY | Dependencies::ACCELERATION;
     let mut rates = Rates::new(AccelerationTerms::Kept);
     for (position, name) in labels.clone() {

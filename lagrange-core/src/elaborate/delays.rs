@@ -39,7 +39,8 @@ fn lag_of(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
     Some(lag)
 }
 
-/// Reports what does not go with delays: linear models, whose inputs they would be, and reductions.
+/// Reports features incompatible with delays: linear models, which would treat them as inputs, and
+/// reductions.
 pub(super) fn check_delays(elaborator: &mut Elaborator<'_>) {
     let Some(place) = elaborator.delays.first().map(|(_, place)| Origin::from(*place)) else { return };
     let report = &mut elaborator.evaluator.report;

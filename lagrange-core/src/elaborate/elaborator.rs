@@ -1,4 +1,4 @@
-//! The model under construction, and what all statements need of it.
+//! The model under construction, with helpers for all statements.
 
 use proc_macro2::Span;
 
@@ -21,11 +21,11 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_language::bodies::Plain;
 use lagrange_language::syntax::ast::{self, AstId, Declaration, Name, StateKind};
 
-/// Quantities that only the equations of motion determine.
+/// Quantities determined only by the equations of motion.
 pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
-/// Dependencies that a constant value must not have, the most telling first.
+/// Dependencies that a constant value must not have, the most informative first.
 const CHANGING: [Dependencies; 10] = [
     Dependencies::MULTIPLIER,
     Dependencies::REACTION,
@@ -39,7 +39,7 @@ const CHANGING: [Dependencies; 10] = [
     Dependencies::TIME,
 ];
 
-/// An expression of a statement and where it stands.
+/// An expression of a statement, with its position.
 pub(super) struct SourceTerm {
     pub(super) value: ExprId,
     pub(super) syntax: AstId,
@@ -51,11 +51,11 @@ pub(super) struct DeclaredState {
     pub(super) name: Name,
     pub(super) position: ExprId,
     pub(super) kind: StateKind,
-    /// Place of its equation, if there is one.
+    /// Position of its equation, if there is one.
     pub(super) equation: Option<Span>,
-    /// The symbol for its rate in equations that do not determine it yet.
+    /// Symbol for its rate in equations that do not yet determine it.
     pub(super) unknown_rate: Option<ExprId>,
-    /// True if its equation is wrong, which was reported.
+    /// True if its equation has an error, which was reported.
     pub(super) is_given_up: bool,
     /// True if its rate was found together with others.
     pub(super) is_coupled: bool,
@@ -68,13 +68,13 @@ pub(super) struct DeclaredNoise {
     pub(super) density: ExprId,
 }
 
-/// An equation for rates of states that is not solved yet.
+/// An equation for rates of states that is not yet solved.
 #[derive(Clone, Debug)]
 pub(super) struct RateEquation {
     pub(super) syntax: AstId,
-    /// The difference of its sides.
+    /// Difference of both sides.
     pub(super) residual: ExprId,
-    /// Places of the states whose rates are unknown.
+    /// Indices of the states with unknown rates.
     pub(super) unknowns: Vec<usize>,
 }
 
@@ -85,17 +85,17 @@ pub(super) struct Elaborator<'a> {
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
     pub(super) noises: Vec<DeclaredNoise>,
-    /// Inputs that are delayed signals, with where these stand.
+    /// Inputs that are delayed signals, with the positions of the signals.
     pub(super) delays: Vec<(Delay, Span)>,
-    /// Ranges of parameters so far, by their bounds in the syntax tree.
+    /// Ranges of parameters so far, keyed by their bounds in the syntax tree.
     pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
     pub(super) states: Vec<DeclaredState>,
-    /// Equations that do not determine rates of states yet.
+    /// Equations that do not yet determine rates of states.
     pub(super) rate_equations: Vec<RateEquation>,
     /// The names that `velocity` statements give to the rates of coordinates.
     pub(super) named_velocities: HashMap<String, &'a Name>,
-    /// Number of positions that are no states, all of which stand in front of these.
+    /// Number of positions that are not states, all of which precede the states.
     pub(super) first_state: usize,
     pub(super) speeds: Vec<(Speed, Span)>,
     pub(super) orientations: Vec<Orientation>,
@@ -110,27 +110,27 @@ pub(super) struct Elaborator<'a> {
     pub(super) load_statements: Vec<(String, usize)>,
     /// Names of the constraints of joints.
     pub(super) joints: &'a [Name],
-    /// Names of `let`s that are places, with what they are places of.
+    /// Names of `let`s that are positions, with the items that they position.
     pub(super) places: &'a [(String, String)],
     /// Constraints of joints that the coordinates fulfil by themselves.
     pub(super) implied: Vec<String>,
-    /// Constraints, with where their names stand.
+    /// Constraints, with the positions of their names.
     pub(super) constraints: Vec<(Constraint, Span)>,
-    /// First constraint on each velocity expression, up to a factor and a number.
+    /// Index of the first constraint on each velocity expression, up to a factor and a number.
     pub(super) constrained: HashMap<ExprId, usize>,
-    /// The rate of stabilisation, with where it is given.
+    /// Rate of stabilisation, with its position.
     pub(super) stabilisation: Option<(ExprId, Span)>,
-    /// Events, with where their names stand.
+    /// Events, with the positions of their names.
     pub(super) events: Vec<(Event, Span)>,
     pub(super) clocks: Vec<(Clock, Span)>,
-    /// Contacts and friction, with where their names stand.
+    /// Contacts and friction, with the positions of their names.
     pub(super) reactions: Vec<(Reaction, Span)>,
     pub(super) outputs: Vec<Output>,
     /// Rigid bodies of the declaration.
     pub(super) staged: Staged,
     pub(super) scene: Scene,
     pub(super) labels: Vec<(ExprId, String)>,
-    /// Entries of `emit`, with where they stand.
+    /// Entries of `emit`, with their positions.
     pub(super) wanted: Vec<(Product, bool, Span)>,
     pub(super) reductions: Vec<Reduction>,
 }
@@ -218,7 +218,7 @@ impl<'a> Elaborator<'a> {
         self.events.push((Event { name, value, direction: event.direction, action }, event.name.span));
     }
 
-    /// A scalar expression without accelerations.
+    /// Evaluates a scalar expression without accelerations.
     pub(super) fn term(&mut self, syntax: AstId, keyword: Span, what: &str) -> Option<SourceTerm> {
         value_of(&mut self.evaluator, syntax)?;
         let value = self.evaluator.scalar(syntax, what)?;
@@ -226,13 +226,13 @@ impl<'a> Elaborator<'a> {
         Some(SourceTerm { value, syntax, keyword })
     }
 
-    /// The coordinate that a velocity is the rate of, or else the velocity itself, by name.
+    /// Returns the name of the coordinate whose rate is a velocity, or else of the velocity itself.
     pub(super) fn name_of_freedom<'s>(&'s self, speed: &'s Speed) -> &'s str {
         let coordinate = speed.coordinate.and_then(|index| self.coordinates.get(index));
         coordinate.map_or(&speed.name, |(coordinate, _)| &coordinate.name)
     }
 
-    /// The velocity of a name, or of the coordinate of that name.
+    /// Returns the index of the velocity with a name, or of the coordinate with that name.
     pub(super) fn speed_of(&self, name: &str) -> Option<usize> {
         let is_velocity = self.evaluator.scope.is_velocity(name);
         self.speeds.iter().position(|(speed, _)| match is_velocity {
@@ -241,7 +241,7 @@ impl<'a> Elaborator<'a> {
         })
     }
 
-    /// A scalar of numbers and constants.
+    /// Evaluates a scalar of numbers and constants.
     pub(super) fn constant_scalar(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
         value_of(&mut self.evaluator, syntax)?;
         let value = self.evaluator.scalar(syntax, what)?;
@@ -255,7 +255,7 @@ impl<'a> Elaborator<'a> {
         Some(value)
     }
 
-    /// A value that does not change during the motion.
+    /// Evaluates a scalar that is constant during the motion.
     pub(super) fn constant_in_motion(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
         value_of(&mut self.evaluator, syntax)?;
         let value = self.evaluator.scalar(syntax, what)?;
@@ -272,7 +272,7 @@ impl<'a> Elaborator<'a> {
         Some(value)
     }
 
-    /// The number that an expression is in every motion of every system, if it is one.
+    /// Returns the value of an expression if it is the same number in every motion of every system.
     pub(super) fn numeric(&self, value: ExprId) -> Option<f64> {
         let graph = &self.evaluator.graph;
         let is_number = graph.dependencies(value) == Dependencies::NONE;
@@ -284,7 +284,7 @@ impl<'a> Elaborator<'a> {
         self.forbid(UNKNOWNS, (syntax, value), what, help)
     }
 
-    /// Reports if an expression depends on one of these kinds.
+    /// Reports an expression that depends on one of these kinds.
     pub(super) fn forbid(
         &mut self,
         kinds: &[Dependencies],

@@ -31,31 +31,31 @@ pub(super) struct Evaluator<'a> {
     pub(super) report: &'a mut Report,
     pub(super) declaration: &'a Declaration,
     pub(super) rates: Rates,
-    /// Velocity and position that each `dot(…)` evaluated to.
+    /// Velocity and position resulting from each `dot(…)`.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
-    /// Arguments that are reported to be no size of a solid.
+    /// Arguments already reported as unsuitable sizes of a solid.
     pub(super) unsuitable: HashSet<Vec<AstId>>,
-    /// Values of which it was reported that their shape is not that of the array they are given to.
+    /// Values whose shape was already reported to differ from the array.
     pub(super) misshapen: HashSet<AstId>,
-    /// Joints of which it was reported that they have no force.
+    /// Joints already reported to have no force.
     pub(super) forceless_joints: HashSet<String>,
     pub(super) constants: Constants,
     pub(super) unresolved: Unresolved,
-    /// Operands by expression; `None` where something was wrong and has been reported.
+    /// Operands by expression; `None` for errors, which have been reported.
     pub(super) values: HashMap<AstId, Option<Operand>>,
-    /// Functions without a formula that calls may mention.
+    /// Functions without a formula that calls may refer to.
     pub(super) callables: OrderedMap<String, Callable>,
-    /// Expressions with an obligation to be a vector. A violation is reported there, not for each
-    /// of its components.
+    /// Expressions that must be vectors. A violation is reported at the expression, not for each
+    /// component.
     pub(super) obliged_vectors: HashSet<AstId>,
-    /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is
-    /// reported there.
+    /// Expressions that must be valid masses or moments of inertia. Negative ones are reported at
+    /// the expression.
     pub(super) obliged_masses: HashSet<AstId>,
-    /// Number of the partial derivatives within which something is evaluated.
+    /// Nesting depth of the partial derivatives under evaluation.
     pub(super) derivatives: u32,
 }
 
-/// A leaf of a chain, negated in a sum or divided by in a product.
+/// A leaf of a chain, negated in a sum or inverted in a product.
 pub(super) struct ChainLink {
     pub(super) operand: AstId,
     pub(super) inverted: bool,
@@ -95,7 +95,7 @@ impl<'a> Evaluator<'a> {
         self.values.get(&id).cloned().flatten()
     }
 
-    /// Reports an expression that is wrong, and returns none.
+    /// Reports an invalid expression, and returns none.
     pub(super) fn refuse<T>(
         &mut self,
         syntax: AstId,
@@ -106,7 +106,7 @@ impl<'a> Evaluator<'a> {
         None
     }
 
-    /// The value as a scalar; reports anything else as `what`.
+    /// Returns the value as a scalar; reports anything else, described as `what`.
     pub(super) fn scalar(&mut self, id: AstId, what: &str) -> Option<ExprId> {
         match self.value(id)? {
             Operand::Scalar(scalar) => Some(scalar),
@@ -117,7 +117,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The value as the components of a vector; reports a scalar as `what`.
+    /// Returns the value as the components of a vector; reports a scalar, described as `what`.
     pub(super) fn vector(&mut self, id: AstId, what: &str) -> Option<Vec<ExprId>> {
         match self.value(id)? {
             Operand::Vector(components) => Some(components),
@@ -125,7 +125,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The expressions that must have values before `id` has one: the leaves of a chain.
+    /// Returns the expressions that must be evaluated before `id`: the leaves of a chain.
     pub(super) fn operands(&self, id: AstId) -> Vec<AstId> {
         match self.syntax(id) {
             Expression::Call(name, arguments) if reads_its_arguments(&name.text, arguments) => Vec::new(),
@@ -133,8 +133,8 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The expressions of whose values that of `id` is made: its operands, and what a call takes
-    /// the derivative of.
+    /// Returns the expressions that determine the value of `id`: its operands, and the expressions
+    /// that a call differentiates.
     pub(super) fn constituents(&self, id: AstId) -> Vec<AstId> {
         match self.syntax(id) {
             Expression::Number(_) | Expression::Name(_) | Expression::Array(_) | Expression::Invalid => {
@@ -157,7 +157,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The leaves of a chain of sums or of products, in source order.
+    /// Returns the leaves of a chain of sums or of products, in source order.
     pub(super) fn chain(&self, root: AstId) -> Vec<ChainLink> {
         let additive = match self.syntax(root) {
             Expression::Binary(operator, ..) => is_additive(*operator),
@@ -183,7 +183,7 @@ impl<'a> Evaluator<'a> {
         leaves
     }
 
-    /// d/dt of an operand; remembers which velocity is the rate of what.
+    /// Computes d/dt of an operand, and records which velocity is the rate of which position.
     pub(super) fn rate(&mut self, value: &Operand, origin: AstId) -> Option<Operand> {
         for &component in value.components() {
             let forces = Dependencies::MULTIPLIER | Dependencies::REACTION;
@@ -225,8 +225,8 @@ impl<'a> Evaluator<'a> {
         }))
     }
 
-    /// True if the rate of an expression needs that of a state that is not stated so far. It is
-    /// reported here if it stands further down, elsewhere if it is missing.
+    /// True if the rate of an expression needs the rate of a state that is not yet defined. An
+    /// equation further down is reported here, a missing one elsewhere.
     fn lacks_state_rate(&mut self, component: ExprId, origin: AstId) -> bool {
         if !self.graph.dependencies(component).intersects(Dependencies::STATE) {
             return false;
@@ -247,7 +247,7 @@ impl<'a> Evaluator<'a> {
     }
 
     fn remember_rate(&mut self, position: ExprId, rate: ExprId) {
-        // What a state follows has no position of its own by that.
+        // Quantities that depend on states have no position.
         if self.graph.dependencies(position).intersects(Dependencies::STATE) {
             return;
         }
@@ -261,8 +261,8 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The smallest part of an expression that depends on one of `kinds`, and its text if it is a
-    /// name.
+    /// Returns the smallest part of an expression that depends on one of `kinds`, and its text if
+    /// it is a name.
     pub(super) fn blame(&self, root: AstId, kinds: Dependencies) -> (Origin, String) {
         let guilty = |id: AstId| {
             let value = self.value(id);
@@ -295,7 +295,8 @@ impl<'a> Evaluator<'a> {
         Some(self.origin(place))
     }
 
-    /// The name itself if it is a symbol, else that of a symbol of these kinds that it abbreviates.
+    /// Returns the name itself if it is a symbol, otherwise the name of a symbol of these kinds
+    /// that it abbreviates.
     fn symbol_behind(&self, name: &str, id: AstId, kinds: Dependencies) -> String {
         let roots = self.value(id).map(|value| value.components().to_vec()).unwrap_or_default();
         let found = self.graph.reachable(&roots).into_iter().find_map(|id| match self.graph.node(id) {

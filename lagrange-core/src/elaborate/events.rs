@@ -1,4 +1,4 @@
-//! `event` statements: zeros to be found during a motion, and what happens there.
+//! `event` statements: zeros to be found during a motion, and the actions at them.
 
 #[cfg(test)]
 mod tests;
@@ -33,7 +33,7 @@ pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
     }
 }
 
-/// `every period => { a = e; }`
+/// Adds a clock, `every period => { a = e; }`.
 pub(super) fn add_clock(elaborator: &mut Elaborator<'_>, clock: &ast::Clock, keyword: Span) {
     let period = elaborator.constant_in_motion(clock.period, messages::PERIOD);
     if let Some(number) = period.and_then(|period| elaborator.numeric(period)).filter(|&number| number <= 0.0)
@@ -46,7 +46,7 @@ pub(super) fn add_clock(elaborator: &mut Elaborator<'_>, clock: &ast::Clock, key
     elaborator.clocks.extend(clock.map(|clock| (clock, keyword)));
 }
 
-/// A scalar that can pass zero.
+/// Evaluates a scalar that can cross zero.
 fn event_function(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option<ExprId> {
     let syntax = event.value;
     value_of(&mut elaborator.evaluator, syntax)?;
@@ -98,7 +98,7 @@ fn check_assigned_once(
     }
 }
 
-/// A reduced system would need events and modes of its own.
+/// Reports events of reduced systems, which would need separate events and modes.
 pub(super) fn check_reduced_events(elaborator: &mut Elaborator<'_>) {
     let events = elaborator.events.iter().map(|(_, span)| *span);
     let events = events.chain(elaborator.clocks.iter().map(|(_, span)| *span));

@@ -71,7 +71,7 @@ messages! {
     COMPONENTS = "vectors have the components `x`, `y` and, in space, `z`; others have indices, `v[3]`";
     rate_of_input(name) = "the rate of input `{name}` is unknown";
 
-    /// Message for the rate of what is made of numbers, parameters and discrete states.
+    /// Message for the rate of an expression of numbers, parameters and discrete states.
     rate_of_constant(what) = "`{what}` does not change continuously, so its rate is zero";
     RATE_OF_CONSTANT_HELP =
         "remove the rate, declare the quantity as a `coord`, or write it as a function of `t`; the scalar product is `inner(v, w)`";
@@ -174,7 +174,7 @@ messages! {
     contradicting_constraint(name, other) =
         "the constraint `{name}` contradicts `{other}`: no motion satisfies both";
 
-    /// Message for two constraints that differ by what parameters decide.
+    /// Message for two constraints whose difference depends on parameters.
     nearly_repeated(name, other, difference) =
         "the constraint `{name}` contradicts `{other}`, or repeats it where `{difference}` is zero";
     CONTRADICTING_HELP = "remove one of them, or make them one constraint with the right value";
@@ -241,7 +241,7 @@ messages! {
         "its kinetic energy vanishes with the frozen coordinates, or is of higher than second order in the small ones";
 }
 
-/// Advice for indices that lead nowhere.
+/// Returns advice for invalid indices.
 pub(super) fn indices_of(shape: ArrayShape) -> String {
     match shape {
         ArrayShape::Scalar => "remove the indices: this is a single number".to_owned(),
@@ -271,7 +271,8 @@ fn number_in(is_constant: bool) -> &'static str {
     if is_constant { "this number" } else { "a number in this expression" }
 }
 
-/// `name` is that of the culprit, if it has one.
+/// Returns the message for a forbidden dependence. `name` is the name of the culprit, if it has
+/// one.
 pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> String {
     let culprit = match kind {
         Dependencies::VELOCITY => "velocities".to_owned(),
@@ -284,7 +285,7 @@ pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> St
     format!("{place} must not depend on {culprit}")
 }
 
-/// Longer lists do not help.
+/// Maximum length of helpful lists.
 const MAX_LISTED: usize = 10;
 
 pub(super) fn coordinates_are(names: &[&str], usage: &str) -> String {
@@ -301,7 +302,7 @@ pub(super) fn products() -> String {
     format!("the options are {}; write `no` before one to omit it", names.join(", "))
 }
 
-/// Message for traits that types with such fields cannot have.
+/// Returns the message for traits that types with such fields cannot implement.
 pub(super) fn underivable(names: &[&str], scalar: &str) -> String {
     let names = names.join("`, `");
     format!(

@@ -1,6 +1,6 @@
 //! From the syntax tree of a declaration to a model.
 //!
-//! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and
+//! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], contains energies and
 //! loads as expressions.
 
 mod assigned;
@@ -76,7 +76,7 @@ use unknown_names::count_unresolved;
 pub use obligations::is_physical;
 pub use reductions::is_method_of_reduced;
 
-/// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
+/// Resolves and checks a declaration. All errors are reported; `None` after an error.
 pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     let mut elaborator = Elaborator::new(plain, report);
     for obligation in &plain.obligations {

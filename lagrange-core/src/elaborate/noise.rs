@@ -1,4 +1,4 @@
-//! White noise: its declaration, where it may act, and its factors in forces and rates.
+//! White noise: its declaration, the places where it may act, and its factors in forces and rates.
 
 use super::elaborator::{DeclaredNoise, Elaborator, UNKNOWNS};
 use super::expression::value_of;
@@ -13,7 +13,7 @@ use lagrange_expr::limits::MAX_NOISES;
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{AstId, Definition, Name, StatementKind};
 
-/// `noise w, density: e;`
+/// Defines a noise, `noise w, density: e;`.
 pub(super) fn define_noise(elaborator: &mut Elaborator<'_>, definition: &Definition) {
     let Definition { name, value, .. } = definition;
     let density = value.and_then(|syntax| density(elaborator, syntax));
@@ -28,7 +28,7 @@ pub(super) fn define_noise(elaborator: &mut Elaborator<'_>, definition: &Definit
     elaborator.declare(name, NameKind::Noise, Some(Operand::Scalar(symbol)));
 }
 
-/// A spectral density, which is not a negative number.
+/// Evaluates a spectral density, which must not be a negative number.
 fn density(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
     value_of(&mut elaborator.evaluator, syntax)?;
     let value = elaborator.evaluator.scalar(syntax, words::DENSITY)?;
@@ -39,7 +39,7 @@ fn density(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
     Some(value)
 }
 
-/// Reports noise where it has no meaning, and systems that take none.
+/// Reports misplaced noise, and systems that do not support noise.
 pub(super) fn check_noise(elaborator: &mut Elaborator<'_>) {
     let Some(first) = elaborator.noises.first().map(|noise| noise.name.clone()) else { return };
     let declaration = elaborator.declaration;
@@ -93,8 +93,8 @@ fn check_linear(elaborator: &mut Elaborator<'_>, syntax: AstId) {
     }
 }
 
-/// True for a function, or a condition, of what depends on noise. Its slope may not: that of a sign
-/// is zero.
+/// True for a function or a condition of an argument that depends on noise. The slope of the
+/// function may be independent of noise: the slope of a sign is zero.
 fn is_function_of_noise(graph: &Graph, id: ExprId) -> bool {
     let depends = |&id: &ExprId| graph.dependencies(id).intersects(Dependencies::NOISE);
     match graph.node(id) {
@@ -109,14 +109,14 @@ fn forbid_noise(elaborator: &mut Elaborator<'_>, syntax: AstId) {
     if components(elaborator, syntax).iter().any(depends) {
         let (place, name) = elaborator.evaluator.blame(syntax, Dependencies::NOISE);
         let report = &mut elaborator.evaluator.report;
-        // Where a rate of it was reported, that is the mistake.
+        // A reported rate of the noise is the actual error.
         if report.diagnostics().iter().all(|reported| reported.origin.start.start() != place.start.start()) {
             report.error(place, words::misplaced(&name)).help(words::MISPLACED_HELP);
         }
     }
 }
 
-/// Reports constraints, contacts, friction and reductions beside noise.
+/// Reports constraints, contacts, friction and reductions in systems with noise.
 fn check_system(elaborator: &mut Elaborator<'_>, first: &Name) {
     let constraint = elaborator.constraints.first().map(|(constraint, span)| (&constraint.name, *span));
     let reaction = elaborator.reactions.first().map(|(reaction, span)| (&reaction.name, *span));
@@ -139,7 +139,7 @@ fn symbols(elaborator: &Elaborator<'_>) -> Vec<ExprId> {
     elaborator.noises.iter().map(|noise| noise.symbol).collect()
 }
 
-/// Takes the noises out of forces and rates, and returns them with their factors there.
+/// Removes the noises from forces and rates, and returns them with their factors.
 pub(super) fn separate_noises(elaborator: &mut Elaborator<'_>) -> Vec<Noise> {
     let symbols = symbols(elaborator);
     if symbols.is_empty() {

@@ -4,7 +4,7 @@ use crate::model::{Model, Pinned};
 use lagrange_algebra::calculus::Expansion;
 use lagrange_expr::expr::ExprId;
 
-/// Holds coordinates at their values, at rest.
+/// Replaces coordinates by their fixed values, at rest.
 pub(super) fn holding(model: &Model, all: &[Pinned], zero: ExprId) -> Expansion {
     let mut held = Expansion::default();
     for pinned in all {

@@ -7,7 +7,7 @@
 //! expanded in the same way, so forces on small coordinates are of first order. Expansion commutes
 //! with the time derivative, so rates stay rates and sums of squares survive.
 //!
-//! The result moves to a separate graph with coordinates numbered from zero, and is then handled
+//! The result is moved to a separate graph with coordinates numbered from zero, and is then handled
 //! like any other model.
 
 use super::ignored::Terms;
@@ -25,7 +25,7 @@ use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 /// The order to which Lagrangians are expanded.
 const ORDER: usize = 2;
 
-/// Reduces a model; what has no expansion and what cannot be ignored is reported.
+/// Reduces a model; parts without an expansion and coordinates that cannot be ignored are reported.
 pub(super) fn reduce(
     model: &Model,
     reduction: &Reduction,
@@ -61,7 +61,7 @@ struct Reducer<'a> {
     reduction: &'a Reduction,
     /// Expressions with frozen coordinates at their values.
     frozen: Expansion,
-    /// Expressions with small coordinates expanded, too.
+    /// Expressions in which small coordinates are also expanded.
     expanded: Expansion,
 }
 
@@ -79,7 +79,7 @@ impl<'a> Reducer<'a> {
         Reducer { graph, reduction, frozen, expanded }
     }
 
-    /// The reduced model in the graph of the whole one.
+    /// Returns the reduced model in the graph of the whole one.
     fn model(mut self, model: &Model) -> Result<Model, Undefined> {
         let mut energies = model.energies;
         for (part, name) in energies.parts_mut().zip(["the kinetic energy", "the potential energy"]) {
@@ -112,11 +112,11 @@ impl<'a> Reducer<'a> {
             start,
             energies,
             lagrangian,
-            // It would have to be expanded, too; energies say the same.
+            // It would also have to be expanded, and the energies contain the same information.
             gibbs: None,
             dissipation,
             loads,
-            // These are refused beside a reduction.
+            // These are rejected in combination with a reduction.
             constraints: Vec::new(),
             implied: Vec::new(),
             stabilisation: None,
@@ -135,8 +135,8 @@ impl<'a> Reducer<'a> {
         })
     }
 
-    /// Returns the products of the reduced model. Of an expanded or ignoring one, inertial
-    /// parameters do not multiply the inverse dynamics.
+    /// Returns the products of the reduced model. If it has small or ignored coordinates, its
+    /// inverse dynamics is not linear in the inertial parameters.
     fn products(&self, model: &Model) -> Vec<Product> {
         let is_exact = self.reduction.small.is_empty() && self.reduction.ignored.is_empty();
         let is_kept = |product: &&Product| is_exact || **product != Product::Regressor;
@@ -151,7 +151,7 @@ impl<'a> Reducer<'a> {
         self.expanded.of(&mut self.graph, root, ORDER).ok_or_else(|| part.to_owned())
     }
 
-    /// Returns the initial values of what is not frozen.
+    /// Returns the initial values of the coordinates and velocities that are not frozen.
     fn start(&self, model: &Model) -> Vec<ExprId> {
         let coordinates = 0..model.coordinates.len();
         let speeds = model.speeds.iter().map(|speed| speed.coordinate);
@@ -179,11 +179,11 @@ impl<'a> Reducer<'a> {
         Ok(kept)
     }
 
-    /// The power of a load up to second order, as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀ along
-    /// ṗ₂.
+    /// Returns the power of a load up to second order as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀
+    /// along ṗ₂.
     fn load(&mut self, load: &Load) -> Result<Vec<Load>, Undefined> {
         let velocity = self.of(load.velocity, "the point of a force")?;
-        // Along the velocity of something small, a force of first order does.
+        // Along a small velocity, first order suffices for the force.
         let order = ORDER.saturating_sub(velocity.valuation(&self.graph));
         let force = self.expanded.of(&mut self.graph, load.force, order).ok_or("a force")?;
         let graph = &mut self.graph;
@@ -203,7 +203,7 @@ impl<'a> Reducer<'a> {
         Ok(loads)
     }
 
-    /// Outputs stay exact in what still moves.
+    /// Returns the outputs, which stay exact in the remaining motion.
     fn outputs(&mut self, model: &Model) -> Result<Vec<Output>, Undefined> {
         let mut outputs = model.outputs.clone();
         for output in &mut outputs {
@@ -243,7 +243,7 @@ impl<'a> Reducer<'a> {
         rates
     }
 
-    /// Names of what is left of an expression; a symbol says itself what it is.
+    /// Returns the names of remaining expressions; symbols are self-explanatory.
     fn labels(&mut self, model: &Model) -> Vec<(ExprId, String)> {
         let mut labels = Vec::new();
         for (expression, name) in &model.labels {
@@ -257,8 +257,7 @@ impl<'a> Reducer<'a> {
     }
 }
 
-/// Moves a model to a graph of its own, in which its coordinates and velocities are numbered from
-/// zero.
+/// Moves a model to its own graph, in which its coordinates and velocities are numbered from zero.
 fn transplanted(reduced: &mut Reduced, numbers: &Renumbering) {
     let Reduced { reduction, model } = reduced;
     let source = std::mem::take(&mut model.graph);
@@ -282,7 +281,7 @@ fn transplanted(reduced: &mut Reduced, numbers: &Renumbering) {
     }
 }
 
-/// Places of a model that hold expressions.
+/// Returns the fields of a model that contain expressions.
 fn places(model: &mut Model) -> Vec<&mut ExprId> {
     let mut places = vec![&mut model.lagrangian, &mut model.dissipation];
     places.extend(model.energies.parts_mut());
@@ -302,7 +301,7 @@ fn places(model: &mut Model) -> Vec<&mut ExprId> {
     places
 }
 
-/// Every velocity must still appear in the kinetic energy.
+/// Checks that every velocity still appears in the kinetic energy.
 fn check_inertia(reduced: &mut Reduced, report: &mut Report) -> Option<()> {
     let model = &mut reduced.model;
     let velocities = model.velocities();
@@ -314,7 +313,7 @@ fn check_inertia(reduced: &mut Reduced, report: &mut Report) -> Option<()> {
     None
 }
 
-/// Reports what has no expansion, at the first coordinate that alone has that effect.
+/// Reports parts without an expansion, at the first coordinate that causes this by itself.
 fn report_undefined(model: &Model, reduction: &Reduction, part: &Undefined, report: &mut Report) {
     let fails = |frozen: &[Pinned], small: &[Pinned]| {
         let (frozen, small) = (frozen.to_vec(), small.to_vec());

@@ -17,20 +17,20 @@ pub(super) enum NameKind {
     Constant,
     Coordinate,
     State,
-    /// A state that only events change.
+    /// A state that only changes at events.
     Discrete,
     /// A named value of a mode.
     ModeValue,
     Velocity,
     Abbreviation,
-    /// The name defined by an equation.
+    /// A name defined by an equation.
     Unknown,
     Constraint,
-    /// A constraint of a joint that the coordinates fulfil by themselves.
+    /// A constraint of a joint that the coordinates satisfy inherently.
     Implied,
     /// An event without a force.
     Event,
-    /// An event that is an impact; its name is that of the force of the contact, too.
+    /// An event that is an impact; its name also denotes the force of the contact.
     Contact,
     Friction,
     Output,
@@ -63,7 +63,7 @@ impl NameKind {
         !matches!(self, NameKind::Implied | NameKind::Event | NameKind::Output)
     }
 
-    /// True if a name of this kind that nobody mentions is likely a mistake.
+    /// True if an unused name of this kind is likely a mistake.
     fn should_be_used(self) -> bool {
         use NameKind::{Abbreviation, Constant, Input, Noise, Parameter, Unknown};
         matches!(self, Parameter | Input | Noise | Constant | Abbreviation | Unknown)
@@ -74,11 +74,12 @@ impl NameKind {
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) kind: NameKind,
-    /// `None` if the declaration was faulty and has been reported, and for what has no value.
+    /// Value of the name; `None` if the declaration had an error, which was reported, or the kind
+    /// has no value.
     pub(super) value: Option<Operand>,
     pub(super) span: Span,
     used: bool,
-    /// True if it was declared twice, so that it may stand for something else.
+    /// True if it was declared twice, so that its meaning is ambiguous.
     pub(super) is_ambiguous: bool,
 }
 
@@ -86,12 +87,12 @@ pub(super) struct Entry {
 #[derive(Default, Debug)]
 pub(super) struct Scope {
     entries: OrderedMap<String, Entry>,
-    /// Unknowns of coupled equations: one that is mentioned gives all others a purpose.
+    /// Groups of unknowns of coupled equations: the use of one counts as a use of all.
     coupled: Vec<Vec<String>>,
 }
 
 impl Scope {
-    /// Adds a name; reports it if it is taken.
+    /// Adds a name; reports it if it is already declared.
     pub(super) fn declare(
         &mut self,
         name: &Name,
@@ -120,49 +121,49 @@ impl Scope {
         );
     }
 
-    /// Gives a name that was declared for itself the value that it has behind its statement, where
-    /// nothing has used it so far.
+    /// Sets the value of a previously declared name after its statement. Nothing has used it so
+    /// far.
     pub(super) fn define(&mut self, name: &str, value: Option<Operand>) {
         if let Some(entry) = self.entries.get_mut(&name.to_owned()) {
             (entry.value, entry.used) = (value, false);
         }
     }
 
-    /// Gives a name another value for a while; the value that it had.
+    /// Replaces the value of a name temporarily, and returns the previous value.
     pub(super) fn replace(&mut self, name: &str, value: Option<Operand>) -> Option<Operand> {
         let entry = self.entries.get_mut(&name.to_owned())?;
         std::mem::replace(&mut entry.value, value)
     }
 
-    /// Couples names: none is reported as unused if one of them is mentioned.
+    /// Couples names: none is reported as unused if one of them is used.
     pub(super) fn couple(&mut self, names: &[Name]) {
         self.coupled.push(names.iter().map(|name| name.text.clone()).collect());
     }
 
-    /// The entry of that name, without counting as a use.
+    /// Returns the entry of a name, without counting as a use.
     pub(super) fn find(&self, name: &str) -> Option<&Entry> {
         self.entries.get(&name.to_owned())
     }
 
-    /// True of the name of a velocity.
+    /// True for the name of a velocity.
     pub(super) fn is_velocity(&self, name: &str) -> bool {
         self.find(name).is_some_and(|entry| entry.kind == NameKind::Velocity)
     }
 
-    /// The entry of a name that an expression mentions.
+    /// Returns the entry of a name used in an expression.
     pub(super) fn resolve(&mut self, name: &str) -> Option<&Entry> {
         let entry = self.entries.get_mut(&name.to_owned())?;
         entry.used = true;
         Some(entry)
     }
 
-    /// The known name that is most like `name`, among those that pass the filter.
+    /// Returns the most similar known name among those that pass the filter.
     pub(super) fn nearest(&self, name: &str, accept: impl Fn(NameKind) -> bool) -> Option<&str> {
         let known = self.entries.iter().filter(|(_, entry)| accept(entry.kind));
         nearest(name, known.map(|(name, _)| name.as_str()))
     }
 
-    /// Warns of names that nothing mentions.
+    /// Warns of unused names.
     pub(super) fn report_unused(&self, report: &mut Report) {
         let is_used = |name: &String| self.entries.get(name).is_some_and(|entry| entry.used);
         let serves = |name| self.coupled.iter().any(|all| all.contains(name) && all.iter().any(is_used));

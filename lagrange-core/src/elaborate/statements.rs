@@ -1,4 +1,4 @@
-//! Statements, one by one: what each says is handed to who understands it.
+//! Dispatch of each statement to the function that handles it.
 
 use super::constraints::add_constraint;
 use super::coordinates::{define_coordinate, define_quaternion, name_velocity};
@@ -27,7 +27,7 @@ use lagrange_expr::expr::{Dependencies, ExprId, Graph};
 use lagrange_expr::number::Number;
 use lagrange_language::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
 
-/// Methods that every system has; no output may take their names.
+/// Methods that every system has; outputs must not use their names.
 const GENERATED_METHODS: [&str; 9] = [
     "acceleration",
     "rhs",
@@ -103,8 +103,8 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Reduce(reduction) => add_reduction(elaborator, reduction),
         StatementKind::Table(table) => define_table(elaborator, table),
         StatementKind::Solve(unknowns) => define_unknowns(elaborator, unknowns),
-        // Plain statements have replaced scenes, values have replaced calls, and the statements of
-        // loops have replaced loops. Functions of the user's crate are known already.
+        // Scenes were replaced by plain statements, calls by values, and loops by their statements.
+        // Functions of the user's crate are already known.
         StatementKind::Scene(_)
         | StatementKind::Function(_)
         | StatementKind::External(_)
@@ -139,7 +139,7 @@ fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     });
 }
 
-/// True of scalars and vectors; matrices are reported.
+/// True for scalars and vectors; matrices are reported.
 fn is_shown(elaborator: &mut Elaborator<'_>, syntax: AstId, value: &Operand) -> bool {
     let is_matrix = matches!(value, Operand::Matrix(..));
     if is_matrix {
@@ -149,7 +149,7 @@ fn is_shown(elaborator: &mut Elaborator<'_>, syntax: AstId, value: &Operand) -> 
     !is_matrix
 }
 
-/// The number of an output in the unit behind its name.
+/// Converts an output to the unit after its name.
 fn displayed(graph: &mut Graph, value: ExprId, name: &Name) -> ExprId {
     let Some(unit) = name.unit.as_ref().filter(|unit| !unit.is_coherent()) else { return value };
     let (scale, pi) = (graph.number(unit.scale.number.clone()), graph.pi());

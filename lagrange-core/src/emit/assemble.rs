@@ -1,4 +1,4 @@
-//! A derived system as items: every wanted product lowered and written as a method.
+//! A derived system as items: every requested product is lowered and written as a method.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -44,10 +44,10 @@ use lagrange_expr::expr::ExprId;
 use lagrange_expr::opaque::Opaque;
 use lagrange_language::syntax::ast::Declaration;
 
-/// Writes the items of a derived system; `None` if it cannot be written, which is reported.
+/// Writes the items of a derived system; `None` if this fails, which is reported.
 ///
-/// `statements` are the plain statements, if others stand for rigid bodies; `krate` is the path of
-/// the crate `lagrange` where the items will stand.
+/// `statements` are the plain statements, if they replace rigid bodies; `krate` is the path of the
+/// crate `lagrange` as seen from the items.
 pub fn system(
     declaration: &Declaration,
     model: &mut Model,
@@ -64,8 +64,8 @@ pub fn system(
     Some(items)
 }
 
-/// Writes the equations of motion as C, as `emit { kernel }` keeps them; `None` if there are none,
-/// which is reported.
+/// Writes the equations of motion as C, as stored by `emit { kernel }`; `None` if this fails, which
+/// is reported.
 pub fn kernel(
     (declaration, model, equations): (&Declaration, &Model, &Equations),
     precision: Precision,
@@ -75,7 +75,7 @@ pub fn kernel(
     kernels::kernel(model, equations, precision).inspect_err(refused).ok()
 }
 
-/// The items, and how large the methods are.
+/// Returns the items, and the sizes of the methods.
 fn assembled(
     declaration: &Declaration,
     model: &mut Model,
@@ -117,7 +117,8 @@ fn assembled(
     Ok((items(&shape, &members), size))
 }
 
-/// `acceleration` and what finds it; its operations where no contact or friction acts.
+/// Writes `acceleration` and its helpers, and returns its operations without active contacts or
+/// friction.
 fn write_acceleration(writer: &mut MethodWriter<'_>) -> OperationCounts {
     let docs = ["Accelerations in the order of the velocities."];
     match (writer.model.constraints.is_empty(), writer.model.reactions.is_empty()) {
@@ -141,8 +142,7 @@ fn write_products(writer: &mut MethodWriter<'_>) {
             add(writer, product.name(), docs, (arguments, returns), &roots);
         }
     }
-    // Jacobians are among the products. Series call all derivatives of tables, also those that
-    // vanish.
+    // Jacobians are among the products. Series call all derivatives of tables, even vanishing ones.
     writer.members.has_kinks = writer.members.callees.iter().any(Opaque::jumps);
 }
 
@@ -161,7 +161,7 @@ fn write_outputs(writer: &mut MethodWriter<'_>) {
     }
 }
 
-/// Lowers and writes one method, unless those before it are too large already.
+/// Lowers and writes a method, unless the previous ones are already too large.
 fn add(
     writer: &mut MethodWriter<'_>,
     name: &str,
@@ -183,7 +183,7 @@ fn add(
     counts
 }
 
-/// Documentation, defaults and constants of the type, and what its traits must know.
+/// Writes documentation, defaults and constants of the type, and data for its traits.
 fn describe(writer: &mut MethodWriter<'_>, statements: Option<&str>, counts: OperationCounts) {
     writer.members.default = default_body(writer);
     writer.members.constants = constants(writer, statements);
@@ -195,7 +195,7 @@ fn describe(writer: &mut MethodWriter<'_>, statements: Option<&str>, counts: Ope
     writer.members.are_holonomic = constraints.map(|constraint| constraint.is_holonomic).collect();
 }
 
-/// A value of the struct with its defaults, if every field has one.
+/// Returns a value of the struct with its defaults, if every field has one.
 fn default_body(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
     let fields = writer.model.parameters.iter().chain(&writer.model.inputs);
     let defaults = fields.map(|field| field.default).collect::<Option<Vec<_>>>()?;

@@ -1,4 +1,4 @@
-//! The traits of `lagrange::system` that an emitted system implements, by way of its methods.
+//! The traits of `lagrange::system` that an emitted system implements, through its methods.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -28,7 +28,7 @@ use super::features::taylor::taylor_impl;
 use super::features::units::units_constant;
 use lagrange_language::syntax::ast::Name;
 
-/// The implementations of all traits that the system has the methods for.
+/// Returns the implementations of all traits for which the system has the methods.
 pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (ode, mechanical) = (ode_impl(shape, members), mechanical_impl(shape, members));
     let energy = has(members, "energy").then(|| energy_impl(shape, members));
@@ -45,7 +45,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (parametric, delayed) = (parametric_impl(shape, members), delayed_impl(shape, members));
     let (taylor, linearised) = (taylor_impl(shape, members), linearised_impl(shape, members));
     let (lagrangian, regressor) = (lagrangian_impl(shape, members), regressor_impl(shape, members));
-    // With constraints there is only a skeleton of it.
+    // With constraints there is only a skeleton of the type.
     let is_whole = members.prepared.is_some() && members.constrained.is_empty();
     let prepared = is_whole.then(|| {
         let name = shape.prepared_name();
@@ -56,13 +56,13 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised #lagrangian #regressor #parametric #delayed)
 }
 
-/// True if the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no
+/// True if the system is a `CanonicalSystem`: momenta of angular velocities have no conjugate
 /// coordinates.
 fn is_canonical(shape: &Shape<'_>, members: &Members) -> bool {
     shape.velocities_are_rates() && has(members, "momentum_rates")
 }
 
-/// True if there is a method of this name.
+/// True if a method of this name exists.
 fn has(members: &Members, name: &str) -> bool {
     members.methods.iter().any(|method| method.name == name)
 }
@@ -109,16 +109,17 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// A mass matrix of more coordinates is not asked whether it is singular: it would fill the stack.
+/// Maximum number of coordinates for which the mass matrix is tested for singularity. A larger one
+/// would exhaust the stack.
 const LARGEST_MASS_MATRIX: usize = 64;
 
-/// The member of `OdeSystem` that says by name what is not finite.
+/// Returns the member of `OdeSystem` that names non-finite quantities.
 fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let ArgumentNames { time, state, positions, velocities, .. } = &members.names;
     let (all, rates) = (shape.state_length(), local("rates"));
     let inputs = named(shape, |name| shape.is_input(name));
-    // Under constraints a singular mass matrix may be as good as any.
+    // With constraints a singular mass matrix may be valid.
     let determines = shape.constraints.is_empty() && shape.velocities.len() <= LARGEST_MASS_MATRIX;
     let mass_matrix = members.methods.iter().find(|method| determines && method.name == "mass_matrix");
     let mass_matrix = match mass_matrix.map(|method| method.arguments) {
@@ -157,7 +158,7 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// Parameters or inputs, each with its name.
+/// Returns parameters or inputs, each with its name.
 fn named(shape: &Shape<'_>, is_wanted: impl Fn(&Name) -> bool) -> Vec<TokenStream> {
     let fields = shape.fields.iter().zip(places(&shape.number_fields()));
     let wanted = fields.filter(|(name, _)| is_wanted(name)).map(|(name, place)| {
@@ -167,7 +168,7 @@ fn named(shape: &Shape<'_>, is_wanted: impl Fn(&Name) -> bool) -> Vec<TokenStrea
     wanted.collect()
 }
 
-/// The members of `OdeSystem` that bring a state back onto what holds it.
+/// Returns the members of `OdeSystem` that project a state onto its invariants.
 fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
@@ -175,7 +176,7 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let is_oriented = !shape.quaternions.is_empty();
     let is_projected = is_held && !shape.is_stabilised;
     let is_corrected = is_touching || is_projected || is_oriented;
-    // Projections do that, too.
+    // Projections include this.
     let normalised =
         (is_oriented && !is_projected).then(|| quote!(#krate::system::normalise::<Self>(#state)?;));
     let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
@@ -193,8 +194,8 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
             }
         }
     });
-    // Starts, and states that events set, must satisfy the constraints however they are kept from
-    // there on.
+    // Initial states, and states assigned by events, must satisfy the constraints, however they are
+    // maintained later.
     let others = (is_held || is_touching).then(|| {
         let members = ["admit", "restore"].map(|name| {
             let name = local(name);
@@ -257,7 +258,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// The member of `MechanicalSystem` that hands out the parameters.
+/// Returns the member of `MechanicalSystem` that returns the parameters.
 fn parameter_member(shape: &Shape<'_>) -> Option<TokenStream> {
     let (scalar, index) = (shape.scalar(), local("index"));
     let parameters = named(shape, |name| !shape.is_input(name));

@@ -5,7 +5,7 @@ use lagrange_expr::limits::MAX_FILE_BYTES;
 
 use super::read;
 
-/// A folder that is empty when a test begins, and gone when it ends.
+/// A folder that is empty at the start of a test, and removed at its end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -51,14 +51,14 @@ fn files_are_read_from_the_folder() {
 fn files_larger_than_a_table_are_refused() {
     let folder = Folder::new("large");
     let file = fs::File::create(folder.0.join("huge.csv")).expect("a file");
-    // Without its bytes on the disk.
+    // The file is sparse.
     file.set_len(1 << 40).expect("a length");
     assert!(folder.read("huge.csv").is_err_and(|reason| reason.contains("larger than 16777216 bytes")));
     file.set_len(MAX_FILE_BYTES).expect("a length");
     assert!(folder.read("huge.csv").is_err_and(|reason| reason.contains("NUL")));
 }
 
-/// Waiting for a writer, or for the end of a device, would hang the build.
+/// Waiting for a writer, or for the end of a device, would block the build.
 #[cfg(unix)]
 #[test]
 fn what_is_no_file_is_not_waited_for() {
@@ -79,7 +79,7 @@ fn what_is_no_file_is_not_waited_for() {
         }
     }
     assert!(folder.read("loop").is_err());
-    // Files of the kernel, of which some never answer.
+    // Kernel files, some of which block forever.
     for name in ["/proc/kmsg", "/proc/self/mem", "/proc/self/pagemap"] {
         assert!(folder.read(name).is_ok_and(|text| text.is_empty()) || folder.read(name).is_err(), "{name}");
     }
@@ -96,7 +96,7 @@ fn links_and_permissions_are_those_of_the_file_system() {
     assert_eq!(folder.read("link.csv"), Ok("0, 1".to_owned()));
     let forbidden = fs::Permissions::from_mode(0o000);
     fs::set_permissions(folder.0.join("road.csv"), forbidden).expect("permissions");
-    // The administrator may read everything.
+    // The administrator can read everything.
     let reason = folder.read("link.csv").err();
     assert!(reason.is_none_or(|reason| reason.contains("Permission denied")));
 }

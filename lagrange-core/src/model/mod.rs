@@ -1,4 +1,4 @@
-//! A checked model: every name resolved, every expression of the right kind.
+//! A checked model: with resolved names and expressions of the right kind.
 
 mod product;
 mod samples;
@@ -36,7 +36,7 @@ pub struct Model {
     pub speeds: Vec<Speed>,
     /// Orientations in unit quaternions.
     pub orientations: Vec<Orientation>,
-    /// The state at the start, [q…, v…], of numbers and parameters; empty if none is declared.
+    /// Initial state [q…, v…], of numbers and parameters; empty if none is declared.
     pub start: Vec<ExprId>,
     /// The energies as declared.
     pub energies: Energies,
@@ -62,9 +62,9 @@ pub struct Model {
     pub reactions: Vec<Reaction>,
     /// Declared outputs.
     pub outputs: Vec<Output>,
-    /// Rigid bodies, as far as requested.
+    /// Rigid bodies, as far as they are requested.
     pub scene: Scene,
-    /// Velocities that are known to be rates, with their variables: `(u, x)` with u = dx/dt.
+    /// Velocities known to be rates, with their variables: `(u, x)` with u = dx/dt.
     pub rates: Vec<(ExprId, ExprId)>,
     /// The user's names for expressions, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
@@ -78,107 +78,107 @@ pub struct Model {
     pub reduced: Vec<Reduced>,
 }
 
-/// A model with fewer coordinates or with small ones, made from another.
+/// A model derived from another one, with fewer or with small coordinates.
 #[derive(Clone, Debug)]
 pub struct Reduced {
-    /// Reduction that was made; values are expressions of the reduced model.
+    /// Reduction; values are expressions of the reduced model.
     pub reduction: Reduction,
-    /// Model that results. Nothing is reduced a second time.
+    /// Resulting model. It has no reductions itself.
     pub model: Model,
 }
 
-/// Changes to the coordinates of a model that reduce it.
+/// Changes to the coordinates that reduce a model.
 #[derive(Clone, Debug)]
 pub struct Reduction {
-    /// The name of the reduced type.
+    /// Name of the reduced type.
     pub name: Name,
     /// Coordinates held at a value.
     pub frozen: Vec<Pinned>,
-    /// Coordinates that stay near a value.
+    /// Coordinates that remain near a value.
     pub small: Vec<Pinned>,
-    /// Cyclic coordinates whose momenta are parameters, in state order; without values.
+    /// Cyclic coordinates whose momenta are parameters, in state order; they have no values.
     pub ignored: Vec<Pinned>,
 }
 
 /// A coordinate and a value that is constant in motion.
 #[derive(Clone, Debug)]
 pub struct Pinned {
-    /// The index of the coordinate in the model that is reduced.
+    /// Index of the coordinate in the original model.
     pub coordinate: usize,
-    /// The value.
+    /// Value of the coordinate.
     pub value: ExprId,
-    /// Place where the coordinate is named.
+    /// Position of the coordinate's name.
     pub span: Span,
 }
 
 /// A parameter or an input.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Its name.
+    /// Name of the parameter.
     pub name: String,
-    /// The expression that stands for it.
+    /// Symbol of the parameter.
     pub symbol: ExprId,
-    /// Its default, free of symbols.
+    /// Default value, free of symbols.
     pub default: Option<ExprId>,
-    /// The lower and the upper bound of its values.
+    /// Lower and upper bound of the values.
     pub range: [Option<Bound>; 2],
 }
 
 /// A white noise.
 #[derive(Clone, Debug)]
 pub struct Noise {
-    /// Its name.
+    /// Name of the noise.
     pub name: String,
-    /// Its two-sided spectral density.
+    /// Two-sided spectral density.
     pub density: ExprId,
-    /// A velocity and the force along it per unit of the noise, for each load.
+    /// For each load, a velocity and the force along it per unit of the noise.
     pub loads: Vec<(ExprId, ExprId)>,
-    /// A state and its rate per unit of the noise, for each state.
+    /// For each state, its position and its rate per unit of the noise.
     pub rates: Vec<(ExprId, ExprId)>,
 }
 
-/// An input whose value is that of a signal some time ago.
+/// An input with the past value of a signal.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Delay {
-    /// The index of the input.
+    /// Index of the input.
     pub input: usize,
-    /// The signal, a function of time, the state and inputs.
+    /// Signal, a function of time, the state and inputs.
     pub signal: ExprId,
-    /// The time by which it is delayed, of parameters alone.
+    /// Delay of the signal, a function of parameters alone.
     pub lag: ExprId,
 }
 
 /// A bound of the values of a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Bound {
-    /// Its value, free of symbols.
+    /// Value of the bound, free of symbols.
     pub value: ExprId,
     /// True if a parameter may have this value.
     pub is_included: bool,
 }
 
-/// A position: a generalised coordinate, a component of a unit quaternion, or a state, of first
-/// order or discrete.
+/// A position: a generalised coordinate, a component of a unit quaternion, or a first-order or
+/// discrete state.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
-    /// Its name.
+    /// Name of the position.
     pub name: String,
     /// q
     pub position: ExprId,
-    /// q̇, a function of positions and generalised velocities, linear in these; of a first-order
-    /// state any function of time, positions, velocities and inputs
+    /// q̇, a function of positions and generalised velocities, linear in the velocities; for a
+    /// first-order state, any function of time, positions, velocities and inputs
     pub rate: ExprId,
-    /// True if it is a state, which displacements leave as it is.
+    /// True if it is a state, which displacements do not change.
     pub is_state: bool,
 }
 
-/// A generalised velocity, which Kane calls a generalised speed: the rate of a coordinate, or a
+/// A generalised velocity, called generalised speed by Kane: the rate of a coordinate, or a
 /// component of an angular velocity.
 #[derive(Clone, Debug)]
 pub struct Speed {
-    /// Its name in the state.
+    /// Name in the state.
     pub name: String,
-    /// Index of the coordinate that it is the rate of; `None` of an angular velocity.
+    /// Index of the coordinate whose rate it is; `None` for an angular velocity.
     pub coordinate: Option<usize>,
     /// v
     pub velocity: ExprId,
@@ -186,8 +186,8 @@ pub struct Speed {
     pub acceleration: ExprId,
 }
 
-/// An orientation as a unit quaternion among the positions, with the angular velocity in the turned
-/// axes among the velocities.
+/// An orientation as a unit quaternion among the positions, with the angular velocity in the
+/// rotated axes among the velocities.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Orientation {
     /// Index of the scalar part among the positions; the vector part follows.
@@ -209,9 +209,9 @@ pub enum Energies {
     },
     /// L as declared
     Lagrangian,
-    /// L is the Routhian, in which T and V are no longer seen.
+    /// L is the Routhian, which does not separate into T and V.
     Routhian {
-        /// T with all velocities, also those of ignored coordinates.
+        /// T with all velocities, including those of ignored coordinates.
         kinetic: ExprId,
         /// V
         potential: ExprId,
@@ -228,58 +228,58 @@ pub struct GibbsFunction {
     pub stated: ExprId,
 }
 
-/// A force along a velocity: it does work at the rate `force · velocity`.
+/// A force along a velocity, with the power `force · velocity`.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// Names the statement, whose other components share the name.
+    /// Name of the statement, shared by its other components.
     pub name: String,
-    /// The velocity, affine in v.
+    /// Velocity, affine in v.
     pub velocity: ExprId,
-    /// The force component.
+    /// Force component.
     pub force: ExprId,
 }
 
 /// A constraint.
 #[derive(Clone, Debug)]
 pub struct Constraint {
-    /// Its name.
+    /// Name of the constraint.
     pub name: String,
-    /// Function of t and q, or one that is affine in v, that the constraint makes zero.
+    /// Function of t and q, or affine in v, that the constraint sets to zero.
     pub value: ExprId,
-    /// Function of the velocities that must be zero: the rate of `value` or, if that holds
+    /// Function of the velocities that must be zero: the rate of `value` or, if this contains
     /// velocities, `value` itself.
     pub velocity: ExprId,
     /// True if `value` is a function of t and q.
     pub is_holonomic: bool,
-    /// The symbol of its multiplier.
+    /// Symbol of the multiplier.
     pub multiplier: ExprId,
 }
 
 /// A declared output.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Its name.
+    /// Name of the output.
     pub name: String,
     /// One expression for a scalar, two or three for a vector.
     pub components: Vec<ExprId>,
-    /// True if it needs the accelerations.
+    /// True if it depends on the accelerations.
     pub uses_accelerations: bool,
-    /// True if it needs the multipliers.
+    /// True if it depends on the multipliers.
     pub uses_multipliers: bool,
-    /// True if it needs the forces of contacts or of friction.
+    /// True if it depends on the forces of contacts or of friction.
     pub uses_reactions: bool,
-    /// Its meaning, if it is derived instead of declared.
+    /// Meaning of the output, if it is derived instead of declared.
     pub description: Option<String>,
 }
 
-/// A zero to be found during a motion, and what happens there.
+/// A zero to be found during a motion, and the action at it.
 #[derive(Clone, Debug)]
 pub struct Event {
-    /// Its name.
+    /// Name of the event.
     pub name: String,
-    /// Function of t, q and v, accelerations and multipliers whose zeros are the event.
+    /// Function of t, q and v, accelerations and multipliers, whose zeros are the event.
     pub value: ExprId,
-    /// Zeros that count.
+    /// Direction of relevant zeros.
     pub direction: Direction,
     /// Action at the event.
     pub action: Action,
@@ -288,7 +288,7 @@ pub struct Event {
 /// Assignments at the multiples of a period.
 #[derive(Clone, Debug)]
 pub struct Clock {
-    /// The period, a function of parameters.
+    /// Period, a function of parameters.
     pub period: ExprId,
     /// Simultaneous assignments at each tick.
     pub assignments: Vec<Assignment>,
@@ -303,29 +303,29 @@ pub enum Action {
     Record,
     /// Bodies touch: the contact with this index among [`Model::reactions`].
     Impact(u32),
-    /// Entries of the state take other values, all at once.
+    /// Entries of the state are assigned new values simultaneously.
     Assign(Vec<Assignment>),
 }
 
 /// An entry of the state and its value after an event.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
-    /// Its index in [q…, v…], where q has one entry for each position.
+    /// Index in [q…, v…], where q has one entry for each position.
     pub index: usize,
-    /// A function of t, q and v before the event.
+    /// New value, a function of t, q and v before the event.
     pub value: ExprId,
 }
 
 /// A contact or dry friction, with a force along the gradient of a velocity.
 #[derive(Clone, Debug)]
 pub struct Reaction {
-    /// Its name.
+    /// Name of the reaction.
     pub name: String,
-    /// The symbol of its force.
+    /// Symbol of the force.
     pub symbol: ExprId,
-    /// The rate of the gap or the slip velocity, affine in q̇.
+    /// Rate of the gap, or the slip velocity, affine in q̇.
     pub velocity: ExprId,
-    /// Law of its force.
+    /// Law of the force.
     pub kind: ReactionKind,
 }
 
@@ -334,38 +334,38 @@ pub struct Reaction {
 pub enum ReactionKind {
     /// A unilateral contact.
     Contact {
-        /// A function of t and q, positive where bodies are apart.
+        /// Function of t and q, positive if bodies are apart.
         gap: ExprId,
-        /// The coefficient of restitution, a function of t, q and v.
+        /// Coefficient of restitution, a function of t, q and v.
         restitution: ExprId,
     },
     /// Dry friction that sticks and slips. Limits are functions of t, q and v, affine in
-    /// multipliers and in the forces of reactions declared before.
+    /// multipliers and in the forces of previously declared reactions.
     Friction {
-        /// The magnitude of the force while it slips.
+        /// Magnitude of the force while slipping.
         kinetic: ExprId,
-        /// The largest magnitude of the force while it sticks.
+        /// Maximum magnitude of the force while sticking.
         fixed: ExprId,
     },
-    /// The second component of friction in a plane, whose limits are those of the reaction before
-    /// it. They bound the length of the force.
+    /// The second component of friction in a plane, with the limits of the previous reaction. They
+    /// bound the magnitude of the vector.
     Across {
-        /// Its magnitude while it slips.
+        /// Magnitude while slipping.
         kinetic: ExprId,
-        /// Its largest magnitude while it sticks.
+        /// Maximum magnitude while sticking.
         fixed: ExprId,
     },
     /// Friction that only slips: the force is −limit · tanh(velocity / width).
     Smooth {
-        /// The magnitude of the force far from velocity zero, a limit like those above.
+        /// Magnitude of the force far from velocity zero, a limit like those above.
         limit: ExprId,
-        /// A velocity, constant in motion.
+        /// Velocity, constant in motion.
         width: ExprId,
     },
 }
 
 impl Energies {
-    /// Returns T and V, if the energies are known one by one.
+    /// Returns T and V, if the energies are known separately.
     pub fn parts(self) -> Option<[ExprId; 2]> {
         match self {
             Energies::Separate { kinetic, potential } | Energies::Routhian { kinetic, potential } => {
@@ -375,7 +375,7 @@ impl Energies {
         }
     }
 
-    /// Returns T and V, to be replaced.
+    /// Returns mutable references to T and V.
     pub fn parts_mut(&mut self) -> impl Iterator<Item = &mut ExprId> {
         let parts = match self {
             Energies::Separate { kinetic, potential } | Energies::Routhian { kinetic, potential } => {
@@ -388,7 +388,7 @@ impl Energies {
 }
 
 impl ReactionKind {
-    /// True if it has a mode of its own, which events switch.
+    /// True if the reaction has its own mode, switched by events.
     pub fn has_mode(self) -> bool {
         !matches!(self, ReactionKind::Smooth { .. } | ReactionKind::Across { .. })
     }
@@ -400,7 +400,7 @@ impl Model {
         self.speeds.iter().map(|speed| speed.velocity).collect()
     }
 
-    /// Unknowns of the equations of motion: rates of the velocities, and multipliers.
+    /// Returns the unknowns of the equations of motion: rates of the velocities, and multipliers.
     pub fn unknowns(&self) -> Vec<ExprId> {
         let mut unknowns = self.velocities();
         unknowns.extend(self.multipliers());
@@ -412,7 +412,7 @@ impl Model {
         self.constraints.iter().map(|constraint| constraint.multiplier).collect()
     }
 
-    /// Returns the name of a velocity in messages: that of the coordinate whose rate it is.
+    /// Returns the name of a velocity in messages: the name of the coordinate whose rate it is.
     pub fn name_of_freedom(&self, index: usize) -> &str {
         let speed = &self.speeds[index];
         speed.coordinate.map_or(&speed.name, |coordinate| &self.coordinates[coordinate].name)
@@ -437,12 +437,12 @@ impl Model {
         symbol.map_or(Role::Coordinate(index as u32), |symbol| symbol.role)
     }
 
-    /// Returns the states in their order.
+    /// Returns the states in order.
     pub fn states(&self) -> impl Iterator<Item = &Coordinate> {
         self.coordinates.iter().filter(|coordinate| coordinate.is_state)
     }
 
-    /// True if velocities are the rates of the positions, one by one.
+    /// True if each velocity is the rate of the corresponding position.
     pub fn velocities_are_rates(&self) -> bool {
         self.orientations.is_empty() && self.states().next().is_none()
     }

@@ -10,9 +10,9 @@ use lagrange_language::bodies::DrawnKind;
 pub struct DrawnScene {
     /// True if vectors have three components.
     pub is_in_space: bool,
-    /// Items in the order in which they are drawn.
+    /// Items in drawing order.
     pub items: Vec<PlacedItem>,
-    /// The numbers of all items, one after the other.
+    /// Program for the consecutive numbers of all items.
     pub program: Program,
 }
 
@@ -25,22 +25,22 @@ pub struct DrawnScene {
 pub struct PlacedItem {
     /// Kind of the item.
     pub kind: DrawnKind,
-    /// The name of a body; empty for other items, whose kinds hold it.
+    /// Name of a body; empty for other items, whose kinds contain the name.
     pub body: String,
-    /// The parts of a body's shape.
+    /// Parts of a body's shape.
     pub parts: Vec<PlacedPart>,
 }
 
 /// A part of a body's shape.
 #[derive(Clone, PartialEq, Debug)]
 pub struct PlacedPart {
-    /// A variant of `lagrange::scene::Outline`, in space of `lagrange::scene::Solid`.
+    /// Variant of `lagrange::scene::Outline`, or in space of `lagrange::scene::Solid`.
     pub variant: &'static str,
-    /// True if the dimensions are corners, of which each takes two places.
+    /// True if the dimensions are corners, with two numbers each.
     pub has_corners: bool,
-    /// Number of values that are dimensions.
+    /// Number of dimensions.
     pub dimension_count: usize,
-    /// True if it is cut out.
+    /// True if the part is cut out.
     pub is_hole: bool,
 }
 
@@ -68,7 +68,7 @@ pub(super) fn placed_items(scene: &Scene, is_in_space: bool) -> (Vec<PlacedItem>
 
 /// Returns the centroid, centre, and angle or rotation of a body.
 fn pose(motion: &BodyMotion, is_in_space: bool) -> &[ExprId] {
-    // Mass and moment of inertia come before, rates after.
+    // Mass and moment of inertia precede these values, rates follow.
     &motion.values[if is_in_space { 10..25 } else { 2..7 }]
 }
 

@@ -1,4 +1,4 @@
-//! From the equations of a system to programs.
+//! Lowering of the equations of a system to programs.
 
 use super::drawn::{DrawnScene, placed_items};
 use super::phases::DerivedPart;
@@ -15,17 +15,17 @@ use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_language::syntax::ast::Declaration;
 
-/// Systems with more velocities have no second way: writing down their matrices may cost more than
-/// all else.
+/// Maximum number of velocities of systems with a second method. Writing down larger matrices may
+/// exceed all other costs.
 const LARGEST_SECOND_WAY: usize = 40;
 
 impl Programs {
-    /// Lowers everything that a derived system holds.
+    /// Lowers all parts of a derived system.
     pub fn new(derived: &Derived) -> Programs {
         Lowering::new(&derived.declaration, &derived.model, &derived.equations).programs()
     }
 
-    /// Lowers everything that a reduced type holds.
+    /// Lowers all parts of a reduced type.
     pub fn of_part(part: &DerivedPart) -> Programs {
         Lowering::new(&part.declaration, &part.reduced.model, &part.equations).programs()
     }
@@ -37,8 +37,8 @@ struct Lowering<'a> {
     model: Model,
     equations: &'a Equations,
     variables: Variables,
-    /// Names of parts of expressions. A named value is kept apart, so that only with the same names
-    /// the results are those of emitted code.
+    /// Names of subexpressions. Named values are kept as separate results, so results only match
+    /// emitted code with the same names.
     labels: Labels,
 }
 
@@ -114,7 +114,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// Lowers expressions on the sides of the switches.
+    /// Lowers expressions for the sides of the switches.
     fn on_sides(&mut self, roots: &[ExprId]) -> Program {
         let switches = &self.equations.switches[..self.variables.switches.len()];
         let graph = &mut self.model.graph;
@@ -127,7 +127,7 @@ impl<'a> Lowering<'a> {
         lowered(&self.model.graph, roots, &self.labels, self.model.accuracy)
     }
 
-    /// Computes expressions of numbers alone.
+    /// Evaluates constant expressions.
     fn constants(&self, roots: &[ExprId]) -> Vec<f64> {
         let program = lowered(&self.model.graph, roots, &Labels::default(), self.model.accuracy);
         lagrange_algebra::program::run(&program, |_| f64::NAN)
@@ -157,7 +157,7 @@ impl<'a> Lowering<'a> {
         self.on_sides(&roots)
     }
 
-    /// Lowers M a, the gradient of a · ∂L/∂v by the velocities.
+    /// Lowers M a, the gradient of a · ∂L/∂v with respect to the velocities.
     fn mass_times(&mut self) -> Program {
         if self.model.constraints.is_empty() {
             return self.as_declared(&[]);
@@ -193,7 +193,7 @@ impl<'a> Lowering<'a> {
         TickingClock { period: self.as_declared(&[clock.period]), after: self.assigned(&clock.assignments) }
     }
 
-    /// The state after assignments.
+    /// Lowers the state after assignments.
     fn assigned(&mut self, assignments: &[Assignment]) -> Program {
         self.on_sides(&self.model.state_after(assignments))
     }
@@ -201,7 +201,7 @@ impl<'a> Lowering<'a> {
     fn products(&mut self) -> Vec<(Product, Program)> {
         let is_constrained = !self.model.constraints.is_empty();
         let wanted = Product::ALL.into_iter().filter(|product| {
-            // All rows of the system matrix have programs of their own.
+            // All rows of the system matrix have separate programs.
             *product != Product::SystemMatrix && (is_constrained || !product.is_of_constraints())
         });
         let roots =
@@ -210,7 +210,7 @@ impl<'a> Lowering<'a> {
         roots.into_iter().map(|(product, roots)| (product, self.on_sides(&roots))).collect()
     }
 
-    /// All rows of a derivative, which follow from those of the accelerations.
+    /// Lowers all rows of a derivative, which follow from the rows of the accelerations.
     fn derivatives(
         &mut self,
         product: Product,
@@ -237,7 +237,7 @@ impl<'a> Lowering<'a> {
         (!items.is_empty()).then(|| DrawnScene { is_in_space, items, program: self.on_sides(&roots) })
     }
 
-    /// The algebraic unknowns that rates are made of, with their names.
+    /// Returns the algebraic unknowns in the rates, with their names.
     fn unknowns(&self, position_rates: &[ExprId]) -> Vec<(ExprId, String)> {
         let rates = [&self.equations.accelerations[..], position_rates].concat();
         let graph = &self.model.graph;
@@ -261,19 +261,20 @@ fn lowered(graph: &Graph, roots: &[ExprId], labels: &Labels, accuracy: Accuracy)
     optimise(&lower(graph, roots, labels), accuracy)
 }
 
-/// Values whose size is the growth of rounding errors, beyond which the second way is taken.
+/// Returns values whose magnitude is the growth of rounding errors that triggers the second method.
 fn growth(equations: &Equations) -> Vec<ExprId> {
     equations.constraints.condition.into_iter().chain(equations.pivot_growth).collect()
 }
 
-/// Values that emitted code computes with the accelerations, since its second way starts from them.
+/// Returns values that emitted code computes with the accelerations, since its second method starts
+/// from them.
 fn beside(equations: &Equations) -> Vec<ExprId> {
     let is_indefinite = equations.pivot_growth.is_some();
     let values = || [&equations.forcing[..], &equations.mass_matrix.concat()].concat();
     is_indefinite.then(values).unwrap_or_default()
 }
 
-/// M and A in rows, f and b; nothing for large systems.
+/// Returns M and A in rows, f and b; nothing for large systems.
 fn undivided(equations: &Equations) -> Vec<ExprId> {
     let Equations { mass_matrix, forcing, constraints, .. } = equations;
     if forcing.len() > LARGEST_SECOND_WAY {

@@ -1,5 +1,5 @@
-//! A derived system that can be evaluated without compiling it: for tests, tools, build scripts and
-//! systems that are read at run time.
+//! A derived system that can be evaluated without compilation: for tests, tools, build scripts and
+//! systems read at run time.
 
 use std::sync::Arc;
 
@@ -15,20 +15,19 @@ use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Function;
 use lagrange_expr::opaque::Opaque;
 
-/// Values that are computed without a heap.
+/// Maximum number of values computed without heap allocation.
 const SMALL: usize = 64;
 
-/// A system as programs that are interpreted or compiled, with values for its parameters and
-/// inputs.
+/// A system as interpreted or compiled programs, with values for its parameters and inputs.
 ///
 /// Vectors are in the order of the positions or of the velocities; angles in radians.
 #[derive(Clone, Debug)]
 pub struct NumericSystem {
     programs: Arc<Programs>,
     routines: Arc<Routines>,
-    /// Parameters, then inputs.
+    /// Values of parameters, then inputs.
     fields: Vec<f64>,
-    /// Sides of the switches, as far as they are fixed.
+    /// Sides of the switches, where they are fixed.
     sides: Vec<Option<f64>>,
     callables: Callables,
 }
@@ -38,13 +37,12 @@ fn are_finite(values: &[f64]) -> bool {
 }
 
 impl NumericSystem {
-    /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are
-    /// set.
+    /// Lowers all parts of `derived`. Parameters without a default are NaN until they are set.
     pub fn new(derived: &Derived) -> NumericSystem {
         NumericSystem::of(Arc::new(Programs::new(derived)))
     }
 
-    /// Lowers everything that a reduced type holds.
+    /// Lowers all parts of a reduced type.
     pub fn of_part(part: &DerivedPart) -> NumericSystem {
         NumericSystem::of(Arc::new(Programs::of_part(part)))
     }
@@ -58,32 +56,32 @@ impl NumericSystem {
         NumericSystem { programs, routines, fields, sides, callables }
     }
 
-    /// Compiles programs when they are run for the first time. Those that call functions of the
-    /// user's crate, and those that `backend` refuses, remain interpreted; results do not change.
+    /// Compiles programs on their first run. Programs that call functions of the user's crate, and
+    /// those rejected by `backend`, remain interpreted; results do not change.
     pub fn compiled_by(self, backend: Arc<dyn Backend>) -> NumericSystem {
         let routines = Arc::new(Routines::new(&self.programs, Some(backend)));
         NumericSystem { routines, ..self }
     }
 
-    /// Returns what compiles the programs, if anything does.
+    /// Returns the compiler of the programs, if there is one.
     pub fn backend(&self) -> Option<&Arc<dyn Backend>> {
         self.routines.backend.as_ref()
     }
 
-    /// Returns the programs, with the names of everything.
+    /// Returns the programs, which include all names.
     pub fn programs(&self) -> &Arc<Programs> {
         &self.programs
     }
 
-    /// Sets a parameter or an input, by its name as it is declared, `k[0]` of an array; true if
-    /// there is one of that name.
+    /// Sets a parameter or an input, by its declared name, such as `k[0]` for an array element.
+    /// Returns true if the name exists.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
         let index = self.programs.variables.fields.iter().position(|known| known == name);
         index.is_some_and(|index| self.set_field(index, value))
     }
 
-    /// Sets the parameter or input with this place among all, parameters first; true if there is
-    /// one.
+    /// Sets the parameter or input with this index, parameters first. Returns true if the index
+    /// exists.
     pub fn set_field(&mut self, index: usize, value: f64) -> bool {
         self.fields.get_mut(index).map(|field| *field = value).is_some()
     }
@@ -93,13 +91,13 @@ impl NumericSystem {
         &self.fields
     }
 
-    /// Fixes the sides of switches: 1 or −1, or the side of the state for `None`.
+    /// Fixes the sides of switches: 1 or −1, or `None` to follow the state.
     pub fn fix_sides(&mut self, sides: impl IntoIterator<Item = Option<f64>>) {
         self.sides.iter_mut().zip(sides).for_each(|(side, fixed)| *side = fixed);
     }
 
-    /// Computes a function of the user's crate, or a derivative of one, by the name under which
-    /// emitted code calls it; whether anything calls it. What is not computed is NaN.
+    /// Defines a function of the user's crate, or one of its derivatives, by its name in emitted
+    /// code. Returns true if anything calls it. Undefined functions are NaN.
     ///
     /// ```
     /// use lagrange_core::derive::StrategyChoice;
@@ -140,13 +138,13 @@ impl NumericSystem {
         outputs
     }
 
-    /// Runs one of the programs of the system, which has as many outputs.
+    /// Runs a program of the system whose number of outputs matches `outputs`.
     fn run_into(&self, program: &Program, at: Numbers<'_>, outputs: &mut [f64]) {
         let sides = if self.routines.taken(program).sides { self.sides(at) } else { Vec::new() };
         self.run_on(program, Numbers { sides: &sides, ..at }, outputs);
     }
 
-    /// The sides of the switches, those of the state where none is fixed.
+    /// Returns the sides of the switches, determined by the state unless fixed.
     fn sides(&self, at: Numbers<'_>) -> Vec<f64> {
         if let Some(fixed) = self.sides.iter().copied().collect::<Option<_>>() {
             return fixed;
@@ -204,8 +202,8 @@ impl NumericSystem {
         }
     }
 
-    /// Computes the accelerations by elimination; false if they are not finite, or their digits
-    /// cannot be trusted.
+    /// Computes the accelerations by elimination. Returns false if they are not finite, or not
+    /// accurate enough.
     fn straight_way(&self, at: Numbers<'_>, accelerations: &mut [f64]) -> bool {
         let program = &self.programs.accelerations;
         let (count, mut small, mut large) = (program.outputs().len(), [f64::NAN; SMALL], Vec::new());
@@ -221,7 +219,7 @@ impl NumericSystem {
         self.are_trusted(found) && !self.programs.is_redundant
     }
 
-    /// Results by elimination, if they are finite and their digits can be trusted.
+    /// Returns results by elimination, if they are finite and accurate enough.
     fn trusted(&self, program: &Program, at: Numbers<'_>) -> Option<Vec<f64>> {
         let mut found = self.run(program, at);
         let are_trusted = self.are_trusted(&found);
@@ -229,23 +227,23 @@ impl NumericSystem {
         are_trusted.then_some(found)
     }
 
-    /// True if results, and the growth of their rounding errors behind them, are finite and can be
-    /// trusted.
+    /// True if results, and the growth of their rounding errors after them, are finite and accurate
+    /// enough.
     fn are_trusted(&self, found: &[f64]) -> bool {
         let (found, growth) = found.split_at(found.len() - self.programs.growths);
         are_finite(found) && growth.iter().copied().all(is_regular)
     }
 
-    /// Results by elimination, and the growth of their rounding errors.
+    /// Returns results by elimination, and the growth of their rounding errors.
     fn eliminated(&self, program: &Program, at: Numbers<'_>) -> [Vec<f64>; 2] {
         let mut found = self.run(program, at);
         let growth = found.split_off(found.len() - self.programs.growths);
         [found, growth]
     }
 
-    /// Computes accelerations and multipliers from the undivided equations. Without such equations,
-    /// they follow from elimination all the same. So they do where the equations have no solution
-    /// although no pivot was to vanish: some accelerations may be finite.
+    /// Computes accelerations and multipliers from the undivided equations. Without these, the
+    /// results of elimination are used. They are also used if the equations have no solution
+    /// although no pivot was expected to vanish, since some accelerations may be finite.
     fn second_way(&self, at: Numbers<'_>) -> [Vec<f64>; 2] {
         let (n, values) = (self.degrees_of_freedom(), self.run(&self.programs.undivided, at));
         let constraints = if values.is_empty() { 0 } else { values.len() / (n + 1) - n };
@@ -276,10 +274,10 @@ impl NumericSystem {
         rates
     }
 
-    /// Computes [q̇, v̇] in place, without a heap if code is compiled and the system is not large.
+    /// Computes [q̇, v̇] in place, without heap allocation for compiled code of small systems.
     ///
     /// # Panics
-    /// If there are fewer or more rates than entries of the state.
+    /// If the number of rates differs from the number of entries of the state.
     pub fn rates(&self, t: f64, q: &[f64], v: &[f64], rates: &mut [f64]) {
         let (at, positions) = (self.at(t, q, v), self.programs.layout.positions);
         let (of_positions, accelerations) = rates.split_at_mut(positions);
@@ -288,8 +286,8 @@ impl NumericSystem {
     }
 
     /// Computes a product at a state: one value for an energy, one per coordinate for a vector,
-    /// rows one after the other for a matrix. Jacobians have only the rows of the accelerations.
-    /// `None` if it was not derived.
+    /// consecutive rows for a matrix. Jacobians only have the rows of the accelerations. `None` if
+    /// it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         Some(self.evaluate(self.programs.product(product)?, t, q, v))
     }
@@ -301,13 +299,13 @@ impl NumericSystem {
     }
 
     /// Computes the regressor of the inverse dynamics in rows. Its columns multiply
-    /// [`regressor_parameters`](Self::regressor_parameters), whose names
-    /// [`Variables`](crate::emit::Variables) has. `None` if it was not derived.
+    /// [`regressor_parameters`](Self::regressor_parameters), whose names are in
+    /// [`Variables`](crate::emit::Variables). `None` if it was not derived.
     pub fn regressor(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
         self.with_accelerations(Product::Regressor, (t, q, v, a))
     }
 
-    /// Computes the parameters that the columns of the regressor multiply.
+    /// Computes the parameters that multiply the columns of the regressor.
     pub fn regressor_parameters(&self) -> Vec<f64> {
         self.run(&self.programs.regressor_parameters, self.at(f64::NAN, &[], &[]))
     }
@@ -327,8 +325,8 @@ impl NumericSystem {
         Some(self.evaluate(program, t, q, v))
     }
 
-    /// Runs one of the programs of the system at a state. The accelerations and multipliers that it
-    /// takes are those of the motion.
+    /// Runs a program of the system at a state, with the accelerations and multipliers of the
+    /// motion.
     pub fn evaluate(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let taken = self.routines.taken(program);
         let accelerations = if taken.accelerations { self.acceleration(t, q, v) } else { Vec::new() };
@@ -342,8 +340,8 @@ impl NumericSystem {
         self.run(&self.programs.mass_times, Numbers { accelerations: a, ..self.at(t, q, v) })
     }
 
-    /// Computes the smallest change by mass that removes residuals of the constraints to first
-    /// order.
+    /// Computes the smallest change, measured by mass, that removes residuals of the constraints to
+    /// first order.
     pub fn correction(&self, t: f64, q: &[f64], v: &[f64], residuals: &[f64]) -> Vec<f64> {
         let at = Numbers { multipliers: residuals, ..self.at(t, q, v) };
         let trusted = self.trusted(&self.programs.correction, at);

@@ -1,4 +1,4 @@
-//! The phases behind the parser, for a system and for its reduced types.
+//! The phases after parsing, for a system and for its reduced types.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -19,15 +19,15 @@ use lagrange_language::tables::name_files;
 /// A reduced type with its equations of motion.
 #[derive(Clone, Debug)]
 pub struct DerivedPart {
-    /// The declaration of the whole system, without the frozen coordinates.
+    /// Declaration of the whole system, without the frozen coordinates.
     pub declaration: Declaration,
-    /// Reduction, and the model that remains.
+    /// Reduction and remaining model.
     pub reduced: Reduced,
-    /// Equations of that model.
+    /// Equations of the remaining model.
     pub equations: Equations,
 }
 
-/// The declaration in plain statements, and what it means; no model after an error.
+/// Returns the declaration in plain statements and its model; no model after an error.
 pub(super) fn model_of(declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
     let (declaration, model) = checked(declaration, report);
     name_files(&declaration, report);
@@ -38,7 +38,7 @@ fn checked(mut declaration: Declaration, report: &mut Report) -> (Declaration, O
     let (mistakes, is_written_out) = (report.diagnostics().len(), has_arrays(&mut declaration));
     let declaration = without_arrays(declaration, report);
     if report.diagnostics().len() > mistakes {
-        // What would be found wrong without what could not be written out is not said.
+        // Errors caused by statements that could not be expanded are not reported.
         return (declaration, None);
     }
     if emit::report_too_many(&declaration, report).is_none() {
@@ -78,7 +78,7 @@ fn name_units(model: &mut Model, units: &NamedUnits) {
     model.units = units.clone();
 }
 
-/// The equations of a model and those of its reduced types, which are taken out of it.
+/// Returns the equations of a model and of its reduced types, which are removed from the model.
 pub(super) fn equations_of(
     declaration: &Declaration,
     model: &mut Model,
@@ -111,7 +111,7 @@ fn derived(
     Some((equations, parts))
 }
 
-/// The items of a system, then those of its reduced types with their conversions.
+/// Returns the items of a system, then those of its reduced types with their conversions.
 pub(super) fn items_of(
     system: (&Declaration, &mut Model, &Equations),
     parts: Vec<DerivedPart>,
@@ -135,7 +135,7 @@ fn emitted(
     let statements = has_statements.then(|| emit::statements(declaration));
     let mut items = emit::system(declaration, model, equations, statements.as_deref(), krate, report)?;
     for DerivedPart { declaration: of_part, mut reduced, equations: reduced_equations } in parts {
-        // What the statements of the whole system stand for is said there.
+        // The plain statements are only documented for the whole system.
         let part = emit::system(&of_part, &mut reduced.model, &reduced_equations, None, krate, report)?;
         let (full, reduced) = ((declaration, &*model, equations), (&of_part, &reduced, &reduced_equations));
         let conversions = emit::conversions(full, reduced, krate, report)?;

@@ -1,9 +1,9 @@
-//! All of a derived system as straight-line programs and plain data: what is interpreted, and what
-//! writers of other languages start from.
+//! A complete derived system as straight-line programs and plain data, for interpretation and for
+//! writers of other languages.
 //!
-//! Programs take their numbers from the time t, the state y = `[q…, v…]` and the parameters p.
-//! These begin with those of the declaration; a [`Layout`] gives the place of each. Roots and names
-//! of the programs are those of emitted code, so that results have the same bits.
+//! Arguments of programs are the time t, the state y = `[q…, v…]` and the array p. The latter
+//! begins with the declared parameters, and a [`Layout`] gives the index of each. Roots and names
+//! of the programs are those of emitted code, so that results are bit-identical.
 
 use super::drawn::DrawnScene;
 use crate::derive::DiffusionKind;
@@ -18,78 +18,78 @@ use lagrange_expr::symbol::Role;
 pub struct Programs {
     /// Name of the struct.
     pub name: String,
-    /// The number by which emitted types distinguish declarations.
+    /// Number by which emitted types distinguish declarations.
     pub fingerprint: u64,
     /// Names and units.
     pub variables: Variables,
-    /// Places of the numbers that programs take.
+    /// Indices of the arguments of programs.
     pub layout: Layout,
-    /// Defaults of parameters and inputs, NaN where there is none.
+    /// Defaults of parameters and inputs; NaN without a default.
     pub defaults: Vec<f64>,
     /// Bounds of parameters.
     pub ranges: Vec<Range>,
-    /// The declared state at the start, if any of it is declared.
+    /// Declared initial state, if any part of it is declared.
     pub start: Option<Program>,
     /// Rates of the positions.
     pub position_rates: Program,
-    /// Accelerations, perhaps more values that emitted code computes with them, and at the end the
-    /// growth of rounding errors in their computation.
+    /// Accelerations, possibly followed by values that emitted code computes with them, and finally
+    /// the growth of their rounding errors.
     pub accelerations: Program,
     /// Names of the noises.
     pub noises: Vec<String>,
     /// Diffusions of the noises, in rows.
     pub diffusion: Program,
-    /// Their dependence on the state.
+    /// Dependence of the diffusions on the state.
     pub diffusion_kind: DiffusionKind,
-    /// Multipliers, followed by the same growth.
+    /// Multipliers, followed by the same growth of rounding errors.
     pub multipliers: Program,
-    /// Number of these values of growth.
+    /// Number of these growth values.
     pub growths: usize,
     /// True if some constraints always follow from others, which leaves multipliers to the second
-    /// way.
+    /// method.
     pub is_redundant: bool,
-    /// M and A in rows, f and b, from which the second way starts; nothing for large systems.
+    /// M and A in rows, f and b, from which the second method starts; nothing for large systems.
     pub undivided: Program,
     /// True for each constraint that contains positions.
     pub are_holonomic: Vec<bool>,
     /// Residuals of the constraints on positions; zero for others.
     pub position_residuals: Program,
-    /// The change of velocities, or of positions, that removes residuals, which take the places of
-    /// multipliers, followed by the same growth.
+    /// Change of velocities, or of positions, that removes residuals. The residuals replace the
+    /// multipliers as arguments, and the same growth follows the results.
     pub correction: Program,
-    /// M a of the accelerations a.
+    /// M a for accelerations a.
     pub mass_times: Program,
-    /// The functions whose signs are the sides of the switches.
+    /// Functions whose signs are the sides of the switches.
     pub switches: Program,
-    /// Times at which switches are passed, as far as they are known.
+    /// Times at which switches are passed, where known.
     pub switch_times: Vec<Option<Program>>,
-    /// Functions of the events; one for those of contacts.
+    /// Functions of the events; one for events of contacts.
     pub event_functions: Program,
     /// Actions at the events.
     pub reactions: Vec<Reaction>,
     /// Clocks.
     pub clocks: Vec<TickingClock>,
-    /// Products with their programs; Jacobians have the rows of the accelerations only.
+    /// Products with their programs; Jacobians only have the rows of the accelerations.
     pub products: Vec<(Product, Program)>,
-    /// ∂ẏ/∂y in rows, if it is requested.
+    /// ∂ẏ/∂y in rows, if requested.
     pub jacobian: Option<Program>,
-    /// Derivatives of the rates by parameters, then by inputs, in rows, if they are requested.
+    /// Derivatives of the rates by parameters, then by inputs, in rows, if requested.
     pub parameter_jacobian: Option<Program>,
     /// Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows, if
     /// the system matrix is requested.
     pub linearised: Option<Program>,
-    /// The system matrix [A B; C D; G 0] in rows, if it is requested. Columns are those of
+    /// The system matrix [A B; C D; G 0] in rows, if requested. Its columns belong to
     /// displacements, first-order states, velocities and inputs.
     pub system_matrix: Option<Program>,
-    /// Values of the parameters that the columns of the regressor multiply.
+    /// Values of the parameters that multiply the columns of the regressor.
     pub regressor_parameters: Program,
     /// Outputs.
     pub outputs: Vec<(String, Program)>,
     /// The scene, if a drawing is requested.
     pub drawing: Option<DrawnScene>,
-    /// Algebraic unknowns that rates are made of.
+    /// Algebraic unknowns in the rates.
     pub unknowns: Vec<String>,
-    /// Their values.
+    /// Values of the algebraic unknowns.
     pub unknown_values: Program,
     /// Functions that solve equations.
     pub solutions: Vec<NewtonProgram>,
@@ -102,18 +102,18 @@ pub enum Reaction {
     Record,
     /// The motion ends.
     Stop,
-    /// The motion continues from the state that the program computes.
+    /// The motion continues from the state computed by the program.
     Replace(Program),
     /// A contact reacts.
     Impact,
 }
 
-/// A clock: its period, and the state after its tick.
+/// A clock: its period, and the state after each tick.
 #[derive(Clone, Debug)]
 pub struct TickingClock {
-    /// The period, of parameters alone.
+    /// Period, a function of parameters alone.
     pub period: Program,
-    /// The state after a tick.
+    /// State after a tick.
     pub after: Program,
 }
 
@@ -122,28 +122,28 @@ pub struct TickingClock {
 pub struct Range {
     /// Index of the parameter.
     pub parameter: usize,
-    /// The lower and the upper bound, and true for each that is allowed itself.
+    /// Lower and upper bound, each with true if it is included.
     pub bounds: [Option<(f64, bool)>; 2],
 }
 
-/// Places of the numbers that programs take: numbers of each kind, in their order in p.
+/// Numbers of arguments of each kind, in their order in p.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Layout {
-    /// Positions, which begin the state.
+    /// Positions, which start the state.
     pub positions: usize,
-    /// Velocities, which end it.
+    /// Velocities, which end the state.
     pub velocities: usize,
-    /// Parameters, which begin p.
+    /// Parameters, which start p.
     pub parameters: usize,
-    /// Inputs, behind the parameters.
+    /// Inputs, after the parameters.
     pub inputs: usize,
-    /// Sides of the switches, behind the inputs.
+    /// Sides of the switches, after the inputs.
     pub sides: usize,
-    /// Multipliers, behind the sides. As many accelerations follow as there are velocities.
+    /// Multipliers, after the sides. They are followed by one acceleration per velocity.
     pub multipliers: usize,
 }
 
-/// Place of a number.
+/// Location of an argument.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Place {
     /// The time.
@@ -155,7 +155,7 @@ pub enum Place {
 }
 
 impl Layout {
-    /// Returns the place of the numbers with this role; `None` for roles that no program here has.
+    /// Returns the location of the argument with this role; `None` for roles that no program uses.
     pub fn place(&self, role: Role) -> Option<Place> {
         let [inputs, sides] = [self.parameters, self.parameters + self.inputs];
         let multipliers = sides + self.sides;
@@ -184,7 +184,7 @@ impl Layout {
 }
 
 impl Programs {
-    /// Returns all programs but those of solutions.
+    /// Returns all programs except those of solutions.
     pub fn all(&self) -> impl Iterator<Item = &Program> {
         let of_motion = [&self.position_rates, &self.accelerations, &self.multipliers, &self.undivided];
         let of_constraints =
@@ -210,7 +210,7 @@ impl Programs {
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
     }
 
-    /// Returns the functions of the user's crate that programs call, each once.
+    /// Returns the functions of the user's crate called by programs, without repetition.
     pub fn functions(&self) -> Vec<Opaque> {
         let mut called = Vec::new();
         let of_solutions = self.solutions.iter().flat_map(|solution| [&solution.start, &solution.equation]);
@@ -232,7 +232,7 @@ impl Programs {
     }
 }
 
-/// True if a program takes numbers of a role that has this property.
+/// True if a program uses an argument whose role has this property.
 pub(super) fn takes(program: &Program, has: impl Fn(Role) -> bool) -> bool {
     program.values().any(|(_, op)| matches!(op, Op::Input(role) if has(*role)))
 }

@@ -1,8 +1,7 @@
-//! Programs that are run again and again: the numbers they take, and machine code for them if a
-//! compiler is at hand.
+//! Repeatedly run programs: their arguments, and their machine code if a compiler is available.
 //!
-//! This is where a compiler plugs in. The interpreter and compiled code compute the same bits, so
-//! that a program without code is interpreted, and nothing but time tells.
+//! This is the interface for compilers. The interpreter and compiled code give bit-identical
+//! results, so programs without code are interpreted, with no difference except in speed.
 
 use std::fmt::Debug;
 use std::ptr;
@@ -15,7 +14,7 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
-/// The numbers that programs take, in lists by their kind.
+/// The arguments of programs, in lists by their kind.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers<'a> {
     /// The time.
@@ -26,7 +25,7 @@ pub struct Numbers<'a> {
     pub velocities: &'a [f64],
     /// Parameters, then inputs.
     pub fields: &'a [f64],
-    /// Sides of the switches; empty for programs that take none, as the two lists below.
+    /// Sides of the switches; like the two lists below, empty for programs that do not use them.
     pub sides: &'a [f64],
     /// Multipliers.
     pub multipliers: &'a [f64],
@@ -47,8 +46,8 @@ impl<'a> Numbers<'a> {
 }
 
 impl Layout {
-    /// Returns the list of [`Numbers`] that holds the number of a place, with the index there.
-    /// `None` for the time, and for places beyond all lists.
+    /// Returns the list of [`Numbers`] with the number of a place, and the index in it. `None` for
+    /// the time, and for places beyond all lists.
     pub fn entry(&self, place: Place) -> Option<(usize, usize)> {
         let of_state = [self.positions, self.velocities];
         let [positions, velocities] = of_state;
@@ -70,22 +69,22 @@ impl Layout {
 
 /// Machine code of a program.
 pub trait Code: Debug + Send + Sync {
-    /// Computes the outputs of the program, by the operations of the interpreter. False, and
-    /// nothing is computed, if `outputs` has another length or a list is too short.
+    /// Computes the outputs of the program, with the operations of the interpreter. Returns false
+    /// without any computation if `outputs` has the wrong length or a list is too short.
     fn run(&self, numbers: &Numbers<'_>, outputs: &mut [f64]) -> bool;
 }
 
-/// Values of functions without a formula: one, or those of all unknowns that are solved for
-/// together.
+/// Evaluates functions without a formula. Returns one value, or the values of all jointly solved
+/// unknowns.
 pub type Call = Arc<dyn Fn(&Opaque, &[f64]) -> Vec<f64> + Send + Sync>;
 
 /// A compiler of programs.
 pub trait Backend: Debug + Send + Sync {
-    /// Compiles a program. What it returns `None` for is interpreted.
+    /// Compiles a program; programs without a result are interpreted.
     fn compile(&self, program: &Program, layout: &Layout, call: &Call) -> Option<Box<dyn Code>>;
 }
 
-/// Kinds of numbers that are computed for the programs that take them.
+/// Kinds of arguments that are only computed for programs that use them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Taken {
     pub(super) sides: bool,
@@ -103,7 +102,7 @@ impl Taken {
     }
 }
 
-/// A program of a system, which is compiled when it is run for the first time.
+/// A program of a system, compiled on its first run.
 #[derive(Debug)]
 struct Routine {
     taken: Taken,
@@ -113,7 +112,7 @@ struct Routine {
 /// All programs of a system.
 #[derive(Debug)]
 pub(super) struct Routines {
-    /// Found by the addresses of the programs, which do not move as long as somebody holds them.
+    /// Routines by the addresses of the programs, which are stable while the programs are shared.
     routines: HashMap<usize, Routine>,
     /// True if no program calls functions of the user's crate, directly or to solve equations.
     is_closed: bool,
@@ -121,7 +120,7 @@ pub(super) struct Routines {
 }
 
 impl Routines {
-    /// Takes the programs of a system, which the owner keeps where they are.
+    /// Creates the routines of the programs of a system, which the owner must keep in place.
     pub(super) fn new(programs: &Arc<Programs>, backend: Option<Arc<dyn Backend>>) -> Routines {
         let routine =
             |program| (address(program), Routine { taken: Taken::by(program), code: OnceLock::new() });
@@ -133,7 +132,7 @@ impl Routines {
         self.routines.get(&address(program)).map_or_else(|| Taken::by(program), |routine| routine.taken)
     }
 
-    /// The code of a program of the system. There is none if it calls functions that may be defined
+    /// Returns the code of a program of the system; none if it calls functions that may be defined
     /// later.
     pub(super) fn code(
         &self,

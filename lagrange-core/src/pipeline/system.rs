@@ -41,7 +41,7 @@ pub struct Derived {
 /// Reads and checks a system from text: a whole declaration, or only its statements.
 ///
 /// # Errors
-/// All errors in the declaration.
+/// With all errors in the declaration.
 pub fn parse(text: &str) -> Result<System, Report> {
     parse_with(text, &no_files)
 }
@@ -49,7 +49,7 @@ pub fn parse(text: &str) -> Result<System, Report> {
 /// Parses a declaration whose tables may be files.
 ///
 /// # Errors
-/// All errors in the declaration or its files.
+/// With all errors in the declaration or its files.
 pub fn parse_with(text: &str, read: Reader<'_>) -> Result<System, Report> {
     let mut report = Report::default();
     let Some(mut declaration) = parse_text(text, &mut report) else { return Err(report) };

@@ -135,7 +135,7 @@ fn a_velocity_in_two_places_of_a_function_counts_twice_in_the_mass_matrix() {
     assert!((acceleration * inertia - 1.0).abs() < 1e-12, "{acceleration}");
 }
 
-/// Such forms are regular without being positive.
+/// These forms are regular, but not positive.
 #[test]
 fn lagrangians_of_products_of_velocities_are_solved() {
     let declarations = [
@@ -173,8 +173,8 @@ fn dependent_constraints_share_their_force() {
     let (angle, at_rest) = (0.7_f64, [0.0; 3]);
     let acceleration = system.acceleration(0.0, &[angle; 3], &at_rest);
     assert!(acceleration.iter().all(|a| (a - 2.0).abs() < 1e-13), "{acceleration:?}");
-    // The moment of 4 between a and b is shared in the ratio of the gradients; that of 2 between b
-    // and c is not shared.
+    // The moment of 4 between a and b is shared in the ratio of the gradients. The moment of 2
+    // between b and c is not shared.
     let (sine, cosine) = angle.sin_cos();
     let wanted = [-4.0 / 0.5 * cosine, 4.0 / 0.5 * sine, -2.0 / (0.5 * cosine)];
     let multipliers = system.multipliers(0.0, &[angle; 3], &at_rest);
@@ -182,7 +182,7 @@ fn dependent_constraints_share_their_force() {
     assert!(multipliers.iter().zip(&wanted).all(is_near), "{multipliers:?} for {wanted:?}");
 }
 
-/// Three massless velocities move two points that are on a line with them: something moves nothing.
+/// Three massless velocities move two points on a line with them: some combination moves nothing.
 #[test]
 fn what_no_square_moves_is_refused_at_every_level() {
     for level in Accuracy::ALL {
@@ -213,7 +213,7 @@ fn squares_of_both_signs_are_no_obstacle_at_any_level() {
     }
 }
 
-/// Every step is about linear in the declaration: a quadratic one would take minutes here.
+/// Every step is roughly linear in the declaration; a quadratic one would take minutes here.
 #[test]
 fn twenty_thousand_terms_are_derived_and_emitted() {
     let terms = (2..=20_000).map(|k| format!("sin({k}*x)")).collect::<Vec<_>>();
@@ -226,7 +226,7 @@ fn twenty_thousand_terms_are_derived_and_emitted() {
     assert!(derived.emit(&quote!(::lagrange)).is_ok());
 }
 
-/// What the macro makes of a struct with these statements that may be large.
+/// Expands a struct with these statements, which may be large.
 fn expanded(statements: &str) -> String {
     let tokens = format!("#[allow(deprecated)] struct Large; {statements}").parse().expect("tokens");
     expand(tokens, &quote!(::lagrange)).to_string()
@@ -326,7 +326,7 @@ fn documentation_of_names_is_kept_in_emitted_code() {
     }
 }
 
-/// One rule for roots: real from zero upwards, be they odd or even.
+/// Roots follow one rule: real from zero upwards, whether odd or even.
 #[test]
 fn roots_of_odd_powers_are_real_where_their_radicands_are_not_negative() {
     let text = "coord x; kinetic = dot(x)^2; output a = (x^3)^(1/3); output b = (x^5)^(1/5) + (x^2)^(1/2);";
@@ -365,7 +365,7 @@ fn momenta_and_parameters_have_units_where_any_are_declared() {
     for part in [r#"("p_x","N*s"),("p_phi","J*s")"#, "Units:`m`inkg,`k`inN/m,`f`inN.", "constPARAMETERS"] {
         assert!(has(&text, part), "{part}: {text}");
     }
-    // Without the momenta there are no units of them, and without units there is nothing.
+    // Without momenta their units are absent, and without declared units none are listed.
     assert!(!has(&expanded(declared), "p_phi"));
     let plain = expanded(&format!("param m; coord x; kinetic = 1/2 * m * dot(x)^2; {emit}"));
     assert!(has(&plain, "constPARAMETERS") && !has(&plain, "Units:") && !has(&plain, "p_x"));

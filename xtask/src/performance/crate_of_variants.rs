@@ -11,7 +11,7 @@ pub(super) struct Variant {
     pub(super) chain: Chain,
     /// Index of the idea.
     pub(super) idea: usize,
-    /// The idea that it is compared with.
+    /// Index of the idea used for comparison.
     pub(super) base: usize,
     pub(super) derivation: Derivation,
 }
@@ -34,8 +34,8 @@ fn manifest(root: &Path) -> String {
     )
 }
 
-/// The functions in modules, and a program that prints a row for each one with another to compare
-/// it with.
+/// Returns the functions in modules, and a program that prints a row for each function with a base
+/// for comparison.
 fn source(root: &Path, variants: &[Variant]) -> Result<String, String> {
     let mut source = format!("#[path = {:?}]\nmod timing;\n", root.join("benches/timing.rs"));
     for variant in variants {

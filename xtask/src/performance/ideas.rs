@@ -13,7 +13,7 @@ use lagrange_core::symbol::Role;
 
 use super::undo::{divide_each, split_batches};
 
-/// A way to derive and to write the accelerations.
+/// A variant of deriving and writing the accelerations.
 pub(super) struct Idea {
     /// Title of the table row for the disabled idea; empty for the reference.
     pub(super) title: &'static str,
@@ -27,11 +27,11 @@ pub(super) struct Idea {
 enum Change {
     Nothing,
     Without(&'static str),
-    /// This pass after the first one, which joins sines and cosines.
+    /// Adds this pass after the first one, which joins sines and cosines.
     With(fn(&Program) -> Program),
 }
 
-/// Every idea. Those of one level follow what they are compared with.
+/// Returns all ideas. Ideas of a level follow their base.
 pub(super) fn ideas() -> Vec<Idea> {
     use Accuracy::{Fast, Standard};
     use StrategyChoice::{Always, Cheapest};
@@ -78,7 +78,7 @@ impl Chain {
         format!("{} {}", self.kind, self.links)
     }
 
-    /// Its declaration, made of those in benches/.
+    /// Returns the declaration, adapted from benches/.
     pub(super) fn declaration(self, root: &Path, accuracy: Accuracy) -> Result<String, String> {
         let path = root.join(format!("benches/chains/{}.lag", self.kind));
         let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
@@ -113,7 +113,7 @@ impl Derivation {
         OperationCounts::of(&self.program).total()
     }
 
-    /// `fn acceleration(parameters, q, v)` in Rust.
+    /// Returns the Rust function `fn acceleration(parameters, q, v)`.
     pub(super) fn function(&self) -> Result<String, String> {
         let model = &self.derived.model;
         let symbols = model.graph.symbols();

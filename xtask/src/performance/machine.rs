@@ -5,7 +5,7 @@ use std::process::Command;
 
 use super::run::output;
 
-/// Processor, compiler, target and date in a sentence.
+/// Returns processor, compiler, target and date in a sentence.
 pub(super) fn description() -> Result<String, String> {
     let version = output(Command::new("rustc").arg("-vV"))?;
     let field = |name: &str| {
@@ -17,7 +17,7 @@ pub(super) fn description() -> Result<String, String> {
     Ok(format!("Measured on {} with rustc {release} for {host}, {}.\n", processor(), date.trim()))
 }
 
-/// The model of the processor and how many there are, as Linux tells it.
+/// Returns the model and number of processors, as reported by Linux.
 fn processor() -> String {
     let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let values = |name: &str| {

@@ -1,5 +1,5 @@
-//! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md;
-//! `cargo xtask performance spatial` that of bodies in space alone.
+//! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md. `cargo
+//! xtask performance spatial` only does so for bodies in space.
 
 mod crate_of_variants;
 mod document;
@@ -18,7 +18,7 @@ use run::{DEFAULT, NATIVE, Target, UNPAIRED, cargo};
 use tables::{Comparison, Measured};
 
 const DOCUMENT: &str = "docs/performance.md";
-/// Chains whose operations are counted to show how cost grows.
+/// Chains whose operations are counted to show the growth of cost.
 const GROWING: [(&str, usize); 7] = [
     ("absolute", 20),
     ("absolute", 30),
@@ -28,10 +28,10 @@ const GROWING: [(&str, usize); 7] = [
     ("relative", 100),
     ("relative", 200),
 ];
-/// Chains that show what ideas are worth.
+/// Chains on which ideas are evaluated.
 const VARIED: [(&str, usize); 4] = [("absolute", 5), ("absolute", 10), ("absolute", 20), ("relative", 8)];
 
-/// Measures the sections named by these words, or all without one.
+/// Measures the sections with these names, or everything if there are none.
 ///
 /// # Errors
 /// With the usage for other words, and if something cannot be compiled or run.
@@ -43,7 +43,7 @@ pub(crate) fn performance(root: &Path, sections: &[&str]) -> Result<(), String> 
     }
 }
 
-/// Measures everything and writes it down.
+/// Measures everything and updates the document.
 fn everything(root: &Path) -> Result<(), String> {
     let growth = tables::growth(&counted(root)?);
     let ideas = ideas();
@@ -66,7 +66,7 @@ fn everything(root: &Path) -> Result<(), String> {
     document::rewrite(&root.join(DOCUMENT), &sections)
 }
 
-/// Measures bodies in space and writes that down.
+/// Measures bodies in space and updates the document.
 fn spatial(root: &Path) -> Result<(), String> {
     document::rewrite(&root.join(DOCUMENT), &[("spatial", measured_spatial(root)?)])
 }
@@ -84,7 +84,7 @@ fn collected<T, const N: usize>(results: [Result<T, String>; N]) -> Result<Vec<T
     results.into_iter().collect()
 }
 
-/// Operations of the accelerations of chains as they are emitted.
+/// Counts the operations of the emitted accelerations of chains.
 fn counted(root: &Path) -> Result<Vec<(Chain, usize)>, String> {
     let ideas = ideas();
     let count = |chain| Ok((chain, Derivation::of(root, chain, &ideas[0])?.operations()));
@@ -102,7 +102,7 @@ fn variants(root: &Path, ideas: &[Idea]) -> Result<Vec<Variant>, String> {
     Ok(variants)
 }
 
-/// The idea that others of this level are compared with.
+/// Returns the index of the base idea of a level.
 fn base(ideas: &[Idea], accuracy: Accuracy) -> usize {
     ideas.iter().position(|idea| idea.accuracy == accuracy).unwrap_or(0)
 }
@@ -112,7 +112,7 @@ fn measured_variants(root: &Path, folder: &Path, target: &Target) -> Result<Vec<
     Ok(run::rows(&printed).filter_map(|cells| Measured::read(&cells)).collect())
 }
 
-/// The rows of a bench that times two functions in turns.
+/// Returns the rows of a benchmark that times two functions alternately.
 fn compared(root: &Path, target: &Target, bench: &str) -> Result<Vec<Comparison>, String> {
     let arguments = ["bench", "--quiet", "--package", "lagrange-benches", "--bench", bench];
     let printed = cargo(root, root, target, &arguments)?;

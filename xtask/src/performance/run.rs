@@ -1,10 +1,10 @@
-//! Programs that are run, and the rows of tables that they print.
+//! Programs to run, and the rows of the tables that they print.
 
 use std::env;
 use std::path::Path;
 use std::process::Command;
 
-/// For which processor to compile, and how.
+/// The target processor, with its compiler flags.
 pub(super) struct Target {
     pub(super) name: &'static str,
     pub(super) flags: &'static str,
@@ -41,7 +41,7 @@ pub(super) fn output(command: &mut Command) -> Result<String, String> {
     String::from_utf8(output.stdout).map_err(|error| format!("{name}: {error}"))
 }
 
-/// The cells of the rows of a Markdown table that end with numbers.
+/// Returns the cells of the rows of a Markdown table that end with numbers.
 pub(super) fn rows(text: &str) -> impl Iterator<Item = Vec<&str>> {
     let lines = text.lines().filter_map(|line| line.strip_prefix('|')?.strip_suffix('|'));
     let rows = lines.map(|line| line.split('|').map(str::trim).collect::<Vec<_>>());

@@ -1,11 +1,11 @@
-//! Measurements as tables in Markdown.
+//! Measurements as Markdown tables.
 
 use std::fmt::Write;
 
 use super::crate_of_variants::Variant;
 use super::ideas::{Chain, Idea};
 
-/// Two functions timed in turns.
+/// Times of two functions measured alternately.
 #[derive(Clone, Debug)]
 pub(super) struct Times {
     first: f64,
@@ -20,8 +20,7 @@ impl Times {
     }
 }
 
-/// A row of benches/comparison.rs, or of benches/spatial, where the last name is of what is
-/// computed.
+/// A row of benches/comparison.rs, or of benches/spatial, whose last name is the computed quantity.
 #[derive(Clone, Debug)]
 pub(super) struct Comparison {
     level: String,
@@ -38,7 +37,7 @@ impl Comparison {
     }
 }
 
-/// A row that the crate of variants prints.
+/// A row printed by the crate of variants.
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
     chain: String,
@@ -53,7 +52,7 @@ impl Measured {
     }
 }
 
-/// The chains of a level in the order in which they were measured.
+/// Returns the chains of a level in the order of measurement.
 fn chains<'a>(level: &str, compared: &'a [Comparison]) -> Vec<&'a str> {
     let mut chains = Vec::new();
     for row in compared.iter().filter(|row| row.level == level) {
@@ -76,7 +75,7 @@ fn on_targets(
         let is_wanted = |row: &&Comparison| {
             row.level == level && row.chain == chain && other.is_none_or(|other| row.other == other)
         };
-        // Of several measurements the one that was disturbed least.
+        // The fastest of several measurements was disturbed least.
         let rows = compared.iter().filter(is_wanted);
         rows.min_by(|a, b| a.times.first.total_cmp(&b.times.first)).map(|row| show(&row.times))
     };
@@ -87,13 +86,14 @@ fn nanoseconds(times: &Times) -> String {
     format!("{:.0}", times.first)
 }
 
-/// A ratio; bold where the emitted code is the slower one.
+/// Formats a ratio; bold if the emitted code is slower.
 fn ratio(times: &Times) -> String {
     let shown = format!("{:.2}", times.ratio);
     if times.ratio > 1.05 { format!("**{shown}**") } else { shown }
 }
 
-/// Times of a level and ratios to each way by hand, on the default target and the native one.
+/// Returns times of a level and ratios to each hand-written variant, on the default and native
+/// targets.
 pub(super) fn beside_by_hand(level: &str, targets: &[Vec<Comparison>]) -> String {
     let targets = &targets[..2];
     let mut table = "| chain | emitted, ns | to straight line | to articulated bodies | to massless rods |\n\
@@ -109,7 +109,7 @@ pub(super) fn beside_by_hand(level: &str, targets: &[Vec<Comparison>]) -> String
     table
 }
 
-/// The time of `strict` over that of `standard`.
+/// Returns the time of `strict` and its ratio to `standard`.
 pub(super) fn strict(targets: &[Vec<Comparison>]) -> String {
     let targets = &targets[..2];
     let mut table = "| chain | `strict`, ns | to `standard` |\n|---|---|---|\n".to_owned();
@@ -121,7 +121,7 @@ pub(super) fn strict(targets: &[Vec<Comparison>]) -> String {
     table
 }
 
-/// The level `standard` with and without pairs of statements made by the compiler.
+/// Returns the level `standard` with and without the compiler's pairing of statements.
 pub(super) fn pairing(targets: &[Vec<Comparison>]) -> String {
     let targets = [targets[0].clone(), targets[2].clone()];
     let mut table =
@@ -137,7 +137,7 @@ pub(super) fn pairing(targets: &[Vec<Comparison>]) -> String {
     table
 }
 
-/// Robots, what is computed of them, and both times.
+/// Returns robots, computed quantities, and both times.
 pub(super) fn spatial(targets: &[Vec<Comparison>]) -> String {
     let mut table = "| robot | | emitted, ns | by hand, ns | ratio |\n|---|---|---|---|---|\n".to_owned();
     for Comparison { level, chain, other, .. } in &targets[0] {
@@ -149,7 +149,7 @@ pub(super) fn spatial(targets: &[Vec<Comparison>]) -> String {
     table
 }
 
-/// Counted operations, and how many there are for each link.
+/// Returns counted operations, in total and per link.
 pub(super) fn growth(counted: &[(Chain, usize)]) -> String {
     let mut table = "| chain | operations | for each link |\n|---|---|---|\n".to_owned();
     for (chain, operations) in counted {
@@ -159,7 +159,7 @@ pub(super) fn growth(counted: &[(Chain, usize)]) -> String {
     table
 }
 
-/// Operations and times with an idea switched off over those with all of them.
+/// Returns operations and times with an idea disabled, relative to those with all ideas.
 pub(super) fn ideas(
     ideas: &[Idea],
     variants: &[Variant],

@@ -3,7 +3,7 @@
 use lagrange_core::number::Number;
 use lagrange_core::program::{Builder, Op, Program, ValueId, ValueTable};
 
-/// Every product with a reciprocal becomes a quotient.
+/// Replaces every product with a reciprocal by a quotient.
 pub(super) fn divide_each(program: &Program) -> Program {
     rewritten(program, |builder, op| {
         let Op::Multiply(a, b) = op else { return builder.push(op) };
@@ -21,7 +21,7 @@ fn denominator(builder: &Builder, value: ValueId) -> Option<ValueId> {
     matches!(builder.op(*above), Op::Constant(one) if *one == Number::ONE).then_some(*below)
 }
 
-/// Every batch of sines and cosines becomes batches of one.
+/// Splits every batch of sines and cosines into batches of one.
 pub(super) fn split_batches(program: &Program) -> Program {
     rewritten(program, |builder, op| {
         let (batch, place, part): (_, _, fn(ValueId, u32) -> Op) = match op {

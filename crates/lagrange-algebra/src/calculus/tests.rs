@@ -12,7 +12,7 @@ fn coordinates(g: &mut Graph) -> [ExprId; 2] {
     [g.symbol("x", Role::Coordinate(0)), g.symbol("y", Role::Coordinate(1))]
 }
 
-/// Values inside the domain of every function.
+/// Returns values inside the domain of every function.
 fn at(x: f64, y: f64) -> impl Fn(Role) -> f64 {
     move |role| match role {
         Role::Coordinate(0) => x,
@@ -50,11 +50,11 @@ fn derivatives_of_every_function_agree_with_differences_and_with_the_adjoint() {
 
 #[test]
 fn second_derivatives_of_every_function_agree_with_repeated_ones() {
-    // Square roots are products; their second derivative is that of a power.
+    // Square roots are products; their second derivatives are those of powers.
     for row in ROWS.iter().filter(|row| row.function != Function::Sqrt) {
         let mut g = Graph::new();
         let variables = coordinates(&mut g);
-        // An argument with a coefficient: the constructors dissolve it in the first derivative.
+        // An argument with a coefficient, which the constructors absorb in the first derivative.
         let doubled = g.scale(Number::TWO, variables[0]);
         let arguments = [doubled, variables[1]];
         let f = apply(&mut g, row.function, &arguments[..row.arity]);
@@ -68,8 +68,7 @@ fn second_derivatives_of_every_function_agree_with_repeated_ones() {
     }
 }
 
-/// The same operand may stand in two places of a node: in a call, or under roots that must stay
-/// apart.
+/// An operand may occur twice in a node: in a call, or under roots that must stay separate.
 #[test]
 fn second_derivatives_count_an_operand_in_two_places() {
     let mut g = Graph::new();

@@ -1,8 +1,8 @@
-//! Sums and products as they are read: flat, signs in front, factors and terms in a conventional
-//! order.
+//! Readable layout of sums and products: flat, with leading signs, and factors and terms in a
+//! conventional order.
 //!
-//! This is shared by the writers of plain text and LaTeX. It decides what stands where, not how it
-//! looks.
+//! This is shared by the writers of plain text and LaTeX. It determines order and structure, not
+//! notation.
 
 use std::borrow::Cow;
 use std::cmp::Reverse;
@@ -14,12 +14,12 @@ use lagrange_expr::symbol::{Role, Symbol};
 /// An expression with names for some of its parts.
 pub(super) struct View<'v, 'n> {
     pub(super) graph: &'v Graph,
-    /// Written out even if it has a name.
+    /// Expression that is expanded even if it has a name.
     pub(super) root: ExprId,
     pub(super) names: &'v dyn Fn(ExprId) -> Option<&'n str>,
 }
 
-/// `coefficient · Π base ^ exponent`, factors in the order of reading.
+/// A term `coefficient · Π base ^ exponent`, with factors in reading order.
 pub(super) struct WrittenTerm {
     pub(super) coefficient: Number,
     pub(super) factors: Vec<(ExprId, Number)>,
@@ -67,7 +67,7 @@ pub(super) fn write(root: ExprId, expand: impl Fn(ExprId, Strength) -> Vec<Piece
     text
 }
 
-/// Terms with their signs between them; `product` writes a term without its sign.
+/// Joins terms with their signs; `product` writes a term without its sign.
 pub(super) fn sum(
     terms: &[WrittenTerm],
     product: impl Fn(&WrittenTerm) -> (Strength, Vec<Piece>),
@@ -100,7 +100,8 @@ impl<'v, 'n> View<'v, 'n> {
         self.graph.symbol_of(id)
     }
 
-    /// The terms of an expression in the order of reading. Nested sums without a factor are opened.
+    /// Returns the terms of an expression in reading order. Nested sums without a factor are
+    /// flattened.
     pub(super) fn terms(&self, id: ExprId) -> Vec<WrittenTerm> {
         let mut number = Number::ZERO;
         let mut terms = Vec::new();
@@ -127,7 +128,7 @@ impl<'v, 'n> View<'v, 'n> {
         terms
     }
 
-    /// A product with nested products opened.
+    /// Returns a product with nested products flattened.
     fn term(&self, id: ExprId, coefficient: Number) -> WrittenTerm {
         let mut coefficient = coefficient;
         let mut factors = Vec::new();
@@ -152,8 +153,8 @@ impl<'v, 'n> View<'v, 'n> {
         WrittenTerm { coefficient, factors: merge(factors) }
     }
 
-    /// Numbers, parameters, coordinates, functions, velocities, accelerations; symbols of a kind in
-    /// the order of their declaration.
+    /// Returns the sort key of a factor: numbers, parameters, coordinates, functions, velocities,
+    /// accelerations. Symbols of a kind are in declaration order.
     fn place_of_factor(&self, id: ExprId) -> (u8, u32, ExprId) {
         let (class, index) = match self.symbol(id).map(|symbol| symbol.role) {
             Some(Role::Parameter(index)) => (2, index),
@@ -183,8 +184,8 @@ impl<'v, 'n> View<'v, 'n> {
         }
     }
 
-    /// Accelerations in their order before velocities before everything else, single symbols before
-    /// products, numbers last.
+    /// Returns the sort key of a term. Accelerations precede velocities, which precede everything
+    /// else; single symbols precede products, and numbers come last.
     fn place_of_term(&self, term: &WrittenTerm) -> impl Ord + use<> {
         let class = term.factors.iter().map(|(base, _)| self.graph.dependencies(*base)).fold(
             if term.factors.is_empty() { 4 } else { 3 },
@@ -207,7 +208,7 @@ impl<'v, 'n> View<'v, 'n> {
     }
 }
 
-/// True if a sum is written as terms of the sum around it.
+/// True if a sum is written as terms of the enclosing sum.
 fn opens(constant: &Number, terms: &[(ExprId, Number)], coefficient: &Number) -> bool {
     coefficient.abs().is_one() || constant.is_zero() && terms.len() == 1
 }
@@ -218,7 +219,8 @@ fn lead_with_positive(terms: &mut [WrittenTerm]) {
     }
 }
 
-/// Adds up neighbours that differ in their coefficients only, as of `x` and an opened `2*x + y`.
+/// Adds neighbouring terms that differ only in their coefficients, such as `x` and those of a
+/// flattened `2*x + y`.
 fn collected(terms: Vec<WrittenTerm>) -> Vec<WrittenTerm> {
     let mut collected: Vec<WrittenTerm> = Vec::with_capacity(terms.len() + 1);
     for term in terms {
@@ -233,7 +235,7 @@ fn collected(terms: Vec<WrittenTerm>) -> Vec<WrittenTerm> {
     collected
 }
 
-/// Adds up integer exponents of neighbours with the same base.
+/// Adds integer exponents of neighbours with the same base.
 fn merge(factors: Vec<(ExprId, Number)>) -> Vec<(ExprId, Number)> {
     let mut merged: Vec<(ExprId, Number)> = Vec::with_capacity(factors.len());
     for (base, exponent) in factors {

@@ -72,7 +72,7 @@ fn operate(g: &mut Graph, stack: &mut Vec<ExprId>, operator: &str) {
     stack.push(new);
 }
 
-/// Makes every symbol, in the order of declaration.
+/// Declares every symbol in order.
 fn declare(g: &mut Graph) {
     for (name, role) in SYMBOLS {
         g.symbol(name.trim_end_matches('\''), role);

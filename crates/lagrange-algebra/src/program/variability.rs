@@ -4,15 +4,15 @@ use super::ir::{Op, Program, ValueTable};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// Kind of quantity that a value changes with, the strongest first counted: what depends on a
-/// coordinate and on a velocity changes with velocities.
+/// Kind of quantity on which a value depends. Only the strongest one counts: a value that depends
+/// on a coordinate and on a velocity varies with velocities.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Variability {
     /// Numbers and parameters only.
     Constant,
     /// Inputs.
     Input,
-    /// Time, coordinates or states, discrete ones among them.
+    /// Time, coordinates or states, including discrete ones.
     Position,
     /// Velocities.
     Velocity,

@@ -1,4 +1,4 @@
-//! Kinds of values: the order that each has its coefficient of in a step.
+//! Kinds of values, which determine the order of their coefficients in each step.
 
 use std::fmt;
 
@@ -41,7 +41,7 @@ impl fmt::Display for NoSeries {
 
 impl std::error::Error for NoSeries {}
 
-/// The kind of every value of a program.
+/// Returns the kind of every value of a program.
 pub(super) fn kinds(program: &Program) -> ValueTable<Kind> {
     let mut kinds = ValueTable::with_capacity(program.len());
     for (_, op) in program.values() {
@@ -68,12 +68,12 @@ fn kind(op: &Op, kinds: &ValueTable<Kind>) -> Kind {
     }
 }
 
-/// True for functions that are known by more than their values: tables and solutions of equations.
+/// True for functions known by more than their values: tables and solutions of equations.
 pub(super) fn has_series(function: &Opaque) -> bool {
     function.table().is_some() || function.is_solution()
 }
 
-/// True for tables that have one value on each of their pieces.
+/// True for tables that are constant on each of their pieces.
 fn is_fixed(function: &Opaque) -> bool {
     function.table().is_some()
         && (0..function.arity()).all(|argument| function.derivative(argument).vanishes())
@@ -88,7 +88,7 @@ fn of_role(role: Role) -> Kind {
     }
 }
 
-/// The reason why a value has no series, found where the first of its operands has none.
+/// Returns the reason why a value has no series, found at the first operand without a series.
 pub(super) fn reason(program: &Program, kinds: &ValueTable<Kind>, value: ValueId) -> NoSeries {
     let mut cause = value;
     loop {

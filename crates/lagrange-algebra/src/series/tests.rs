@@ -55,7 +55,7 @@ impl Expressions {
     }
 }
 
-/// Coefficients of the state, order by order.
+/// Returns the coefficients of the state, order by order.
 fn expanded(programs: &SeriesPrograms, value_of: impl Fn(Role) -> f64, state: &[f64]) -> Vec<Vec<f64>> {
     let initial = run(&programs.initial, &value_of);
     let (initial, matrix) = initial.split_at(programs.initials);
@@ -158,8 +158,8 @@ fn the_worked_pendulum_has_these_coefficients() {
     assert!(defect(&found, 0.1, |_, y| vec![y[1], -10.0 * y[0].sin()]) < 1e-13);
 }
 
-/// The rates of a state of one coordinate and its velocity, evaluated from the acceleration as an
-/// expression.
+/// Returns the rates of a state with one coordinate and its velocity, evaluated from the
+/// acceleration as an expression.
 fn rates(graph: &Graph, acceleration: ExprId) -> impl Fn(f64, &[f64]) -> Vec<f64> {
     move |t, y| {
         let value = lagrange_expr::expr::evaluate(graph, &[acceleration], |role| match role {
@@ -188,7 +188,8 @@ fn check_explicit(name: &str, acceleration: impl Fn(&mut Graph, ExprId, ExprId, 
 #[test]
 fn every_function_has_its_series() {
     for row in &lagrange_expr::elementary::ROWS {
-        // Arguments within all domains, away from kinks: of position, velocity and time.
+        // Arguments within all domains, away from kinks, as functions of position, velocity and
+        // time.
         check_explicit(row.name, |graph, x, v, t| {
             let constant = graph.number(Number::HALF);
             let scaled = [(x, Number::HALF), (v, Number::HALF), (t, Number::HALF)];
@@ -241,7 +242,8 @@ fn quotients_powers_and_choices_have_theirs() {
     check_explicit("t", |_, _, _, t| t);
 }
 
-/// A double pendulum of unit masses and lengths under unit gravity, by the rates of its velocities.
+/// A double pendulum with unit masses and lengths under unit gravity, with the rates of its
+/// velocities as unknowns.
 #[test]
 fn accelerations_follow_from_residuals() {
     let mut graph = Graph::new();

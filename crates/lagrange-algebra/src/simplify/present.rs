@@ -1,19 +1,19 @@
-//! Formulas for readers, and proofs that one vanishes.
+//! Readable formulas, and proofs that a formula vanishes.
 
 use super::expand::{Expander, Purpose};
 use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// Residue of a zero that rounding may leave at the point where expressions are tried. A larger one
-/// settles the question without a proof; a smaller one only means that the proof is tried.
+/// Residue that rounding may leave of a zero at the test point. A larger residue settles the
+/// question without a proof; a smaller one only means that the proof is tried.
 const LARGEST_RESIDUE: f64 = 1e-6;
 
 /// Returns an equal expression that is shorter when written out, or `expr` itself if none is found.
 ///
 /// Sub-expressions are multiplied out, the rules of [`RULES`](super::RULES) applied, equal terms
-/// collected, and the result regrouped by what changes during the motion. Whatever has more than
-/// `budget` monomials stays closed; 200 is enough for the formulas people read. The cost is bounded
+/// collected, and the result regrouped by variability during the motion. Expressions with more than
+/// `budget` monomials stay closed; 200 is enough for the formulas people read. The cost is bounded
 /// by the budget and by the number of nodes of `expr`.
 pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
     present_all(graph, &[expr], budget)[0]
@@ -30,7 +30,8 @@ pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<Ex
         for (expr, is_final) in current.iter_mut().zip(&mut is_final).filter(|(_, is_final)| !**is_final) {
             let expanded = expander.expand_all(graph, *expr);
             let next = expanded.map_or(*expr, |()| expander.readable(graph, *expr));
-            // Only ever shorter: so this ends, and presenting a result again changes nothing.
+            // The expression only becomes shorter, so the loop ends, and presenting a result again
+            // changes nothing.
             *is_final = graph.written_size(next) >= graph.written_size(*expr);
             *expr = if *is_final { *expr } else { next };
         }
@@ -50,7 +51,7 @@ pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<E
     exprs.iter().map(&mut expanded).collect()
 }
 
-/// True if the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
+/// True if the value is zero everywhere, as far as expansion within `budget` monomials shows.
 ///
 /// Sines and cosines of sums are expanded, so that every polynomial identity between sines and
 /// cosines of independent angles is found. `true` is a proof; `false` proves nothing. Nothing is
@@ -67,8 +68,8 @@ pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
     simplified.is_some_and(|polynomial| polynomial.is_zero())
 }
 
-/// True if the value at a point without symmetries differs from zero by more than rounding. Most
-/// expressions do, and this test is much cheaper than multiplying out.
+/// True if the value at a point without symmetries differs from zero by more than rounding. This is
+/// true of most expressions, and the test is much cheaper than expansion.
 fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
     let value = evaluate(graph, &[expr], |role| {
         let (kind, index) = match role {
@@ -87,7 +88,7 @@ fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
             Role::Discrete(index) => (13.0, index),
             Role::Noise(index) => (14.0, index),
         };
-        // Multiples of the golden ratio modulo one keep apart, whatever the number of symbols.
+        // Multiples of the golden ratio modulo one stay distinct for any number of symbols.
         let golden = (f64::from(index) + 0.171 * kind) * 0.618_033_988_749_895;
         0.4 + golden.fract()
     });

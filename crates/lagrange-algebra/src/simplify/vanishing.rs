@@ -1,4 +1,4 @@
-//! Proofs that values are zero everywhere, quick where they differ from zero.
+//! Proofs that values are zero everywhere, with a quick rejection of nonzero values.
 
 use super::present::proves_zero;
 use lagrange_expr::collections::HashMap;
@@ -6,17 +6,17 @@ use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// Monomials up to which a value is expanded to prove that it vanishes: room for any formula that
-/// people read.
+/// Number of monomials up to which a value is expanded to prove that it vanishes; sufficient for
+/// any readable formula.
 const PROOF_BUDGET: usize = 200;
-/// Number of expressions up to which a value is expanded at all. A zero that is missed costs
+/// Number of expressions up to which a value is expanded at all. A missed zero only costs
 /// operations or a line of documentation.
 const LARGEST_EXPANDED: usize = 400;
-/// Fraction of the largest number on the way to a zero that rounding may leave of it: far more than
-/// it ever does.
+/// Residue of a zero due to rounding, as a fraction of the largest intermediate result: a generous
+/// upper bound.
 pub const ROUNDING: f64 = 1e-8;
 
-/// Marks the values that are zero everywhere, as far as that can be proved quickly.
+/// Marks the values that are zero everywhere, as far as this can be proved quickly.
 pub fn vanishing(graph: &mut Graph, values: &[ExprId]) -> Vec<bool> {
     let differs = differ_from_zero(graph, values);
     values.iter().zip(differs).map(|(&value, differs)| !differs && vanishes(graph, value)).collect()
@@ -29,9 +29,8 @@ fn vanishes(graph: &mut Graph, value: ExprId) -> bool {
     !graph.is_larger_than(value, LARGEST_EXPANDED) && proves_zero(graph, value, PROOF_BUDGET)
 }
 
-/// Marks the values that differ from zero at a point chosen once and for all, by more than rounding
-/// can explain. Nobody need try to prove that these vanish, which matters where there are as many
-/// as entries of a mass matrix.
+/// Marks the values that differ from zero at a fixed point by more than rounding. They need no
+/// proof attempt, which matters for the many entries of a mass matrix.
 fn differ_from_zero(graph: &Graph, values: &[ExprId]) -> Vec<bool> {
     let parts = graph.reachable(values);
     let at_point = evaluate(graph, &parts, somewhere);

@@ -1,4 +1,4 @@
-//! Animated SVG: browsers play it without a script (W3C, *SVG Animations Level 2*).
+//! Animated SVG, which browsers play without a script (W3C, *SVG Animations Level 2*).
 
 use crate::film::Film;
 use crate::film::layers::{Change, Layer, layers, lengths};
@@ -8,7 +8,7 @@ use crate::svg;
 use crate::timeline::Timeline;
 use lagrange_plot::characters::number;
 
-/// The value that something takes on in a picture, counted from zero.
+/// The value of an attribute in a picture, with the picture's zero-based index.
 type Key = (usize, String);
 
 impl Film {
@@ -24,19 +24,18 @@ pub(super) fn animated(pictures: &[Picture], timeline: &Timeline) -> String {
     with_marks(pictures, &marks)
 }
 
-/// The frame of a picture around marks that are already written.
+/// Returns an SVG document for a film with the given marks already written.
 pub(super) fn with_marks(pictures: &[Picture], marks: &str) -> String {
     format!("{}{marks}</svg>\n", pictures.first().map(svg::opening).unwrap_or_default())
 }
 
-/// When pictures are shown.
+/// The display times of pictures.
 struct Clock {
-    /// In seconds.
+    /// Duration in seconds.
     duration: f64,
-    /// Parts of the duration.
+    /// Times of pictures as fractions of the duration.
     keys: Vec<String>,
-    /// True if pictures follow each other at equal intervals, so that their times need not be
-    /// written.
+    /// True if pictures are at equal intervals, so that their times can be omitted.
     is_even: bool,
 }
 
@@ -49,7 +48,7 @@ impl Clock {
         let intervals = elapsed.len().saturating_sub(1) as f64;
         let part = |time: &f64| if duration > 0.0 { time / duration } else { 0.0 };
         let is_even = |(index, time): (usize, &f64)| (part(time) * intervals - index as f64).abs() < EVENNESS;
-        // A tenth of a millisecond, or of a picture if they are shorter.
+        // A tenth of a millisecond, or of a picture if pictures are shorter.
         let digits = (duration.max(intervals) * 1e4).log10().clamp(3.0, 12.0).ceil() as usize;
         let key = |time: &f64| short(&format!("{:.digits$}", part(time)));
         Clock {
@@ -75,12 +74,13 @@ impl Clock {
         }
         let keys: Vec<Key> = shown.iter().map(|is_shown| visibility(*is_shown)).enumerate().collect();
         let what = "attributeName=\"visibility\" calcMode=\"discrete\"";
-        // Without times, discrete values would share the duration equally, the last one included.
+        // Without times, discrete values, including the last one, would get equal shares of the
+        // duration.
         let animation = self.written("animate", what, &steps(&keys), true);
         format!("<g visibility=\"{}\">{animation}{mark}</g>\n", keys[0].1)
     }
 
-    /// A group that moves around one that turns around the mark.
+    /// Returns a group that moves, around one that rotates, around the mark.
     fn moving(&self, mark: &Mark, poses: &[Option<Pose>]) -> String {
         let places = self.held(poses, |pose| place(*pose));
         let angles = self.held(poses, |pose| degrees(*pose));
@@ -98,7 +98,7 @@ impl Clock {
         format!("<g transform=\"{kind}({})\">{animation}{inner}</g>", keys[0].1)
     }
 
-    /// A line of one dash, which is pushed forward.
+    /// Returns a line of one dash that is shifted forward.
     fn growing(&self, mark: &Mark, drawn: &[Option<f64>]) -> String {
         let all = full_length(mark);
         let keys = self.held(drawn, |drawn| number(all - drawn));
@@ -110,7 +110,7 @@ impl Clock {
         self.element("animate", &format!("attributeName=\"{attribute}\""), keys)
     }
 
-    /// An element that animates its parent; nothing if nothing changes.
+    /// Returns an element that animates its parent; it is empty if nothing changes.
     fn element(&self, name: &str, what: &str, keys: &[Key]) -> String {
         if keys.iter().all(|key| key.1 == keys[0].1) || self.duration == 0.0 {
             return String::new();
@@ -128,8 +128,8 @@ impl Clock {
         format!("<{name} {what} dur=\"{duration}s\" repeatCount=\"indefinite\"{times} values=\"{values}\"/>")
     }
 
-    /// Values for all pictures: those that do not show the mark hold the last one, or wait with the
-    /// first.
+    /// Returns values for all pictures. Pictures without the mark repeat the last value, or
+    /// initially the first one.
     fn held<T>(&self, track: &[Option<T>], write: impl Fn(&T) -> String) -> Vec<Key> {
         let mut held = track.iter().flatten().next().map(&write).unwrap_or_default();
         let mut value = |value: &Option<T>| {
@@ -142,8 +142,8 @@ impl Clock {
     }
 }
 
-/// Keys without those between two others of the same value, if that is shorter in spite of times
-/// that must be written then.
+/// Removes keys between two others of the same value, if this saves space despite the times then
+/// required.
 fn without_repetition(keys: &[Key]) -> Vec<Key> {
     let is_needed = |index: usize| {
         let is_inner = index > 0 && index + 1 < keys.len();
@@ -154,13 +154,13 @@ fn without_repetition(keys: &[Key]) -> Vec<Key> {
     if 2 * needed.len() > keys.len() { keys.to_vec() } else { needed }
 }
 
-/// Keys where the value changes; values in between are held.
+/// Returns the keys at which the value changes; values in between are held.
 fn steps(keys: &[Key]) -> Vec<Key> {
     let changes = |index: &usize| *index == 0 || keys[*index].1 != keys[*index - 1].1;
     (0..keys.len()).filter(changes).map(|index| keys[index].clone()).collect()
 }
 
-/// The element of a mark with more attributes and with children.
+/// Returns the element of a mark with additional attributes and with children.
 pub(super) fn with_children(mark: &Mark, attributes: &str, children: &str) -> String {
     let element = svg::mark(mark);
     match element.trim_end().strip_suffix("/>") {
@@ -169,8 +169,8 @@ pub(super) fn with_children(mark: &Mark, attributes: &str, children: &str) -> St
     }
 }
 
-/// The length of a line that grows; a little more than its points say, so that rounding never
-/// leaves its end undrawn.
+/// Returns the length of a growing line. It slightly exceeds the actual length, so that rounding
+/// never leaves the end undrawn.
 pub(super) fn full_length(mark: &Mark) -> f64 {
     let Mark::Path { segments, .. } = mark else { return 0.0 };
     lengths(segments).last().map_or(0.0, |length| length.ceil() + 1.0)
@@ -180,8 +180,8 @@ pub(super) fn place(pose: Pose) -> String {
     format!("{},{}", number(pose.at[0]), number(pose.at[1]))
 }
 
-/// An angle to a thousandth of a degree, which is less than a hundredth of a pixel on what fits on
-/// a screen.
+/// Formats an angle to a thousandth of a degree. On a screen, this is less than a hundredth of a
+/// pixel.
 pub(super) fn degrees(pose: Pose) -> String {
     short(&format!("{:.3}", pose.angle.to_degrees()))
 }
@@ -194,7 +194,7 @@ fn seconds(duration: f64) -> String {
     short(&format!("{duration:.6}"))
 }
 
-/// A decimal number without what it can do without.
+/// Returns a decimal number without superfluous characters.
 pub(super) fn short(number: &str) -> String {
     let number =
         if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number };

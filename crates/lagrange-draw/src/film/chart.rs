@@ -1,5 +1,4 @@
-//! The plot under the picture of a page: curves over time, and a cursor that the page's script
-//! moves.
+//! The plot below the picture of a page: curves over time, and a cursor moved by the page's script.
 
 use crate::timeline::Curve;
 use crate::timeline::Timeline;
@@ -9,23 +8,22 @@ use lagrange_plot::axis::Scale;
 use lagrange_plot::characters::escaped;
 use lagrange_plot::characters::number;
 
-/// Width and height, in pixels.
+/// Width and height in pixels.
 const SIZE: [f64; 2] = [640.0, 300.0];
-/// Left edge of the curves.
+/// Left edge of the plot area.
 const LEFT: f64 = 64.0;
 const RIGHT: f64 = 628.0;
 const TOP: f64 = 12.0;
-/// Room for what is common to the labels of values.
+/// Room for the common part of the labels of values.
 const NOTE: f64 = 12.0;
 const BOTTOM: f64 = 256.0;
 /// Label of the time axis.
 const TIME: &str = "time t in s";
-/// About how many ticks an axis has.
+/// Approximate number of ticks of an axis.
 const TICKS: u32 = 6;
 /// Number of colours for curves.
 const LOOKS: usize = 6;
-/// Curves whose values differ by a smaller part of them than this are shown as level, not as
-/// rounding.
+/// Relative range of values below which a curve is drawn as constant, to hide rounding errors.
 const LEVEL: f64 = 1e-6;
 
 /// A plot of curves over time.
@@ -33,12 +31,12 @@ pub(super) struct Chart<'a> {
     timeline: &'a Timeline,
     time: Axis,
     values: Axis,
-    /// Top edge of the curves.
+    /// Top edge of the plot area.
     top: f64,
 }
 
 impl Chart<'_> {
-    /// The plot of a film's curves; none if there is nothing to plot.
+    /// Creates the plot of a film's curves; none if there are no finite values.
     pub(super) fn of(timeline: &Timeline) -> Option<Chart<'_>> {
         let finite = || {
             timeline.curves.iter().flat_map(|curve| &curve.values).copied().filter(|value| value.is_finite())
@@ -108,7 +106,7 @@ impl Chart<'_> {
         format!("<path class=\"axis\" d=\"M{LEFT} {}V{BOTTOM}H{RIGHT}\"/>{ticks}{name}{note}", self.top)
     }
 
-    /// Neighbours that are finite are joined.
+    /// Returns a curve that connects adjacent finite values.
     fn curve(&self, (index, curve): (usize, &Curve)) -> String {
         let mut data = String::new();
         let mut command = 'M';
@@ -141,7 +139,7 @@ impl Chart<'_> {
         self.timeline.times.first() > self.timeline.times.last()
     }
 
-    /// Time always runs to the right.
+    /// Returns the pixel of a time. Time always runs to the right.
     fn x(&self, time: f64) -> f64 {
         let place = self.time.place(time);
         x(if self.is_backwards() { 1.0 - place } else { place })
@@ -151,18 +149,18 @@ impl Chart<'_> {
         self.height(self.values.place(value))
     }
 
-    /// The pixel of a place on the axis of values.
+    /// Returns the pixel of a place on the axis of values.
     fn height(&self, place: f64) -> f64 {
         BOTTOM - place * (BOTTOM - self.top)
     }
 }
 
-/// The pixel of a place on the axis of time.
+/// Returns the pixel of a place on the axis of time.
 fn x(place: f64) -> f64 {
     LEFT + place * (RIGHT - LEFT)
 }
 
-/// A text with its start, middle or end at a place; nothing if it is empty.
+/// Returns a text anchored at a point; it is empty if the text is empty.
 fn text(x: f64, y: f64, anchor: &str, text: &str) -> String {
     if text.is_empty() {
         return String::new();
@@ -170,7 +168,8 @@ fn text(x: f64, y: f64, anchor: &str, text: &str) -> String {
     format!("<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{text}</text>", number(x), number(y))
 }
 
-/// The class of a curve's colour and dashes, of which `page.css` has some.
+/// Returns the class for the colour and dashes of a curve. The number of classes in `page.css` is
+/// limited.
 pub(super) fn look(index: usize) -> String {
     format!("curve-{}", index % LOOKS)
 }

@@ -1,4 +1,4 @@
-//! GIF: one palette, and of each picture only what differs from the one before.
+//! GIF: a common palette, and only the changed region of each picture.
 
 use std::borrow::Cow;
 
@@ -11,18 +11,17 @@ use crate::film::palette::{Histogram, Palette};
 use crate::picture::Picture;
 use crate::raster::rasterise;
 
-/// The colour number that leaves a pixel as it is.
+/// Index of the colour that leaves a pixel unchanged.
 const UNCHANGED: u8 = u8::MAX;
-/// Pictures that are looked at for colours.
+/// Maximum number of pictures from which the palette is computed.
 const SAMPLES: usize = 16;
-/// The shortest time, in hundredths of a second, for which viewers show a picture; they take less
-/// for a mistake.
+/// Shortest duration of a picture, in hundredths of a second, that viewers respect. They treat
+/// shorter ones as errors.
 const SHORTEST: u64 = 2;
 
 impl<D: DrawnSpace> Film<D> {
     /// Returns the film as a GIF that plays in a loop. Times are rounded to hundredths of a second,
-    /// without accumulating. If pictures follow each other faster than fifty times a second, some
-    /// are left out.
+    /// without accumulating. At more than fifty pictures a second, some are omitted.
     ///
     /// # Errors
     /// If pictures are larger than 65535 pixels, or one is to be shown for longer than 655 seconds.
@@ -68,7 +67,7 @@ fn shown(elapsed: &[f64]) -> Vec<(usize, u64)> {
             _ => starts.push((index, start)),
         }
     }
-    // How a motion ends must be seen.
+    // The end of a motion must be visible.
     if let Some(last) = starts.last_mut().filter(|last| last.0 > 0) {
         last.0 = elapsed.len() - 1;
     }
@@ -77,8 +76,8 @@ fn shown(elapsed: &[f64]) -> Vec<(usize, u64)> {
     starts.into_iter().zip(delays).map(|((index, _), delay)| (index, delay)).collect()
 }
 
-/// The part of a picture that differs from the one before; at least a pixel, since every picture
-/// takes its time.
+/// Returns the changed region of a picture relative to the one before. It has at least one pixel,
+/// since every picture has a duration.
 fn difference(before: Option<&[u8]>, picture: &[u8], width: u16, height: u16) -> Frame<'static> {
     let Some(before) = before else {
         return Frame {
@@ -92,7 +91,7 @@ fn difference(before: Option<&[u8]>, picture: &[u8], width: u16, height: u16) ->
     let (columns, rows) = extent(before, picture, usize::from(width));
     let pixel = |index: usize| if before[index] == picture[index] { UNCHANGED } else { picture[index] };
     let row = |row: usize| columns.clone().map(move |column| row * usize::from(width) + column).map(pixel);
-    // Parts of pictures whose sides fit into 16 bits do, too.
+    // Regions of pictures whose sides fit into 16 bits also fit.
     Frame {
         left: columns.start as u16,
         top: rows.start as u16,
@@ -107,7 +106,8 @@ fn difference(before: Option<&[u8]>, picture: &[u8], width: u16, height: u16) ->
 
 type Range = std::ops::Range<usize>;
 
-/// Columns and rows around all pixels that differ; the first pixel if none does.
+/// Returns the columns and rows of the bounding box of all differences, or of the first pixel if
+/// there are none.
 fn extent(before: &[u8], picture: &[u8], width: usize) -> (Range, Range) {
     let differs = |index: &usize| before[*index] != picture[*index];
     let places = (0..picture.len()).filter(differs).map(|index| (index % width, index / width));

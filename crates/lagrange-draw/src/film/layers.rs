@@ -1,7 +1,7 @@
 //! The composition of a film: marks and their changes.
 //!
-//! Most marks of a film are the ground, which stays, or rigid bodies, which turn and move; few of
-//! them bend. A layer holds a mark once, with no more than what changes of it.
+//! Most marks of a film either stay, such as the ground, or move rigidly, such as bodies; few are
+//! deformed. A layer stores a mark once, together with its changes only.
 
 use std::cmp::Ordering;
 
@@ -10,31 +10,30 @@ use crate::geometry::{length, mix, subtract};
 use crate::picture::{Mark, Picture, Point, Segment};
 use crate::svg;
 
-/// A mark of a film and what becomes of it.
+/// A mark of a film and its change.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Layer {
-    /// The mark as it is when first shown; where it moves, in coordinates of its own; where it
-    /// grows, in the end.
+    /// The mark as first shown. A moving mark is in its own coordinates; a growing one has its
+    /// final length.
     pub(super) mark: Mark,
     pub(super) change: Change,
 }
 
-/// The change of a layer from picture to picture. Pictures that do not show the layer have no
-/// entry.
+/// The change of a layer from picture to picture. Pictures without the layer have no entry.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Change {
-    /// It only appears and vanishes.
+    /// The mark only appears and vanishes.
     Shows(Vec<bool>),
-    /// It turns and moves.
+    /// The mark rotates and moves.
     Moves(Vec<Option<Pose>>),
-    /// It is drawn up to this length, in pixels.
+    /// The mark is drawn up to this length in pixels.
     Grows(Vec<Option<f64>>),
-    /// Its points move, but its pieces stay of the same kind.
+    /// The points of the mark move, but the kinds of its pieces stay the same.
     Bends(Vec<Option<Vec<Segment>>>),
 }
 
 impl Change {
-    /// In which pictures the layer is shown.
+    /// Returns for each picture whether the layer is shown.
     pub(super) fn shown(&self) -> Vec<bool> {
         match self {
             Change::Shows(shown) => shown.clone(),
@@ -45,7 +44,7 @@ impl Change {
     }
 }
 
-/// The layers of pictures that have the same marks, from back to front.
+/// Returns the layers of pictures with the same marks, from back to front.
 pub(super) fn layers(pictures: &[Picture]) -> Vec<Layer> {
     let count = pictures.first().map_or(0, |picture| picture.marks.len());
     let of_mark = |index| {
@@ -62,7 +61,7 @@ pub(super) fn layers(pictures: &[Picture]) -> Vec<Layer> {
 /// lines are thinned, so the last point of one picture may be missing in the next.
 const TOLERANCE: f64 = 0.5;
 
-/// A line that is only ever added to, such as the path of a point.
+/// Returns the layer of a line that only grows, such as the path of a point; none for other marks.
 fn growing(marks: &[Option<&Mark>]) -> Option<Layer> {
     let length = |mark: &&Mark| lengths(segments(mark)).last().copied().unwrap_or(0.0);
     let size = |mark: &&Mark| (segments(mark).len(), length(mark));
@@ -93,7 +92,8 @@ fn known<T>(asked: Option<Option<T>>) -> Option<Option<T>> {
     }
 }
 
-/// Up to which length a line is drawn that is a part of another from its start; none if it is not.
+/// Returns the length up to which a line covers another from its start; none if it is not an
+/// initial part.
 fn drawn(line: &[Segment], all: &[Segment], lengths: &[f64]) -> Option<f64> {
     let (last, before) = line.split_last()?;
     if !all.starts_with(before) {
@@ -125,7 +125,7 @@ fn is_line(segment: &Segment) -> bool {
     matches!(segment, Segment::Line(_))
 }
 
-/// The length of an open line up to the end of each of its pieces.
+/// Returns the lengths of an open line up to the end of each of its pieces.
 pub(super) fn lengths(line: &[Segment]) -> Vec<f64> {
     let mut total = 0.0;
     let mut last: Option<Point> = None;
@@ -139,12 +139,12 @@ pub(super) fn lengths(line: &[Segment]) -> Vec<f64> {
     line.iter().map(until).collect()
 }
 
-/// A layer for each look that a mark takes on: its style and kinds of pieces, or its letters.
+/// Returns a layer for each look of a mark, which is its style and kinds of pieces, or its text.
 fn by_look(marks: &[Option<&Mark>]) -> Vec<Layer> {
     let mut looks: Vec<(&Mark, Vec<Option<&Mark>>)> = Vec::new();
     for (index, mark) in marks.iter().enumerate() {
         let Some(mark) = mark else { continue };
-        // The look before is the likeliest.
+        // The most recent look is the most likely one.
         let known = looks.iter().rposition(|(look, _)| are_alike(look, mark)).unwrap_or_else(|| {
             looks.push((mark, vec![None; marks.len()]));
             looks.len() - 1
@@ -164,7 +164,7 @@ fn are_alike(one: &Mark, other: &Mark) -> bool {
     }
 }
 
-/// The letter of a piece in the language of SVG.
+/// Returns the letter of a piece in SVG path data.
 pub(super) fn kind(segment: &Segment) -> char {
     match segment {
         Segment::Move(_) => 'M',
@@ -174,7 +174,7 @@ pub(super) fn kind(segment: &Segment) -> char {
     }
 }
 
-/// The letters of the pieces of a mark.
+/// Returns the letters of the pieces of a mark.
 pub(super) fn kinds(mark: &Mark) -> String {
     segments(mark).iter().map(kind).collect()
 }

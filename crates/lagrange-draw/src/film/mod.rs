@@ -1,7 +1,7 @@
 //! Films: motions as HTML pages, as GIF, and as animated SVG or glTF.
 //!
-//! [`layers`] determines how each mark of a picture changes, since the files hold changes instead
-//! of whole pictures. [`motion`] finds marks that only turn and move.
+//! [`layers`] determines how each mark of a picture changes, since files store changes instead of
+//! whole pictures. [`motion`] detects marks that only rotate and move.
 
 mod animation;
 mod chart;
@@ -24,7 +24,7 @@ use crate::timeline::{Curve, Timeline};
 use lagrange_files::save_bytes;
 use lagrange_runtime::scene::Plane;
 
-/// A motion in the plane or in space, and when each of its moments is shown.
+/// A motion in the plane or in space, with the display time of each moment.
 ///
 /// | file | what it is for |
 /// |---|---|
@@ -33,8 +33,7 @@ use lagrange_runtime::scene::Plane;
 /// | `svg` | in the plane: plays in any browser, without a script; sharp at any size |
 /// | `glb` | in space: bodies and their motion as glTF 2.0, for viewers and Blender |
 ///
-/// All of them play in real time: one second of the motion, in its own unit of time, is a second of
-/// the film.
+/// All formats play in real time: one unit of time of the motion is one second of the film.
 ///
 /// ```text
 /// let film = Drawing::of(&system).film(&trajectory)?.with_columns(&trajectory, &["kinetic", "potential"])?;
@@ -49,7 +48,7 @@ pub struct Film<D: DrawnSpace = Plane> {
 }
 
 impl Film {
-    /// Creates a film of pictures shown at these times, in seconds: rising, or falling if the
+    /// Creates a film of pictures displayed at these times, in seconds. They rise, or fall if the
     /// motion ran backwards.
     ///
     /// # Errors
@@ -67,7 +66,7 @@ impl Film {
 }
 
 impl<D: DrawnSpace> Film<D> {
-    /// Adds a curve to the plot under the picture of a page, with a value for each picture.
+    /// Adds a curve to the plot below the picture of a page, with a value for each picture.
     /// Energies are in joule if they are in SI units. Values that are not finite leave a gap.
     ///
     /// # Errors
@@ -81,26 +80,26 @@ impl<D: DrawnSpace> Film<D> {
         Ok(self)
     }
 
-    /// Returns the times at which its pictures are shown.
+    /// Returns the display times of the pictures.
     pub fn times(&self) -> &[f64] {
         &self.timeline.times
     }
 
-    /// Returns its pictures, in space as seen from the eye of the drawing.
+    /// Returns the pictures, in space from the viewpoint of the drawing.
     pub fn pictures(&self) -> Cow<'_, [Picture]> {
         self.recording.pictures()
     }
 
-    /// Returns the film as a self-contained HTML page, with curves under the picture. It can be
+    /// Returns the film as a self-contained HTML page, with curves below the picture. It can be
     /// played, paused and scrubbed; in space it can be turned with the mouse and zoomed. Without
     /// scripts, or in space without WebGL 2, it shows the first picture. If the reader prefers
-    /// reduced motion, it waits to be started.
+    /// reduced motion, it does not start automatically.
     pub fn html(&self) -> String {
         self.recording.page(&self.timeline)
     }
 
-    /// Saves it to a file: an HTML page, GIF, in the plane animated SVG, in space glTF, by the
-    /// extension. An older file stays until the new one is whole.
+    /// Saves the film to a file. The extension selects an HTML page, GIF, animated SVG in the
+    /// plane, or glTF in space. An older file stays until the new one is complete.
     ///
     /// # Errors
     /// If the extension is not `html`, `gif`, `svg` in the plane or `glb` in space, or the file
@@ -152,7 +151,7 @@ fn is_finite(mark: &Mark) -> bool {
     }
 }
 
-/// The points of a segment, in the order in which they are written.
+/// Returns the points of a segment, in writing order.
 fn points(segment: Segment) -> Vec<[f64; 2]> {
     match segment {
         Segment::Move(end) | Segment::Line(end) => vec![end],

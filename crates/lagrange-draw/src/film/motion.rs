@@ -1,8 +1,8 @@
-//! Finds marks that turn and move without changing their shape.
+//! Detection of marks that rotate and move without changing their shape.
 //!
-//! The best turn between two sets of corresponding points about their means, in the sense of least
-//! squares, is the angle of Σ (a·b, a×b). Source: Kanatani, *Statistical Optimization for Geometric
-//! Computation* (1996), the plane case of fitting a rotation.
+//! The least-squares rotation between two sets of corresponding points about their means is the
+//! angle of Σ (a·b, a×b). Source: Kanatani, *Statistical Optimization for Geometric Computation*
+//! (1996), the plane case of fitting a rotation.
 
 use std::f64::consts::TAU;
 
@@ -15,16 +15,16 @@ use crate::picture::{Point, Segment};
 pub(super) struct Pose {
     /// Origin of its coordinates, in pixels.
     pub(super) at: Point,
-    /// In radians, clockwise as seen, since y points downwards.
+    /// Angle in radians, clockwise on screen, since y points downwards.
     pub(super) angle: f64,
 }
 
-/// Maximum distance of points from their positions under the motion, in pixels: the rounding of
-/// written numbers.
+/// Maximum distance of points from their positions under a rigid motion, in pixels; equal to the
+/// rounding of written numbers.
 const TOLERANCE: f64 = 0.01;
 
-/// The shape in coordinates of its own and its pose in each picture that shows it; none if it
-/// changes its shape.
+/// Returns the shape in its own coordinates, and its pose in each picture with the mark; none if
+/// the shape changes.
 pub(super) fn rigid_motion(
     first: &[Segment],
     shapes: &[Option<&[Segment]>],
@@ -46,7 +46,8 @@ pub(super) fn rigid_motion(
     Some((own, poses))
 }
 
-/// The pose that takes points about the origin to others, with the angle nearest to the one before.
+/// Returns the pose that maps points about the origin to others, with the angle nearest to the
+/// previous one.
 fn fit(own: &[Point], points: &[Point], before: f64) -> Option<Pose> {
     let at = mean(points)?;
     let (mut along, mut across) = (0.0, 0.0);

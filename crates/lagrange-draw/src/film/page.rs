@@ -1,5 +1,4 @@
-//! The film as one HTML file: its first picture, what changes of it as JSON, and a script that
-//! plays it.
+//! The film as one HTML file: its first picture, its changes as JSON, and a script that plays it.
 
 use crate::film::animation::{full_length, visibility, with_children, with_marks};
 use crate::film::chart::{Chart, look};
@@ -16,7 +15,7 @@ use lagrange_plot::label::Label;
 use lagrange_plot::notation::Columns;
 
 const PAGE: &str = include_str!("page.html");
-/// Colours and areas of all pages.
+/// Style sheet of all pages.
 pub const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 /// Script that shows the layers of pictures.
@@ -24,26 +23,26 @@ const LAYERS: &str = include_str!("layers.js");
 /// Title of a page without one.
 const UNTITLED: &str = "Film";
 
-/// A page that plays something: its own style, data and script show a moment, the player does the
-/// rest.
+/// A page with a player. Its own style, data and script display a moment; the player is common to
+/// all pages.
 pub(crate) struct Page<'a> {
-    /// In the notation of formulas.
+    /// Title in the notation of formulas.
     pub(crate) title: &'a str,
     pub(crate) timeline: &'a Timeline,
-    /// Rules that are added to those of all pages.
+    /// CSS rules in addition to the common ones.
     pub(crate) style: &'a str,
-    /// Content that the viewer shows and changes.
+    /// Content displayed and changed by the viewer.
     pub(crate) picture: String,
-    /// Fields of JSON that the viewer reads.
+    /// JSON fields for the viewer.
     pub(crate) shown: String,
-    /// A script with a function `viewer`, which returns one that shows the moment between a picture
-    /// and the next.
+    /// A script with a function `viewer`. It returns a function that displays the moment between a
+    /// picture and the next.
     pub(crate) viewer: &'a str,
     /// Further key bindings.
     pub(crate) keys: &'a str,
 }
 
-/// The page of pictures that have the same marks.
+/// Returns the page of pictures with the same marks.
 pub(super) fn of_pictures(pictures: &[Picture], timeline: &Timeline) -> String {
     let layers = layers(pictures);
     let changing = layers.iter().filter(|layer| !is_still(layer)).map(layer_json);
@@ -72,7 +71,7 @@ fn first_picture(pictures: &[Picture], layers: &[Layer]) -> String {
 }
 
 impl Page<'_> {
-    /// The whole page.
+    /// Returns the whole page.
     pub(crate) fn html(&self) -> String {
         let chart = Chart::of(self.timeline);
         fill(PAGE, |name| match name {
@@ -122,12 +121,12 @@ impl Page<'_> {
     }
 }
 
-/// True if a layer is shown all the time and never changes.
+/// True if a layer is always shown and never changes.
 fn is_still(layer: &Layer) -> bool {
     matches!(&layer.change, Change::Shows(shown) if shown.iter().all(|is_shown| *is_shown))
 }
 
-/// A layer as it is in the first picture, for the script to change.
+/// Returns a layer in the first picture, to be changed by the script.
 fn group(layer: &Layer, index: usize) -> String {
     let (transform, mark) = match &layer.change {
         Change::Shows(_) | Change::Bends(_) => (String::new(), svg::mark(&layer.mark)),
@@ -177,7 +176,8 @@ fn layer_json(layer: &Layer) -> String {
     }
 }
 
-/// The first picture of each run of pictures that show a layer, and the first one after it.
+/// Returns the index of the first picture of each run of pictures with a layer, and of the first
+/// one after the run.
 fn runs(shown: &[bool]) -> Vec<String> {
     let mut start = 0;
     let mut runs = Vec::new();
@@ -198,19 +198,19 @@ pub(crate) fn list(items: impl IntoIterator<Item = String>) -> String {
     format!("[{}]", items.into_iter().collect::<Vec<_>>().join(","))
 }
 
-/// In degrees.
+/// Formats the angle of a pose in degrees.
 fn angle(pose: Pose) -> String {
     let text = format!("{:.3}", pose.angle.to_degrees());
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_string() } else { text.to_string() }
 }
 
-/// A number with all its digits.
+/// Formats a number with all its digits.
 pub(crate) fn exact(value: f64) -> String {
     if value.is_finite() { format!("{value:e}") } else { "null".to_string() }
 }
 
-/// A string of JSON that may stand within an element of HTML.
+/// Returns a JSON string that is safe within an HTML element.
 pub(crate) fn quoted(text: &str) -> String {
     let escaped = |letter: char| match letter {
         '"' | '\\' | '<' | '>' | '&' | '\u{2028}' | '\u{2029}' | '\0'..='\u{1f}' => {
@@ -221,7 +221,7 @@ pub(crate) fn quoted(text: &str) -> String {
     format!("\"{}\"", text.chars().map(escaped).collect::<String>())
 }
 
-/// The template with each `{{name}}` replaced; what has no value stays.
+/// Replaces each `{{name}}` of a template; names without a value stay.
 fn fill(template: &str, value: impl Fn(&str) -> Option<String>) -> String {
     let mut filled = String::new();
     let mut rest = template;

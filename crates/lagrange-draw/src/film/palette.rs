@@ -1,16 +1,16 @@
-//! The colours of a GIF: at most 256 for all of its pictures.
+//! The colours of a GIF: at most 256 for all its pictures.
 //!
-//! Boxes of colours are halved across their longest side until there are enough of them: Heckbert, *Color
-//! image quantization for frame buffer display* (1982). Unlike there, they are halved in the middle
-//! instead of at the median. Pictures are mostly background, and the shades between it and the
-//! lines matter.
+//! Boxes of colours are halved across their longest side until there are enough: Heckbert, *Color
+//! image quantization for frame buffer display* (1982). Unlike in the source, they are halved in
+//! the middle instead of at the median. Pictures are mostly background, and the shades between it
+//! and the lines matter.
 
 use std::collections::BTreeMap;
 
-/// Red, green, blue.
+/// Red, green and blue.
 pub(super) type Rgb = [u8; 3];
 
-/// Counts of colours.
+/// Pixel counts of colours.
 #[derive(Default)]
 pub(super) struct Histogram {
     counts: BTreeMap<Rgb, u64>,
@@ -19,17 +19,17 @@ pub(super) struct Histogram {
 impl Histogram {
     /// Counts the pixels of a picture.
     pub(super) fn add(&mut self, rgba: &[u8]) {
-        // Neighbours are mostly equal, so that they are counted together.
+        // Neighbouring pixels are mostly equal, and are therefore counted together.
         for run in pixels(rgba).collect::<Vec<_>>().chunk_by(|a, b| a == b) {
             *self.counts.entry(run[0]).or_default() += run.len() as u64;
         }
     }
 
-    /// The colours that stand for all, no more than this many: of each box the most frequent, so
-    /// that areas keep their colour.
+    /// Returns at most this many representative colours. The most frequent one of each box is
+    /// selected, so that areas keep their colour.
     pub(super) fn palette(self, limit: usize) -> Palette {
-        // Each with the length of its longest side, which would else be looked for again at every
-        // halving of another one.
+        // Each box stores the length of its longest side, to avoid recomputing it at every halving
+        // of another box.
         let measured = |colours: Vec<(Rgb, u64)>| (longest_side(&colours).1, colours);
         let mut boxes = vec![measured(self.counts.into_iter().collect())];
         while boxes.len() < limit {
@@ -47,7 +47,7 @@ impl Histogram {
     }
 }
 
-/// Its axis and length.
+/// Returns the axis and length of the longest side of a box.
 fn longest_side(colours: &[(Rgb, u64)]) -> (usize, u8) {
     let side = |axis: usize| {
         let values = || colours.iter().map(|(colour, _)| colour[axis]);
@@ -64,15 +64,15 @@ fn halve(colours: Vec<(Rgb, u64)>) -> [Vec<(Rgb, u64)>; 2] {
     [dark, light]
 }
 
-/// Colours with numbers.
+/// Colours with indices.
 pub(super) struct Palette {
     pub(super) colours: Vec<Rgb>,
-    /// Numbers of colours that were asked for before.
+    /// Cached indices of colours.
     known: BTreeMap<Rgb, u8>,
 }
 
 impl Palette {
-    /// The numbers of the nearest colours of all pixels.
+    /// Returns the indices of the nearest colours of all pixels.
     pub(super) fn indices(&mut self, rgba: &[u8]) -> Vec<u8> {
         let mut last = None;
         let index = |colour: Rgb| match last {
@@ -95,8 +95,9 @@ impl Palette {
         index
     }
 
-    /// The first of the nearest colours. They are sorted by red. The search continues from both
-    /// sides of the red of the colour until the reds alone are further apart than the best.
+    /// Returns the index of the nearest colour, the first of several. Colours are sorted by red.
+    /// The search proceeds in both directions from the colour's red until the red distance alone
+    /// exceeds the best distance.
     fn nearest(&self, colour: Rgb) -> usize {
         let red = self.colours.partition_point(|other| other[0] < colour[0]);
         let mut best = (u32::MAX, 0);

@@ -24,9 +24,9 @@ use lagrange_runtime::scalar::{Number, Scalar};
 use lagrange_runtime::scene::{Plane, Scene};
 use lagrange_runtime::system::split;
 
-/// The longest arrows take this part of the smaller side; on a free body they are the matter
-/// itself.
+/// Length of the longest arrows relative to the smaller side.
 const LONGEST: f64 = 0.25;
+/// Length of the longest arrows on a free body, where they are the main content.
 const LONGEST_FREE: f64 = 0.35;
 
 impl DrawnSpace for Plane {
@@ -93,11 +93,12 @@ impl<M: Scene<Space = Plane>> Drawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
-    /// The scene of a shot without what is hidden, or what is left of it for a free body.
+    /// Returns the scene of a shot without hidden items, reduced to the free body if one is
+    /// selected.
     fn shown(&self, shot: &Shot<M>) -> Result<Snapshot, DrawError> {
         let snapshot = self.snapshot(shot)?;
         let Some(name) = &self.free_body else { return Ok(snapshot.without(&self.hidden)) };
-        // Hidden forces have names; they are not missing.
+        // Hidden forces have names; they are not part of the resultant.
         let remainder = snapshot.remainder_of(name, M::Scalar::epsilon().into());
         let snapshot = snapshot.without(&self.hidden);
         if snapshot.body(name).is_none() {
@@ -106,11 +107,11 @@ where
         Ok(Snapshot { remainder, ..snapshot.free_body(name) })
     }
 
-    /// The scene in another configuration at another time: what is in the same place there does not
-    /// move.
+    /// Returns the scene in a different configuration at a different time. Items in the same place
+    /// there are fixed.
     fn elsewhere(&self, (t, y): &Instant<M>) -> Snapshot {
         let (mut q, v) = split::<M>(y);
-        // No period is a fraction of such steps.
+        // No period is a multiple or fraction of these steps.
         for (index, coordinate) in q.as_mut().iter_mut().enumerate() {
             let step = M::Scalar::from_f64(0.739 + 0.107 * index as f64);
             *coordinate = M::Scalar::from_f64(1.31) * *coordinate + step;
@@ -119,7 +120,7 @@ where
         Snapshot::of(self.system(), *t + M::Scalar::from_f64(0.577), &q, &v)
     }
 
-    /// Adds the present points to the paths.
+    /// Adds the current points to the paths.
     fn traced(&self, shot: &Shot<M>, paths: &mut [Vec<Point>]) -> Vec<Element> {
         let ((t, y), system) = (&shot.0, self.system_in(shot));
         let mut elements = Vec::new();

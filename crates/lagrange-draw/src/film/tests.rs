@@ -1,4 +1,4 @@
-//! Films of a pendulum drawn by hand, with every kind of mark: some stay, turn, move, grow, bend,
+//! Films of a hand-drawn pendulum with every kind of mark: they stay, turn, move, grow, bend,
 //! appear and vanish.
 
 mod errors;
@@ -22,10 +22,10 @@ const HINGE: Point = [160.0, 40.0];
 const LENGTH: f64 = 120.0;
 const INK: Colour = Colour([0x22, 0x22, 0x22, 0xff]);
 const BLUE: Colour = Colour([0x00, 0x72, 0xb2, 0xff]);
-/// The pictures that show the force.
+/// Range of pictures that show the force.
 const PUSHED: std::ops::Range<usize> = 5..9;
 
-/// A film of so many pictures, 25 a second.
+/// Creates a film of this many pictures, 25 per second.
 fn pendulum(pictures: usize) -> Film {
     let times: Vec<f64> = (0..pictures).map(|index| index as f64 / 25.0).collect();
     pendulum_at(&times)
@@ -40,7 +40,7 @@ fn angle(time: f64) -> f64 {
     0.9 * (2.0 * time).cos()
 }
 
-/// A point at this distance along the rod and beside it.
+/// Returns a point at a distance along the rod and a distance from it.
 fn on_rod(time: f64, along: f64, beside: f64) -> Point {
     let (sin, cos) = angle(time).sin_cos();
     [HINGE[0] + along * sin + beside * cos, HINGE[1] + along * cos - beside * sin]

@@ -9,7 +9,7 @@ use lagrange_runtime::scene::Scene;
 use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::MechanicalSystem;
 
-/// The column that a film takes along by itself.
+/// The column that a film includes automatically.
 const ENERGY: &str = "energy";
 
 impl<M: Scene<Space: DrawnSpace>> Drawing<'_, M>
@@ -17,9 +17,9 @@ where
     M::Scalar: Into<f64>,
 {
     /// Creates a film of the samples of a trajectory, such as those of a run
-    /// [`every`](lagrange_runtime::simulate::Simulation::every) twenty-fifth of a second. Of
-    /// samples at the same time, which impacts may leave, it shows the last. Where a control set
-    /// inputs, forces are those of the inputs of each sample. If the run observed its
+    /// [`every`](lagrange_runtime::simulate::Simulation::every) twenty-fifth of a second. If
+    /// impacts leave several samples at one time, it shows the last one. If a control set inputs,
+    /// forces are those for the inputs of each sample. If the run observed its
     /// [`energy`](lagrange_runtime::simulate::Simulation::energy), pages plot it.
     ///
     /// # Errors
@@ -31,9 +31,9 @@ where
     }
 
     /// Creates a film of about this many pictures a second from a run that was
-    /// [`dense`](lagrange_runtime::simulate::Simulation::dense). The intervals are equal, and such
-    /// that the last picture shows the end. Where a control set inputs, forces are those of the
-    /// inputs of the last sample before each picture.
+    /// [`dense`](lagrange_runtime::simulate::Simulation::dense). The intervals are equal, and the
+    /// last picture shows the end. If a control set inputs, forces are those for the inputs of the
+    /// last sample before each picture.
     ///
     /// # Errors
     /// If the run was not dense, the number is not positive and finite, there are more than 100 000
@@ -46,8 +46,8 @@ where
         self.recorded(&samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
-    /// Creates a film of these times and states, such as recorded data. Times rise or fall
-    /// throughout, and forces are those of the inputs that the system has.
+    /// Creates a film of these times and states, such as recorded data. Times must rise or fall
+    /// throughout. Forces are those for the current inputs of the system.
     ///
     /// # Errors
     /// If there are more than 100 000 pictures, or one cannot be made, as for
@@ -59,9 +59,9 @@ where
         self.timed_film(states.into_iter().map(|instant| (instant.0.into(), instant)))
     }
 
-    /// Creates a film of times and states, each with the second of the film at which it is shown.
-    /// These may differ from the times: for slow motion, or while the system stands at one time, as
-    /// in [modes](lagrange_runtime::linear::ModeMotion).
+    /// Creates a film of times and states, each with its display time in seconds. Display times may
+    /// differ from the times: for slow motion, or for a system at a constant time, as in
+    /// [modes](lagrange_runtime::linear::ModeMotion).
     ///
     /// # Errors
     /// If seconds neither rise nor fall throughout, there are more than 100 000 pictures, or one
@@ -88,7 +88,7 @@ where
 
 impl<D: DrawnSpace> Film<D> {
     /// Adds columns of the film's trajectory to the plots of pages. Their values are those at the
-    /// times of the states, whenever these are shown.
+    /// times of the states, regardless of display times.
     ///
     /// # Errors
     /// If there is no such column, or no sample at the time of one of the states.
@@ -118,7 +118,7 @@ impl<D: DrawnSpace> Film<D> {
     /// the film's trajectory.
     ///
     /// # Errors
-    /// If the trajectory does not know the state at the time of one of those.
+    /// If the trajectory has no state at the time of one of the pictures.
     pub fn with_energy<M: MechanicalSystem>(
         self,
         name: &str,
@@ -141,18 +141,18 @@ impl<D: DrawnSpace> Film<D> {
     }
 }
 
-/// The times of the states that are shown.
+/// Returns the times of the shots.
 fn instants<M: MechanicalSystem<Scalar: Into<f64>>>(shots: &[Shot<M>]) -> Vec<f64> {
     shots.iter().map(|((t, _), _)| (*t).into()).collect()
 }
 
-/// Returns the last sample at each time, in order. Impacts leave several at one time.
+/// Returns the index of the last sample at each time, in order. Impacts leave several at one time.
 pub fn last_at_each<S: PartialEq>(times: &[S]) -> Vec<usize> {
     let is_last = |index: &usize| times.get(index + 1).is_none_or(|next| *next != times[*index]);
     (0..times.len()).filter(is_last).collect()
 }
 
-/// More pictures are no film: at sixty a second, these last for half an hour, and take gigabytes.
+/// Maximum number of pictures. At sixty per second, they last for half an hour, and take gigabytes.
 const MAX_PICTURES: f64 = 1e5;
 
 fn refuse_too_many(pictures: f64) -> Result<(), DrawError> {
@@ -164,8 +164,8 @@ fn refuse_too_many(pictures: f64) -> Result<(), DrawError> {
     )))
 }
 
-/// The samples of a trajectory, of those at the same time the last, each with the system as inputs
-/// made it then.
+/// Returns the last sample of a trajectory at each time, each with the system under the inputs at
+/// that time.
 fn samples<M: MechanicalSystem>(trajectory: &Trajectory<M>, system: &M) -> Result<Vec<Shot<M>>, DrawError> {
     let times = trajectory.times();
     let shown = last_at_each(times);
@@ -177,7 +177,8 @@ fn samples<M: MechanicalSystem>(trajectory: &Trajectory<M>, system: &M) -> Resul
     Ok(shown.into_iter().filter_map(shot).collect())
 }
 
-/// States of a dense trajectory at equal intervals, about so many a second, with its end.
+/// Returns states of a dense trajectory at equal intervals, at about this many per second,
+/// including its end.
 fn samples_at<M: MechanicalSystem>(
     pictures_a_second: f64,
     trajectory: &Trajectory<M>,
@@ -206,7 +207,7 @@ where
     inner.chain([last]).map(shot).collect()
 }
 
-/// The last sample at a time.
+/// Returns the last sample at a time.
 fn sample<M: MechanicalSystem>(trajectory: &Trajectory<M>, time: f64) -> Option<usize>
 where
     M::Scalar: Into<f64>,

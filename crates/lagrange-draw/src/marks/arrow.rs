@@ -6,25 +6,26 @@ use crate::element::RING;
 use crate::geometry::{add, arc, direction, length, mix, moved, polyline, subtract, times, turned, unit};
 use crate::picture::{Point, Segment};
 
-/// Length and half width of an arrowhead, and the largest part of an arrow that it takes.
+/// Length and half width of an arrowhead.
 const HEAD: (f64, f64) = (9.0, 3.2);
+/// Maximum fraction of an arrow's length for its head.
 const SHARE: f64 = 0.6;
-/// Shorter arrows have no direction that could be seen.
+/// Length below which an arrow has no visible direction.
 const LEAST: f64 = 1.0;
-/// Radius of the arrow of a moment, and the angle that it goes round.
+/// Radius and angle of the arrow of a moment.
 const TURN: (f64, f64) = (20.0, 3.0 * FRAC_PI_2);
 /// Radius of the arc of an angle.
 pub(crate) const ANGLE: f64 = 26.0;
-/// From two points to the line that tells their distance.
+/// Distance of a dimension line from its two points.
 pub(crate) const BESIDE: f64 = 18.0;
 
-/// Returns the start of an arrow that belongs to a point: the point, or the position from which it
-/// ends there.
+/// Returns the start of an arrow that belongs to a point. It is the point itself, or, for a pushing
+/// arrow, the start from which it ends there.
 pub(crate) fn start(at: Point, vector: Point, is_push: bool) -> Point {
     if is_push { subtract(at, vector) } else { at }
 }
 
-/// An arrow from a point, nothing if it is too short.
+/// Returns an arrow from a point, or nothing if it is too short.
 pub(super) fn straight(from: Point, vector: Point) -> Vec<Segment> {
     let size = length(vector);
     if size < LEAST {
@@ -43,7 +44,7 @@ fn arrowhead(tip: Point, along: Point, size: f64) -> Vec<Segment> {
     polyline([tip, add(back, times(half, turned(along))), subtract(back, times(half, turned(along)))], true)
 }
 
-/// An arrow around a point, counterclockwise if positive, outside of so many others.
+/// Returns an arrow around a point, counterclockwise if positive, outside `ring` others.
 pub(super) fn turn(at: Point, moment: f64, ring: usize) -> [Vec<Segment>; 2] {
     if moment == 0.0 {
         return [Vec::new(), Vec::new()];
@@ -53,16 +54,16 @@ pub(super) fn turn(at: Point, moment: f64, ring: usize) -> [Vec<Segment>; 2] {
     around(at, radius, from, from + moment.signum() * sweep)
 }
 
-/// An arc with an arrowhead from one angle to another.
+/// Returns an arc with an arrowhead from one angle to another.
 pub(super) fn angle(at: Point, from: f64, to: f64) -> [Vec<Segment>; 2] {
     if from == to { [Vec::new(), Vec::new()] } else { around(at, ANGLE, from, to) }
 }
 
-/// The arc and its head.
+/// Returns an arc and its head.
 fn around(at: Point, radius: f64, from: f64, to: f64) -> [Vec<Segment>; 2] {
     let head = HEAD.0.min(SHARE * radius * (to - from).abs());
     let sign = (to - from).signum();
-    // The head lies on the chord of the arc that it replaces.
+    // The head is on the chord of the arc that it replaces.
     let neck = to - sign * head / radius;
     let mut segments = Vec::from([Segment::Move(times(radius, direction(from)))]);
     segments.extend(arc([radius, radius], from, neck));
@@ -72,7 +73,7 @@ fn around(at: Point, radius: f64, from: f64, to: f64) -> [Vec<Segment>; 2] {
     [segments, head].map(|part| moved(&part, |[x, y]| [at[0] + x, at[1] - y]))
 }
 
-/// A line with arrowheads on the left of two points, and a thin one to each of them.
+/// Returns a line with arrowheads on the left of two points, and thin lines to both of them.
 pub(super) fn dimension(ends: [Point; 2]) -> [Vec<Segment>; 2] {
     const BEYOND: f64 = 4.0;
     let Some(along) = unit(subtract(ends[1], ends[0])) else { return [Vec::new(), Vec::new()] };

@@ -8,12 +8,13 @@ use crate::outline::{Form, Piece};
 use crate::picture::{Colour, Mark, Point, Segment, Style};
 use crate::view::View;
 
-/// Width of point masses and rods, in pixels.
+/// Width of point masses in pixels.
 const MASS: f64 = 11.0;
+/// Width of rods in pixels.
 const ROD: f64 = 6.0;
 
-/// The marks of a body. Rims lie behind areas, so that only what bounds the whole of its parts is
-/// seen of them.
+/// Returns the marks of a body. Rims are behind areas, so that only the outer boundary of the union
+/// remains visible.
 pub(super) fn marks(
     place: &Place,
     center: Point,
@@ -58,7 +59,7 @@ fn rim(ring: &[Segment], is_hole: bool, all: &[(bool, Vec<Segment>)]) -> Vec<Seg
     if !is_cut {
         return ring.to_vec();
     }
-    // A rim within another part would lie behind its area, but stick out into the hole.
+    // A rim within another part would be behind its area, but extend into the hole.
     let is_hidden = |p| {
         let same = all.iter().filter(|(other, line)| *other == is_hole && line != ring);
         same.into_iter().any(|(_, line)| encloses(line, p))

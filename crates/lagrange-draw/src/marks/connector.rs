@@ -7,23 +7,28 @@ use crate::geometry::{add, arc, direction, length, moved, polyline, subtract, ti
 use crate::picture::{Point, Segment};
 use lagrange_runtime::scene::Connector;
 
-/// Windings of a spring, and how far they reach to both sides.
+/// Windings of a spring.
 const WINDINGS: usize = 8;
+/// Half width of a spring.
 const AMPLITUDE: f64 = 6.0;
 /// Length of the straight piece at either end in pixels, and its maximum fraction of the length.
 const STRAIGHT: (f64, f64) = (10.0, 0.15);
-/// Length at either end that stays on the line between the ends of an offset connector, and its
+/// Length at either end of an offset connector that is on the line between its ends, and its
 /// maximum fraction of the length.
 const INSET: (f64, f64) = (8.0, 0.12);
-/// Length and half width of the cylinder of a damper, and where the piston is in it.
+/// Length and half width of the cylinder of a damper.
 const CYLINDER: (f64, f64) = (22.0, 6.0);
+/// Position of the piston in the cylinder.
 const PISTON: f64 = 0.4;
-/// Radius and turns of a spiral.
+/// Radius of a spiral.
 const SPIRAL: f64 = 15.0;
+/// Turns of a spiral.
 const TURNS: f64 = 2.25;
+/// Number of pieces of a spiral.
 const POINTS: usize = 54;
 
-/// Along and across a line between two points; a frame of its own where both are the same.
+/// Returns the distance of two points, and a map from coordinates along and across their line. If
+/// the points coincide, the line is horizontal.
 fn frame(from: Point, to: Point) -> (f64, impl Fn([f64; 2]) -> Point) {
     let along = subtract(to, from);
     let size = length(along);
@@ -31,8 +36,8 @@ fn frame(from: Point, to: Point) -> (f64, impl Fn([f64; 2]) -> Point) {
     (size, move |[x, y]: [f64; 2]| add(from, add(times(x, along), times(y, turned(along)))))
 }
 
-/// Returns the lines of a connector: `lane` places on the left between its ends or, about a point,
-/// around as many others.
+/// Returns the lines of a connector: `lane` lanes to the left of the line between its ends or,
+/// about a point, around `lane` others.
 pub(super) fn segments(kind: Connector, ends: [Point; 2], lane: f64) -> Vec<Segment> {
     match kind {
         Connector::Spring => beside(ends, lane, coil),
@@ -42,7 +47,7 @@ pub(super) fn segments(kind: Connector, ends: [Point; 2], lane: f64) -> Vec<Segm
     }
 }
 
-/// A zigzag that stretches with the distance.
+/// Returns a zigzag that stretches with the distance.
 fn coil(from: Point, to: Point) -> Vec<Segment> {
     let (size, place) = frame(from, to);
     let straight = STRAIGHT.0.min(STRAIGHT.1 * size);
@@ -54,7 +59,7 @@ fn coil(from: Point, to: Point) -> Vec<Segment> {
     polyline(points.into_iter().map(place), false)
 }
 
-/// A cylinder at the first end and a piston at the second.
+/// Returns a cylinder at the first end and a piston at the second.
 fn dashpot(from: Point, to: Point) -> Vec<Segment> {
     let (size, place) = frame(from, to);
     let (cylinder, half) = CYLINDER;
@@ -71,8 +76,8 @@ fn dashpot(from: Point, to: Point) -> Vec<Segment> {
     lines.into_iter().flat_map(|line| polyline(line.into_iter().map(&place), false)).collect()
 }
 
-/// A connector so many places on the left of the line between its ends, with which it is joined at
-/// both of them.
+/// Offsets a connector by `lane` lanes to the left of the line between its ends, and joins it to
+/// both.
 fn beside(
     [from, to]: [Point; 2],
     lane: f64,
@@ -82,7 +87,7 @@ fn beside(
         return connector(from, to);
     }
     let (size, place) = frame(from, to);
-    // Pixels go downwards.
+    // On paper, y points downwards.
     let (inset, aside) = (INSET.0.min(INSET.1 * size), -LANE * lane);
     let [start, end] = [inset, size - inset].map(|x| [[x, 0.0], [x, aside]].map(&place));
     let mut segments = polyline([from, start[0], start[1]], false);
@@ -91,7 +96,7 @@ fn beside(
     segments
 }
 
-/// A spiral about a point, around so many others.
+/// Returns a spiral about a point, around `lane` others.
 fn spiral(at: Point, lane: f64) -> Vec<Segment> {
     let radius = SPIRAL * (1.0 + WIDER * lane);
     let point = |k: usize| {
@@ -101,7 +106,7 @@ fn spiral(at: Point, lane: f64) -> Vec<Segment> {
     polyline((0..=POINTS).map(point), false)
 }
 
-/// Two arcs about a point, one within the other, around so many others.
+/// Returns two arcs about a point, one within the other, around `lane` others.
 fn drum(at: Point, lane: f64) -> Vec<Segment> {
     let mut segments = Vec::new();
     let wide = SPIRAL * (1.0 + WIDER * lane);
@@ -134,9 +139,8 @@ mod tests {
         assert_eq!(coil([0.0, 0.0], [9.0, 0.0]).len(), coil([0.0, 0.0], [99.0, 7.0]).len());
     }
 
-    /// Two connectors between opposite places keep a distance in between and reach from end to end.
-    /// They swap sides where one is declared against the other, in any direction and with both ends
-    /// in the same place.
+    /// Two connectors between opposite points keep a distance and extend from end to end. If one is
+    /// reversed, they swap sides, in any direction and with coincident ends.
     #[test]
     fn connectors_beside_each_other_do_not_touch() {
         let around = (0..24).map(|k| direction(TAU * f64::from(k) / 24.0));
@@ -144,7 +148,7 @@ mod tests {
         for to in all.chain([[0.0, 0.0]]) {
             let ends = [[3.0, -2.0], [3.0 + to[0], to[1] - 2.0]];
             let normal = turned(unit(to).unwrap_or([1.0, 0.0]));
-            // On how far from the line between its ends a connector lies, between its bars.
+            // The distances of a connector from the line between its ends, apart from its bars.
             let across = |ends: [Point; 2], lane: f64, connector: fn(Point, Point) -> Vec<Segment>| {
                 let points = flattened(&beside(ends, lane, connector), 1);
                 assert_eq!(points[0], ends[0]);

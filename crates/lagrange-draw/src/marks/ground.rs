@@ -6,20 +6,21 @@ use crate::marks::{JOINT, MEDIUM, THIN, circle, path, stroke};
 use crate::picture::{Mark, Point, Segment, Style};
 use crate::view::View;
 
-/// Between strokes of hatching along a line, and how far they reach beside it.
+/// Spacing of hatching strokes along a line.
 const SPACING: f64 = 8.0;
+/// Depth of hatching strokes.
 const DEPTH: f64 = 7.0;
-/// Minimum length of a stroke at the border; shorter remainders are omitted.
+/// Minimum length of a stroke at a border; shorter remainders are omitted.
 const LEAST: f64 = 2.0;
 /// Half the length of a wall.
 const WALL: f64 = 14.0;
 /// Height and half width of the triangle below a pin.
 const TRIANGLE: (f64, f64) = (13.0, 8.0);
 
-/// A line with hatching on its right, along stretches from a point of it.
+/// Draws a line with hatching on its right, along stretches from a point on it.
 pub(super) fn marks(place: Place, stretches: &[[f64; 2]], view: &View) -> Vec<Mark> {
     let [x, y] = direction(place.angle);
-    // On paper, y goes down.
+    // On paper, y points downwards.
     let along = [x, -y];
     let start = view.point(place.at);
     // Far enough to leave the window on both sides, wherever the line starts.
@@ -36,13 +37,13 @@ pub(super) fn marks(place: Place, stretches: &[[f64; 2]], view: &View) -> Vec<Ma
     vec![path(hatching, stroke(HATCHING, THIN)), path(edges, stroke(INK, MEDIUM))]
 }
 
-/// A short line with hatching on its right, its middle at a point.
+/// Draws a short line with hatching on its right, centred at a point.
 pub(super) fn wall(place: Place, view: &View) -> Vec<Mark> {
     let half = view.of_pixels(WALL);
     marks(place, &[[-half, half]], view)
 }
 
-/// Strokes to the right of a line and backwards.
+/// Returns strokes to the right of a line and backwards.
 fn hatches(at: impl Fn(f64) -> Point, along: Point, [from, to]: [f64; 2], view: &View) -> Vec<Segment> {
     // On paper, a quarter turn from x to y is clockwise.
     let stroke = times(DEPTH, subtract(turned(along), along));
@@ -56,7 +57,7 @@ fn hatches(at: impl Fn(f64) -> Point, along: Point, [from, to]: [f64; 2], view: 
     (0..count).filter_map(ends).flat_map(|ends| polyline(ends, false)).collect()
 }
 
-/// A pin on the ground: a triangle with hatching below it.
+/// Draws a pin on the ground: a triangle with hatching below it.
 pub(super) fn anchor(at: Point) -> Vec<Mark> {
     let (height, half) = TRIANGLE;
     let foot = |x: f64| add(at, [x, height]);
@@ -97,7 +98,7 @@ mod tests {
         assert!(strokes.len() > 20);
         for stroke in strokes {
             let [Segment::Move(from), Segment::Line(to)] = stroke else { panic!("{stroke:?}") };
-            // Strokes that start beyond the border begin below the line.
+            // Strokes that would start beyond the border begin below the line.
             assert!(from[1] > 50.0 - 1e-9 && to[1] > from[1], "below a line to the right");
             let [x, y] = subtract(*to, *from);
             assert!(x < 0.0 && (x + y).abs() < 1e-9, "backwards");

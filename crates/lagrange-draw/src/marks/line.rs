@@ -1,20 +1,20 @@
-//! Lines that help.
+//! Auxiliary lines.
 
 use crate::geometry::{add, length, polyline, subtract, times, unit};
 use crate::marks::{DASHES, THIN, dot, path, stroke};
 use crate::picture::{Colour, Mark, Point, Segment, Style};
 use crate::view::View;
 
-/// Points of a line that are closer than this to the one before are left out.
+/// Distance from the previous point below which a point is omitted.
 const CLOSE: f64 = 0.7;
 
-/// A dashed line to a point, and the point if it is in the window.
+/// Draws a dashed line to a point, and the point if it is in the window.
 pub(super) fn ray(from: Point, to: Point, colour: Colour, view: &View) -> Vec<Mark> {
     let point = if view.holds(to) { dot(to, colour) } else { dot(from, colour).emptied() };
     vec![dashed(view.clipped([from, to]), colour), point]
 }
 
-/// A dashed line from border to border.
+/// Draws a dashed line from border to border.
 pub(super) fn through([a, b]: [Point; 2], colour: Colour, view: &View) -> Mark {
     let along = unit(subtract(b, a));
     let [low, high] = view.window;
@@ -28,7 +28,7 @@ fn dashed(ends: Option<[Point; 2]>, colour: Colour) -> Mark {
     path(segments, Style { dashes: DASHES, ..stroke(colour, THIN) })
 }
 
-/// A line without points that cannot be told apart; its last point stays.
+/// Returns a line without indistinguishable points; its last point stays.
 pub(super) fn thinned(points: impl Iterator<Item = Point>) -> Vec<Segment> {
     let mut kept: Vec<Point> = Vec::new();
     let mut last = None;

@@ -1,4 +1,4 @@
-//! Elements as marks on paper.
+//! Marks of elements on paper.
 
 pub(super) mod arrow;
 mod body;
@@ -12,16 +12,18 @@ use crate::geometry::{Place, ellipse, moved, polyline};
 use crate::picture::{Colour, Mark, Point, Segment, Style};
 use crate::view::View;
 
-/// Widths of lines in pixels.
+/// Width of thin lines in pixels.
 const THIN: f64 = 1.0;
+/// Width of medium lines in pixels.
 const MEDIUM: f64 = 1.4;
 /// Lengths of dashes and gaps.
 const DASHES: &[f64] = &[5.0, 4.0];
-/// Radii of joints and points.
+/// Radius of joints.
 const JOINT: f64 = 4.0;
+/// Radius of points.
 const DOT: f64 = 2.6;
 
-/// The marks of an element: as many for elements of the same kind.
+/// Returns the marks of an element; elements of the same kind have the same number of marks.
 pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
     let colour = element.colour;
     match &element.shape {
@@ -83,12 +85,12 @@ fn line(segments: Vec<Segment>, colour: Colour) -> Mark {
     path(segments, stroke(colour, MEDIUM))
 }
 
-/// Lines whose closed parts, such as arrowheads, are filled.
+/// Returns a line whose closed parts, such as arrowheads, are filled.
 fn filled(segments: Vec<Segment>, colour: Colour) -> Mark {
     path(segments, Style { fill: Some(colour), ..stroke(colour, MEDIUM) })
 }
 
-/// An arc that is not filled, and its arrowhead, which is.
+/// Returns an unfilled arc and its filled arrowhead.
 fn round([arc, head]: [Vec<Segment>; 2], colour: Colour) -> Vec<Mark> {
     vec![line(arc, colour), filled(head, colour)]
 }

@@ -17,18 +17,19 @@ use lagrange_plot::notation::symbol;
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scene::{LoadOrigin, Spatial};
 
-/// The longest arrows of a kind, and axes, in terms of the diagonal of the whole.
+/// Length of the longest arrows of a kind, relative to the diagonal of the motion.
 const LONGEST: f64 = 0.3;
+/// Length of axes, relative to the diagonal of the motion.
 const AXIS: f64 = 0.12;
 
-/// Arrows in a motion.
+/// The arrows of a motion.
 pub(super) struct Arrows<'a> {
     pub(super) film: &'a [Snapshot<Spatial>],
     pub(super) size: &'a Size,
 }
 
 impl Arrows<'_> {
-    /// An arrow at the centre of mass of each body, called by a letter.
+    /// Returns an arrow at the centre of mass of each body, labelled with a letter.
     pub(super) fn rates(
         &self,
         first: &Snapshot<Spatial>,
@@ -48,7 +49,7 @@ impl Arrows<'_> {
         self.arrows(vectors.collect(), colour, &solids::arrow(self.size.thin()))
     }
 
-    /// The own axes of bodies.
+    /// Returns the body-fixed axes of bodies.
     pub(super) fn own_axes(&self, first: &Snapshot<Spatial>) -> Vec<MovingMesh> {
         let axes = |(index, link): (usize, &Link)| {
             let pose = |snapshot: &Snapshot<Spatial>| {
@@ -60,13 +61,13 @@ impl Arrows<'_> {
         bodies(first).flat_map(axes).collect()
     }
 
-    /// The axes of the world, which bodies hide.
+    /// Returns the axes of the world, which bodies may hide.
     pub(super) fn axes_of_world(&self) -> Vec<MovingMesh> {
         let axes = self.axes("", |_| (NONE, UPRIGHT), ["x", "y", "z"]).into_iter();
         axes.map(|axis| MovingMesh { kind: Kind::Surroundings, ..axis }).collect()
     }
 
-    /// Forces, then moments, each kind on a scale of its own.
+    /// Returns forces, followed by moments, each kind with its own scale.
     pub(super) fn loads(&self, first: &Snapshot<Spatial>) -> Vec<MovingMesh> {
         let contacts = first.loads.iter().filter(|load| load.cause == LoadOrigin::Contact);
         let contacts = contacts.map(|load| &*load.name);
@@ -95,8 +96,8 @@ impl Arrows<'_> {
         [of_kind(false), of_kind(true)].concat()
     }
 
-    /// Arrows, each by its name, its label, and where it is and what it shows at each moment; the
-    /// longest has a readable length.
+    /// Returns arrows from their names, labels, and origins and vectors at each moment; the longest
+    /// has a readable length.
     fn arrows(
         &self,
         vectors: Vec<(&str, String, Vec<[Vector; 2]>)>,
@@ -118,8 +119,8 @@ impl Arrows<'_> {
         vectors.into_iter().map(thing).collect()
     }
 
-    /// Arrows that are smaller as a whole if they are short, and vanish if they have no length to
-    /// be seen.
+    /// Returns placements of arrows. Short arrows are scaled down as a whole, and invisibly short
+    /// ones are hidden.
     fn track(&self, vectors: impl Iterator<Item = [Vector; 2]>) -> Vec<Placement> {
         const SEEN: f64 = 0.05;
         let sized = |placement: Placement| {
@@ -129,7 +130,7 @@ impl Arrows<'_> {
         Placement::spanned(vectors).into_iter().map(sized).collect()
     }
 
-    /// Three axes.
+    /// Returns three axes.
     fn axes(
         &self,
         name: &str,
@@ -155,7 +156,7 @@ impl Arrows<'_> {
     }
 }
 
-/// Links with mass, and which ones they are.
+/// Returns the links with mass, and their indices.
 fn bodies(snapshot: &Snapshot<Spatial>) -> impl Iterator<Item = (usize, &Link)> {
     snapshot.bodies.iter().enumerate().filter(|(_, link)| link.motion.is_some())
 }

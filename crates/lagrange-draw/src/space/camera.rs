@@ -1,28 +1,28 @@
-//! The point of view of a scene in space.
+//! The camera for a scene in space.
 //!
 //! Seen from the middle of the scene, the eye is in the direction (cos ε cos α, cos ε sin α, sin
 //! ε). Here α is the azimuth from x towards y, and ε the elevation above the plane of x and y. In
-//! the picture z points upwards. In perspective, nearer objects are larger by d/(d − z), with the
-//! distance d of the eye from the middle and the height z towards it.
+//! the picture z points upwards. In perspective, objects are magnified by d/(d − z), where d is the
+//! distance of the eye from the middle, and z the height towards it.
 
 use super::vector::{Vector, cross};
 use crate::geometry::{add, dot, subtract, times};
 use crate::look::Direction;
 use crate::picture::Point;
 
-/// An eye that looks at the middle of a scene.
+/// An eye directed at the middle of a scene.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Camera {
     pub(super) middle: Vector,
-    /// The directions to the right, upwards and towards the eye.
+    /// Directions to the right, upwards and towards the eye.
     axes: [Vector; 3],
-    /// The distance of the eye; none if it is infinitely far away.
+    /// Distance of the eye; none if it is infinitely far away.
     distance: Option<f64>,
 }
 
-/// The distance of an eye, in terms of the radius of what it sees.
+/// Distance of the eye relative to the radius of the scene.
 pub(crate) const DISTANCE: f64 = 4.0;
-/// Towards the light, to the right, upwards and towards the eye.
+/// Direction towards the light: components to the right, upwards and towards the eye.
 pub(super) const LIGHT: Vector = [-0.40, 0.55, 0.733];
 /// Brightness of faces in shadow.
 pub(super) const SHADE: f64 = 0.55;
@@ -35,14 +35,15 @@ impl Camera {
         Camera { middle, axes: [right, cross(towards, right), towards], distance }
     }
 
-    /// Projects a place: to the right and upwards in world lengths, and its nearness to the eye.
+    /// Projects a point. Returns its position to the right and upwards in world lengths, and its
+    /// nearness to the eye.
     pub(super) fn seen(&self, place: Vector) -> (Point, f64) {
         let [x, y, z] = self.axes.map(|axis| dot(axis, subtract(place, self.middle)));
         let nearer = self.distance.map_or(1.0, |distance| distance / (distance - z));
         ([nearer * x, nearer * y], z)
     }
 
-    /// The direction from a place to the eye.
+    /// Returns the direction from a point to the eye.
     pub(super) fn towards(&self, place: Vector) -> Vector {
         let [_, _, towards] = self.axes;
         match self.distance {
@@ -77,7 +78,7 @@ mod tests {
     fn in_perspective_what_is_nearer_is_larger() {
         let direction = Direction { azimuth: 0.0, elevation: 0.0, is_perspective: true };
         let camera = Camera::new(direction, [0.0; 3], 1.0);
-        // d = 4, z = 1: by 4/3.
+        // For d = 4 and z = 1, the magnification is 4/3.
         let ([right, _], _) = camera.seen([1.0, 0.75, 0.0]);
         assert!((right - 1.0).abs() < 1e-15);
     }

@@ -1,4 +1,4 @@
-//! Motions in space, recorded as things.
+//! Motions in space, recorded as moving meshes.
 
 use super::projector::Projector;
 use super::recording::{Recording, Trace};
@@ -27,7 +27,7 @@ impl DrawnSpace for Spatial {
         if let Some(name) = differing {
             return Err(refusal(&format!("`{name}` changes from moment to moment")));
         }
-        // What moves in the past only is seen by its traces.
+        // Past motion is visible only in traces.
         let mut things = stage::things(&snapshots, drawing.wanted, &Size::of(&snapshots));
         let paths = drawing.paths.iter().enumerate().filter(|(_, (_, points))| points.len() > 1);
         things.extend(paths.map(|(index, (label, points))| {

@@ -1,4 +1,4 @@
-//! Films of motions in space, as an HTML page in which they can be turned, or as glTF.
+//! Films of motions in space, as an HTML page with a rotatable view, or as glTF.
 
 use std::borrow::Cow;
 
@@ -29,9 +29,9 @@ impl Recorded for Projector {
 }
 
 impl Film<Spatial> {
-    /// Returns the bodies and their motion as binary glTF 2.0, with a node for each mesh, turned,
-    /// moved and stretched at each moment. Traces are there in full length from the beginning;
-    /// names of bodies are those of nodes, and other labels are left out.
+    /// Returns the bodies and their motion as binary glTF 2.0. Each mesh has a node that is
+    /// rotated, moved and stretched at each moment. Traces have full length from the beginning.
+    /// Nodes have the names of bodies, and other labels are omitted.
     ///
     /// # Errors
     /// If the file would be larger than its format allows.

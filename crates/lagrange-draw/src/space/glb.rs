@@ -1,9 +1,9 @@
-//! A motion in space as glTF 2.0 in one binary file. Source: *glTF 2.0 Specification*, Khronos
-//! Group (2021).
+//! A motion in space as one binary glTF 2.0 file. Source: *glTF 2.0 Specification*, Khronos Group
+//! (2021).
 //!
-//! z points upwards here and y there: a node above all others turns one to the other. A stretched
-//! mesh is scaled along its own z-axis if no other part of it has a height. Arrows, whose heads
-//! keep their length, have a morph target for their stretch.
+//! z points upwards here and y in glTF: a root node rotates one to the other. A stretched mesh is
+//! scaled along its own z-axis, unless parts of it have a height independent of the stretch.
+//! Arrows, whose heads keep their length, have a morph target for their stretch.
 
 use super::mesh::Mesh;
 use super::motion::{Motion, Quaternion, once};
@@ -16,16 +16,18 @@ use crate::film::page::{exact, list, quoted};
 use crate::picture::Colour;
 use lagrange_plot::label::Label;
 
-/// The rotation that takes z to y and y to −z.
+/// The rotation that maps z to y and y to −z.
 const UPWARDS: Quaternion = [-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::consts::FRAC_1_SQRT_2];
-/// Dull as paper.
+/// Roughness of a matt surface, like paper.
 const ROUGHNESS: f64 = 0.8;
-/// Kinds of primitives.
+/// Code of separate lines.
 const LINES: u32 = 1;
+/// Code of a connected line.
 const LINE_STRIP: u32 = 3;
+/// Code of triangles.
 const TRIANGLES: u32 = 4;
 
-/// The file of a motion whose moments are so many seconds after its start.
+/// Returns the file of a motion, with the times of its moments in seconds from its start.
 pub(super) fn file(recording: &Recording, title: &str, elapsed: &[f64]) -> Result<Vec<u8>, DrawError> {
     let moments = Moments::of(elapsed);
     let mut model = Model { longest: longest(&recording.things), moments, ..Model::default() };
@@ -35,19 +37,19 @@ pub(super) fn file(recording: &Recording, title: &str, elapsed: &[f64]) -> Resul
     container(model.json(if title.is_empty() { "motion" } else { &title }))
 }
 
-/// Moments whose times differ in the precision of the file.
+/// Moments whose times are distinct in the precision of the file.
 #[derive(Default)]
 struct Moments {
     kept: Vec<usize>,
     times: Vec<[f64; 1]>,
-    /// The accessor of the times, once something moves.
+    /// Accessor of the times, if anything moves.
     accessor: Option<usize>,
 }
 
 #[derive(Default)]
 struct Model<'a> {
     moments: Moments,
-    /// The largest stretch of what has a morph target, whose weight is one there.
+    /// Largest stretch of meshes with a morph target, for which its weight is one.
     longest: f64,
     store: Store,
     nodes: Vec<String>,
@@ -58,13 +60,13 @@ struct Model<'a> {
     channels: Vec<String>,
 }
 
-/// The role of a mesh in stretches.
+/// The response of a mesh to stretches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Stretch {
     None,
-    /// All of it, in proportion.
+    /// All of the mesh is stretched in proportion.
     Scaled,
-    /// Parts of it keep their length.
+    /// Parts of the mesh keep their length.
     Morphed,
 }
 
@@ -112,7 +114,7 @@ impl<'a> Model<'a> {
             .iter()
             .map(|placement| {
                 let (scale, stretch_now) = (placement.scale, placement.stretch);
-                // What is hidden is so in all directions.
+                // Hidden meshes have zero scale in all directions.
                 let along = if stretch == Stretch::Scaled && scale > 0.0 { stretch_now } else { scale };
                 [scale, scale, along]
             })
@@ -192,7 +194,7 @@ impl<'a> Model<'a> {
         self.meshes.len() - 1
     }
 
-    /// Returns the positions of vertices, and their displacements in the longest stretch.
+    /// Returns the positions of vertices, and their displacements for the largest stretch.
     fn positions(&mut self, mesh: &Mesh, vertices: &[usize], stretch: Stretch) -> Vec<usize> {
         let corners = vertices.iter().map(|&vertex| mesh.corners[vertex]);
         let scaled = if stretch == Stretch::Scaled { 1.0 } else { 0.0 };
@@ -245,7 +247,7 @@ impl<'a> Model<'a> {
     }
 }
 
-/// The largest stretch of things with a morph target, beside their scale.
+/// Returns the largest stretch of meshes with a morph target, relative to their scale.
 fn longest(things: &[MovingMesh]) -> f64 {
     let arrows = things.iter().filter(|thing| matches!(Stretch::of(&thing.mesh), Stretch::Morphed));
     let shown = arrows.flat_map(|thing| &thing.track).filter(|placement| placement.scale > 0.0);
@@ -277,13 +279,13 @@ fn material(Colour([red, green, blue, _]): Colour) -> String {
     )
 }
 
-/// The light of a channel. Source: IEC 61966-2-1, *sRGB* (1999).
+/// Returns the linear intensity of a channel. Source: IEC 61966-2-1, *sRGB* (1999).
 fn linear(channel: u8) -> f64 {
     let value = f64::from(channel) / 255.0;
     if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
 }
 
-/// The file: a header, then JSON and numbers, each padded to a multiple of four.
+/// Returns the file: a header, then JSON and numbers, each padded to a multiple of four bytes.
 fn container((json, numbers): (String, Vec<u8>)) -> Result<Vec<u8>, DrawError> {
     let mut json = json.into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');

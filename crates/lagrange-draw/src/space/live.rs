@@ -1,4 +1,4 @@
-//! Scenes in space for pages that compute motions themselves: the meshes of a moment, and the
+//! Scenes in space for pages that compute motions themselves: the meshes at one moment, and the
 //! viewer of films.
 
 use super::page;
@@ -13,27 +13,27 @@ use crate::look::{Direction, Look, Wanted};
 use crate::snapshot::Snapshot;
 use lagrange_runtime::scene::{Item, Spatial};
 
-/// A scene in space whose meshes are moved by a page.
+/// A scene in space whose meshes are moved by a page's script.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LiveScene {
-    /// Elements that the viewer fills, with the picture that is seen without it.
+    /// Elements filled by the viewer, with the picture that is displayed without it.
     pub elements: String,
-    /// The object of JSON that the viewer reads. Its things are in the order of `meshes`.
+    /// JSON object for the viewer. Its things are in the order of `meshes`.
     pub space: String,
     /// The item to which each mesh belongs.
     pub meshes: Vec<LiveMesh>,
-    /// The middle of all that is seen.
+    /// Middle of the visible scene.
     pub middle: [f64; 3],
-    /// The distance to which all reaches from there, which is the unit of length of the viewer.
+    /// Radius of the visible scene about its middle, the viewer's unit of length.
     pub radius: f64,
 }
 
-/// The item to which a mesh belongs, by its place among those of its kind.
+/// The item to which a mesh belongs, by its index among items of its kind.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum LiveMesh {
-    /// A body or frame, by its place among both.
+    /// A body or frame, by its index among both.
     Body(usize),
-    /// A connector, and how far it is drawn beside the line between its ends, along its first axis.
+    /// A connector, and its offset along its first axis from the line between its ends.
     Connector(usize, f64),
     /// A joint.
     Joint(usize),
@@ -42,15 +42,15 @@ pub enum LiveMesh {
 }
 
 impl LiveScene {
-    /// Rules of CSS for the elements.
+    /// CSS rules for the elements.
     pub const STYLE: &'static str = page::STYLE;
-    /// The script of the viewer: `viewer()` returns a function that shows the `poses` of
+    /// The script of the viewer: `viewer()` returns a function that displays the `poses` of
     /// `film.space`.
     pub const VIEWER: &'static str = page::VIEWER;
-    /// The help on its keys.
+    /// Help text for the viewer's keys.
     pub const KEYS: &'static str = page::KEYS;
 
-    /// Records the scene that `visit` hands out.
+    /// Records the scene visited by `visit`.
     ///
     /// # Errors
     /// If a number is not finite, or there is nothing to draw.
@@ -92,7 +92,7 @@ fn meshes(scene: &Snapshot<Spatial>, things: &[MovingMesh]) -> Vec<LiveMesh> {
     things.iter().enumerate().map(of).collect()
 }
 
-/// The distance of a connector from the line between its ends.
+/// Returns the distance of a connector from the line between its ends.
 fn offset(thing: &MovingMesh, end: Vector) -> f64 {
     let placement = &thing.track[0];
     dot(placement.rotation.map(|row| row[0]), subtract(placement.origin, end))

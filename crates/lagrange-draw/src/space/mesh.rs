@@ -2,14 +2,14 @@
 //!
 //! A mesh is placed by a rotation and an origin. Springs and arrows, which reach from one point to
 //! another, are also stretched along their own z-axis. Each corner has a share of the stretch, so
-//! that arrows get longer and their heads do not.
+//! that arrows lengthen while their heads keep their size.
 
 use std::collections::BTreeMap;
 
 use super::vector::{Rotation, UPRIGHT, Vector, apply, axes_along, axes_near, cross};
 use crate::geometry::{add, dot, length, subtract, times, unit};
 
-/// A corner in axes of its own.
+/// A corner in the mesh's own axes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Corner {
     /// Position without stretch.
@@ -26,31 +26,31 @@ pub(crate) struct Mesh {
     pub(crate) faces: Vec<Vec<usize>>,
     /// Lines through corners.
     pub(crate) lines: Vec<Vec<usize>>,
-    /// True if the faces enclose a body, so that those that are seen from behind are hidden by
+    /// True if the faces enclose a body, so that those facing away from the eye are hidden by
     /// others.
     pub(crate) is_closed: bool,
 }
 
-/// The placement of a thing at one moment.
+/// The placement of a mesh at one moment.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Placement {
     pub(crate) origin: Vector,
-    /// From its own axes to those of the world.
+    /// Rotation from its own axes to those of the world.
     pub(crate) rotation: Rotation,
-    /// Stretch along its own z axis.
+    /// Stretch along its own z-axis.
     pub(crate) stretch: f64,
     /// Scale of everything but the stretch; 0 hides it.
     pub(crate) scale: f64,
 }
 
 impl Placement {
-    /// Without stretch.
+    /// Creates a placement without stretch.
     pub(super) fn rigid(origin: Vector, rotation: Rotation) -> Placement {
         Placement { origin, rotation, stretch: 0.0, scale: 1.0 }
     }
 
-    /// Stretched from a point along a vector, moment by moment; about the vector it turns as little
-    /// as it can.
+    /// Returns placements stretched from a point along a vector at each moment, with the least
+    /// possible rotation about the vector.
     pub(super) fn spanned(spans: impl IntoIterator<Item = [Vector; 2]>) -> Vec<Placement> {
         let mut before: Option<Rotation> = None;
         let placed = |[from, vector]: [Vector; 2]| {
@@ -74,7 +74,7 @@ impl Placement {
         add(self.origin, apply(&self.rotation, [x, y, z + corner.share * self.stretch]))
     }
 
-    /// True if its numbers are finite.
+    /// True if all numbers are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let rotation = self.rotation.as_flattened().iter();
         rotation.chain(&self.origin).chain([&self.stretch, &self.scale]).all(|number| number.is_finite())
@@ -82,27 +82,26 @@ impl Placement {
 }
 
 /// Cosine of the largest angle, 33°, at which edges between faces of a smooth surface are not
-/// drawn, for balls of few faces. Edges of its outline always are.
+/// drawn, for balls with few faces. Edges of the silhouette are always drawn.
 const SMOOTH: f64 = 0.84;
 
-/// The edges of a mesh. Each side of each face has the face behind it, and is a corner of the
-/// surface or not.
+/// The edges of a mesh. Each side of each face has a neighbour, and is either sharp or smooth.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Edges {
     sides: Vec<Vec<Neighbour>>,
 }
 
-/// The neighbour behind a side of a face.
+/// The neighbour across a side of a face.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Neighbour {
-    /// Another face, at an angle.
+    /// Another face at a sharp angle.
     Sharp,
-    /// This face, which goes on smoothly.
+    /// The face with this index, which continues smoothly.
     Smooth(usize),
 }
 
 impl Neighbour {
-    /// The face that goes on smoothly.
+    /// Returns the face that continues smoothly.
     pub(super) fn smooth(&self) -> Option<usize> {
         match self {
             Neighbour::Sharp => None,
@@ -134,12 +133,12 @@ impl Edges {
         Edges { sides: mesh.faces.iter().enumerate().map(of_face).collect() }
     }
 
-    /// Returns the neighbours behind each side of a face.
+    /// Returns the neighbours across each side of a face.
     pub(super) fn behind(&self, face: usize) -> &[Neighbour] {
         &self.sides[face]
     }
 
-    /// Returns the sides of a face that are drawn if these faces are visible.
+    /// Returns the sides of a face that are drawn for these visible faces.
     pub(super) fn drawn(&self, face: usize, is_seen: &[bool]) -> Vec<bool> {
         let is_drawn = |side: &Neighbour| match side {
             Neighbour::Sharp => true,
@@ -149,7 +148,7 @@ impl Edges {
     }
 }
 
-/// The sides of a face, each by its corners in rising order.
+/// Returns the sides of a face, each by its corners in rising order.
 fn sides(face: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
     (0..face.len()).map(|index| {
         let (a, b) = (face[index], face[(index + 1) % face.len()]);
@@ -157,7 +156,7 @@ fn sides(face: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
     })
 }
 
-/// Corners of a face, stretched by one.
+/// Returns the corners of a face, with a stretch of one.
 fn own_points(mesh: &Mesh, face: &[usize]) -> Vec<Vector> {
     face.iter()
         .map(|&index| mesh.corners[index])
@@ -165,9 +164,9 @@ fn own_points(mesh: &Mesh, face: &[usize]) -> Vec<Vector> {
         .collect()
 }
 
-/// The direction in which a plane polygon is counterclockwise, if it has an area. Source: Newell's
-/// method; Sutherland, Sproull, Schumacker, *A Characterization of Ten Hidden-Surface Algorithms*
-/// (1974).
+/// Returns the direction from which a plane polygon is counterclockwise, if it has an area. Source:
+/// Newell's method; Sutherland, Sproull, Schumacker, *A Characterization of Ten Hidden-Surface
+/// Algorithms* (1974).
 pub(super) fn normal(points: &[Vector]) -> Option<Vector> {
     let first = points.first()?;
     let arms: Vec<Vector> = points.iter().map(|point| subtract(*point, *first)).collect();
@@ -176,7 +175,7 @@ pub(super) fn normal(points: &[Vector]) -> Option<Vector> {
 }
 
 impl Mesh {
-    /// Places the mesh; corners keep their roles in stretches.
+    /// Places the mesh; corners keep their shares of the stretch.
     pub(super) fn placed(mut self, origin: Vector, rotation: &Rotation) -> Mesh {
         for corner in &mut self.corners {
             corner.at = add(origin, apply(rotation, corner.at));
@@ -184,7 +183,7 @@ impl Mesh {
         self
     }
 
-    /// Both.
+    /// Combines two meshes.
     pub(super) fn with(mut self, other: Mesh) -> Mesh {
         let start = self.corners.len();
         let shifted = |part: Vec<usize>| part.into_iter().map(|index| index + start).collect::<Vec<_>>();
@@ -196,7 +195,7 @@ impl Mesh {
         self
     }
 
-    /// Its sharp edges without its faces.
+    /// Returns the sharp edges without the faces.
     pub(super) fn edges_only(self) -> Mesh {
         let edges = Edges::of(&self);
         let mut lines = Vec::new();
@@ -215,8 +214,8 @@ mod tests {
 
     #[test]
     fn what_is_stretched_turns_about_itself_as_little_as_it_can() {
-        // The end goes up and down through the plane of x and y, by a rounding error now and then,
-        // and back upside down.
+        // The end moves up and down through the xy-plane, sometimes by a rounding error, and back
+        // upside down.
         let heights = [0.4, 0.1, 1e-17, -1e-17, 0.0, -0.0, -0.1, -0.6];
         let ends = heights
             .map(|z| [[0.0; 3], [1.0, 0.2, z]])

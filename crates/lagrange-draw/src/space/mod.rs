@@ -1,8 +1,8 @@
 //! Pictures and films of systems of bodies in space.
 //!
-//! A motion is recorded as meshes that turn, move and are stretched ([`recording`]), from the items
-//! of a scene ([`stage`]). Pictures ([`projector`]) are drawn of them by a camera, from back to
-//! front ([`sort`]). Pages ([`page`]) and glTF files ([`glb`]) hold the meshes themselves:
+//! A motion is recorded as meshes that rotate, move and are stretched ([`recording`]), from the
+//! items of a scene ([`stage`]). A camera draws pictures ([`projector`]) of them, from back to
+//! front ([`sort`]). Pages ([`page`]) and glTF files ([`glb`]) contain the meshes themselves:
 //! triangles with normals ([`surface`]), and tracks of quaternions ([`motion`]).
 
 mod arrows;

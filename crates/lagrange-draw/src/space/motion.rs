@@ -1,4 +1,4 @@
-//! Tracks in numbers for files: quaternions instead of matrices, and constant values once.
+//! Tracks of numbers for files: quaternions instead of matrices, and a single value for constants.
 
 use super::mesh::Placement;
 use super::recording::MovingMesh;
@@ -7,13 +7,12 @@ use super::vector::{Rotation, Vector};
 /// A rotation as x, y, z and w = cos(φ/2).
 pub(super) type Quaternion = [f64; 4];
 
-/// The motion of a thing: each quantity has one value per moment, or a single one if it is
-/// constant.
+/// The motion of a mesh: each quantity has one value per moment, or a single one if it is constant.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Motion {
     pub(super) origins: Vec<Vector>,
-    /// Neighbours are on the same half of the sphere, so that the way between them is the short
-    /// one.
+    /// Rotations. Neighbours are on the same hemisphere, so that interpolation follows the short
+    /// arc.
     pub(super) rotations: Vec<Quaternion>,
     pub(super) stretches: Vec<f64>,
     pub(super) scales: Vec<f64>,
@@ -31,7 +30,7 @@ impl Motion {
     }
 }
 
-/// A list, or its first element if all are the same.
+/// Returns a list, or only its first element if all are equal.
 pub(super) fn once<T: PartialEq>(mut values: Vec<T>) -> Vec<T> {
     if values.windows(2).all(|pair| pair[0] == pair[1]) {
         values.truncate(1);
@@ -50,8 +49,8 @@ fn rotations(track: &[Placement]) -> Vec<Quaternion> {
     track.iter().map(&mut next).collect()
 }
 
-/// The quaternion of a rotation. Source: Shepperd, *Quaternion from Rotation Matrix*, Journal of
-/// Guidance and Control 1 (1978).
+/// Returns the quaternion of a rotation. Source: Shepperd, *Quaternion from Rotation Matrix*,
+/// Journal of Guidance and Control 1 (1978).
 pub(super) fn quaternion(r: &Rotation) -> Quaternion {
     let trace = r[0][0] + r[1][1] + r[2][2];
     let squares = [r[0][0], r[1][1], r[2][2], trace].map(|part| 1.0 - trace + 2.0 * part);
@@ -74,7 +73,7 @@ mod tests {
     use crate::geometry::{length, subtract};
     use crate::space::vector::{Rotation, axes_along};
 
-    /// R = 1 + 2 w [v]× + 2 [v]×².
+    /// Computes R = 1 + 2 w [v]× + 2 [v]×².
     fn matrix([x, y, z, w]: Quaternion) -> Rotation {
         [
             [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],

@@ -1,5 +1,5 @@
-//! A motion in space as one HTML file in which it can be turned. The file contains the meshes,
-//! their places as whole numbers, and a viewer by WebGL.
+//! A motion in space as one HTML file with a rotatable view. The file contains the meshes, their
+//! positions as integers, and a WebGL viewer.
 
 use super::camera::{DISTANCE, LIGHT, SHADE};
 use super::mesh::{Corner, Mesh};
@@ -29,16 +29,18 @@ pub(super) const VIEWER: &str = concat!(
 pub(super) const KEYS: &str = " Drag to turn, with two fingers or the right button to shift; wheel or pinch to zoom; double click for the first \
                     view. With the picture in focus, arrow keys turn, + and − zoom, 0 is the first view.";
 
-/// Whole numbers to the radius of the whole, to the size of a mesh, and to one.
+/// Integer for the radius of the scene.
 const FINE: f64 = 20_000.0;
+/// Integer for the size of a mesh.
 const MESH: f64 = 5_000.0;
+/// Integer for one.
 const ONE: f64 = 10_000.0;
-/// The width of floors and paths, in pixels.
+/// Width of floors and paths in pixels.
 const AROUND: f64 = 1.0;
-/// Whole numbers to the length of a normal.
+/// Integer for the length of a normal.
 const NORMAL: f64 = 100.0;
 
-/// The page of a motion.
+/// Returns the page of a motion.
 pub(super) fn html(projector: &Projector, timeline: &Timeline) -> String {
     let (picture, space) = parts(projector);
     let page = Page {
@@ -53,14 +55,14 @@ pub(super) fn html(projector: &Projector, timeline: &Timeline) -> String {
     page.html()
 }
 
-/// Returns the elements for the viewer, and what it reads.
+/// Returns the elements and the JSON object for the viewer.
 pub(super) fn parts(projector: &Projector) -> (String, String) {
     let Projector { recording, look, .. } = projector;
     let scene = Scene { recording, look, frame: Frame::of(recording) };
     (scene.elements(&projector.project(0..1)), scene.json())
 }
 
-/// Whole numbers stand for places: the origin is `middle`, and the length one is `unit`.
+/// Integer coordinates: the origin is `middle`, and the unit of length is `unit`.
 struct Frame {
     middle: Vector,
     radius: f64,
@@ -85,7 +87,7 @@ impl Frame {
 }
 
 impl Scene<'_> {
-    /// Returns the elements for the viewer, and the first picture, which is shown without it.
+    /// Returns the elements for the viewer, and the first picture, which is displayed without it.
     fn elements(&self, pictures: &[Picture]) -> String {
         let (look, recording) = (self.look, self.recording);
         let labels =
@@ -144,7 +146,7 @@ impl Scene<'_> {
         )
     }
 
-    /// Returns a thing; its mesh is added to the known ones if it is new.
+    /// Returns the JSON of a thing; a new mesh is added to the known ones.
     fn thing<'m>(&self, thing: &'m MovingMesh, meshes: &mut Vec<&'m Mesh>, label: &mut usize) -> String {
         let known = meshes.iter().position(|mesh| **mesh == thing.mesh);
         let index = known.unwrap_or_else(|| {
@@ -155,7 +157,7 @@ impl Scene<'_> {
         let stretches: Vec<f64> = stretches.iter().map(|stretch| stretch / self.frame.unit).collect();
         let edge = mixed(thing.colour, INK, DARK);
         let (line, width) = match thing.kind {
-            // The edges of holes.
+            // Only edges of holes have lines.
             Kind::Body => (edge, EDGE),
             Kind::Surroundings => (thing.colour, AROUND),
             _ => (thing.colour, LINE),
@@ -178,7 +180,7 @@ impl Scene<'_> {
         )
     }
 
-    /// Returns the place of a thing's label, by its number among all labels.
+    /// Returns the place of a thing's label, with its index among all labels.
     fn place_of_label(&self, thing: &MovingMesh, next: &mut usize) -> String {
         let Some(label) = &thing.label else { return "null".to_owned() };
         let number = *next;
@@ -212,7 +214,7 @@ fn trace_label(trace: &Trace) -> (String, Colour) {
     (formula(&trace.label), trace.colour)
 }
 
-/// A mesh in numbers of its own unit.
+/// Returns a mesh in numbers of its own unit.
 fn mesh(mesh: &Mesh, radius: f64) -> String {
     let size = mesh.corners.iter().flat_map(|corner| corner.at).fold(0.0, |a: f64, b| a.max(b.abs()));
     let unit = if size > 0.0 { size / MESH } else { 1.0 };
@@ -233,7 +235,7 @@ fn mesh(mesh: &Mesh, radius: f64) -> String {
     )
 }
 
-/// The numbers of all moments one after the other, or those of one.
+/// Returns the values of all moments in order, or one if it is constant.
 fn track(values: Vec<String>) -> String {
     list(once(values))
 }
@@ -247,7 +249,7 @@ fn whole(values: &[f64]) -> String {
     values.iter().map(number).collect::<Vec<_>>().join(",")
 }
 
-/// From zero to one.
+/// Returns a colour with channels from zero to one.
 fn colour(Colour([red, green, blue, _]): Colour) -> String {
     list([red, green, blue].map(|part| number(f64::from(part) / 255.0)))
 }

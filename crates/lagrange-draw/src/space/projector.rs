@@ -17,7 +17,7 @@ use crate::tag::{Side, Tag, extent};
 use crate::view::{MARGIN, View};
 use lagrange_plot::notation::formula;
 
-/// Pictures of a motion, all from the same place and on the same scale.
+/// Pictures of a motion, all with the same camera and scale.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Projector {
     pub(super) recording: Recording,
@@ -25,22 +25,23 @@ pub struct Projector {
     camera: Camera,
     view: View,
     paper: Paper,
-    /// Edges of each thing, and true if it is a convex body.
+    /// Edges of each thing, and true for a convex body.
     meshes: Vec<(Edges, bool)>,
-    /// Shorter lengths count as none.
+    /// Length below which lengths count as zero.
     least: f64,
 }
 
-/// Widths of edges, of lines of their own, and of the line around a face that leaves no gap to the
-/// next one.
+/// Width of edges.
 pub(super) const EDGE: f64 = 0.8;
+/// Width of separate lines.
 pub(super) const LINE: f64 = 1.5;
+/// Width of the line around a face that closes the gap to the next face.
 const GAP: f64 = 0.6;
 /// Fraction of ink in the edges of coloured faces.
 pub(super) const DARK: f64 = 0.65;
 /// Room for labels at the borders.
 const ROOM: f64 = 14.0;
-/// From a place to its label.
+/// Distance from a point to its label.
 const NEAR: f64 = 5.0;
 const NOTHING: f64 = 1e-9;
 
@@ -63,12 +64,12 @@ impl Projector {
         Ok(Projector { recording, look, camera, view, paper, meshes, least })
     }
 
-    /// The pictures of some moments; labels stay on their sides.
+    /// Returns the pictures of some moments; labels keep their sides.
     pub(super) fn project(&self, moments: impl IntoIterator<Item = usize>) -> Vec<Picture> {
         self.paper.finished(moments.into_iter().map(|moment| self.scene(moment)).collect())
     }
 
-    /// The marks of a moment, and what labels there are.
+    /// Returns the marks and labels of a moment.
     fn scene(&self, moment: usize) -> (Vec<Mark>, Sheet) {
         let things = &self.recording.things;
         let mut pieces: Vec<Fragment> = Vec::new();
@@ -82,7 +83,7 @@ impl Projector {
         let areas = pieces.iter().filter_map(|piece| self.area(piece)).collect();
         let mut convex: Vec<bool> = self.meshes.iter().map(|(_, is_convex)| *is_convex).collect();
         convex.resize(things.len() + self.recording.traces.len(), false);
-        // Arrows are not hidden by the bodies that they begin in.
+        // Bodies do not hide the arrows that start inside them.
         let is_arrow =
             |piece: &Fragment| things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Arrow);
         let (arrows, scene): (Vec<Fragment>, Vec<Fragment>) = pieces.into_iter().partition(is_arrow);
@@ -100,7 +101,7 @@ impl Projector {
         (marks, Sheet { tags, lines, areas })
     }
 
-    /// Returns the area that a face of a body covers.
+    /// Returns the area covered by a face of a body.
     fn area(&self, piece: &Fragment) -> Option<(usize, Vec<Point>)> {
         let is_face = matches!(piece.shape, FragmentShape::Face { .. });
         let is_body = self.recording.things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Body);
@@ -108,7 +109,7 @@ impl Projector {
         (is_face && is_body).then(|| (piece.thing, points()))
     }
 
-    /// The faces of a thing that are seen, and its lines.
+    /// Returns the visible faces of a thing, and its lines.
     fn pieces(&self, index: usize, moment: usize) -> Vec<Fragment> {
         let (thing, (edges, _)) = (&self.recording.things[index], &self.meshes[index]);
         let placement = thing.track[moment];
@@ -132,8 +133,8 @@ impl Projector {
         pieces
     }
 
-    /// A face with its normal, unless it has no area or, being one of a closed surface, is turned
-    /// away from the eye.
+    /// Returns a face with its normal, unless it has no area or belongs to a closed surface and
+    /// faces away from the eye.
     fn seen(&self, corners: Vec<Vector>, is_closed: bool) -> Option<(Vec<Vector>, Vector)> {
         let normal = normal(&corners)?;
         let is_seen = !is_closed || dot(normal, self.camera.towards(corners[0])) > 0.0;
@@ -158,12 +159,12 @@ impl Projector {
                 let kind = self.recording.things.get(piece.thing).map(|thing| thing.kind);
                 let (colour, width) = match kind {
                     Some(Kind::Surroundings) => (colour, EDGE),
-                    // The edges of holes.
+                    // Only edges of holes have lines.
                     Some(Kind::Body) => (mixed(colour, INK, DARK), EDGE),
                     _ => (colour, LINE),
                 };
                 match marks.last_mut() {
-                    // Pieces of a line that follow each other are one mark.
+                    // Consecutive pieces of a line form one mark.
                     Some(Mark::Path { segments: before, style })
                         if style.fill.is_none() && style.stroke == Some(colour) && style.width == width =>
                     {
@@ -203,7 +204,7 @@ impl Projector {
         self.tag(&label.text, at, side, colour, may_hide).map(|tag| Tag { reach, ..tag })
     }
 
-    /// The pixels from a place to the farthest corner of a thing.
+    /// Returns the distance in pixels from a point to the farthest corner of a thing.
     fn reach(&self, thing: &MovingMesh, moment: usize, place: Vector) -> f64 {
         let at = self.point(place);
         let corners = thing.mesh.corners.iter().map(|corner| self.point(thing.track[moment].of(corner)));
@@ -231,14 +232,14 @@ fn is_convex_body(thing: &MovingMesh, least: f64) -> bool {
     thing.mesh.is_closed && thing.mesh.lines.is_empty() && is_convex(&faces.collect::<Vec<_>>(), least)
 }
 
-/// The pieces of a line through points.
+/// Returns the pieces of a line through points.
 fn lines(points: &[Vector], thing: usize, least: f64) -> impl Iterator<Item = Fragment> + use<> {
     let ends: Vec<[Vector; 2]> = points.windows(2).map(|ends| [ends[0], ends[1]]).collect();
     let is_long = move |ends: &[Vector; 2]| length(subtract(ends[1], ends[0])) > least;
     ends.into_iter().filter(is_long).map(move |ends| Fragment { shape: FragmentShape::Line(ends), thing })
 }
 
-/// The sides of a polygon that are drawn.
+/// Returns the drawn sides of a polygon.
 fn outline(points: &[Point], drawn: &[bool]) -> Vec<Segment> {
     let mut segments = Vec::new();
     for index in (0..points.len()).filter(|&index| drawn[index]) {

@@ -1,4 +1,4 @@
-//! A motion in space as things: what each looks like, and where it is at each moment.
+//! A motion in space as things: the appearance of each, and its placement at each moment.
 
 use super::mesh::{Corner, Mesh, Placement};
 use super::vector::Vector;
@@ -6,10 +6,10 @@ use crate::error::DrawError;
 use crate::geometry::{bounds, length, mix, subtract};
 use crate::picture::Colour;
 
-/// All that is drawn of a motion. Pictures, pages and glTF files are made of it.
+/// Everything drawn of a motion. It is the source of pictures, pages and glTF files.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Recording {
-    /// When its moments are.
+    /// Times of the moments.
     pub(crate) times: Vec<f64>,
     pub(crate) things: Vec<MovingMesh>,
     pub(crate) traces: Vec<Trace>,
@@ -17,12 +17,12 @@ pub(crate) struct Recording {
     pub(crate) note: String,
 }
 
-/// A mesh that turns, moves and is stretched, but stays the same at all moments.
+/// A mesh that rotates, moves and is stretched, with the same corners and faces at all moments.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct MovingMesh {
     /// Name in messages and files.
     pub(crate) name: String,
-    /// Label and its place; `None` if there is none.
+    /// Label and its position; `None` if there is none.
     pub(crate) label: Option<Label>,
     pub(crate) colour: Colour,
     pub(crate) kind: Kind,
@@ -38,19 +38,19 @@ pub(crate) enum Kind {
     Connector,
     Joint,
     Arrow,
-    /// A floor, or a line that does not move.
+    /// A floor, or a fixed line.
     Surroundings,
 }
 
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Label {
-    /// In the notation of formulas.
+    /// Text in the notation of formulas.
     pub(crate) text: String,
-    /// In the axes of the thing.
+    /// Position in the axes of the thing.
     pub(crate) at: Corner,
 }
 
-/// The path of a point: at each moment it is drawn up to there.
+/// The path of a point, drawn at each moment up to its current position.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Trace {
     pub(crate) label: String,
@@ -61,15 +61,15 @@ pub(crate) struct Trace {
 }
 
 impl Label {
-    /// A label at a place of a thing, which takes this share of a stretch; none if there is nothing
-    /// to write.
+    /// Creates a label at a point of a thing, with a share of the stretch; none if the text is
+    /// empty.
     pub(super) fn new(text: String, at: Vector, share: f64) -> Option<Label> {
         (!text.is_empty()).then_some(Label { text, at: Corner { at, share } })
     }
 }
 
 impl Recording {
-    /// Refuses numbers that are not finite.
+    /// Reports an error for numbers that are not finite.
     pub(super) fn checked(self) -> Result<Recording, DrawError> {
         for (moment, &time) in self.times.iter().enumerate() {
             let wrong = self.things.iter().find(|thing| !thing.is_finite_at(moment));
@@ -86,8 +86,8 @@ impl Recording {
         Ok(self)
     }
 
-    /// The middle of all that is ever seen, and how far it reaches from there; 1 if all is in one
-    /// place.
+    /// Returns the middle of everything ever visible, and its radius about the middle; 1 if
+    /// everything is at one point.
     pub(super) fn ball(&self) -> (Vector, f64) {
         let [low, high] = bounds(self.places());
         let middle = mix(low, high, 0.5);
@@ -95,7 +95,7 @@ impl Recording {
         (middle, if radius > 0.0 { radius } else { 1.0 })
     }
 
-    /// The places of all corners at all moments, for what must be seen of it.
+    /// Returns the positions of all visible corners at all moments.
     pub(super) fn places(&self) -> impl Iterator<Item = Vector> + '_ {
         let of_thing = |thing: &'_ MovingMesh| {
             let shown = thing.track.iter().filter(|placement| placement.scale > 0.0);

@@ -14,7 +14,7 @@ pub(super) struct Size {
     pub(super) high: Vector,
 }
 
-/// The radius of rods and arrows beside that of the whole.
+/// Radius of rods and arrows relative to the diagonal.
 const THIN: f64 = 0.006;
 
 impl Size {
@@ -25,20 +25,20 @@ impl Size {
         if low[0] <= high[0] { Size { low, high } } else { Size { low: [0.0; 3], high: [0.0; 3] } }
     }
 
-    /// The diagonal; 1 if all is in one place.
+    /// Returns the diagonal; 1 if everything is at one point.
     pub(super) fn diagonal(&self) -> f64 {
         let diagonal = length(subtract(self.high, self.low));
         if diagonal > 0.0 { diagonal } else { 1.0 }
     }
 
-    /// The radius of rods and of the shafts of arrows.
+    /// Returns the radius of rods and of the shafts of arrows.
     pub(super) fn thin(&self) -> f64 {
         THIN * self.diagonal()
     }
 }
 
 impl Snapshot<Spatial> {
-    /// Places of what has a size of its own, with the room that it takes around them.
+    /// Returns the positions of items with an inherent size, with their extents around them.
     fn places(&self) -> impl Iterator<Item = (Vector, f64)> + '_ {
         let links = self.bodies.iter().flat_map(Link::places);
         let joints = self.joints.iter().map(|joint| (joint.at, 0.0));

@@ -1,4 +1,4 @@
-//! The shapes of bodies: their solids or, for bodies given by numbers only, rods between the joints
+//! The shapes of bodies: their solids or, for bodies given only by numbers, rods between the joints
 //! that they carry.
 
 use super::mesh::Mesh;
@@ -9,17 +9,18 @@ use crate::geometry::{dot, length, subtract, times, unit};
 use crate::snapshot::{Joint, Snapshot};
 use lagrange_runtime::scene::{Spatial, SpatialJointKind};
 
-/// Rods of a tree of bodies.
+/// The rods of a tree of bodies.
 pub(super) struct Skeleton<'a> {
     scene: &'a Snapshot<Spatial>,
-    /// The radius of arrows, by which everything is sized.
+    /// Radius of arrows, the unit of all sizes.
     thin: f64,
 }
 
-/// Radii of rods and of centres of mass, in terms of the radius of arrows, and corners around a
-/// rod.
+/// Radius of rods relative to the radius of arrows.
 const ROD: f64 = 1.5;
+/// Radius of centres of mass relative to the radius of arrows.
 const CENTER: f64 = 2.6;
+/// Number of corners around a rod.
 const ROUND: usize = 16;
 
 impl<'a> Skeleton<'a> {
@@ -35,18 +36,18 @@ impl<'a> Skeleton<'a> {
         }
     }
 
-    /// Holes are drawn by their edges.
+    /// Returns the mesh of a part; of a hole, only its edges.
     fn part(&self, part: &SolidPart) -> Mesh {
         let mesh = solid(part.shape, 2.0 * self.thin).placed(part.at, &part.rotation);
         if part.is_hole { mesh.edges_only() } else { mesh }
     }
 
-    /// Returns rods from the origin of a link to the joints that it carries. Without joints, they
-    /// lead to its centre of mass, which is a ball.
+    /// Returns rods from the origin of a link to the joints that it carries. Without joints, a rod
+    /// leads to its centre of mass, which is a ball.
     fn rods(&self, link: &Link) -> Option<Mesh> {
         let is_carried = |joint: &&Joint<Spatial>| {
             let [carrier, other] = joint.kind.links.each_ref().map(|name| name.as_ref() == Some(&link.name));
-            // A pin is fixed in both.
+            // A pin is fixed in both links.
             carrier || (other && joint.kind.kind == SpatialJointKind::Pin)
         };
         let carried = self.scene.joints.iter().filter(is_carried);
@@ -57,7 +58,7 @@ impl<'a> Skeleton<'a> {
             ends.extend(center.filter(|center| length(*center) > self.thin));
         }
         let rods = ends.iter().filter_map(|end| self.rod(NONE, *end));
-        // A centre of mass beside the rods would hang in the air.
+        // A centre of mass away from the rods would hang in the air.
         let mass = center
             .filter(|center| {
                 ends.is_empty() || ends.iter().any(|end| distance(*center, *end) < CENTER * self.thin)
@@ -73,7 +74,7 @@ impl<'a> Skeleton<'a> {
     }
 }
 
-/// Returns the distance of a place from the rod between the origin and its end.
+/// Returns the distance of a point from the rod between the origin and its end.
 fn distance(place: Vector, end: Vector) -> f64 {
     let along = (dot(place, end) / dot(end, end)).clamp(0.0, 1.0);
     length(subtract(place, times(along, end)))

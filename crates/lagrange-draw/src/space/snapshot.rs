@@ -1,4 +1,4 @@
-//! Bodies, frames and joints of space as they are stored.
+//! Stored bodies, frames and joints of space.
 
 use std::convert::Infallible;
 
@@ -15,7 +15,7 @@ pub struct Link {
     pub(super) name: String,
     pub(super) origin: Vector,
     pub(super) rotation: Rotation,
-    /// Motion, if it has mass.
+    /// Motion, if the link has mass.
     pub(super) motion: Option<SpatialMotion<f64>>,
     pub(super) parts: Vec<SolidPart>,
 }
@@ -92,7 +92,8 @@ impl Named for Link {
 }
 
 impl Link {
-    /// From its own axes to the world, and back.
+    /// Converts a position from the link's own axes to the world; [`own`](Self::own) is the
+    /// inverse.
     pub(super) fn place_of(&self, own: Vector) -> Vector {
         add(self.origin, apply(&self.rotation, own))
     }
@@ -102,7 +103,7 @@ impl Link {
     }
 }
 
-/// Returns the name of the first thing that is not the same in two scenes but for where it is.
+/// Returns the name of the first item that differs between two scenes in anything but its position.
 pub(super) fn difference(one: &Snapshot<Spatial>, other: &Snapshot<Spatial>) -> Option<String> {
     let [names, others] = [one, other].map(|scene| scene.names().collect::<Vec<_>>());
     let renamed = names.iter().zip(&others).find(|(a, b)| a != b).map(|(name, _)| name);

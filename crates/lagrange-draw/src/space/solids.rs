@@ -1,4 +1,4 @@
-//! The surfaces of solids, and those of what stands for springs, dampers and arrows.
+//! The surfaces of solids, and the shapes of springs, dampers and arrows.
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,17 +6,20 @@ use super::mesh::{Corner, Mesh};
 use super::vector::Vector;
 use lagrange_runtime::scene::Solid;
 
-/// Number of corners of a circle, and of rings of faces on half a great circle of a sphere.
+/// Number of corners of a circle.
 const ROUND: usize = 28;
+/// Number of rings of faces from pole to pole of a sphere.
 const RINGS: usize = 12;
-/// Number of corners for small things.
+/// Number of corners of a circle of small objects.
 const SMALL_ROUND: usize = 12;
+/// Number of rings of small spheres.
 const SMALL_RINGS: usize = 6;
-/// Windings of a spring, and the part of its length at each end that is straight.
+/// Windings of a spring.
 const WINDINGS: usize = 10;
+/// Straight fraction of a spring's length at each end.
 const STRAIGHT: f64 = 0.12;
 
-/// A solid; what has no thickness gets one.
+/// Returns the mesh of a solid; shapes without thickness get `thickness`.
 pub(super) fn solid(solid: Solid<f64>, thickness: f64) -> Mesh {
     match solid {
         Solid::PointMass => ball(1.6 * thickness),
@@ -36,7 +39,7 @@ fn corner(at: Vector) -> Corner {
     Corner { at, share: 0.0 }
 }
 
-/// Corners on a circle across z.
+/// Returns corners on a circle about z.
 fn circle(radius: f64, z: f64, share: f64, count: usize) -> impl Iterator<Item = Corner> {
     (0..count).map(move |index| {
         let (sin, cos) = (TAU * index as f64 / count as f64).sin_cos();
@@ -44,7 +47,8 @@ fn circle(radius: f64, z: f64, share: f64, count: usize) -> impl Iterator<Item =
     })
 }
 
-/// Quadrilaterals between two circles of corners, the second above the first as seen from outside.
+/// Adds quadrilaterals between two circles of corners, the second above the first as seen from
+/// outside.
 fn band(faces: &mut Vec<Vec<usize>>, [low, high]: [usize; 2], count: usize) {
     faces.extend((0..count).map(|index| {
         let next = (index + 1) % count;
@@ -52,8 +56,8 @@ fn band(faces: &mut Vec<Vec<usize>>, [low, high]: [usize; 2], count: usize) {
     }));
 }
 
-/// A surface through circles about z, each given by its radius, height and share of the stretch,
-/// closed by flat ends.
+/// Returns a surface through circles about z with flat ends. Each circle is given by its radius,
+/// height and share of the stretch.
 fn turned(circles: &[(f64, f64, f64)], count: usize) -> Mesh {
     let corners = circles.iter().flat_map(|&(radius, z, share)| circle(radius, z, share, count)).collect();
     let mut faces = Vec::new();
@@ -74,8 +78,8 @@ fn cone(radius: f64, height: f64) -> Mesh {
     pointed(&[(radius, 0.0, 0.0)], (height, 0.0), ROUND)
 }
 
-/// A surface through circles about z with a tip behind the last, at a height and with a share of
-/// the stretch.
+/// Returns a surface through circles about z, with a tip after the last one. The tip has a height
+/// and a share of the stretch.
 fn pointed(circles: &[(f64, f64, f64)], (height, share): (f64, f64), count: usize) -> Mesh {
     let mut mesh = turned(circles, count);
     mesh.faces.pop();
@@ -111,7 +115,7 @@ pub(super) fn cuboid(sides: Vector) -> Mesh {
     }
 }
 
-/// An ellipsoid of these semi-axes about the origin.
+/// Returns an ellipsoid with these semi-axes about the origin.
 fn ellipsoid(axes: Vector, count: usize, rings: usize) -> Mesh {
     let circles: Vec<_> = (1..rings)
         .map(|ring| {
@@ -120,7 +124,7 @@ fn ellipsoid(axes: Vector, count: usize, rings: usize) -> Mesh {
         })
         .collect();
     let mut mesh = pointed(&circles, (1.0, 0.0), count);
-    // The flat end below gives way to a tip as well.
+    // The flat end below is also replaced by a tip.
     mesh.faces.retain(|face| face.len() != count);
     let tip = mesh.corners.len();
     mesh.corners.push(corner([0.0, 0.0, -1.0]));
@@ -131,28 +135,28 @@ fn ellipsoid(axes: Vector, count: usize, rings: usize) -> Mesh {
     mesh
 }
 
-/// A small sphere.
+/// Returns a small sphere.
 pub(super) fn ball(radius: f64) -> Mesh {
     ellipsoid([radius; 3], SMALL_ROUND, SMALL_RINGS)
 }
 
 fn rod_along_x(length: f64, radius: f64) -> Mesh {
     let rod = cylinder(radius, [-0.5 * length, 0.5 * length], SMALL_ROUND);
-    // z to x, x to y, y to z.
+    // Maps z to x, x to y, and y to z.
     rod.placed([0.0; 3], &[[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 }
 
-/// A short cylinder about z.
+/// Returns a short cylinder about z.
 pub(super) fn pin(radius: f64, height: f64) -> Mesh {
     cylinder(radius, [-0.5 * height, 0.5 * height], SMALL_ROUND)
 }
 
-/// A rod from one point to another.
+/// Returns a rod from one point to another.
 pub(super) fn stick(radius: f64) -> Mesh {
     turned(&[(radius, 0.0, 0.0), (radius, 0.0, 1.0)], SMALL_ROUND)
 }
 
-/// A coil spring from one point to another.
+/// Returns a coil spring from one point to another.
 pub(super) fn spring(radius: f64) -> Mesh {
     let steps = WINDINGS * SMALL_ROUND;
     let winding = (0..=steps).map(|index| {
@@ -170,7 +174,7 @@ pub(super) fn spring(radius: f64) -> Mesh {
     Mesh { corners, faces: Vec::new(), lines: vec![line], is_closed: false }
 }
 
-/// A damper from one point to another: a cylinder at the one, a piston rod at the other.
+/// Returns a damper from one point to another: a cylinder at the first, a piston rod at the second.
 pub(super) fn damper(radius: f64) -> Mesh {
     let cylinder = turned(&[(radius, 0.0, 0.25), (radius, 0.0, 0.65)], SMALL_ROUND);
     let thin = 0.25 * radius;
@@ -179,21 +183,22 @@ pub(super) fn damper(radius: f64) -> Mesh {
     rods.into_iter().fold(cylinder, Mesh::with)
 }
 
-/// Length and width of an arrowhead, as multiples of the radius of its shaft.
+/// Length of an arrowhead relative to the radius of its shaft.
 const HEAD: f64 = 9.0;
+/// Width of an arrowhead relative to the radius of its shaft.
 const WIDTH: f64 = 3.2;
-/// The length of an arrow whose head does not take more than this part of it, in terms of the
-/// radius of its shaft.
+/// Length of an arrow below which its head would exceed its allowed fraction of the arrow, relative
+/// to the radius of its shaft.
 pub(super) const SHORTEST_ARROW: f64 = 1.6 * HEAD;
 
-/// An arrow from one point to another.
+/// Returns an arrow from one point to another.
 pub(super) fn arrow(radius: f64) -> Mesh {
     let neck = -HEAD * radius;
     let circles = [(radius, 0.0, 0.0), (radius, neck, 1.0), (WIDTH * radius, neck, 1.0)];
     pointed(&circles, (0.0, 1.0), SMALL_ROUND)
 }
 
-/// An arrow with two heads, one behind the other, as moments have it.
+/// Returns an arrow with two heads, one after the other, the symbol of a moment.
 pub(super) fn double_arrow(radius: f64) -> Mesh {
     let [neck, middle] = [-HEAD * radius, -0.5 * HEAD * radius];
     let circles = [
@@ -239,7 +244,7 @@ mod tests {
             .collect()
     }
 
-    /// ∭ dV by the divergence theorem: a sixth of the sum of a·(b × c) over triangles.
+    /// Computes ∭ dV by the divergence theorem: a sixth of the sum of a·(b × c) over triangles.
     fn volume(mesh: &Mesh) -> f64 {
         let of_face = |face: &Vec<usize>| {
             let points = points(mesh, face);

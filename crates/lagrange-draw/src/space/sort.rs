@@ -1,10 +1,11 @@
-//! Faces and lines from back to front, so that later ones hide those behind them.
+//! Painter's algorithm: faces and lines from back to front, so that later ones hide those behind
+//! them.
 //!
-//! The plane of a face divides all others into those on the side of the eye and those behind, which
-//! are painted first. Faces that it cuts are divided. Both sides are then sorted in the same way. A
-//! plane across an axis of the world that divides objects without cutting any is preferred to
-//! planes of faces. The visible faces of a convex body hide none of each other, so their order does
-//! not matter.
+//! The plane of a face divides all others into those on the side of the eye and those behind it,
+//! which are painted first. Faces that intersect the plane are split. Both sides are then sorted in
+//! the same way. An axis-aligned plane that separates objects without splitting any is preferred to
+//! planes of faces. Visible faces of a convex body never hide each other, so their order is
+//! irrelevant.
 //!
 //! Source: Fuchs, Kedem, Naylor, *On Visible Surface Generation by A Priori Tree Structures*,
 //! SIGGRAPH 1980.
@@ -17,20 +18,21 @@ use crate::geometry::{add, dot, mix, subtract, times};
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Fragment {
     pub(super) shape: FragmentShape,
-    /// The thing that it is a piece of.
+    /// The index of the thing to which the fragment belongs.
     pub(super) thing: usize,
 }
 
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum FragmentShape {
-    /// A plane convex polygon, which of its sides are drawn, and its normal of length one.
+    /// A plane convex polygon, with flags for its drawn sides, and its unit normal.
     Face { corners: Vec<Vector>, drawn: Vec<bool>, normal: Vector },
     /// A straight line.
     Line([Vector; 2]),
 }
 
-/// Faces whose planes are tried, and how much worse it is to cut a piece than to divide unevenly.
+/// Number of faces whose planes are tried.
 const TRIED: usize = 6;
+/// Penalty of splitting a piece relative to an uneven division.
 const CUT: usize = 4;
 
 /// A plane: n·r = d.
@@ -45,8 +47,8 @@ enum Task {
     Paint(Vec<Fragment>),
 }
 
-/// Sorts pieces; `is_convex` says of each thing whether it is a convex body, and lengths below
-/// `least` count as none.
+/// Sorts pieces; `is_convex` is true for each thing that is a convex body, and lengths below
+/// `least` count as zero.
 pub(super) fn back_to_front(
     pieces: Vec<Fragment>,
     camera: &Camera,
@@ -67,8 +69,8 @@ pub(super) fn back_to_front(
                 };
                 let count = pieces.len();
                 let [front, within, behind] = divided(pieces, plane, least);
-                // Of faces so thin that rounding moves them out of their own planes none divides
-                // the others.
+                // If faces are so thin that rounding moves them off their own planes, none of them
+                // divides the others.
                 if within.is_empty() && count <= front.len().max(behind.len()) {
                     painted.extend(by_nearness(if front.is_empty() { behind } else { front }, camera));
                     continue;
@@ -83,20 +85,20 @@ pub(super) fn back_to_front(
     painted
 }
 
-/// Sorts by the distance of midpoints.
+/// Sorts by the nearness of midpoints.
 fn by_nearness(mut pieces: Vec<Fragment>, camera: &Camera) -> Vec<Fragment> {
     pieces.sort_by(|a, b| a.nearness(camera).total_cmp(&b.nearness(camera)));
     pieces
 }
 
-/// True if nothing of this hides anything else of it.
+/// True if none of the pieces can hide another.
 fn is_in_order(pieces: &[Fragment], is_convex: &[bool]) -> bool {
     let Some(first) = pieces.first() else { return true };
     pieces.len() == 1 || (is_convex[first.thing] && pieces.iter().all(|piece| piece.thing == first.thing))
 }
 
-/// Returns a plane across an axis with things on both sides and none in between: the one that
-/// divides them most evenly.
+/// Returns an axis-aligned plane with things on both sides and none across: the one that divides
+/// them most evenly.
 fn separation(pieces: &[Fragment]) -> Option<Plane> {
     let things = 1 + pieces.iter().map(|piece| piece.thing).max()?;
     let mut best: Option<(usize, Plane)> = None;
@@ -124,7 +126,8 @@ fn separation(pieces: &[Fragment]) -> Option<Plane> {
     best.map(|(_, plane)| plane)
 }
 
-/// The plane of a face that cuts few others and divides them evenly; none if there are no faces.
+/// Returns the plane of a face that splits few others and divides them evenly; none if there are no
+/// faces.
 fn best_plane(pieces: &[Fragment], least: f64) -> Option<Plane> {
     let faces: Vec<Plane> = pieces.iter().filter_map(Fragment::plane).collect();
     let cost = |plane: &Plane| {
@@ -155,7 +158,7 @@ fn divided(pieces: Vec<Fragment>, plane: Plane, least: f64) -> [Vec<Fragment>; 3
             }
         }
     }
-    // Lines lie on faces.
+    // Lines are in front of the faces in their plane.
     parts[1].sort_by_key(|piece| matches!(piece.shape, FragmentShape::Line(_)));
     parts
 }
@@ -200,7 +203,7 @@ impl Fragment {
         sides
     }
 
-    /// The parts above and below a plane that cuts it.
+    /// Returns the parts above and below an intersecting plane.
     fn cut(self, plane: Plane, least: f64) -> [Fragment; 2] {
         let thing = self.thing;
         let shapes = match self.shape {
@@ -223,7 +226,7 @@ impl Fragment {
     }
 }
 
-/// The part of a convex polygon at heights above zero. The side along the cut is not drawn.
+/// Returns the part of a convex polygon at heights above zero. The side along the cut is not drawn.
 fn clipped(corners: &[Vector], drawn: &[bool], heights: &[f64], least: f64) -> (Vec<Vector>, Vec<bool>) {
     let (mut kept, mut sides) = (Vec::new(), Vec::new());
     for (index, &is_drawn) in drawn.iter().enumerate() {
@@ -232,7 +235,7 @@ fn clipped(corners: &[Vector], drawn: &[bool], heights: &[f64], least: f64) -> (
         let at = [index, next].map(|end| heights[end]);
         if at[0] >= -least {
             kept.push(ends[0]);
-            // From a corner in the plane downwards goes the cut.
+            // The cut starts at a corner in the plane whose next corner is below it.
             sides.push(is_drawn && !(at[0] <= least && at[1] < -least));
         }
         if at[0].abs() > least && at[1].abs() > least && (at[0] > 0.0) != (at[1] > 0.0) {
@@ -249,7 +252,7 @@ fn crossing([a, b]: [Vector; 2], [from, to]: [f64; 2]) -> Vector {
     mix(a, b, from / (from - to))
 }
 
-/// True if all corners are behind all faces: a convex body.
+/// True if all corners are behind all faces, as for a convex body.
 pub(super) fn is_convex(faces: &[(Vec<Vector>, Vector)], least: f64) -> bool {
     let corners = || faces.iter().flat_map(|(corners, _)| corners);
     faces
@@ -287,7 +290,7 @@ mod tests {
         }
     }
 
-    /// Returns the distance along the ray from a place towards the eye at which it meets a face.
+    /// Returns the distance along a ray towards the eye at which it meets a face.
     fn met(piece: &Fragment, from: Vector, ray: Vector) -> Option<f64> {
         let FragmentShape::Face { corners, normal, .. } = &piece.shape else { return None };
         let along = dot(*normal, subtract(corners[0], from)) / dot(*normal, ray);

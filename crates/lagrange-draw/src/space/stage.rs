@@ -1,4 +1,4 @@
-//! From scenes in space to meshes and labels of each item.
+//! Conversion of scenes in space to meshes and labels of each item.
 
 use super::arrows::Arrows;
 use super::mesh::{Corner, Mesh, Placement};
@@ -17,17 +17,20 @@ use crate::stage::is_made_up;
 use lagrange_plot::notation::formula;
 use lagrange_runtime::scene::{Connector, Spatial, SpatialJointKind};
 
-/// Sizes in terms of the radius of rods.
+/// Radius of pins relative to that of rods.
 const PIN: f64 = 2.0;
+/// Length of pins relative to the radius of rods.
 const PIN_LENGTH: f64 = 5.5;
+/// Radius of springs relative to that of rods.
 const COIL: f64 = 3.0;
+/// Offset between connectors relative to the radius of rods.
 const LANE: f64 = 7.0;
-/// Ends no farther from each other than this part of the diagonal are in one place.
+/// Distance relative to the diagonal below which ends coincide.
 const TOUCHING: f64 = 1e-6;
-/// Fields of a floor along the longer side.
+/// Number of grid fields of a floor along its longer side.
 const FIELDS: f64 = 8.0;
 
-/// All things of a motion; every scene of it hands out the same items.
+/// Returns all things of a motion; every scene of it has the same items.
 pub(super) fn things(film: &[Snapshot<Spatial>], wanted: Wanted, size: &Size) -> Vec<MovingMesh> {
     let Some(first) = film.first() else { return Vec::new() };
     let stage = Stage { film, wanted, size };
@@ -110,7 +113,7 @@ impl Stage<'_> {
             let ends = self.film.iter().map(|snapshot| snapshot.connectors[index].ends);
             Placement::spanned(ends.map(|[from, to]| [from, subtract(to, from)]))
         };
-        // To the same side also of one that goes the other way.
+        // Offsets are to the same side even for reversed connectors.
         let beside = |(placement, leader): (Placement, Placement)| {
             let aside = apply(&leader.rotation, [LANE * thin * lane, 0.0, 0.0]);
             Placement { origin: add(placement.origin, aside), ..placement }
@@ -121,8 +124,8 @@ impl Stage<'_> {
         MovingMesh { name: span.name.clone(), label, colour, kind: Kind::Connector, mesh, track }
     }
 
-    /// Returns the first connector between the same points, and the offset of this one from the
-    /// line between them, side by side.
+    /// Returns the first connector between the same points, and this one's offset from the line
+    /// between them.
     fn lane(&self, index: usize) -> (usize, f64) {
         let near = TOUCHING * self.size.diagonal();
         let are_one = |other: usize| {
@@ -177,7 +180,7 @@ impl Stage<'_> {
         things
     }
 
-    /// A grid at a height, under all that moves.
+    /// Returns a grid at a height that covers the extent of the motion.
     fn floor(&self, height: f64) -> MovingMesh {
         let Size { low, high } = *self.size;
         let field = (high[0] - low[0]).max(high[1] - low[1]).max(0.2 * self.size.diagonal()) / FIELDS;
@@ -206,7 +209,7 @@ impl Stage<'_> {
     }
 }
 
-/// A line through points at rest, in a film of so many moments.
+/// Returns a fixed line through points, in a film of this many moments.
 pub(super) fn path(label: &str, points: &[Vector], colour: Colour, moments: usize) -> MovingMesh {
     let corners = points.iter().map(|&at| Corner { at, share: 0.0 }).collect();
     let placement = Placement::rigid(NONE, UPRIGHT);

@@ -1,8 +1,8 @@
-//! The binary part of a glTF file: numbers one after the other, and their description in JSON.
+//! The binary part of a glTF file: consecutive numbers, and their description in JSON.
 
 use crate::film::page::list;
 
-/// Numbers that accessors tell apart.
+/// Numbers, divided by accessors.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub(super) struct Store {
     bytes: Vec<u8>,
@@ -13,24 +13,27 @@ pub(super) struct Store {
 /// The purpose of numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Purpose {
-    /// Places of vertices, whose bounds are told.
+    /// Positions of vertices, which include bounds.
     Positions,
     /// Other attributes of vertices.
     Attributes,
-    /// Times, whose bounds are told.
+    /// Times, which include bounds.
     Times,
-    /// A quantity that changes with time.
+    /// A quantity that varies with time.
     Track,
 }
 
-/// Names of glTF: 32 bit floating point and unsigned numbers, vertices and their numbers.
+/// Code of 32-bit floating-point numbers.
 const FLOAT: u32 = 5126;
+/// Code of 32-bit unsigned integers.
 const UNSIGNED: u32 = 5125;
+/// Code of vertex attributes.
 const VERTICES: u32 = 34962;
+/// Code of vertex indices.
 const ELEMENTS: u32 = 34963;
 
 impl Store {
-    /// Numbers in groups of N; returns the index of their accessor.
+    /// Stores numbers in groups of N, and returns the index of their accessor.
     pub(super) fn floats<const N: usize>(&mut self, values: &[[f64; N]], purpose: Purpose) -> usize {
         let values: Vec<[f32; N]> = values.iter().map(|group| group.map(|value| value as f32)).collect();
         let target = match purpose {
@@ -50,12 +53,12 @@ impl Store {
         self.accessor(bytes, target, &format!("{FLOAT},\"type\":\"{kind}\"{bounds}"), values.len())
     }
 
-    /// Numbers of vertices; returns the index of their accessor.
+    /// Stores indices of vertices, and returns the index of their accessor.
     pub(super) fn indices(&mut self, indices: impl IntoIterator<Item = usize>) -> usize {
         let mut count = 0;
         let mut bytes = Vec::new();
         for index in indices {
-            // Files are refused long before they have so many vertices.
+            // Files with this many vertices are rejected much earlier.
             bytes.extend(u32::try_from(index).unwrap_or(u32::MAX).to_le_bytes());
             count += 1;
         }
@@ -76,7 +79,7 @@ impl Store {
         &self.bytes
     }
 
-    /// The fields of JSON that describe it.
+    /// Returns the JSON fields that describe the store.
     pub(super) fn json(self) -> String {
         let length = self.bytes.len();
         let (views, accessors) = (list(self.views), list(self.accessors));

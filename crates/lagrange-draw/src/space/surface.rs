@@ -1,5 +1,4 @@
-//! Surfaces as graphics processors take them: triangles between points with normals, and the edges
-//! that are drawn.
+//! Surfaces for graphics processors: triangles between points with normals, and the drawn edges.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,26 +6,25 @@ use super::mesh::{Edges, Mesh, Neighbour, normal};
 use super::vector::{Vector, cross};
 use crate::geometry::{add, dot, length, subtract, times, unit};
 
-/// The faces and edges of a mesh. Normals are right for any stretch: what takes part in one has
-/// sides along it.
+/// The faces and edges of a mesh. Normals hold for any stretch, since the sides of stretched parts
+/// are along it.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub(super) struct Surface {
-    /// A corner and the normal of the surface there; where the surface has an edge, corners have
-    /// several.
+    /// A corner and a surface normal at it; corners at edges occur several times.
     pub(super) points: Vec<(usize, Vector)>,
-    /// Points, counterclockwise as seen from outside.
+    /// Indices of points, counterclockwise as seen from outside.
     pub(super) triangles: Vec<[usize; 3]>,
     /// Normals of faces.
     pub(super) flat: Vec<Vector>,
-    /// Edges that are always drawn, each by its corners.
+    /// Edges that are always drawn, each by its two corners.
     pub(super) sharp: Vec<[usize; 2]>,
-    /// Edges that are drawn where they are the outline, by their corners and the faces on both
+    /// Edges that are drawn only on the silhouette, each by its corners and the faces on both
     /// sides.
     pub(super) smooth: Vec<[usize; 4]>,
 }
 
-/// A normal that differs more from that of a face, as at the tip of a cone, gives way to it: cos
-/// 50°.
+/// Cosine of the angle, 50°, beyond which a smoothed normal is replaced by that of the face, as at
+/// the tip of a cone.
 const POINTED: f64 = 0.64;
 
 impl Surface {
@@ -53,9 +51,9 @@ impl Surface {
         surface
     }
 
-    /// The normal at a corner of a face: the mean of those of the faces that go on smoothly there,
-    /// by their angles. Source: Thürmer, Wüthrich, *Computing Vertex Normals from Polygonal
-    /// Facets*, Journal of Graphics Tools 3 (1998).
+    /// Returns the normal at a corner of a face: the mean of the faces that continue smoothly
+    /// there, weighted by their angles. Source: Thürmer, Wüthrich, *Computing Vertex Normals from
+    /// Polygonal Facets*, Journal of Graphics Tools 3 (1998).
     fn smoothed(&self, mesh: &Mesh, edges: &Edges, around: &[usize], face: usize, corner: usize) -> Vector {
         let mut fan = vec![face];
         let mut next = 0;
@@ -75,7 +73,7 @@ impl Surface {
         mean.filter(|mean| dot(*mean, self.flat[face]) > POINTED).unwrap_or(self.flat[face])
     }
 
-    /// Each edge once.
+    /// Collects each edge once.
     fn trace(&mut self, mesh: &Mesh, edges: &Edges) {
         let mut known = BTreeSet::new();
         for (face, corners) in mesh.faces.iter().enumerate() {
@@ -95,7 +93,7 @@ impl Surface {
     }
 }
 
-/// Corners of a mesh in its longest stretch: long beside all of it.
+/// Returns the corners of a mesh in a stretch that is long relative to its size.
 pub(super) fn stretched(mesh: &Mesh) -> Vec<Vector> {
     let longest = mesh.corners.iter().flat_map(|corner| corner.at).fold(0.0, |a: f64, b| a.max(b.abs()));
     let stretch = if longest > 0.0 { 8.0 * longest } else { 1.0 };
@@ -119,7 +117,7 @@ fn faces_around(mesh: &Mesh) -> Vec<Vec<usize>> {
     around
 }
 
-/// The angle of a face at one of its corners.
+/// Returns the angle of a face at one of its corners.
 fn angle(mesh: &Mesh, face: &[usize], corner: usize) -> f64 {
     let Some(at) = face.iter().position(|other| *other == corner) else { return 0.0 };
     let place = |index: usize| {
@@ -168,7 +166,7 @@ mod tests {
 
     #[test]
     fn the_shaft_of_a_thick_arrow_is_not_inside_out() {
-        // Its head is longer than a stretch by one.
+        // The head is longer than a stretch of one.
         let mesh = arrow(1.0);
         for (corner, normal) in Surface::of(&mesh).points {
             let [x, y, _] = mesh.corners[corner].at;

@@ -1,4 +1,4 @@
-//! Pictures of a scene that is written by hand.
+//! Pictures of a hand-written scene.
 
 mod glb;
 mod hostile;
@@ -17,7 +17,7 @@ use crate::picture::{Mark, Picture};
 use crate::snapshot::{Joint, Snapshot};
 use crate::{DrawError, Drawing};
 
-/// A cuboid on an arm that turns about z, hung on a spring.
+/// A cuboid on an arm that rotates about z, suspended from a spring.
 struct Crane;
 
 impl OdeSystem for Crane {

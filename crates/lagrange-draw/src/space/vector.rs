@@ -1,10 +1,10 @@
-//! Rotations of space.
+//! Rotations in space.
 
 use crate::geometry::{dot, subtract, times, unit};
 
-/// A place or a direction.
+/// A position or a direction.
 pub(crate) type Vector = [f64; 3];
-/// A rotation in rows: its columns are the turned axes.
+/// A rotation by rows: its columns are the rotated axes.
 pub(crate) type Rotation = [Vector; 3];
 
 pub(super) const NONE: Vector = [0.0; 3];
@@ -14,12 +14,12 @@ pub(super) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// R a
+/// Computes R a.
 pub(super) fn apply(rotation: &Rotation, a: Vector) -> Vector {
     rotation.map(|row| dot(row, a))
 }
 
-/// Rᵀ a
+/// Computes Rᵀ a.
 pub(super) fn apply_back(rotation: &Rotation, a: Vector) -> Vector {
     apply(&transposed(rotation), a)
 }
@@ -28,9 +28,9 @@ fn transposed(rotation: &Rotation) -> Rotation {
     [0, 1, 2].map(|column| [0, 1, 2].map(|row| rotation[row][column]))
 }
 
-/// Axes whose third points in a direction of length one. Where it passes the plane of x and y, the
-/// other two jump. Source: Duff et al., *Building an Orthonormal Basis, Revisited*, Journal of
-/// Computer Graphics Techniques 6 (2017), listing 3.
+/// Returns axes with the third along a unit vector. The other two jump as the vector crosses the
+/// xy-plane. Source: Duff et al., *Building an Orthonormal Basis, Revisited*, Journal of Computer
+/// Graphics Techniques 6 (2017), listing 3.
 pub(super) fn axes_along([x, y, z]: Vector) -> Rotation {
     let sign = 1.0_f64.copysign(z);
     let a = -1.0 / (sign + z);
@@ -39,8 +39,8 @@ pub(super) fn axes_along([x, y, z]: Vector) -> Rotation {
     transposed(&[first, second, [x, y, z]])
 }
 
-/// Returns axes whose third points in a direction of length one, and whose first is as near as
-/// possible to another direction. `None` if both are the same direction.
+/// Returns axes with the third along a unit vector, and the first as near as possible to another
+/// direction. `None` if both directions are the same.
 pub(super) fn axes_near(first: Vector, along: Vector) -> Option<Rotation> {
     let first = unit(subtract(first, times(dot(first, along), along)))?;
     Some(transposed(&[first, cross(along, first), along]))

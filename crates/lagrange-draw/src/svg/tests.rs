@@ -6,8 +6,8 @@ use crate::picture::{Mark, Picture};
 use lagrange_plot::characters::number;
 use lagrange_plot::label::{Anchor, Label, SUBSCRIPT};
 
-/// Texts that look like something else, that no document may hold as they are, or that no line has
-/// room for.
+/// Returns texts that resemble markup, contain characters forbidden in documents, or exceed any
+/// line.
 pub(crate) fn hostile() -> Vec<String> {
     let controls =
         (0..0x20).chain(0x7f..0xa0).chain([0x2028, 0x2029, 0xfdd0, 0xfffe, 0xffff, 0x1_fffe, 0x10_ffff]);
@@ -33,7 +33,7 @@ pub(crate) fn hostile() -> Vec<String> {
     texts
 }
 
-/// Reads a document, in which every length is a number of the picture's units.
+/// Parses a document, and checks that every length is a number in units of the picture.
 pub(crate) fn assert_plain(svg: &str) {
     let document = Document::parse(svg).unwrap_or_else(|error| panic!("{error}: {svg}"));
     for node in document.descendants() {
@@ -76,7 +76,7 @@ fn names_cannot_break_a_document() {
     assert!(words.contains("<v>") && words.contains("<Q>"));
 }
 
-/// Where the letters of a document stand, and how large they are, is where pixels have them.
+/// Text has the same positions and sizes in documents as in rasterised pictures.
 #[test]
 fn subscripts_have_sizes_and_heights_in_units_of_the_picture() {
     for size in [10.0, 14.0, 160.0, 0.5] {

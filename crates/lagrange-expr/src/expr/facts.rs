@@ -7,7 +7,7 @@ use crate::elementary::{Domain, row};
 use crate::number::Number;
 use crate::symbol::Role;
 
-/// The kinds of symbols an expression mentions.
+/// The kinds of symbols in an expression.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Dependencies(u16);
 
@@ -54,8 +54,7 @@ impl Dependencies {
         self.is_within(Dependencies::PARAMETER)
     }
 
-    /// True if the value may change by itself during a motion: with time or the state, while inputs
-    /// stay unchanged.
+    /// True if the value may change during a motion with unchanged inputs: with time or the state.
     pub fn may_change(self) -> bool {
         !self.is_within(Dependencies::PARAMETER | Dependencies::INPUT)
     }
@@ -69,7 +68,7 @@ impl Dependencies {
             Role::Coordinate(_) => Dependencies::COORDINATE,
             Role::State(_) => Dependencies::STATE,
             Role::Discrete(_) => Dependencies::DISCRETE,
-            // The side may change with whatever the state does.
+            // The side may depend on everything that the state depends on.
             Role::Velocity(_) | Role::Side(_) => Dependencies::VELOCITY,
             Role::Acceleration(_) => Dependencies::ACCELERATION,
             Role::Multiplier(_) => Dependencies::MULTIPLIER,
@@ -104,7 +103,7 @@ impl Facts {
     pub(super) fn of(graph: &Graph, node: &Node) -> Facts {
         let mut dependencies = match node {
             Node::Symbol(symbol) => Dependencies::of_role(graph.symbols.get(*symbol).role),
-            // What it is worth is known at run time only.
+            // The value is only known at run time.
             Node::Opaque(function, _) if function.table().is_none() => Dependencies::PARAMETER,
             _ => Dependencies::NONE,
         };
@@ -139,7 +138,7 @@ fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
     }
 }
 
-/// True if a function in it restricts an argument that is not known to lie in its domain.
+/// True if a function in it restricts an argument that may be outside its domain.
 fn is_partial(graph: &Graph, node: &Node) -> bool {
     let unknown = |id: &ExprId| !graph.is_nonnegative(*id);
     let is_own = match node {
@@ -189,9 +188,9 @@ fn slopes(graph: &Graph, node: &Node) -> Vec<ExprId> {
 
 fn is_slope_of_sum(graph: &Graph, terms: &[(ExprId, Number)], of: ExprId) -> bool {
     let has_slope = |term: ExprId| graph.slope_factors(term).contains(&of);
-    // First what fails at one of the first terms of a sum of many different magnitudes.
+    // The test that mostly fails at one of the first terms of a large sum comes first.
     terms.iter().all(|(term, _)| has_slope(*term) || graph.has_odd_power(*term, of))
-        // In |x| − x = s (x − |x|) it would be one again and again.
+        // In |x| − x = s (x − |x|) the factor would be extracted repeatedly.
         && (terms.iter().all(|(term, _)| has_slope(*term))
             || terms.iter().any(|(term, _)| graph.has_bare_slope(*term, of)))
 }

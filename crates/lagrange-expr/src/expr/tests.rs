@@ -154,7 +154,7 @@ fn even_powers_of_magnitudes_are_powers() {
     let hypotenuse = g.call(Function::Hypot, &[a, b]);
     let squares = [square, g.square(b)];
     assert_eq!(g.square(hypotenuse), g.total(squares));
-    // |a b| |a| = a² |b|, also where the product is nested and has a coefficient.
+    // |a b| |a| = a² |b|, also if the product is nested and has a coefficient.
     let nested = {
         let bc = g.multiply(b, c);
         let product = g.multiply(a, bc);
@@ -165,7 +165,8 @@ fn even_powers_of_magnitudes_are_powers() {
     let rest = g.call(Function::Abs, &[c]);
     let expected = g.product([(a, Number::TWO), (b, Number::TWO), (rest, Number::ONE)]);
     assert_eq!(found, g.scale(Number::from(3), expected));
-    // Also within another product, and where the coefficients of sums are multiples of each other.
+    // This also holds within another product, and for sums whose coefficients are multiples of each
+    // other.
     let inner = g.multiply(magnitude, other);
     let (outer, square_of_b) = (g.multiply(inner, c), g.square(b));
     assert_eq!(
@@ -191,7 +192,7 @@ fn magnitudes_hold_no_numbers_coefficients_or_products() {
     let minus_two = g.number(-2);
     let two = g.number(2);
     assert_eq!(g.magnitude(minus_two), two);
-    // Nested deeper than products are opened elsewhere.
+    // Nested more deeply than products are flattened elsewhere.
     let mut nested = letters[0];
     let mut expected = vec![(g.call(Function::Abs, &[nested]), Number::ONE)];
     for k in 1..12_i64 {
@@ -207,7 +208,7 @@ fn magnitudes_hold_no_numbers_coefficients_or_products() {
 fn powers_of_a_base_are_collected_whatever_their_order() {
     let (mut g, [a, ..]) = letters();
     let quarters = |n: i64| Number::ratio(n, 4).expect("no zero");
-    // 1/4 + 3/4 = 1 would drop the condition a ≥ 0; with 7/2 beside them, the sum keeps it.
+    // 1/4 + 3/4 = 1 would drop the condition a ≥ 0; with an additional 7/2, the sum keeps it.
     let kept = g.product([(a, quarters(1)), (a, quarters(3)), (a, quarters(14))]);
     assert_eq!(kept, g.power(a, quarters(18)));
     let [left, right] = [[1, 1, 2], [2, 1, 1]].map(|order| {
@@ -229,7 +230,7 @@ fn slopes_of_a_magnitude_have_the_square_one() {
     let [left, right] = [c, d].map(|x| g.multiply(slope, x));
     assert_eq!(g.multiply(left, right), g.multiply(c, d));
     assert_eq!(g.square(left), g.square(c));
-    // In sums whose terms all have it, too.
+    // This also holds for sums whose terms all contain it.
     let nested = g.multiply(left, b);
     let sum = g.add(nested, right);
     let expected = {
@@ -258,7 +259,7 @@ fn differences_of_a_number_and_its_magnitude_have_an_end() {
     let values = |symbol| if symbol == Role::Parameter(0) { -3.0 } else { 2.0 };
     let found = crate::expr::evaluate(&g, &[square, product], values);
     assert_eq!(found, [36.0, 0.0]);
-    // Beside a term with the slope alone there is an end: s b + a = s (b + |a|).
+    // With a term that has only the slope, the extraction ends: s b + a = s (b + |a|).
     let term = g.multiply(slope, b);
     let mixed = g.add(term, a);
     let expected = g.add(b, magnitude);

@@ -66,7 +66,7 @@ fn tables_go_through_their_points_and_have_the_derivatives_of_their_polynomials(
     }
 }
 
-/// From both sides of every knot, the ends included.
+/// Evaluates from both sides of every knot, including the ends.
 #[test]
 fn natural_splines_that_are_extended_have_continuous_second_derivatives() {
     let table = Table::curve(&POINTS, Interpolation::Natural, Outside::Extend);
@@ -104,7 +104,7 @@ fn what_lies_outside_is_as_declared() {
     assert!(value(Outside::Extend, 0, f64::NAN).is_nan() && value(Outside::Clamp, 3, f64::NAN).is_nan());
 }
 
-/// A polynomial of the form that products of splines have is its own interpolation.
+/// A polynomial with the form of products of splines is its own interpolation.
 #[test]
 fn tables_of_two_arguments_are_products_of_splines() {
     let [along_x, along_y] = [vec![0.0, 1.0, 2.5, 4.0], vec![-1.0, 0.0, 2.0]];
@@ -142,8 +142,8 @@ fn even_grids_are_recognised_and_give_the_same_values() {
     }
 }
 
-/// Where a spline swings by many orders of magnitude between its points, nothing is left of their
-/// values.
+/// If a spline varies by many orders of magnitude between its points, their values are lost to
+/// rounding.
 #[test]
 fn pieces_that_miss_the_next_point_by_rounding_are_found() {
     let (even, values) = POINTS.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();
@@ -171,13 +171,13 @@ fn pieces_that_miss_the_next_point_by_rounding_are_found() {
 #[test]
 fn tables_with_points_at_the_limits_of_numbers_hold_finite_numbers_or_are_refused() {
     let least = f64::MIN_POSITIVE;
-    // One piece in a length of 2^-1024 is more than a number can be.
+    // One piece in a length of 2^-1024 exceeds the range of numbers.
     let close = [(least, 1.0), (1.25 * least, 1.0)];
     let table = Table::curve(&close, Interpolation::Linear, Outside::Extend);
     assert_eq!((table.axes[0].density, table.is_finite()), (0.0, true));
     assert_eq!(table.value(&[0], &[1.125 * least]), 1.0);
-    // Values rise by 1e300 from one row to the next, slopes behind the last column by 1.25e300.
-    // Three times as much in a length of 1.8e-8 is more than a number can be for the slopes alone.
+    // Values rise by 1e300 from one row to the next, slopes after the last column by 1.25e300.
+    // Three times this in a length of 1.8e-8 only exceeds the range of numbers for the slopes.
     let surface = |outside| {
         let knots = [vec![0.0, 1.8e-8], vec![0.0, 1.0, 2.0]];
         let rows = [vec![0.0; 3], vec![0.0, 0.0, 1e300]];

@@ -3,7 +3,7 @@ use crate::expr::evaluate;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
 
-/// Values of a formula for exact decimals.
+/// Evaluates a formula for exact decimals.
 fn value(text: &[&str], formula: impl Fn(&mut Graph, &[ExprId]) -> Vec<ExprId>) -> Vec<f64> {
     let mut graph = Graph::new();
     let number = |text: &&str| Number::parse_decimal(text.trim_start_matches('-')).expect("a decimal");

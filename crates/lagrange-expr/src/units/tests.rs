@@ -80,7 +80,7 @@ fn units_have_their_exact_values() {
     }
 }
 
-/// A scale with a zero of its own is a unit alone.
+/// A scale with its own zero cannot occur in a product.
 #[test]
 fn offsets_are_not_in_products() {
     let of = |powers: &[(&str, i8)]| Unit::coherent_of(powers, Span::call_site().into());
@@ -93,7 +93,7 @@ fn offsets_are_not_in_products() {
     assert!(meaning("mdegC").is_none());
 }
 
-/// Units that are defined by others.
+/// Units defined by other units.
 #[test]
 fn units_fit_their_definitions() {
     let scale = |name: &str| meaning(name).expect("a unit").scale.number;
@@ -115,7 +115,7 @@ fn no_name_means_two_units() {
     all.dedup();
     assert_eq!(all.len(), count);
     assert!(all.iter().all(|name| meaning(name).is_some()));
-    // Whole names come before names with prefixes.
+    // Whole names take precedence over names with prefixes.
     assert_eq!(meaning("min").map(|minute| minute.scale.number), Some(Number::from(60)));
     assert_eq!(meaning("Pa").map(|pascal| pascal.scale), Some(Scale::ONE));
     for word in ["", "k", "mkg", "kkg", "kmin", "krpm", "x", "kmm"] {

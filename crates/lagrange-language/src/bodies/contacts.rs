@@ -1,4 +1,4 @@
-//! Contacts as events with an impact and frictions, or as forces.
+//! Contacts, translated to events with an impact and frictions, or to forces.
 //!
 //! `contact touch = wheel on floor { friction: mu; restitution: e; }` becomes
 //! `let touch_gap = …; event touch = touch_gap, falling => impact(e);` and
@@ -88,7 +88,7 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     Some(parts_of(translation, statement, &bodies, &geometry, slip))
 }
 
-/// The touching part and the geometry of a contact; `None` after a mistake.
+/// Returns the touching part and the geometry of a contact; `None` after an error.
 fn geometry_of(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -110,7 +110,7 @@ fn geometry_of(
     Some((touching, geometry))
 }
 
-/// Declares the names of a contact whose mistake was reported.
+/// Declares the names of an invalid contact, whose error was reported.
 fn broken_contact(translation: &mut Translation<'_>, statement: &ast::Contact) -> object::Contact {
     let invalid = translation.terms().invalid();
     if statement.stiffness.is_some() {
@@ -127,7 +127,7 @@ fn broken_contact(translation: &mut Translation<'_>, statement: &ast::Contact) -
     object::Contact { parts }
 }
 
-/// Parts of a contact in expressions.
+/// Parts of a contact that expressions can refer to.
 const PARTS: [&str; 6] = ["normal", "friction", "force", "gap", "slip", "point"];
 
 fn touching_part(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Touching> {
@@ -144,7 +144,7 @@ fn touching_part(translation: &mut Translation<'_>, statement: &ast::Contact) ->
     }
 }
 
-/// The name of a body in the plane or a link in space.
+/// Returns the name of a body in the plane or a link in space.
 fn name_of(translation: &Translation<'_>, body: usize) -> String {
     match &translation.space {
         Some(space) => space.name_of(body).to_owned(),
@@ -152,7 +152,7 @@ fn name_of(translation: &Translation<'_>, body: usize) -> String {
     }
 }
 
-/// The name of the body on which a force on a body or link acts.
+/// Returns the name of the body on which a force on a body or link acts.
 fn loaded_name(translation: &Translation<'_>, body: usize) -> Option<String> {
     let body = match &translation.space {
         Some(space) => space.loaded_link(body)?,
@@ -161,7 +161,7 @@ fn loaded_name(translation: &Translation<'_>, body: usize) -> Option<String> {
     Some(name_of(translation, body))
 }
 
-/// Adds the friction against a slip velocity; the name of this.
+/// Adds the friction against a slip velocity, and returns the name of the slip velocity.
 fn rub(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
@@ -179,8 +179,8 @@ fn rub(
     slip
 }
 
-/// Draws the normal force and the friction on both bodies, unless nothing is drawn: `touch` would
-/// then count as needed.
+/// Draws the normal force and the friction on both bodies if there is a drawing; otherwise `touch`
+/// would count as needed.
 fn draw_contact(
     translation: &mut Translation<'_>,
     name: &Name,
@@ -200,8 +200,8 @@ fn draw_contact(
     }
 }
 
-/// Returns what stands for the parts of a contact in expressions. Its forces on both bodies are
-/// drawn.
+/// Returns the values of the parts of a contact in expressions, and draws its forces on both
+/// bodies.
 fn parts_of(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,

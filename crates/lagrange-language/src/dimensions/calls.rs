@@ -12,8 +12,7 @@ use lagrange_expr::number::Number;
 use lagrange_expr::solids;
 use lagrange_expr::units::Dimension;
 
-/// A number of radians in a trigonometric function from which on degrees may be meant: more than a
-/// turn.
+/// Radians in a trigonometric function above which degrees may be meant: more than a turn.
 const MANY_RADIANS: i64 = 7;
 
 pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, arguments: &[AstId]) -> Measure {
@@ -65,7 +64,8 @@ pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, argumen
     value.with_rates(has_rates)
 }
 
-/// The dimension of a number of a contact point: a length, or none for the normal and the tangent.
+/// Returns the dimension of a number of a contact point: a length, or none for the normal and the
+/// tangent.
 fn contact_point(checker: &Checker<'_>, number: AstId, length: &Measure) -> Measure {
     let number = match checker.expressions.get(number) {
         Expression::Number(number) => number.to_i32().and_then(|number| usize::try_from(number).ok()),
@@ -77,7 +77,7 @@ fn contact_point(checker: &Checker<'_>, number: AstId, length: &Measure) -> Meas
     }
 }
 
-/// The dimension that all terms of a sum, or all components of a vector, have.
+/// Returns the common dimension of all terms of a sum, or of all components of a vector.
 pub(super) fn total(
     checker: &mut Checker<'_>,
     call: AstId,
@@ -93,7 +93,8 @@ pub(super) fn total(
     Some(first)
 }
 
-/// The sum of products of the components of two values; nothing is known of zeros alone.
+/// Returns the sum of products of the components of two values; zeros alone have an unknown
+/// dimension.
 fn dot_product<'m>(
     checker: &mut Checker<'_>,
     call: AstId,
@@ -103,7 +104,8 @@ fn dot_product<'m>(
     total(checker, call, &products)
 }
 
-/// The product of a matrix with a vector or a matrix; nothing is known of shapes that do not fit.
+/// Returns the product of a matrix with a vector or a matrix; mismatched shapes give an unknown
+/// dimension.
 pub(super) fn matrix_product(checker: &mut Checker<'_>, call: AstId, a: &Measure, b: &Measure) -> Measure {
     let (Some(shape), ArrayShape::Matrix([rows, inner])) = (a.shape.times(b.shape), a.shape) else {
         return Measure::any();
@@ -140,7 +142,7 @@ fn cross(checker: &mut Checker<'_>, call: AstId, a: &Measure, b: &Measure) -> Me
     Measure::vector((0..3).map(component).collect())
 }
 
-/// A function of the crate or a table.
+/// Checks a call of a function of the crate or a table.
 fn callable(
     checker: &mut Checker<'_>,
     function: &str,
@@ -157,7 +159,7 @@ fn callable(
     Measure::scalar(columns.last().cloned())
 }
 
-/// Functions of plain numbers, and moments of inertia.
+/// Checks calls of functions of plain numbers, and of moments of inertia.
 fn other(checker: &mut Checker<'_>, function: &str, arguments: &[AstId]) -> Measure {
     let (mass, length) = (Dimension::of(MASS), Dimension::of(LENGTH));
     let inertia = mass.times(&length.power(&Number::TWO));

@@ -1,18 +1,18 @@
-//! Diagnostics for mistakes in units. In reasons `#` stands for the dimension that something has,
-//! `%` for that of a force or moment.
+//! Diagnostics for errors in units. In reasons `#` is replaced by the dimension of something, and
+//! `%` by that of a force or moment.
 
 use lagrange_expr::diagnostics::messages;
 
 messages! {
     pub(super):
 
-    /// Message for a unit that is not coherent where there is no number in it.
+    /// Message for a unit that is not coherent but has no number to convert.
     nothing_to_convert(name) =
         "there is no number here for this unit to scale: values of `{name}` are in SI units";
     in_brackets(quantity) = "a unit of several factors needs square brackets: `{quantity}`";
     write_coherent(name, unit) = "write `{name}: {unit}`";
 
-    /// Message for a value made of names behind a unit that is not coherent.
+    /// Message for a value computed from names before a unit that is not coherent.
     made_of_names(unit) = "values computed from names are in SI units, not in `{unit}`";
     made_of_names_help(name, unit, coherent) =
         "write `{name}: {coherent}`, and the unit after the numbers that are in it: `2 [{unit}]`";
@@ -51,7 +51,7 @@ messages! {
     ANOTHER = "something else";
     SQUARE_MISSING = "a square is missing";
 
-    /// Describes the missing or superfluous factor, by its noun or else by its unit.
+    /// Describes the missing or superfluous factor, by its noun or otherwise by its unit.
     factor_missing(noun) = "a factor of {noun} is missing";
     factor_too_much(noun) = "a factor of {noun} is one too many";
     factor_in_unit(unit) = "a factor in {unit} is missing";
@@ -66,13 +66,13 @@ messages! {
     REASON_IS_HERE = "it follows from this";
     COMPARE_HELP = "compare the units of both sides";
 
-    /// Note for a dimension that was found.
+    /// Note for an inferred dimension.
     inferred(name, dimension, said) = "`{name}` is {dimension}, since {said}";
     many_radians(number) = "this is the sine, cosine or tangent of {number} radians";
     many_radians_help(number) = "write `{number} deg` for degrees, or `{number} rad` if radians are meant";
 }
 
-/// Message for a contradiction.
+/// Returns the message for a contradiction.
 pub(super) fn contradiction(found: Option<&str>, said: &str, factor: &str) -> String {
     match found {
         Some(found) => format!("this is {found}, but {said}: {factor}"),
@@ -84,7 +84,7 @@ pub(super) fn unit_below_help((above, below): (&str, &str), unit: &str) -> Strin
     format!("write the unit after the number above it: `{above} [{unit}]/{below}`")
 }
 
-/// Advice that lists the units of names.
+/// Returns advice that lists the units of names.
 pub(super) fn units_are(units: &[String]) -> String {
     format!("compare the units of its parts: {}", units.join(", "))
 }

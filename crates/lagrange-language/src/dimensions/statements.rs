@@ -1,4 +1,4 @@
-//! Dimensions that statements ask for.
+//! Dimensions required by statements.
 
 mod definitions;
 
@@ -27,22 +27,21 @@ fn form(exponents: [i8; 7]) -> Exponents {
     Exponents::from(Dimension::of(exponents))
 }
 
-/// The passes over plain statements, in this order. Between the last two, labels are required to
-/// have their dimensions.
+/// The passes over plain statements, in this order. Between the last two, the dimensions of labels
+/// are required.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum DimensionPass {
     /// Names whose dimensions are declared, or determined by their use.
     Declare,
-    /// Names that stand for expressions, and forces that statements name.
+    /// Names that stand for expressions, and named forces.
     Abbreviate,
     /// Conditions that statements impose on expressions.
     Require,
 }
 
-/// Goes through a declaration in plain statements: first names, then what stands at labels, then
-/// what statements say.
+/// Checks a declaration in plain statements: first names, then values of labels, then statements.
 pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels: &[Label]) {
-    // What bodies say in energies and once more in accelerations has units in the energies.
+    // Terms of bodies that occur in both energies and accelerations have units in the energies.
     let is_computed = |statement: &Statement| {
         let (StatementKind::Let(_, value) | StatementKind::Gibbs { function: value, .. }) = &statement.kind
         else {
@@ -68,7 +67,7 @@ pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels
     go_through(checker, DimensionPass::Require);
 }
 
-/// Does what a pass does for a statement.
+/// Performs a pass for a statement.
 fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) {
     let place = Origin::from(statement.origin.start);
     let said = |words: &str| Grounds { words: words.to_owned(), place };
@@ -229,8 +228,8 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         (StatementKind::Reduce(reduction), DimensionPass::Require) => {
             demand_of_reduction(checker, reduction, place);
         }
-        // Only other passes concern these, or none: later phases see no loops, bodies or functions
-        // with a formula.
+        // These only concern other passes, or none: loops, bodies and functions with a formula no
+        // longer exist.
         (
             StatementKind::Parameters(_)
             | StatementKind::Inputs(_)
@@ -284,7 +283,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
     }
 }
 
-/// The force that upholds a constraint, presses at a contact or rubs: what it does work on is
+/// Names the force of a constraint, a contact or friction. The quantity on which it does work is
 /// known.
 fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Measure) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
@@ -292,7 +291,7 @@ fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Measure) {
     checker.scope.insert(name.text.clone(), Measure::scalar(force));
 }
 
-/// Outputs have names of their own.
+/// Returns the key of an output; outputs have separate names.
 pub(super) fn output_key(name: &str) -> String {
     format!("output {name}")
 }
@@ -301,14 +300,14 @@ fn energy(checker: &mut Checker<'_>, value: AstId, reason: &Grounds) {
     checker.require_dimension(value, &Dimension::of(ENERGY), reason);
 }
 
-/// A force along what it does work on.
+/// Requires a force from the quantity along which it does work.
 fn work(checker: &mut Checker<'_>, force: AstId, along: &Measure, reason: &Grounds) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let expected = along.map(|form| work.over(form));
     checker.require(force, &expected, reason);
 }
 
-/// The density of a noise is its square times time.
+/// Requires the density of a noise to be the square of the noise times time.
 fn demand_of_noise(checker: &mut Checker<'_>, Definition { name, value, .. }: &Definition) {
     let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
     let density = known.map(|form| form.times(form).times(&self::form(TIME)));
@@ -362,12 +361,12 @@ fn demand_of_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: 
     }
 }
 
-/// The force along a slip velocity.
+/// Returns the form of a force along a slip velocity.
 fn form_of_force(slip: &Exponents) -> Exponents {
     form(POWER).over(slip)
 }
 
-/// The rate of a coordinate.
+/// Returns the form of the rate of a coordinate.
 fn rate(coordinate: &Exponents) -> Exponents {
     coordinate.times_power(&form(FREQUENCY), &Number::ONE)
 }

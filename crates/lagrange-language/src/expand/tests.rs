@@ -7,7 +7,7 @@ use super::without_arrays;
 use crate::syntax::{parse_text, print};
 use lagrange_expr::diagnostics::Report;
 
-/// What a text is when it is written out, printed.
+/// Returns the printed expansion of a text.
 fn written_out(text: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report).expect("consists of tokens");
@@ -21,7 +21,7 @@ fn written_out(text: &str) -> String {
     print::statements(&declaration)
 }
 
-/// The messages and helps for a text.
+/// Returns the messages and help texts for a text.
 fn reported(text: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report).expect("consists of tokens");
@@ -52,7 +52,7 @@ fn arrays_are_declared_as_a_whole() {
     );
 }
 
-/// Conditions on indices in expressions may hold all that those between statements may.
+/// Conditions on indices in expressions may contain everything allowed between statements.
 #[test]
 fn indices_choose_between_values() {
     assert_same(
@@ -63,7 +63,7 @@ fn indices_choose_between_values() {
         "coord x[3]; for i in 0..3 { kinetic = if i == 0 || !(i < 2) { dot(x[i]) } else if i == 1 { x[i] } else { x[i + 9] }; }",
         "coord x_0, x_1, x_2; kinetic = dot(x_0); kinetic = x_1; kinetic = dot(x_2);",
     );
-    // What moves beside an index is still compared during the motion.
+    // A moving quantity compared with an index is still compared during the motion.
     assert_same(
         "coord x[2]; for i in 0..2 { potential = if x[i] < i { 1 } else { 2 }; }",
         "coord x_0, x_1; potential = if x_0 < 0 { 1 } else { 2 }; potential = if x_1 < 1 { 1 } else { 2 };",

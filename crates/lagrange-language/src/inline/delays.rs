@@ -1,8 +1,8 @@
-//! Delayed signals under names.
+//! Naming of delayed signals.
 //!
-//! `delay(e, tau)` is the value that e had a time tau ago. Every call becomes the name of a
-//! statement of its own, in front of the statement that contains it. Calls of the same text share
-//! one. A `let` that is nothing but such a call is that statement.
+//! `delay(e, tau)` is the value of e at a time tau ago. Every call becomes the name of a separate
+//! statement, which precedes the statement that contains it. Identical calls share one statement. A
+//! `let` that consists only of such a call is itself this statement.
 //!
 //! ```text
 //! force x = -k * delay(x, tau);      let delayed_1 = delay(x, tau);   force x = -k * delayed_1;
@@ -12,11 +12,11 @@ use crate::syntax::ast::{AstId, Declaration, Expression, Expressions, Name, Stat
 use crate::syntax::print;
 use lagrange_expr::collections::{HashMap, HashSet};
 
-/// The function of the language that this is about.
+/// The function of the language that delays signals.
 const DELAY: &str = "delay";
 
-/// Gives names to the delayed signals of a declaration. Calls where nothing can be delayed, or with
-/// other numbers of arguments, remain.
+/// Gives names to the delayed signals of a declaration. Calls in statements that cannot delay, or
+/// with other numbers of arguments, remain.
 pub fn name_delays(declaration: &mut Declaration) {
     if !delays_signals(declaration) {
         return;
@@ -33,7 +33,7 @@ pub fn name_delays(declaration: &mut Declaration) {
     declaration.expressions = delays.expressions;
 }
 
-/// True if a declaration calls the function of the language, and not one of its own.
+/// True if a declaration calls the function of the language, and does not define its own.
 fn delays_signals(declaration: &Declaration) -> bool {
     let is_own = |statement: &Statement| {
         statement.kind.declared_function().is_some_and(|function| function.text == DELAY)
@@ -46,11 +46,11 @@ fn delays_signals(declaration: &Declaration) -> bool {
 
 struct Delays {
     expressions: Expressions,
-    /// Names that have a meaning.
+    /// Names already in use.
     taken: HashSet<String>,
-    /// Names of the delayed signals so far, by their calls as text.
+    /// Names of the delayed signals so far, keyed by the text of their calls.
     known: HashMap<String, String>,
-    /// Statements to stand in front of the present one.
+    /// Statements to be inserted before the current one.
     added: Vec<Statement>,
 }
 
@@ -75,7 +75,7 @@ impl Delays {
         statement.kind = kind;
     }
 
-    /// Signal and time of a call.
+    /// Returns the signal and the delay of a call.
     fn delayed(&self, call: AstId) -> Option<[AstId; 2]> {
         match self.expressions.get(call) {
             Expression::Call(name, arguments) if name.text == DELAY => arguments[..].try_into().ok(),
@@ -83,7 +83,7 @@ impl Delays {
         }
     }
 
-    /// The expression with names for calls, those within others first.
+    /// Returns the expression with calls replaced by names, inner calls first.
     fn replaced(&mut self, root: AstId, statement: &Statement) -> AstId {
         let mut replaced: HashMap<AstId, AstId> = HashMap::default();
         for id in self.expressions.parts(root) {
@@ -105,7 +105,7 @@ impl Delays {
         replaced.get(&root).copied().unwrap_or(root)
     }
 
-    /// The name of a delayed signal, which is declared if it is new.
+    /// Returns the name of a delayed signal, and declares a new one.
     fn name_of(&mut self, text: String, [signal, lag]: [AstId; 2], call: AstId, at: &Statement) -> String {
         if let Some(name) = self.known.get(&text) {
             return name.clone();
@@ -121,7 +121,7 @@ impl Delays {
     }
 }
 
-/// True of statements whose expressions may change in time by more than the state.
+/// True for statements whose expressions may depend on more than the current state.
 fn can_delay(kind: &StatementKind) -> bool {
     matches!(
         kind,

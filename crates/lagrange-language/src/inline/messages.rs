@@ -1,4 +1,4 @@
-//! Messages about functions that a declaration defines.
+//! Messages about user-defined functions.
 
 use crate::syntax::ast::FunctionDefinition;
 use lagrange_expr::diagnostics::messages;

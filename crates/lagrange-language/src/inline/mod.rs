@@ -1,12 +1,12 @@
-//! Functions that a declaration defines, inlined at their calls.
+//! Inlining of user-defined functions at their calls.
 //!
-//! `let f(x, y) = e;` stands for e with the arguments for x and y wherever `f(a, b)` is written
-//! behind it. This is done before anything else is known of the declaration. Arguments may
-//! therefore be numbers, vectors, points or bodies, and later phases know of no such functions.
-//! Inside a function its parameters hide names of the declaration.
+//! After `let f(x, y) = e;`, every `f(a, b)` is replaced by e with the arguments for x and y. This
+//! precedes all other analysis. Arguments may therefore be numbers, vectors, points or bodies, and
+//! later phases are unaware of such functions. Inside a function, its parameters shadow names of
+//! the declaration.
 //!
-//! A function may call those before it, never itself. A chain of n functions that each call the one
-//! before twice expands to 2ⁿ terms, which is limited.
+//! A function may only call previous functions, and never itself. A chain of n functions that each
+//! call the previous one twice expands to 2ⁿ terms, which is limited.
 
 mod delays;
 mod messages;
@@ -24,8 +24,8 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Origin, Report, nearest};
 use lagrange_expr::limits::MAX_INLINED;
 
-/// Inlines the functions that a declaration defines. Mistakes in their calls are reported here,
-/// those in their bodies later.
+/// Inlines the functions that a declaration defines. Errors in their calls are reported here,
+/// errors in their bodies later.
 pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> Declaration {
     let is_function = |kind: &StatementKind| matches!(kind, StatementKind::Function(_));
     if declaration.statements.iter().all(|statement| statement.kind.declared_function().is_none()) {
@@ -67,13 +67,13 @@ fn functions(declaration: &Declaration) -> impl Iterator<Item = &FunctionDefinit
     })
 }
 
-/// The names that expressions may mention anywhere.
+/// Returns the names that expressions may refer to anywhere.
 fn names_of(declaration: &Declaration) -> BTreeSet<String> {
     let names = declaration.statements.iter().flat_map(|statement| statement.kind.declared_names());
     names.map(|name| name.text.clone()).chain(["t", "pi", "ground"].map(str::to_owned)).collect()
 }
 
-/// Reports functions with the name of something else, and parameters with the name of another.
+/// Reports functions and parameters whose names are already in use.
 fn report_repeated(declaration: &Declaration, report: &mut Report) {
     let mut first: HashMap<String, (Origin, bool)> = HashMap::default();
     for statement in &declaration.statements {
@@ -81,7 +81,7 @@ fn report_repeated(declaration: &Declaration, report: &mut Report) {
         let names = function.map_or_else(|| statement.kind.declared_names(), |name| vec![name]);
         for name in names {
             match first.get(&name.text) {
-                // Two plain names are reported where names are resolved.
+                // Two plain names are reported during name resolution.
                 Some((before, is_function)) if *is_function || function.is_some() => {
                     report_twice(report, name, *before);
                 }
@@ -106,7 +106,7 @@ fn report_twice(report: &mut Report, name: &Name, before: Origin) {
     error.related(before, messages::FIRST_DECLARED).help(messages::OTHER_NAME_HELP);
 }
 
-/// A function whose own calls are replaced.
+/// A function with inlined calls.
 struct Defined {
     function: FunctionDefinition,
     /// Positions of parameters in its text; names in functions that it calls are separate.
@@ -177,7 +177,7 @@ impl Inliner<'_> {
         replaced.get(&root).copied().unwrap_or(root)
     }
 
-    /// An expression with other operands where these were replaced.
+    /// Returns an expression with its operands replaced.
     fn rebuilt(&mut self, id: AstId, replaced: &HashMap<AstId, AstId>) -> AstId {
         let expression = self.expressions.get(id);
         let operands = expression.operands();
@@ -218,8 +218,8 @@ impl Inliner<'_> {
         value
     }
 
-    /// The value of a function for arguments. What is wrong about it as a whole is wrong about the
-    /// call.
+    /// Returns the value of a function for arguments. Errors about the whole value are located at
+    /// the call.
     fn instance(
         &mut self,
         function: &FunctionDefinition,
@@ -246,7 +246,7 @@ impl Inliner<'_> {
         self.expressions.add(expression, call)
     }
 
-    /// The number of terms of an expression when it is written out.
+    /// Returns the number of terms of the expanded expression.
     fn size(&mut self, root: AstId) -> u64 {
         for id in self.expressions.parts(root) {
             if !self.sizes.contains(&id) {
@@ -268,7 +268,7 @@ impl Inliner<'_> {
         true
     }
 
-    /// Once is enough.
+    /// Reports an expression that is too long, but only once.
     fn report_too_long(&mut self, name: &Name, origin: Origin) {
         if !std::mem::replace(&mut self.is_too_long, true) {
             let error = self.report.error(origin, messages::too_long(&name.text, MAX_INLINED));
@@ -276,7 +276,7 @@ impl Inliner<'_> {
         }
     }
 
-    /// Reports functions that are never called, and in these the names that mean nothing.
+    /// Reports functions that are never called, and undefined names in them.
     fn report_unused(&mut self) {
         for name in std::mem::take(&mut self.all) {
             let Some(Defined { function, parts, is_called: false, .. }) = self.defined.get(&name.text) else {

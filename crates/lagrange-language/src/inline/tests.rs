@@ -2,7 +2,7 @@ use super::without_functions;
 use crate::syntax::{parse_text, print};
 use lagrange_expr::diagnostics::Report;
 
-/// What a text is without its functions, printed.
+/// Returns the printed text without functions.
 fn inlined(text: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report).expect("consists of tokens");
@@ -50,7 +50,7 @@ fn values_without_parameters_are_shared() {
     assert_same("coord q; let c(_x) = q^2; potential = c(1) + c(2);", "coord q; potential = q^2 + q^2;");
 }
 
-/// n functions that each call the one before so, behind a first one.
+/// Checks that n functions, each calling the previous one, exceed the limit.
 fn assert_too_long(first: &str, n: usize, call: impl Fn(&str) -> String) {
     let mut text = format!("coord q; let f0(x) = {first};");
     for k in 1..n {

@@ -71,36 +71,36 @@ pub struct Declaration {
     pub statements: Vec<Statement>,
     /// The statement by which this is a reduced type of another declaration.
     pub reduction: Option<Statement>,
-    /// Rigid bodies and frames in source order; known also where plain statements have taken the
-    /// place of theirs.
+    /// Rigid bodies and frames in source order; kept after plain statements have replaced theirs.
     pub bodies: Vec<DeclaredBody>,
-    /// True if these move in space; known where plain statements have taken the place of theirs.
+    /// True if these move in space; kept after plain statements have replaced theirs.
     pub is_in_space: bool,
-    /// Arrays whose elements have taken their place among the statements, in source order.
+    /// Arrays whose elements have replaced them among the statements, in source order.
     pub arrays: Vec<DeclaredArray>,
-    /// Parts whose statements have taken the place of their placements, in order.
+    /// Parts whose statements have replaced their placements, in order.
     pub placed: Vec<PlacedInstance>,
     /// Files of parts that were read.
     pub included: Vec<IncludedFile>,
-    /// Names of parts that nothing places, although something should.
+    /// Names of parts without a placement, although they should have one.
     pub unplaced: Vec<Name>,
-    /// Names by which was counted where arrays were written out.
+    /// Names of counting variables in expanded arrays.
     pub counted: HashSet<String>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
-    /// Words in places that could not be read: names that may have been declared there.
+    /// Words in unreadable text: names that may have been declared there.
     pub unreadable_words: HashSet<String>,
-    /// True if something was declared without a name, so that any unknown name may be meant for it.
+    /// True if something was declared without a name, which any unknown name may refer to.
     pub lacks_names: bool,
     /// True if a unit of measurement is written anywhere.
     pub has_units: bool,
-    /// True if one of these measures more than plain numbers and angles, so that dimensions are
+    /// True if one of these units is not that of plain numbers or angles, so that dimensions are
     /// checked.
     pub has_dimensions: bool,
 }
 
 impl Declaration {
-    /// Returns the index of the statement that first declares each name, and the place of the name.
+    /// Returns the index of the statement that first declares each name, and the position of the
+    /// name.
     pub fn places(&self) -> HashMap<String, (usize, Span)> {
         let mut places = HashMap::default();
         for (number, statement) in self.statements.iter().enumerate() {
@@ -191,7 +191,7 @@ impl Declaration {
         named
     }
 
-    /// True if a product that is emitted on demand is requested: the last word counts.
+    /// True if a product emitted on demand is requested; the last request applies.
     pub fn asks_for(&self, product: &str) -> bool {
         let items = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Emit(items) => Some(items),
@@ -234,11 +234,11 @@ impl Declaration {
 /// A rigid body or a frame by its name.
 #[derive(Clone, Debug)]
 pub struct DeclaredBody {
-    /// Its name.
+    /// Name of the body or frame.
     pub name: Name,
-    /// True if it is a frame, which has no mass.
+    /// True for a frame, which has no mass.
     pub is_frame: bool,
-    /// Its documentation, as attributes.
+    /// Documentation, as attributes.
     pub docs: TokenStream,
 }
 
@@ -255,16 +255,16 @@ pub fn declared_bodies(statements: &[Statement]) -> Vec<DeclaredBody> {
     bodies.collect()
 }
 
-/// An array whose elements have taken its place.
+/// An array that has been replaced by its elements.
 #[derive(Clone, Debug)]
 pub struct DeclaredArray {
-    /// Its name.
+    /// Name of the array.
     pub name: Name,
-    /// The numbers of elements in each direction, if none is missing.
+    /// Numbers of elements in each direction, if none is missing.
     pub sizes: Option<Vec<usize>>,
-    /// Its elements, the last index changing fastest.
+    /// Elements, the last index changing fastest.
     pub elements: Vec<ArrayElement>,
-    /// The part that it is a member of, and its name there. A member that is no array has one
+    /// The part that contains it, and its name in the part. A member that is not an array has one
     /// element without indices.
     pub member_of: Option<[String; 2]>,
 }
@@ -272,26 +272,26 @@ pub struct DeclaredArray {
 /// A file of parts that was read.
 #[derive(Clone, Debug)]
 pub struct IncludedFile {
-    /// Path as it is written.
+    /// Path as written.
     pub path: String,
-    /// Path under which the compiler finds it; empty if nobody waits for it to change.
+    /// Path under which the compiler finds it; empty if changes are not tracked.
     pub watched: String,
-    /// The name of the file in places of its tokens, if these have places.
+    /// Name of the file in the spans of its tokens, if these have locations.
     pub span_file: Option<String>,
-    /// Place in the declaration that includes it, also through other files.
+    /// Position in the declaration that includes it, directly or through other files.
     pub root: Origin,
 }
 
-/// A part where it is placed.
+/// A placed part.
 #[derive(Clone, Debug)]
 pub struct PlacedInstance {
-    /// The part.
+    /// Name of the part.
     pub part: String,
-    /// The declaration of the part.
+    /// Declaration of the part.
     pub definition: Origin,
-    /// Its name as it is written, with those of the parts around it: `leg[0].foot`.
+    /// Name as written, prefixed by the enclosing parts: `leg[0].foot`.
     pub name: String,
-    /// The placement.
+    /// Position of the placement.
     pub origin: Origin,
 }
 
@@ -307,9 +307,9 @@ pub struct ArrayElement {
 /// A velocity of the state.
 #[derive(Clone, Debug)]
 pub struct StateVelocity<'d> {
-    /// Its name in the state.
+    /// Name in the state.
     pub name: Name,
-    /// The coordinate that it is the rate of; `None` of a component of an angular velocity.
+    /// Coordinate whose rate it is; `None` for a component of an angular velocity.
     pub coordinate: Option<&'d Name>,
 }
 
@@ -321,19 +321,18 @@ pub fn acceleration_name(velocity: &str) -> String {
     }
 }
 
-/// A name and where it stands.
+/// A name and its position.
 #[derive(Clone, Debug)]
 pub struct Name {
     /// The identifier, without a raw prefix.
     pub text: String,
-    /// Place in the declaration.
+    /// Position in the declaration.
     pub span: Span,
     /// Expressions in square brackets: the sizes of a declared array, or the index of one element.
     pub indices: Vec<AstId>,
-    /// The unit of measurement behind the colon where it is declared; of a function, that of its
-    /// value.
+    /// Unit of measurement after the colon in a declaration; for a function, the unit of its value.
     pub unit: Option<Box<Unit>>,
-    /// Members behind dots, each with its indices: `.hip[1]` of `leg[0].hip[1]`.
+    /// Members after dots, each with its indices: `.hip[1]` of `leg[0].hip[1]`.
     pub members: Vec<Name>,
 }
 
@@ -347,13 +346,13 @@ impl Name {
 /// The scope of a declared name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Reach {
-    /// In expressions behind the statement.
+    /// In expressions after the statement.
     Expressions,
-    /// In emitted code, as that of a member.
+    /// In emitted code, as the name of a member.
     Members,
     /// In both.
     Both,
-    /// In emitted code, as that of a type.
+    /// In emitted code, as the name of a type.
     Types,
 }
 

@@ -23,14 +23,14 @@ use lagrange_expr::limits::MAX_INDICES;
 use lagrange_expr::number::Number;
 
 impl Parser<'_> {
-    /// `a, b > 0 = 1.0` behind this keyword.
+    /// Reads `a, b > 0 = 1.0` after this keyword.
     pub(super) fn definitions(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Definition> {
         let help = form(keyword);
         self.items(help, cursor, |parser, cursor| {
             let mut name = parser.declared_name(cursor);
             if let Ok(name) = &mut name {
                 parser.no_unit(name);
-                // Values behind it may hold it.
+                // Values after it may contain it.
                 parser.declared_names.insert(name.text.clone(), Declared::Parameter);
                 parser.annotation(name, "param", cursor);
             }
@@ -40,7 +40,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `= 1.0` or, behind an array, `= [1.0, 2.0]`; nothing if no value follows.
+    /// Reads `= 1.0` or, for an array, `= [1.0, 2.0]`; nothing if no value follows.
     fn value_behind(&mut self, name: &mut Parsed<Name>, help: &str, cursor: &mut Cursor) -> Option<AstId> {
         if !at_equals_past(0, cursor) {
             return None;
@@ -51,8 +51,8 @@ impl Parser<'_> {
         Some(self.default(is_array, cursor))
     }
 
-    /// True if a list stands behind a name without numbers of elements, which is reported: the list
-    /// says how many there are.
+    /// True if a list follows a name without numbers of elements, which is reported: the list
+    /// determines them.
     fn sized_by_list(&mut self, name: &mut Parsed<Name>, cursor: &Cursor) -> bool {
         let (Ok(name), Some(group)) = (name, cursor.group(Delimiter::Bracket)) else { return false };
         let sizes = sizes_of_list(group);
@@ -65,7 +65,7 @@ impl Parser<'_> {
         true
     }
 
-    /// Reports a unit of measurement in brackets behind the name of a parameter.
+    /// Reports a unit of measurement in brackets after the name of a parameter.
     fn no_unit(&mut self, name: &mut Name) {
         let [size] = name.indices[..] else { return };
         let Expression::Name(word) = self.expressions.get(size) else { return };
@@ -76,7 +76,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `a = 1, b = 2`.
+    /// Reads `a = 1, b = 2`.
     pub(super) fn constants(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
         let definitions = self.definitions("const", cursor);
         for Definition { name, .. } in definitions.iter().filter(|definition| definition.value.is_none()) {
@@ -108,9 +108,9 @@ impl Parser<'_> {
         Ok(Mode { name, values })
     }
 
-    /// Reads `x, theta = 0.1` behind this keyword. A word that cannot be a name counts, too, so
-    /// that vectors have the length that the user expects. If it cannot be a field either, a name
-    /// that nobody can write stands for it.
+    /// Reads `x, theta = 0.1` after this keyword. A word that cannot be a name also counts, so that
+    /// vectors have the length that the user expects. If it cannot be a field either, it is
+    /// replaced by a name that cannot be written.
     pub(super) fn coordinates(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Definition> {
         self.items(form(keyword), cursor, |parser, cursor| {
             let start = cursor.position();
@@ -139,7 +139,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `x = 1, dot(theta) = 2`.
+    /// Reads `x = 1, dot(theta) = 2`.
     pub(super) fn starts(&mut self, cursor: &mut Cursor) -> Vec<Assignment> {
         let help = form("start");
         self.items(help, cursor, |parser, cursor| {
@@ -154,8 +154,8 @@ impl Parser<'_> {
         })
     }
 
-    /// Reads items between commas, with or without a comma behind the last one, up to what ends the
-    /// statement. Those that cannot be read are left out.
+    /// Reads items separated by commas, with an optional trailing comma, up to the end of the
+    /// statement. Unreadable items are omitted.
     pub(super) fn items<T>(
         &mut self,
         help: &'static str,
@@ -184,8 +184,8 @@ impl Parser<'_> {
         items
     }
 
-    /// Reports what stands behind an item instead of a comma; says whether the next item follows
-    /// all the same.
+    /// Reports a token other than a comma after an item. Returns true if the next item follows
+    /// nevertheless.
     fn no_comma(&mut self, help: &str, start: usize, cursor: &mut Cursor) -> bool {
         let is_next = at_next_item(cursor) && cursor.position() > start;
         if ["start", "init", "initial"].into_iter().any(|word| cursor.at_word(word)) {
@@ -242,7 +242,7 @@ impl Parser<'_> {
         self.unreadable(cursor, start)
     }
 
-    /// A value behind the equals sign of a definition. Only arrays have lists as values.
+    /// Reads a value after the equals sign of a definition. Only arrays have lists as values.
     pub(super) fn default(&mut self, is_array: bool, cursor: &mut Cursor) -> AstId {
         let group = cursor.group(Delimiter::Bracket).filter(|_| is_array).cloned();
         let Some(group) = group else { return self.item_value(cursor) };
@@ -251,7 +251,7 @@ impl Parser<'_> {
         self.elements_of(&group).unwrap_or_else(|Reported| self.unreadable(cursor, start))
     }
 
-    /// `n = e` or `(a, b) = e`.
+    /// Reads `n = e` or `(a, b) = e`.
     pub(super) fn binding(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         if let Some(origin) = cursor.eat_word("mut") {
             self.fail_with_help(origin, habits::MUTABLE, habits::MUTABLE_HELP);
@@ -275,14 +275,14 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports names of functions of the crate and of parameters with square brackets behind them.
+    /// Reports square brackets after names of functions of the crate and of parameters.
     pub(super) fn refuse_elements(&mut self, names: &[Name]) -> Parsed<()> {
         let Some(indexed) = names.iter().find(|name| !name.indices.is_empty()) else { return Ok(()) };
         let help = arrays::FUNCTIONS_HELP;
         Err(self.fail_with_help(indexed.span, arrays::FUNCTIONS, help))
     }
 
-    /// `(x, y) = e` behind the name of a function.
+    /// Reads `(x, y) = e` after the name of a function.
     fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let parameters = self.inside(group, |parser, cursor| parser.component_names("let", cursor))?;
         self.refuse_elements(&parameters)?;
@@ -291,7 +291,7 @@ impl Parser<'_> {
         Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))
     }
 
-    /// `x, y` between parentheses.
+    /// Reads `x, y` in parentheses.
     pub(super) fn component_names(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<Vec<Name>> {
         let mut names = Vec::new();
         self.turns(cursor, |parser, cursor| {
@@ -309,7 +309,7 @@ impl Parser<'_> {
         Err(self.fail_with_help(cursor.here(), message, form(keyword)))
     }
 
-    /// Reports a single name between parentheses.
+    /// Reports a single name in parentheses.
     pub(super) fn several(&mut self, keyword: &str, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
         match names.len() {
             1 => Err(self.fail_with_help(group_origin(group), messages::ONE_COMPONENT, form(keyword))),
@@ -317,13 +317,13 @@ impl Parser<'_> {
         }
     }
 
-    /// `{ a, no b }`.
+    /// Reads `{ a, no b }`.
     pub(super) fn emit(&mut self, cursor: &mut Cursor) -> Parsed<Vec<EmitItem>> {
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
             let message = messages::expected("`{`", cursor.peek());
             return Err(self.fail_with_help(cursor.here(), message, form("emit")));
         };
-        // A mistake between the braces leaves the end of the statement in place.
+        // An error in the braces does not affect the end of the statement.
         Ok(self.inside(&group, Self::emit_items).unwrap_or_default())
     }
 
@@ -336,12 +336,12 @@ impl Parser<'_> {
         Ok(items)
     }
 
-    /// `a,` or `no b,`, the last one with or without a comma; `None` at the end.
+    /// Reads `a,` or `no b,`, with an optional comma after the last one; `None` at the end.
     fn emit_item(&mut self, cursor: &mut Cursor) -> Parsed<Option<EmitItem>> {
         if cursor.at_end() {
             return Ok(None);
         }
-        // Without a name behind it, `no` is the name.
+        // Without a name after it, `no` is the name.
         let wanted =
             !matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) || cursor.eat_word("no").is_none();
         let item = EmitItem { product: self.name(cursor)?, wanted };
@@ -358,25 +358,25 @@ fn at_call_with_value(cursor: &Cursor) -> bool {
     as_group(cursor.peek_past(1), Delimiter::Parenthesis).is_some() && cursor.equals_past(2)
 }
 
-/// True if an item ends here, even if the semicolon behind it was forgotten.
+/// True if an item ends here, even if its semicolon is missing.
 fn at_item_end(cursor: &Cursor) -> bool {
     cursor.at(',') || cursor.at_statement_end()
 }
 
-/// True if the next item follows without a comma: another name behind one, or a name with its `=`.
+/// True if the next item follows without a comma: another name after one, or a name with its `=`.
 fn at_next_item(cursor: &Cursor) -> bool {
     let are_names = cursor.ident().is_some() && matches!(cursor.previous(), Some(TokenTree::Ident(_)));
     are_names || is_definition(cursor) && !is_misspelt_statement(cursor)
 }
 
-/// True if a line begins with a word like one that begins a statement, and `=`.
+/// True if a line begins with `=` after a word similar to one that begins a statement.
 fn is_misspelt_statement(cursor: &Cursor) -> bool {
     let is_on_new_line = cursor.here().start.start().line > cursor.before().end.end().line;
     let is_like = |word: &Ident| nearest(&word.to_string(), keywords::STATEMENTS).is_some();
     is_definition(cursor) && is_on_new_line && cursor.ident().is_some_and(is_like)
 }
 
-/// The brackets behind the word `dot`, if both follow.
+/// Returns the brackets after the word `dot`, if both follow.
 fn rate_ahead(cursor: &Cursor) -> Option<&Group> {
     as_group(cursor.peek_past(1), Delimiter::Parenthesis).filter(|_| cursor.at_word("dot"))
 }
@@ -391,12 +391,13 @@ fn at_list_end(cursor: &Cursor) -> bool {
     cursor.at(';') || cursor.at_end() || (cursor.at_statement() && !cursor.equals_past(1))
 }
 
-/// True if Rust accepts the word as the name of a field, whatever the language makes of it.
+/// True if Rust accepts the word as the name of a field, regardless of its meaning in the language.
 fn can_be_field(word: &str) -> bool {
     word != "_" && !word.starts_with("r#") && !is_rust_keyword(word)
 }
 
-/// The numbers of elements of a list and of the first list in it, as deep as indices go.
+/// Returns the numbers of elements of a list and of the first list in it, up to the maximum number
+/// of indices.
 fn sizes_of_list(list: &Group) -> Vec<i64> {
     let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
     let inner =

@@ -1,4 +1,4 @@
-//! The words of the language, and those among them that a declaration cannot use as names.
+//! The words of the language, and the subset that cannot be used as names.
 
 use super::ast::{Keyword, Soft, bodies, mobilizers, statements};
 use lagrange_expr::elementary;
@@ -12,7 +12,7 @@ const COUNT: usize = TABLES[0].len() + TABLES[1].len() + TABLES[2].len();
 /// Words that begin a statement.
 pub(super) const STATEMENTS: [&str; COUNT] = words_from((0, 0), 0, [""; COUNT]);
 
-/// These words, with those of the keywords from a row of a table on in their places.
+/// Fills in the keywords, starting from a row of a table.
 const fn words_from(
     (table, row): (usize, usize),
     index: usize,
@@ -31,7 +31,7 @@ const fn words_from(
 /// Words that can follow a name within a statement.
 const CONNECTIVES: &[&str] = &["at", "on", "to", "as", "in", "along", "inside"];
 
-/// Functions of the language that are no elementary functions, with their number of arguments.
+/// Functions of the language that are not elementary functions, with their number of arguments.
 pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 12] = [
     ("dot", 1),
     ("ddot", 1),
@@ -47,15 +47,15 @@ pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 12] = [
     ("powf", 2),
 ];
 
-/// Functions of the language whose names declarations may also give to something else.
+/// Functions of the language whose names declarations may reuse.
 pub const NAMEABLE_FUNCTIONS: [(&str, usize); 1] = [("delay", 2)];
 
-/// Returns the statement that a word begins, even if it does so before certain tokens only.
+/// Returns the statement that a word begins, even if only before certain tokens.
 pub(super) fn statement(word: &str) -> Option<&'static Keyword> {
     TABLES.iter().copied().flatten().find(|keyword| keyword.word == word)
 }
 
-/// True if a word begins a statement wherever it stands.
+/// True if a word begins a statement in all contexts.
 pub(super) fn begins_statement(word: &str) -> bool {
     statement(word).is_some_and(|keyword| keyword.soft.is_none())
 }

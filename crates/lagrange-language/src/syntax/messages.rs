@@ -1,4 +1,4 @@
-//! Diagnostics for mistakes of writing, with what helps against them.
+//! Diagnostics for syntax errors, with help.
 
 pub(super) mod arrays;
 pub(super) mod forms;
@@ -190,14 +190,14 @@ messages! {
     NOT_DECIMAL = "numbers are written in decimal";
     excessive_number(literal) = "the number {} is too long or too extreme to be exact", quoted(literal);
 
-    /// Message as of [`expected`], for an operator of two characters.
+    /// Message as in [`expected`], for an operator of two characters.
     expected_instead(wanted, found) = "expected {wanted}, found `{found}`";
 }
 
-/// Longer pieces of the input are cut in messages.
+/// Maximum length of quotations in messages.
 const LONGEST_QUOTE: usize = 40;
 
-/// A piece of the input as messages show it.
+/// Quotes a piece of the input.
 fn quoted(text: impl Display) -> String {
     format!("`{}`", shortened(text))
 }
@@ -223,23 +223,23 @@ fn found(token: Option<&TokenTree>) -> String {
     }
 }
 
-/// Message for every place where only certain tokens can stand.
+/// Returns the message for a place that only admits certain tokens.
 pub(super) fn expected(wanted: &str, token: Option<&TokenTree>) -> String {
     format!("expected {wanted}, found {}", found(token))
 }
 
-/// Message for a token that nothing can be made of.
+/// Returns the message for a meaningless token.
 pub(super) fn misplaced(token: Option<&TokenTree>) -> String {
     format!("unexpected {}", found(token))
 }
 
-/// Message for what can stand behind an expression.
+/// Returns the message for an unexpected token after an expression.
 pub(super) fn expected_operator_or(wanted: &str, token: Option<&TokenTree>) -> String {
     let conjunction = if wanted.contains(" or ") { "," } else { " or" };
     expected(&format!("an operator{conjunction} {wanted}"), token)
 }
 
-// Text that is no sequence of tokens.
+// Text that is not a sequence of tokens.
 
 pub(super) fn unbalanced(bracket: char) -> String {
     match bracket {

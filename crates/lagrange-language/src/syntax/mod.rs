@@ -1,8 +1,8 @@
-//! Declarations as the user writes them: tokens to syntax tree.
+//! Parsing of declarations as written by the user: from tokens to the syntax tree.
 //!
 //! Parses notation without its meaning: names are not resolved, functions not looked up, vectors
-//! not distinguished from numbers. Parsing continues behind a mistake, at the next comma or
-//! semicolon, so that all mistakes of a declaration are found at once.
+//! not distinguished from numbers. Parsing continues after an error, at the next comma or
+//! semicolon, so that all errors in a declaration are found at once.
 //!
 //! ```text
 //! declaration = attribute* visibility "struct" NAME [ "<" NAME ">" ] ";" statement*
@@ -20,7 +20,7 @@
 //! exponent    = [ "-" ] NUMBER | "(" [ "-" ] NUMBER [ "/" NUMBER ] ")"
 //! ```
 //!
-//! `%` stands in indices only. Statements are in the documentation of
+//! `%` is only valid in indices. Statements are documented at
 //! [`StatementKind`](ast::StatementKind).
 
 pub mod ast;
@@ -77,8 +77,8 @@ use parser::Parser;
 
 /// Reads the input of `system!`.
 ///
-/// Whatever can be read is in the result, whether or not there are mistakes elsewhere. It is `None`
-/// only if no struct is named, which is an error in the report.
+/// The result contains everything readable, regardless of errors elsewhere. It is `None` only if no
+/// struct is named, which is an error in the report.
 pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
     let cursor = &mut Cursor::new(tokens);
     let parser = &mut Parser::new(report);
@@ -88,9 +88,9 @@ pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declarat
 
 /// Reads a declaration from a string.
 ///
-/// The text may also be a bare list of statements: then the system is public, has no attributes,
-/// computes in `f64` and is named `System`. A text that does not consist of tokens, because of an
-/// unclosed bracket for example, gives an error and `None`.
+/// The text may also be a bare list of statements. The system is then public, has no attributes,
+/// computes in `f64` and is named `System`. Text that is not a sequence of tokens, for example with
+/// an unclosed bracket, gives an error and `None`.
 pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
     let cursor = &mut Cursor::new(text::tokens(text, report)?);
     let parser = &mut Parser::new(report);
@@ -101,15 +101,16 @@ pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
     Some(with_statements(header, parser, cursor))
 }
 
-/// Reads a unit, such as `kg*m^2/s`; `None` if the text is none.
+/// Reads a unit, such as `kg*m^2/s`; `None` if the text is not a unit.
 pub fn parse_unit(text: &str) -> Option<Unit> {
     let report = &mut Report::default();
     let cursor = &mut Cursor::new(text::tokens(text, report)?);
     Parser::new(report).unit(cursor).ok().map(|unit| *unit)
 }
 
-/// Reads the statements of a file that a declaration includes. Their expressions become some of the
-/// declaration's. Also returns the name of the file in places of its tokens, if these have any.
+/// Reads the statements of a file that a declaration includes. Their expressions are added to those
+/// of the declaration. Also returns the name of the file in the spans of its tokens, if these have
+/// locations.
 pub fn parse_included(
     (path, text): (&Name, &str),
     declaration: &mut Declaration,

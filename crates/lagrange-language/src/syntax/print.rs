@@ -1,7 +1,7 @@
 //! Declarations as text: printed text is parsed as the same statements.
 //!
-//! One statement stands on a line, and parentheses stand only where operators need them. Comments,
-//! documentation and the head of the declaration are left out.
+//! Each statement is on a separate line, and parentheses are only written where operators need
+//! them. Comments, documentation and the head of the declaration are omitted.
 
 mod arrays;
 mod callables;
@@ -35,14 +35,14 @@ pub fn expression(expressions: &Expressions, id: AstId) -> String {
     printer.out
 }
 
-/// The range of a parameter: `in 0..=1` or `> 0`.
+/// Writes the range of a parameter: `in 0..=1` or `> 0`.
 pub fn range(expressions: &Expressions, range: &AllowedRange) -> String {
     let mut printer = Printer { expressions, out: String::new() };
     printer.range(range);
     printer.out.trim_start().to_owned()
 }
 
-/// Writes text behind text.
+/// A printer that appends text.
 struct Printer<'a> {
     expressions: &'a Expressions,
     out: String,
@@ -53,7 +53,7 @@ impl Printer<'_> {
         self.out.push_str(text);
     }
 
-    /// Items with a comma between them.
+    /// Prints items separated by commas.
     fn list<T>(&mut self, items: &[T], mut print: impl FnMut(&mut Self, &T)) {
         for (i, item) in items.iter().enumerate() {
             self.text(if i == 0 { "" } else { ", " });
@@ -61,7 +61,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A text and an expression.
+    /// Prints a text and an expression.
     fn labelled(&mut self, label: &str, value: AstId) {
         self.text(label);
         self.expression(value);
@@ -176,14 +176,14 @@ impl Printer<'_> {
         self.text(behind);
     }
 
-    /// `keyword name = value;`
+    /// Prints `keyword name = value;`.
     fn named(&mut self, keyword: &str, name: &Name, value: AstId) {
         self.text(keyword);
         self.name(name);
         self.between(" = ", value, ";");
     }
 
-    /// `let name = delay(signal, lag);`
+    /// Prints `let name = delay(signal, lag);`.
     fn delay(&mut self, name: &Name, signal: AstId, lag: AstId) {
         self.text("let ");
         self.name(name);
@@ -201,7 +201,7 @@ impl Printer<'_> {
         self.text(";");
     }
 
-    /// ` in 0..=1` or ` > 0`.
+    /// Prints ` in 0..=1` or ` > 0`.
     fn range(&mut self, range: &AllowedRange) {
         match (range.lower, range.upper) {
             (None, None) => {}

@@ -19,8 +19,7 @@ use super::parser::{Declared, Parsed, Parser, Reported};
 use super::parts::{at_placement, path_length};
 
 impl Parser<'_> {
-    /// Reads statements up to the end of the input. Those that cannot be read are reported and left
-    /// out.
+    /// Reads statements up to the end of the input. Unreadable ones are reported and omitted.
     pub(super) fn statements(&mut self, cursor: &mut Cursor) -> Vec<Statement> {
         let mut statements = Vec::new();
         self.each(cursor, |parser, cursor| statements.extend(parser.documented_statement(cursor)));
@@ -57,7 +56,7 @@ impl Parser<'_> {
         Some(Statement { kind, origin: cursor.since(start), docs })
     }
 
-    /// Reads one statement with its semicolon; takes at least one token, if there is one.
+    /// Reads one statement with its semicolon; consumes at least one token, if there is one.
     fn statement(&mut self, cursor: &mut Cursor) -> Option<StatementKind> {
         if cursor.at_end() || cursor.eat(';').is_some() {
             return None;
@@ -145,7 +144,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A statement about rigid bodies, if the word begins one.
+    /// Reads a statement about rigid bodies, if the word begins one.
     fn scene_statement(&mut self, keyword: &Ident, cursor: &mut Cursor) -> Option<Parsed<SceneStatement>> {
         let text = keyword.to_string();
         if let Some(kind) = ConnectorKind::named(&text) {
@@ -170,7 +169,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `= e, for: e`.
+    /// Reads `= e, for: e`.
     fn gibbs(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         self.equals(form("gibbs"), cursor)?;
         let function = self.expression(cursor)?;
@@ -185,14 +184,14 @@ impl Parser<'_> {
         Ok(StatementKind::Gibbs { function, stated: self.value(cursor) })
     }
 
-    /// `name = e`, where e stays zero.
+    /// Reads `name = e`, where e stays zero.
     fn constraint(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let name = self.leading_name("constraint", cursor)?;
         let mistakes = self.report.diagnostics().len();
         self.equals(form("constraint"), cursor)?;
         let (start, is_wrong) = (cursor.position(), self.report.diagnostics().len() > mistakes);
         let value = match self.expression(cursor) {
-            // Written as an equation behind a colon, it is one mistake.
+            // An equation after a colon is a single error.
             Ok(_) if at_relation(cursor) && is_wrong => Err(Reported),
             Ok(_) if at_relation(cursor) => Err(self.relation_in_constraint(&name.text, cursor)),
             Ok(id) if cursor.at_statement_end() => Ok(id),
@@ -206,7 +205,7 @@ impl Parser<'_> {
         Ok(StatementKind::Constraint(name, value))
     }
 
-    /// `x = e`, `e at e` or `e along e`.
+    /// Reads `x = e`, `e at e` or `e along e`.
     fn force(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         if cursor.ident().is_some() && at_equals_past(path_length(cursor), cursor) {
             let name = self.mentioned(form("force"), cursor)?;
@@ -220,14 +219,14 @@ impl Parser<'_> {
         Ok(StatementKind::ForceAt { force, point: self.value(cursor) })
     }
 
-    /// `e on e`.
+    /// Reads `e on e`.
     fn torque(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let moment = self.loading("torque", cursor)?;
         self.connective("on", form("torque"), cursor)?;
         Ok(StatementKind::Torque { moment, angle: self.value(cursor) })
     }
 
-    /// `(a) = e`, the equation of a state.
+    /// Reads `(a) = e`, the equation of a state.
     fn state_rate(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
             return Err(self.no_name(form("state"), cursor));
@@ -242,7 +241,7 @@ impl Parser<'_> {
         Ok(StatementKind::StateRate(name, self.assigned(form("state"), cursor)?))
     }
 
-    /// `e = e`, an equation for rates of states.
+    /// Reads `e = e`, an equation for rates of states.
     fn rate_equation(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let start = cursor.position();
         let (left, equals) = (self.expression(cursor)?, cursor.here());
@@ -251,7 +250,7 @@ impl Parser<'_> {
         Ok(StatementKind::RateEquation(self.expressions.add(difference, cursor.since(start))))
     }
 
-    /// True at an equation with the rate of a state that is more than `dot(a) = e`.
+    /// True at an equation with the rate of a state that is not just `dot(a) = e`.
     fn at_rate_equation(&self, cursor: &Cursor) -> bool {
         let mut is_declared = true;
         match (cursor.peek(), cursor.peek_past(1)) {
@@ -260,7 +259,7 @@ impl Parser<'_> {
             (Some(TokenTree::Ident(word)), _) => {
                 let word = word.to_string();
                 is_declared = self.declared(&word).is_some();
-                // Most statements end here, before the rest of the text is looked at.
+                // Most statements are decided here, before the remaining text is examined.
                 if keywords::statement(&word).is_some() && !is_declared {
                     return false;
                 }
@@ -309,7 +308,7 @@ impl Parser<'_> {
         false
     }
 
-    /// A force or moment, which is not missing.
+    /// Reads a force or moment; a missing one is reported.
     fn loading(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<AstId> {
         if cursor.at('=') || cursor.at_statement_end() {
             let message = messages::expected(messages::OPERAND, cursor.peek());

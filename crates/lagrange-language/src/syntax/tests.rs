@@ -18,7 +18,7 @@ use super::ast::{
 use super::parse_text;
 use lagrange_expr::diagnostics::Report;
 
-/// A declaration without mistakes.
+/// Reads a declaration without errors.
 fn read(text: &str) -> Declaration {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report);
@@ -26,7 +26,7 @@ fn read(text: &str) -> Declaration {
     declaration.expect("a report without errors comes with a declaration")
 }
 
-/// What is reported about a text, and what could be read.
+/// Returns the readable part of a text, and the report.
 fn read_wrong(text: &str) -> (Option<Declaration>, String) {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report);
@@ -34,7 +34,7 @@ fn read_wrong(text: &str) -> (Option<Declaration>, String) {
     (declaration, report.to_string())
 }
 
-/// The first lines of all errors, without what the help says.
+/// Returns the first lines of all errors, without help.
 fn errors(text: &str) -> Vec<String> {
     let mut report = Report::default();
     parse_text(text, &mut report);
@@ -42,7 +42,7 @@ fn errors(text: &str) -> Vec<String> {
     lines.into_iter().filter(|line| !line.starts_with(' ')).collect()
 }
 
-/// An expression as nested lists, operators first.
+/// Formats an expression as nested lists, operators first.
 fn shown(expressions: &Expressions, id: AstId) -> String {
     let show = |id: AstId| shown(expressions, id);
     let list = |head: &str, parts: &[AstId]| {
@@ -79,7 +79,7 @@ fn sign(operator: BinaryOperator) -> &'static str {
     }
 }
 
-/// A statement as nested lists, its kind first.
+/// Formats a statement as nested lists, its kind first.
 fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
     let show = |&id: &AstId| shown(&declaration.expressions, id);
     let assigned = |assignments: &[Assignment]| {
@@ -183,7 +183,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
     }
 }
 
-/// All statements of a declaration, one string each.
+/// Formats all statements of a declaration, one string each.
 fn statements(declaration: &Declaration) -> Vec<String> {
     declaration.statements.iter().map(|one| statement(declaration, &one.kind)).collect()
 }

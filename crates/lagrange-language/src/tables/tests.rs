@@ -3,7 +3,7 @@ use crate::syntax::ast::{StatementKind, TableSource};
 use crate::syntax::parse_text;
 use lagrange_expr::diagnostics::Report;
 
-/// The points of a file, or what is wrong with it.
+/// Returns the points of a file, or its errors.
 fn read(text: &str) -> Result<Vec<(usize, Vec<f64>)>, String> {
     let mut report = Report::default();
     let declaration = "table road(x) = \"road.csv\", interpolation: natural, outside: error;";
@@ -56,7 +56,7 @@ fn comments_stand_behind_values_and_marks_before_them() {
     assert_eq!(read("# nothing\n\n"), Ok(Vec::new()));
 }
 
-/// A first line that is meant to be a point, but is none, is not taken for names of columns.
+/// A first line that is meant to be a point, but is invalid, is not taken for names of columns.
 #[test]
 fn names_of_columns_are_no_numbers_that_went_wrong() {
     let is_wrong = |text: &str, field: &str| {

@@ -1,4 +1,4 @@
-//! The worked numbers of the module's documentation.
+//! The worked example in the module's documentation.
 
 use super::order::eliminate_dense;
 use crate::derive::quadratic_form::QuadraticForm;
@@ -6,7 +6,7 @@ use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// A form with these coefficients of products, squares among them, and of the variables alone.
+/// Creates a form with these coefficients of products, including squares, and of single variables.
 fn form(graph: &mut Graph, pairs: &[(ExprId, ExprId, i32)], linear: &[(ExprId, i32)]) -> QuadraticForm {
     let mut form = QuadraticForm::default();
     for &(i, j, weight) in pairs {

@@ -1,4 +1,4 @@
-//! The worked numbers of the module's documentation, and what stands for what.
+//! The worked example in the module's documentation, and the equivalence of terms.
 
 use super::{GibbsForm, remainder};
 use crate::derive::elimination::solution::push_down;
@@ -13,8 +13,8 @@ fn model(statements: &str) -> Model {
     parse(statements).unwrap_or_else(|report| panic!("{report}")).model
 }
 
-/// The coefficient of q̇² and, with accelerations dropped and kept, that of q̇, for a system with
-/// one coordinate q.
+/// Returns the coefficient of q̇² and, without and with accelerations, the coefficient of q̇, for a
+/// system with one coordinate q.
 fn coefficients(model: &mut Model) -> [ExprId; 3] {
     let velocities = model.velocities();
     let graph = &mut model.graph;
@@ -28,7 +28,7 @@ fn coefficients(model: &mut Model) -> [ExprId; 3] {
     [dropped.coefficient(graph, q, q), dropped.linear(graph, q), kept.linear(graph, q)]
 }
 
-/// The values where q, q̇ and q̈ have these values, to nine digits after the point.
+/// Evaluates expressions at q, q̇ and q̈, to nine decimal places.
 fn values(graph: &Graph, ids: &[ExprId], [q, v, a]: [f64; 3]) -> Vec<f64> {
     let values = evaluate(graph, ids, |role| match role {
         Role::Coordinate(_) => q,
@@ -76,7 +76,7 @@ fn branches_have_branches_as_principal_parts() {
 fn sums_are_opened_as_far_as_they_agree() {
     let graph = &mut Graph::new();
     let x = (0..12).map(|i| graph.symbol(&format!("x{i}"), Role::Coordinate(i))).collect::<Vec<_>>();
-    // More terms than the constructors of sums would open.
+    // More terms than the constructors of sums would flatten.
     let kept = graph.total(x[8..].iter().copied());
     let nested = graph.add(x[0], kept);
     let others = graph.total(x[1..8].iter().copied());

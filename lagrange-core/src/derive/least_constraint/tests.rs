@@ -1,4 +1,4 @@
-//! The worked numbers of the module's documentation.
+//! The worked example in the module's documentation.
 
 use super::{SplitLagrangian, Terms, least_constraint_form};
 use crate::derive::elimination::solution::push_down;
@@ -20,7 +20,7 @@ fn form(model: &mut Model) -> (SplitLagrangian, QuadraticForm) {
     (split, form)
 }
 
-/// The value where positions and velocities have these values, to nine digits after the point.
+/// Evaluates an expression at these positions and velocities, to nine decimal places.
 fn value(graph: &Graph, id: ExprId, positions: &[f64], velocities: &[f64]) -> f64 {
     let value = evaluate(graph, &[id], |role| match role {
         Role::Parameter(0) => 1.0,

@@ -1,5 +1,5 @@
-//! The worked numbers of the module's documentation, and rotations against the same sums
-//! substituted one by one.
+//! The worked example in the module's documentation, and rotations compared with individual
+//! substitution of the same sums.
 
 use super::turned_block;
 use crate::derive::quadratic_form::QuadraticForm;
@@ -19,8 +19,8 @@ fn a_block_in_numbers() {
     assert_eq!(block, expected);
 }
 
-/// The angular velocity and the velocity of a point, each turned by θ with these signs, and what
-/// they are turned from.
+/// The angular velocity and the velocity of a point, each rotated by θ with these signs, and the
+/// unrotated values.
 struct Turned {
     graph: Graph,
     wholes: [ExprId; 4],
@@ -49,7 +49,7 @@ impl Turned {
         Turned { graph: std::mem::take(graph), wholes, parts: [p, q, x, y], beside }
     }
 
-    /// All coefficients that are left at the parts, as numbers.
+    /// Returns all remaining coefficients of the parts, as numbers.
     fn pushed(&mut self, rotations: Rotations) -> (bool, Vec<f64>) {
         let variables = [&self.wholes[..], &[self.beside]].concat();
         let graph = &mut self.graph;

@@ -1,4 +1,4 @@
-//! The worked numbers of the module's documentation.
+//! The worked example in the module's documentation.
 
 use crate::derive::least_constraint::{SplitLagrangian, Terms, linear_form};
 use crate::pipeline::parse;
@@ -17,8 +17,7 @@ fn a_rotating_frame_in_numbers() {
     let nodes = [node("u1"), node("u2"), model.speeds[2].velocity];
     let form = linear_form(&mut model, &split, AccelerationTerms::Kept, Terms::Inertial);
     let loads = nodes.map(|node| form.linear(&mut model.graph, node));
-    // The mass moves on a circle about the origin, so that its components along the axes are
-    // constant.
+    // The mass moves on a circle about the origin, so its components along the axes are constant.
     let found = evaluate(&model.graph, &loads, |role| match role {
         Role::Coordinate(2) => 0.0,
         Role::Velocity(i) => [-8.0, 6.0, 2.0][i as usize],

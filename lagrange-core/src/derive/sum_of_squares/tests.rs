@@ -1,4 +1,4 @@
-//! Lagrange's identity in numbers: what is left of squares is their minimum over the unknown.
+//! Lagrange's identity in numbers: the remainder of squares is their minimum over the unknown.
 
 use proptest::prelude::{ProptestConfig, Strategy, prop, prop_assert, proptest};
 
@@ -12,18 +12,18 @@ use lagrange_expr::expr::{ExprId, Function, Graph};
 use lagrange_expr::functions::apply;
 use lagrange_expr::symbol::Role;
 
-/// Variables that remain: those that carriers are made of, then others.
+/// Number of remaining variables: those of the carriers, then others.
 const REMAINING: usize = 4;
 const PARTS: usize = 2;
 
-/// How many carriers and squares there are, and whether squares hold variables beside the carriers.
+/// Numbers of carriers and squares, and true if squares contain variables besides the carriers.
 type Shape = (usize, usize, bool);
 
 fn shapes() -> impl Strategy<Value = Shape> {
     (1..=3_usize, 1..=4_usize, prop::bool::ANY)
 }
 
-/// Symbols for the coefficients, each a parameter of its own, with values.
+/// Symbols for the coefficients, each a separate parameter, with values.
 struct Coefficients {
     values: Vec<f64>,
     used: usize,
@@ -36,7 +36,7 @@ impl Coefficients {
         graph.symbol(&format!("c{index}"), Role::Parameter(index))
     }
 
-    /// At zero a carrier does not feel the unknown.
+    /// Returns the value of a coefficient; at zero a carrier does not depend on the unknown.
     fn value(&self, index: u32) -> f64 {
         self.values[index as usize % self.values.len()]
     }
@@ -48,7 +48,7 @@ fn variable(graph: &mut Graph, kind: &str, index: usize) -> ExprId {
     graph.symbol(&format!("{kind}{index}"), Role::Acceleration(number))
 }
 
-/// Carriers and squares with symbols for coefficients; a rod's carriers move along a unit vector.
+/// Carriers and squares with symbolic coefficients; a rod's carriers move along a unit vector.
 struct Setting {
     ids: Vec<ExprId>,
     expansions: Vec<AffineExpansion>,
@@ -82,7 +82,7 @@ impl Setting {
         Setting { ids, expansions, squares }
     }
 
-    /// The same with the first two carriers moved along a unit vector.
+    /// Returns the setting with the first two carriers moved along a unit vector.
     fn with_rod(mut self, graph: &mut Graph, angle: ExprId) -> Setting {
         for (expansion, function) in self.expansions.iter_mut().zip([Function::Cos, Function::Sin]) {
             expansion.slope = apply(graph, function, &[angle]);
@@ -119,13 +119,13 @@ impl Place<'_> {
         form.iter().map(|&(id, coefficient)| self.value(coefficient) * self.value(id)).sum()
     }
 
-    /// ½ w r² + κ r where all variables of r remain.
+    /// Computes ½ w r² + κ r for a square whose variables all remain.
     fn square(&self, square: &Square) -> f64 {
         let r = self.form(&square.form);
         self.value(square.weight) * r * r / 2.0 + self.value(square.linear) * r
     }
 
-    /// `(w, κ, a, b)` of a square with r = a x + b.
+    /// Returns `(w, κ, a, b)` of a square with r = a x + b.
     fn in_unknown(&self, setting: &Setting, square: &Square) -> [f64; 4] {
         let (mut a, mut b) = (0.0, 0.0);
         for &(id, coefficient) in &square.form {
@@ -142,7 +142,7 @@ impl Place<'_> {
         [self.value(square.weight), self.value(square.linear), a, b]
     }
 
-    /// The minimum over the unknown and where it is.
+    /// Returns the minimum over the unknown and its position.
     fn minimum(&self, setting: &Setting) -> (f64, f64) {
         let squares = setting.squares.iter().map(|square| self.in_unknown(setting, square));
         let squares = squares.collect::<Vec<_>>();
@@ -155,12 +155,12 @@ impl Place<'_> {
 }
 
 fn numbers(count: usize) -> impl Strategy<Value = Vec<f64>> {
-    // Away from zero, so that nothing is ill-conditioned.
+    // Values stay away from zero, so that nothing is ill-conditioned.
     let number = (prop::bool::ANY, 0.3..2.0_f64).prop_map(|(minus, x)| if minus { -x } else { x });
     prop::collection::vec(number, count)
 }
 
-/// Whether a function of the remaining accelerations differs from another by a constant.
+/// True if two functions of the remaining accelerations differ by a constant.
 fn differ_by_a_constant(differences: [f64; 3], scale: f64) -> bool {
     differences.iter().all(|d| (d - differences[0]).abs() < 1e-9 * (1.0 + scale))
 }

@@ -1,11 +1,11 @@
-//! The worked order of the module's documentation.
+//! The worked order in the module's documentation.
 
 use super::{Multiples, Rotations, Step, Sweep};
 use crate::derive::plane_rotation::TurnedPair;
 use crate::pipeline::parse;
 use lagrange_algebra::formula::text::text;
 
-/// The substitutions and the generalised velocities that become free between them, as text.
+/// Returns the substitutions and the generalised velocities that become free between them, as text.
 fn order(declaration: &str, rotations: Rotations) -> Vec<String> {
     let mut model = parse(declaration).unwrap_or_else(|report| panic!("{report}")).model;
     let heads = match model.outputs.first() {

@@ -13,7 +13,7 @@ const POINT: &str = "param m = 2, h = 3, mu = 0.3;
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     output used = m + h + mu;";
 
-/// The model of a point in a plane with these statements, or what is wrong.
+/// Returns the model of a point in a plane with these statements, or the errors.
 fn read(statements: &str) -> Result<Model, String> {
     let mut report = Report::default();
     let text = format!("{POINT}\n{statements}");
@@ -26,13 +26,13 @@ fn model(statements: &str) -> Model {
     read(statements).unwrap_or_else(|report| panic!("{statements}\n{report}"))
 }
 
-/// The first line of what is wrong.
+/// Returns the first line of the errors.
 fn mistake(statements: &str) -> String {
     let report = read(statements).expect_err(statements);
     report.lines().next().expect("an error").to_owned()
 }
 
-/// The values of expressions at t = 0.5, (x, y) = (0.7, 1.1) and velocities (-0.2, 0.4).
+/// Evaluates expressions at t = 0.5, (x, y) = (0.7, 1.1) and velocities (-0.2, 0.4).
 fn at_a_state<const K: usize>(model: &Model, expressions: [ExprId; K]) -> [f64; K] {
     let value = |role| match role {
         Role::Parameter(index) => [2.0, 3.0, 0.3][index as usize],
@@ -223,7 +223,7 @@ fn ends_of_the_range_of_restitution_are_possible() {
     }
 }
 
-/// The warnings about a point with these statements, which are right.
+/// Returns the warnings about a point with these valid statements.
 fn warnings(statements: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(&format!("{POINT}\n{statements}"), &mut report).expect("tokens");

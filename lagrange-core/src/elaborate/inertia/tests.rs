@@ -9,7 +9,7 @@ fn statements(value: &str) -> String {
     )
 }
 
-/// The components of an expression with m = 2 and l = 3.
+/// Evaluates the components of an expression with m = 2 and l = 3.
 fn values(expression: &str) -> Vec<f64> {
     let model = parse(&statements(expression)).expect("a correct declaration").model;
     evaluate(&model.graph, &model.outputs[0].components, |role| match role {

@@ -1,4 +1,4 @@
-//! Diagnostics for names and functions: declared twice, too late or not at all, or spelt as in
+//! Diagnostics for names and functions: declared twice, too late or not at all, or spelled as in
 //! other languages.
 
 use lagrange_expr::diagnostics::messages;
@@ -33,7 +33,7 @@ messages! {
     also_declared_here(name) = "`{name}`, also used too early, is declared here";
     PLAIN_NAMES_HELP = "write functions and constants without a prefix: `sin(x)` and `pi`";
 
-    /// Message for a word such as `omega` where a single coordinate moves.
+    /// Message for a word such as `omega` if there is a single moving coordinate.
     rate_of_single(coordinate) =
         "the rate of `{coordinate}` is `dot({coordinate})`; declare other quantities with `param`, `input` or `let`";
     RUST_CONSTANT_HELP =

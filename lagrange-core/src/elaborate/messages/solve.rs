@@ -3,7 +3,7 @@
 use lagrange_expr::diagnostics::messages;
 use lagrange_language::syntax::ast::Name;
 
-/// Returns the names of unknowns, quoted.
+/// Returns the quoted names of unknowns.
 pub(in crate::elaborate) fn names(names: &[Name]) -> String {
     let quoted = names.iter().map(|name| format!("`{}`", name.text)).collect::<Vec<_>>();
     match quoted.split_last() {

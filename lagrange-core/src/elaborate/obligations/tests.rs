@@ -7,7 +7,7 @@ use lagrange_language::bodies::{Obligation, plain};
 use lagrange_language::syntax::ast::{AstId, Declaration, Name, StatementKind};
 use lagrange_language::syntax::parse_text;
 
-/// The value and the name of a `let`.
+/// Returns the value and the name of a `let`.
 fn named(declaration: &Declaration, wanted: &str) -> (AstId, Name) {
     let found = declaration.statements.iter().find_map(|statement| match &statement.kind {
         StatementKind::Let(name, value) if name.text == wanted => Some((*value, name.clone())),
@@ -16,7 +16,7 @@ fn named(declaration: &Declaration, wanted: &str) -> (AstId, Name) {
     found.expect("a `let` of that name")
 }
 
-/// What is reported of obligations about statements.
+/// Returns the report on obligations about statements.
 fn reported(statements: &str, obligations: impl Fn(&Declaration) -> Vec<Obligation>) -> String {
     let mut report = Report::default();
     let declaration = parse_text(statements, &mut report).expect("a readable declaration");
@@ -28,7 +28,7 @@ fn reported(statements: &str, obligations: impl Fn(&Declaration) -> Vec<Obligati
     report.to_string()
 }
 
-/// What is reported of `let rod = …;` as a mass.
+/// Returns the report on `let rod = …;` as a mass.
 fn of_mass(statements: &str) -> String {
     reported(statements, |declaration| {
         let (mass, body) = named(declaration, "rod");
@@ -36,8 +36,8 @@ fn of_mass(statements: &str) -> String {
     })
 }
 
-/// What is reported of `let rod = …;` as a stated moment of inertia beside `let shape = …;` as that
-/// of the shape.
+/// Returns the report on `let rod = …;` as a stated moment of inertia, compared with `let shape =
+/// …;` as that of the shape.
 fn of_inertia(statements: &str) -> String {
     reported(statements, |declaration| {
         let (stated, body) = named(declaration, "rod");
@@ -114,12 +114,12 @@ fn a_value_that_is_not_a_number_is_reported_once() {
     }
 }
 
-/// A body with parameters m = 2 and l = 3.
+/// Returns statements with a body and parameters m = 2 and l = 3.
 fn with_body(members: &str) -> String {
     format!("param m = 2, l = 3; coord x, y, a; let _l = m*l; body rod {{ angle: a; {members} }}")
 }
 
-/// What is reported of it.
+/// Returns the report on such a body.
 fn of_body(members: &str) -> String {
     match parse(&with_body(members)) {
         Ok(system) => system.report.to_string(),

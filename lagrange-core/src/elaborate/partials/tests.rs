@@ -1,7 +1,7 @@
 use crate::pipeline::parse;
 use lagrange_expr::expr::evaluate;
 
-/// The value of the only output where each symbol is 2.
+/// Evaluates the only output with all symbols equal to 2.
 fn value(statements: &str) -> f64 {
     let text = format!("coord x, y; param p, q; kinetic = dot(x)^2 + dot(y)^2; {statements}");
     let system = parse(&text).unwrap_or_else(|report| panic!("{text}\n{report}"));
@@ -18,7 +18,7 @@ fn derivatives_hold_other_names() {
         ("velocity v = dot(x); output c = partial(1/2 * p * dot(x)^2, v);", 4.0),
         ("let v = (x^2, x * y); output c = partial(v, x);", 4.0),
         ("output c = partial(if x < 3 { x^2 } else { 0 }, x);", 4.0),
-        // What is declared by means of a coordinate changes with it.
+        // Quantities defined by means of a coordinate vary with it.
         ("let u = x^2; output c = partial(u * y, x);", 8.0),
     ];
     for (statements, wanted) in rows {
@@ -26,7 +26,8 @@ fn derivatives_hold_other_names() {
     }
 }
 
-/// Even one that stands for a sum, a number or the same as another name is a variable of its own.
+/// Each abbreviation is a separate variable, even if it is a sum, a number or a copy of another
+/// name.
 #[test]
 fn derivatives_by_abbreviations_are_those_of_what_is_written() {
     let rows = [
@@ -45,7 +46,7 @@ fn derivatives_by_abbreviations_are_those_of_what_is_written() {
     }
 }
 
-/// ∂(z² x)/∂z = 2 z x beside z itself, whose solution no symbol has.
+/// ∂(z² x)/∂z = 2 z x with z itself remaining, for whose solution there is no symbol.
 #[test]
 fn derivatives_by_unknowns_are_those_of_what_is_written() {
     let text =
@@ -55,7 +56,7 @@ fn derivatives_by_unknowns_are_those_of_what_is_written() {
     assert!(system.model.graph.is_zero(output.components[0]));
 }
 
-/// d/dt ∂(x³)/∂x is 6 x ẋ. Only what is made of parameters is at rest.
+/// d/dt ∂(x³)/∂x is 6 x ẋ. Only expressions of parameters are constant.
 #[test]
 fn derivatives_change_with_what_they_are_derivatives_of() {
     assert_eq!(value("output c = dot(partial(x^3, x));"), 24.0);
@@ -64,7 +65,7 @@ fn derivatives_change_with_what_they_are_derivatives_of() {
     assert!(report.contains("does not change continuously"), "{report}");
 }
 
-/// A number that is too large is reported where it stands within a derivative.
+/// A number that is too large is reported at its position within a derivative.
 #[test]
 fn mistakes_in_derivatives_are_reported_within() {
     let text = "coord x; input f; kinetic = dot(x)^2; output c = dot(x * partial(f * x^2, x));";
@@ -75,7 +76,7 @@ fn mistakes_in_derivatives_are_reported_within() {
     assert!(report.starts_with("error at 1:58: "), "{report}");
 }
 
-/// The help against a derivative by an expression can be followed, also in calls of functions.
+/// The help for a derivative by an expression can be followed, including in calls of functions.
 #[test]
 fn expressions_need_a_name_for_derivatives_by_them() {
     let slope = "let slope(s) = partial(s^3, s);";

@@ -24,11 +24,11 @@ fn energies_that_only_defaults_make_negative_are_warnings() {
         assert!(report.starts_with("warning at 1:3"), "{kinetic}: {report}");
         assert!(report.contains("with the defaults, this kinetic energy decreases as"), "{report}");
     }
-    // Positive, without a default, or not known before the motion.
+    // The sign is positive, without a default, or unknown before the motion.
     for kinetic in ["m * dot(x)^2", "-n * dot(x)^2", "-m * x * dot(x)^2", "-m * dot(x)^2 + dot(x) * dot(y)"] {
         assert_eq!(of(kinetic), "", "{kinetic}");
     }
-    // Of several terms, those with the same velocity decide.
+    // Among several terms, those with the same velocity decide.
     for kinetic in ["-dot(x)^2", "-dot(x)^2 + m * dot(y)^2", "-dot(x)^2 + 1/2 * (dot(x)^2 + m * dot(y)^2)"] {
         assert!(of(kinetic).starts_with("error"), "{kinetic}: {}", of(kinetic));
     }
@@ -43,7 +43,7 @@ fn dissipation_that_drives_is_a_warning() {
         let report = of(dissipation);
         assert!(report.contains("drives `x`") && report.contains("with a positive c"), "{report}");
     }
-    // Van der Pol's oscillator is driven in the middle only.
+    // Van der Pol's oscillator is only driven near the middle.
     for dissipation in ["1/2 * c * dot(x)^2", "1/2 * c * (x^2 - 1) * dot(x)^2"] {
         assert_eq!(of(dissipation), "", "{dissipation}");
     }

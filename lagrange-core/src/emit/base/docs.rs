@@ -1,4 +1,4 @@
-//! The documentation of an emitted system: its equations and what was found out about it.
+//! Documentation of an emitted system: its equations and its detected properties.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -15,19 +15,19 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Monomials up to which an entry is multiplied out for reading.
+/// Maximum number of monomials for which an entry is expanded.
 const READING_BUDGET: usize = 120;
-/// Entries made of more expressions than this are printed as they were derived.
+/// Maximum number of expressions in an entry that is simplified for printing.
 const LARGEST_PRESENTED: usize = 300;
-/// Systems with more coordinates are too large for their equations to be read.
+/// Maximum number of coordinates for which equations are readable.
 const MAX_COORDINATES: usize = 6;
-/// Systems whose equations are made of more expressions are too large for that, too.
+/// Maximum number of expressions in readable equations.
 const LARGEST_SYSTEM: usize = 200;
-/// Equations with more abbreviations are harder to read than the code.
+/// Maximum number of abbreviations; beyond it the code is more readable.
 const MAX_ABBREVIATIONS: usize = 12;
-/// Lines longer than this, in characters, are broken.
+/// Maximum length of lines in characters.
 const LONGEST_LINE: usize = 100;
-/// Equations longer than this, in characters, are left out.
+/// Maximum length of printed equations in characters.
 const LONGEST_EQUATIONS: usize = 4000;
 
 const FAST: [&str; 2] = [
@@ -56,7 +56,7 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
         return None;
     }
     let right = readable(&mut model.graph, &right);
-    // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
+    // The right sides are longer: if they are unreadable, the left ones need not be tried.
     readable_lines(text::definitions(&model.graph, &right, LONGEST_EQUATIONS))?;
     let sides = sides(model, equations, &right);
     let definitions = text::definitions(&model.graph, &sides, LONGEST_EQUATIONS);
@@ -80,7 +80,7 @@ pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
     lines.join("\n")
 }
 
-/// The equation of each algebraic unknown in these expressions.
+/// Returns the equation of each algebraic unknown in these expressions.
 fn equations_of_unknowns(
     model: &mut Model,
     expressions: &[ExprId],
@@ -90,7 +90,7 @@ fn equations_of_unknowns(
     let calls = graph.reachable(expressions).into_iter();
     let mut residuals: Vec<ExprId> = Vec::new();
     for residual in calls.flat_map(|call| residuals_of(graph, call)) {
-        // Unknowns that are solved for together have the same equations.
+        // Unknowns that are solved jointly have the same equations.
         if !residuals.contains(&residual) {
             residuals.push(residual);
         }
@@ -98,7 +98,7 @@ fn equations_of_unknowns(
     residuals.into_iter().map(|residual| format!("0 = {}", write(graph, residual))).collect()
 }
 
-/// f + Aᵀλ + Dᵀr, with the names of constraints, contacts and friction for their forces.
+/// Computes f + Aᵀλ + Dᵀr, with the names of constraints, contacts and friction for their forces.
 fn right_sides(model: &mut Model, equations: &Equations) -> Vec<ExprId> {
     let reactions = model.reactions.iter().map(|reaction| reaction.symbol);
     let symbols = model.multipliers().into_iter().chain(reactions).collect::<Vec<_>>();
@@ -114,8 +114,8 @@ fn right_sides(model: &mut Model, equations: &Equations) -> Vec<ExprId> {
     sides
 }
 
-/// The left and the right side of each row of M q̈ = f + Aᵀλ, then of each constraint, then each
-/// state and its rate.
+/// Returns both sides of each row of M q̈ = f + Aᵀλ, then of each constraint, then each state and
+/// its rate.
 fn sides(model: &mut Model, equations: &Equations, right: &[ExprId]) -> Vec<ExprId> {
     let mass = readable(&mut model.graph, &equations.mass_matrix.concat());
     let rows = mass.chunks(right.len().max(1)).zip(right);
@@ -129,7 +129,7 @@ fn sides(model: &mut Model, equations: &Equations, right: &[ExprId]) -> Vec<Expr
     sides
 }
 
-/// The texts of both sides with ȧ on the left of the equation of each state a, which come last.
+/// Writes ȧ on the left of the equation of each state a; these equations come last.
 fn with_rates(model: &Model, (names, mut sides): Definitions, rate: fn(&str) -> String) -> Definitions {
     let first = sides.len() - 2 * model.states().count();
     for (left, state) in sides[first..].iter_mut().step_by(2).zip(model.states()) {
@@ -138,10 +138,10 @@ fn with_rates(model: &Model, (names, mut sides): Definitions, rate: fn(&str) -> 
     (names, sides)
 }
 
-/// Names with what they abbreviate, and left and right sides.
+/// Names with their definitions, and left and right sides.
 type Definitions = (Vec<(String, String)>, Vec<String>);
 
-/// The lines, unless there are too many characters or abbreviations.
+/// Returns the lines, unless there are too many characters or abbreviations.
 fn readable_lines(definitions: Definitions) -> Option<Vec<String>> {
     let abbreviations = definitions.0.len();
     let lines = lines(definitions);
@@ -149,13 +149,13 @@ fn readable_lines(definitions: Definitions) -> Option<Vec<String>> {
     (length <= LONGEST_EQUATIONS && abbreviations <= MAX_ABBREVIATIONS).then_some(lines)
 }
 
-/// Equations between names and what they abbreviate, then between left and right sides.
+/// Returns the definitions of names, followed by the equations of left and right sides.
 fn lines((abbreviations, sides): Definitions) -> Vec<String> {
     let abbreviations = abbreviations.into_iter().map(|(name, value)| format!("{name} = {value}"));
     abbreviations.chain(sides.chunks(2).map(|side| side.join(" = "))).collect()
 }
 
-/// A long equation on several lines, broken before the operators between its terms.
+/// Splits a long equation into several lines, before the operators between its terms.
 fn wrapped(line: &str) -> Vec<String> {
     let mut lines = Vec::new();
     let mut current = String::new();
@@ -170,7 +170,7 @@ fn wrapped(line: &str) -> Vec<String> {
     lines
 }
 
-/// The pieces of an equation between blanks outside parentheses, each beginning with its operator.
+/// Splits an equation at blanks outside parentheses; each piece begins with its operator.
 fn terms(line: &str) -> Vec<&str> {
     let (mut depth, mut start, mut pieces) = (0_usize, 0, Vec::new());
     for (index, character) in line.char_indices() {
@@ -188,7 +188,7 @@ fn terms(line: &str) -> Vec<&str> {
     pieces
 }
 
-/// Σ Mᵢⱼ q̈ⱼ
+/// Computes Σ Mᵢⱼ q̈ⱼ.
 fn left_side(model: &mut Model, row: &[ExprId]) -> ExprId {
     let mut terms = Vec::new();
     for (&entry, speed) in row.iter().zip(&model.speeds) {
@@ -197,7 +197,7 @@ fn left_side(model: &mut Model, row: &[ExprId]) -> ExprId {
     model.graph.sum(Number::ZERO, terms)
 }
 
-/// The expressions in the form a textbook would print, if that can be found quickly.
+/// Rewrites expressions in textbook form, if this can be found quickly.
 fn readable(graph: &mut Graph, expressions: &[ExprId]) -> Vec<ExprId> {
     let is_small = |&&id: &&ExprId| graph.reachable(&[id]).len() <= LARGEST_PRESENTED;
     let small = expressions.iter().filter(is_small).copied().collect::<Vec<_>>();
@@ -260,7 +260,7 @@ pub(in crate::emit) fn system_docs(
     lines
 }
 
-/// The noises and their interpretation.
+/// Describes the noises and their interpretation.
 fn noise_line(model: &Model, kind: DiffusionKind) -> String {
     let names = model.noises.iter().map(|noise| format!("`{}`", noise.name)).collect::<Vec<_>>().join(", ");
     let kind = match kind {
@@ -271,7 +271,7 @@ fn noise_line(model: &Model, kind: DiffusionKind) -> String {
     format!("- Noise: {names}, {kind}. Only `diffusion` contains it.")
 }
 
-/// Documentation of the statements that those about rigid bodies stand for.
+/// Documents the plain statements that replace those about rigid bodies.
 pub(in crate::emit) fn statements(text: &str) -> Vec<String> {
     let head = ["", "# Statements", "", STATEMENTS, "", "```text"].map(str::to_owned);
     head.into_iter().chain(text.lines().map(str::to_owned)).chain(["```".to_owned()]).collect()
@@ -331,7 +331,7 @@ fn mass_text(structure: &Structure, join: impl Fn(&[usize]) -> String) -> String
     format!("{shape}, {dependence}")
 }
 
-/// The documentation of a method that takes so many operations.
+/// Adds the operation counts to the documentation of a method.
 pub(in crate::emit) fn with_counts(docs: TokenStream, counts: OperationCounts) -> TokenStream {
     if counts == OperationCounts::default() {
         return docs;
@@ -340,12 +340,13 @@ pub(in crate::emit) fn with_counts(docs: TokenStream, counts: OperationCounts) -
     quote!(#docs #blank #cost)
 }
 
-/// Operation counts in Markdown.
+/// Formats operation counts as Markdown.
 pub(in crate::emit) fn counts_text(counts: OperationCounts) -> String {
     counts.to_string().replace("sin_cos", "`sin_cos`")
 }
 
-/// The strategy of forward dynamics, and why: the counted cost of each that was tried.
+/// Describes the strategy of forward dynamics and its reason: the counted cost of each strategy
+/// that was tried.
 fn strategy_text(equations: &Equations) -> String {
     if equations.structure.mass.is_diagonal() && equations.constraints.jacobian.is_empty() {
         return "each equation divided by its entry of the mass matrix".to_owned();

@@ -5,7 +5,7 @@ use crate::derive::Equations;
 use crate::model::Model;
 use lagrange_expr::expr::Node;
 
-/// Part of a system that some products do not go with.
+/// Part of a system that is incompatible with some products.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(in crate::emit) enum Exclusion {
     Contacts,
@@ -22,7 +22,7 @@ pub(in crate::emit) enum Exclusion {
 }
 
 impl Exclusion {
-    /// The first of these that a system has.
+    /// Returns the first of these that a system has.
     pub(in crate::emit) fn first(
         exclusions: &[Exclusion],
         model: &Model,
@@ -44,7 +44,7 @@ impl Exclusion {
         exclusions.iter().find(is_there).copied()
     }
 
-    /// Its name in messages, and why.
+    /// Returns its name in messages, with the reason.
     pub(in crate::emit) fn words(self) -> &'static str {
         match self {
             Exclusion::Contacts => messages::CONTACTS,
@@ -62,14 +62,14 @@ impl Exclusion {
     }
 }
 
-/// True if the equations of motion hold functions without a formula.
+/// True if the equations of motion contain functions without a formula.
 fn calls_functions(model: &Model, equations: &Equations) -> bool {
     let roots = [&equations.accelerations[..], &model.position_rates()].concat();
     let nodes = model.graph.reachable(&roots);
     nodes.into_iter().any(|id| matches!(model.graph.node(id), Node::Opaque(..)))
 }
 
-/// True if a parameter has no value by default.
+/// True if a parameter has no default.
 fn lacks_defaults(model: &Model) -> bool {
     model.parameters.iter().any(|parameter| parameter.default.is_none())
 }

@@ -9,7 +9,7 @@ use crate::derive::DiffusionKind;
 use lagrange_algebra::code::Names;
 use lagrange_expr::opaque::Opaque;
 
-/// Members of the emitted type, its documentation, and what its traits need to know of them.
+/// Members of the emitted type, its documentation, and data for its traits.
 pub(in crate::emit) struct Members {
     /// Documentation of the struct, after the user's own.
     pub(in crate::emit) docs: Vec<String>,
@@ -18,7 +18,7 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) methods: Vec<Method>,
     /// Methods of `ConstrainedSystem`; none without constraints.
     pub(in crate::emit) constrained: Vec<Method>,
-    /// Methods of `CanonicalSystem` that only constrained systems have of their own.
+    /// Methods of `CanonicalSystem` that only constrained systems define themselves.
     pub(in crate::emit) canonical: Vec<Method>,
     /// True for each constraint that contains positions.
     pub(in crate::emit) are_holonomic: Vec<bool>,
@@ -28,9 +28,9 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) clocks: usize,
     /// The noises, if there are any.
     pub(in crate::emit) noise: Option<Noisy>,
-    /// True if there are dampers beside contacts or friction.
+    /// True if there are dampers in addition to contacts or friction.
     pub(in crate::emit) is_damped: bool,
-    /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
+    /// The body of `SwitchedSystem::switch_times`, if any time is known.
     pub(in crate::emit) switch_times: Option<TokenStream>,
     /// True for each reaction whose coefficient of restitution depends on time or the state.
     pub(in crate::emit) restitutions_vary: Vec<bool>,
@@ -38,21 +38,21 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) of_faces: Option<String>,
     /// True for each friction whose limit contains constraint forces.
     pub(in crate::emit) limits_reverse: Vec<bool>,
-    /// Methods that only others call.
+    /// Methods called only by other methods.
     pub(in crate::emit) hidden: TokenStream,
-    /// Methods that say how bodies move.
+    /// Methods for the motion of bodies.
     pub(in crate::emit) motions: TokenStream,
     /// The body of `check_parameters`, if any parameter has a range.
     pub(in crate::emit) ranges: Option<TokenStream>,
     /// The body of `start`, if initial values are declared.
     pub(in crate::emit) start: Option<TokenStream>,
-    /// The body of `Scene::items`, if that is asked for.
+    /// The body of `Scene::items`, if requested.
     pub(in crate::emit) items: Option<TokenStream>,
     /// Parts of the prepared type, if requested.
     pub(in crate::emit) prepared: Option<Prepared>,
-    /// The constants with the text of the kernel, if that is asked for.
+    /// The constants with the text of the kernel, if requested.
     pub(in crate::emit) kernel: Option<TokenStream>,
-    /// Parts of the type for numbers side by side, if requested.
+    /// Parts of the type for numbers in lanes, if requested.
     pub(in crate::emit) lanes: Option<Lanes>,
     /// Parts of the expansion in Taylor series, if requested.
     pub(in crate::emit) taylor: Option<Taylor>,
@@ -65,23 +65,22 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) callees: Vec<Opaque>,
     /// Functions that solve equations.
     pub(in crate::emit) solvers: TokenStream,
-    /// Statements and a list of the unknowns that rates are made of, each with its name and its
-    /// value.
+    /// Statements and a list of the unknowns in rates, each with its name and its value.
     pub(in crate::emit) unknowns: Option<TokenStream>,
-    /// Parameters of the regressor, if that is requested.
+    /// Parameters of the regressor, if requested.
     pub(in crate::emit) regressor: Option<Regressed>,
-    /// True if tests of the user's crate check laws.
+    /// True if tests in the user's crate check laws.
     pub(in crate::emit) is_tested: bool,
-    /// True if explicit symplectic methods take the system.
+    /// True if explicit symplectic methods accept the system.
     pub(in crate::emit) is_separable: bool,
     /// True if rates or their derivatives jump between pieces of tables.
     pub(in crate::emit) has_kinks: bool,
-    /// True if the methods hold rounded values of irrational constants.
+    /// True if the methods contain rounded values of irrational constants.
     pub(in crate::emit) has_rounded_constants: bool,
 }
 
 impl Members {
-    /// No members yet.
+    /// Creates empty members.
     pub(in crate::emit) fn new(names: ArgumentNames) -> Members {
         Members {
             docs: Vec::new(),
@@ -129,11 +128,11 @@ pub(in crate::emit) struct Noisy {
     pub(in crate::emit) kind: DiffusionKind,
 }
 
-/// A type that keeps what is computed of parameters alone.
+/// A type that stores values computed from parameters alone.
 pub(in crate::emit) struct Prepared {
     /// Stored fields.
     pub(in crate::emit) fields: PreparedFields,
-    /// Statements that compute that, and a value for each field.
+    /// Statements that compute the stored values, and a value for each field.
     pub(in crate::emit) values: (TokenStream, Vec<TokenStream>),
     pub(in crate::emit) methods: Vec<Method>,
     /// Documentation of the type.
@@ -147,11 +146,11 @@ pub(in crate::emit) struct Regressed {
     pub(in crate::emit) body: TokenStream,
 }
 
-/// The equations for numbers side by side.
+/// The equations for numbers in lanes.
 pub(in crate::emit) struct Lanes {
     /// The body of `Equations::rhs`.
     pub(in crate::emit) rhs: TokenStream,
-    /// The body of the method that says on which sides of its switches each motion is, if there are
+    /// The body of the method that returns the side of each motion at the switches, if there are
     /// any.
     pub(in crate::emit) sides: Option<TokenStream>,
     /// Documentation of the type.
@@ -164,25 +163,25 @@ pub(in crate::emit) struct Taylor {
     pub(in crate::emit) shared: usize,
     /// Number of groups of products.
     pub(in crate::emit) groups: usize,
-    /// Tables and places among their arguments, of arguments that are followed.
+    /// Tables with the indices of their tracked arguments.
     pub(in crate::emit) followed: Vec<(Opaque, usize)>,
     /// The body of `TaylorSystem::expand`.
     pub(in crate::emit) body: TokenStream,
 }
 
-/// Names of the fields of the prepared type beside that of the system.
+/// Names of the fields of the prepared type besides that of the system.
 pub(in crate::emit) struct PreparedFields {
     pub(in crate::emit) names: Vec<Ident>,
     given: Names,
 }
 
 impl PreparedFields {
-    /// None yet.
+    /// Creates an empty set of fields.
     pub(in crate::emit) fn new() -> PreparedFields {
         PreparedFields { names: Vec::new(), given: Names::new(["system"]) }
     }
 
-    /// Name of the next field.
+    /// Adds a field, and returns its name.
     pub(in crate::emit) fn push(&mut self, wish: Option<&str>) -> String {
         let name = match wish {
             Some(wish) => self.given.fresh(wish),

@@ -77,7 +77,7 @@ pub(in crate::emit) fn missing_derivative_help(label: &str, product: Option<&str
 
 pub(in crate::emit) const CALLED_HERE: &str = "the function is called here";
 
-/// Returns the purpose of a product that a system excludes.
+/// Returns the help for a product excluded by a system.
 pub(in crate::emit) fn without(product: Product) -> &'static str {
     match product {
         Product::Kernel => {

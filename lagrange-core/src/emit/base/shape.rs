@@ -1,4 +1,4 @@
-//! Shape of an emitted system as its declaration alone determines it: names, fields, types.
+//! Shape of an emitted system, determined by its declaration alone: names, fields, types.
 
 mod spelling;
 
@@ -34,9 +34,9 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) velocities: Vec<StateVelocity<'a>>,
     /// Indices of the scalar parts of unit quaternions among the positions.
     pub(in crate::emit) quaternions: Vec<usize>,
-    /// Rigid bodies with a method that says how they move.
+    /// Rigid bodies with a method for their motion.
     pub(in crate::emit) bodies: Vec<&'a Name>,
-    /// Bodies and frames with a method that says where they are.
+    /// Bodies and frames with a method for their placement.
     pub(in crate::emit) frames: Vec<&'a Name>,
     /// Bodies and frames with a method for their Jacobian.
     pub(in crate::emit) frames_with_jacobian: Vec<&'a Name>,
@@ -46,32 +46,32 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) is_stabilised: bool,
     /// Contacts and friction.
     pub(in crate::emit) touching: Vec<(&'a Name, Touch)>,
-    /// Names that messages give to the switches whose sides runs fix.
+    /// Names, in messages, of the switches whose sides are fixed during runs.
     pub(in crate::emit) switches: Vec<String>,
     /// Outputs, declared and derived, with their number of components; one for a scalar.
     pub(in crate::emit) outputs: Vec<(Name, usize)>,
-    /// The names of functions of the user's crate, where the user says them.
+    /// The names of functions of the user's crate, as written by the user.
     pub(in crate::emit) callees: Vec<Name>,
     /// The user's documentation of fields, coordinates and outputs.
     docs: HashMap<&'a str, &'a TokenStream>,
-    /// Ranges of parameters, where the declaration has them.
+    /// Declared ranges of parameters.
     pub(in crate::emit) ranges: HashMap<&'a str, &'a AllowedRange>,
-    /// Units of names, in which their numbers are; none where the declaration says none.
+    /// Units of the numbers with these names; none if the declaration has none.
     pub(in crate::emit) units: NamedUnits,
     /// Spelling of array elements.
     written: HashMap<&'a str, &'a str>,
 }
 
-/// Kind of field that keeps the mode of a reaction.
+/// Kind of the field that stores the mode of a reaction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(in crate::emit) enum Touch {
-    /// A field that says whether the contact is open.
+    /// A field that is true if the contact is open.
     Contact,
-    /// A field that says whether friction sticks.
+    /// A field that is true if friction sticks.
     Friction,
-    /// A field that says whether friction in a plane sticks, which has two reactions.
+    /// A field that is true if friction in a plane sticks; such friction has two reactions.
     Planar,
-    /// It has none.
+    /// No field.
     Smooth,
 }
 
@@ -127,8 +127,8 @@ impl<'a> Shape<'a> {
                     let count = shapes.get(value).map_or(1, |shape| shape.count());
                     shape.outputs.push((name.clone(), count));
                 }
-                // Part of the state, of the equations or of other types, or gone once the
-                // declaration is plain.
+                // Part of the state, of the equations or of other types, or removed from the plain
+                // declaration.
                 StatementKind::Coordinates(_)
                 | StatementKind::States(..)
                 | StatementKind::Mode(_)
@@ -190,8 +190,8 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// Names and directions of all events, as declared and then those of friction. Those that
-    /// switch modes have no direction.
+    /// Returns names and directions of all events: declared ones, then those of friction. Events
+    /// that switch modes have no direction.
     pub(in crate::emit) fn event_names(&self) -> Vec<(&'a Name, Option<Direction>)> {
         let declared = self.events.iter().map(|event| match event.action {
             Action::Impact(_) => (&event.name, None),
@@ -202,32 +202,35 @@ impl<'a> Shape<'a> {
         declared.chain(friction.map(|(name, _)| (*name, None))).collect()
     }
 
-    /// The fields that keep modes.
+    /// Returns the names of the fields that store modes.
     pub(in crate::emit) fn fields_of_modes(&self) -> impl Iterator<Item = &'a Name> {
         let with_mode = self.touching.iter().filter(|(_, touch)| *touch != Touch::Smooth);
         with_mode.map(|(name, _)| *name)
     }
 
-    /// Index of the event by which each contact or friction changes its mode, if it has one.
+    /// Returns the index of the event that changes the mode of each contact or friction, if it has
+    /// one.
     pub(in crate::emit) fn events_of_reactions(&self) -> Vec<Option<usize>> {
         let names = self.event_names();
         let event = |(name, _): &(&Name, Touch)| names.iter().position(|(other, _)| other.text == name.text);
         self.touching.iter().map(event).collect()
     }
 
-    /// The place of each reaction among contacts and frictions: friction in a plane has two.
+    /// Returns the index of the contact or friction of each reaction: friction in a plane has two
+    /// reactions.
     pub(in crate::emit) fn reactions(&self) -> Vec<usize> {
         let count = |touch: Touch| if touch == Touch::Planar { 2 } else { 1 };
         let places = self.touching.iter().enumerate();
         places.flat_map(|(place, (_, touch))| std::iter::repeat_n(place, count(*touch))).collect()
     }
 
-    /// True if a product that is emitted on demand is asked for.
+    /// True if a product emitted on demand is requested.
     pub(in crate::emit) fn asks_for(&self, product: Product) -> bool {
         self.declaration.asks_for(product.name())
     }
 
-    /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
+    /// Drops names declared twice. They are reported elsewhere; duplicate fields would be reported
+    /// again.
     fn drop_repeated_names(&mut self) {
         let mut seen = HashSet::default();
         let mut velocities: HashSet<String> = HashSet::default();
@@ -248,7 +251,7 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// Kind of a field, in words.
+    /// Returns the kind of a field as text.
     pub(in crate::emit) fn kind_of_field(&self, name: &Name) -> &'static str {
         if self.is_input(name) { "Input" } else { "Parameter" }
     }
@@ -258,28 +261,28 @@ impl<'a> Shape<'a> {
         self.inputs.contains(name.text.as_str())
     }
 
-    /// The user's documentation of a declared name, if there is any.
+    /// Returns the user's documentation of a declared name, if there is any.
     pub(in crate::emit) fn users_docs(&self, name: &Name) -> Option<&'a TokenStream> {
         self.docs.get(&name.text.as_str()).copied()
     }
 
-    /// True of a declared name that the user documents.
+    /// True for a declared name documented by the user.
     pub(in crate::emit) fn is_documented(&self, name: &Name) -> bool {
         self.docs.contains(&name.text.as_str())
     }
 
-    /// The user's documentation of a body, or a line that stands for it.
+    /// Returns the user's documentation of a body, or a default line.
     pub(in crate::emit) fn body_docs(&self, name: &Name, line: &str) -> TokenStream {
         self.user_docs(name).map_or_else(|| doc(line), Clone::clone)
     }
 
-    /// The user's documentation of a body or frame, if there is any.
+    /// Returns the user's documentation of a body or frame, if there is any.
     pub(in crate::emit) fn user_docs(&self, name: &Name) -> Option<&'a TokenStream> {
         let mut documented = self.declaration.bodies.iter().filter(|body| !body.docs.is_empty());
         documented.find(|body| body.name.text == name.text).map(|body| &body.docs)
     }
 
-    /// The name of something as it is written: `theta[2]` for an element of an array.
+    /// Returns a name as written by the user: `theta[2]` for an element of an array.
     pub(in crate::emit) fn written<'n>(&'n self, name: &'n Name) -> &'n str {
         self.written.get(&name.text.as_str()).copied().unwrap_or(&name.text)
     }
@@ -289,14 +292,14 @@ impl<'a> Shape<'a> {
         self.fields.is_empty() && matches!(self.declaration.scalar, ScalarType::Generic(_))
     }
 
-    /// Names of the user that stand in the methods' bodies beside the arguments.
+    /// Returns the user's names that occur in the methods' bodies in addition to the arguments.
     pub(in crate::emit) fn user_names(&self) -> Vec<String> {
         let velocities = self.velocities.iter().map(|velocity| velocity.name.text.clone());
         self.fields.iter().chain(&self.coordinates).map(|name| name.text.clone()).chain(velocities).collect()
     }
 }
 
-/// Indices of the scalar parts of unit quaternions among the positions.
+/// Returns the indices of the scalar parts of unit quaternions among the positions.
 fn scalar_parts(declaration: &Declaration, positions: &[&Name]) -> Vec<usize> {
     let parts = declaration.statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Quaternion(quaternion) => {
@@ -307,7 +310,7 @@ fn scalar_parts(declaration: &Declaration, positions: &[&Name]) -> Vec<usize> {
     parts.collect()
 }
 
-/// Shapes of expressions, judged by how they are written; scalars where that is wrong.
+/// Returns the shapes of expressions, judged by their syntax; scalars for invalid ones.
 fn shapes_of_expressions(declaration: &Declaration) -> HashMap<AstId, ArrayShape> {
     let mut named = HashMap::default();
     for statement in &declaration.statements {

@@ -5,7 +5,7 @@ use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use lagrange_language::syntax::print;
 
 /// Writes the statements, one on each line, without requests that only systems with bodies can
-/// fulfil.
+/// satisfy.
 pub fn statements(declaration: &Declaration) -> String {
     let mut declaration = declaration.clone();
     let is_of_bodies = |name: &str| Product::ALL.iter().any(|p| p.is_of_bodies() && p.name() == name);

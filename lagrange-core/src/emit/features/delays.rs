@@ -1,5 +1,4 @@
-//! Members for delayed signals: their values, the times by which they are late, and
-//! `DelayedSystem`.
+//! Members for delayed signals: their values, their delays, and `DelayedSystem`.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -11,7 +10,7 @@ use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::writer::MethodWriter;
 
-/// Writes the signals, and the times by which they are delayed.
+/// Writes the signals and their delays.
 pub(in crate::emit) fn write_delays(writer: &mut MethodWriter<'_>) {
     let delays = writer.model.delays.clone();
     if delays.is_empty() {
@@ -28,7 +27,7 @@ pub(in crate::emit) fn write_delays(writer: &mut MethodWriter<'_>) {
     writer.push_hidden("signals_to_delay", returns, &signals);
 }
 
-/// The method that computes the times by which signals are delayed.
+/// Returns the method that computes the delays of signals.
 pub(in crate::emit) fn lags_method(shape: &Shape<'_>, body: &TokenStream) -> TokenStream {
     let (scalar, count) = (shape.scalar(), length(shape.delays.len()));
     quote! {
@@ -38,7 +37,7 @@ pub(in crate::emit) fn lags_method(shape: &Shape<'_>, body: &TokenStream) -> Tok
     }
 }
 
-/// `DelayedSystem`, if signals are delayed.
+/// Implements `DelayedSystem`, if signals are delayed.
 pub(in crate::emit) fn delayed_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     if shape.delays.is_empty() {
         return None;
@@ -81,7 +80,7 @@ pub(in crate::emit) fn delayed_impl(shape: &Shape<'_>, members: &Members) -> Opt
     })
 }
 
-/// The member of `OdeSystem` by which runs know that signals are delayed.
+/// Returns the member of `OdeSystem` that marks systems with delayed signals.
 pub(in crate::emit) fn delay_member(shape: &Shape<'_>) -> Option<TokenStream> {
     (!shape.delays.is_empty()).then(|| {
         quote!(

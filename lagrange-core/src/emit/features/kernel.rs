@@ -1,9 +1,8 @@
 //! The equations of motion as C, for graphics processors: constants with the text, and the trait by
-//! which a driver finds what belongs to it.
+//! which a driver finds the related data.
 //!
-//! A text is whole: whoever compiles it, for OpenCL, CUDA or a processor, needs nothing else. The
-//! state decides conditions, kinks and jumps, since nobody there looks for the places where they
-//! change.
+//! A text is self-contained: it compiles for OpenCL, CUDA or a processor without further files.
+//! Conditions, kinks and jumps follow the state, since no run locates their changes there.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -33,7 +32,7 @@ const EXCLUSIONS: [Exclusion; 7] = [
     Exclusion::Delays,
 ];
 
-/// Writes the constants of the kernel, if it is asked for.
+/// Writes the constants of the kernel, if requested.
 pub(in crate::emit) fn write_kernel(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
     if !writer.model.products.contains(&Product::Kernel) || writer.is_hopeless() {
         return Ok(());
@@ -44,7 +43,7 @@ pub(in crate::emit) fn write_kernel(writer: &mut MethodWriter<'_>) -> Result<(),
     Ok(())
 }
 
-/// The whole text: prelude, sizes, accelerations, rates of the positions, normalisation.
+/// Returns the whole text: prelude, sizes, accelerations, rates of the positions, normalisation.
 pub(in crate::emit) fn kernel(
     model: &Model,
     equations: &Equations,
@@ -86,7 +85,7 @@ pub(in crate::emit) fn kernel(
     Ok(out)
 }
 
-/// Statements that store the values of `roots`.
+/// Returns statements that store the values of `roots`.
 fn body(
     model: &Model,
     equations: &Equations,
@@ -127,7 +126,7 @@ impl Surroundings for Arguments<'_> {
     }
 }
 
-/// The function that brings quaternions to length one, by which their rates do not hold them.
+/// Returns the function that normalises quaternions, whose rates do not preserve their length.
 fn normalise(model: &Model) -> String {
     let mut out = "\n// Brings quaternions among the positions to length one.\nLAGRANGE_FUNCTION void lagrange_normalise(REAL *q)\n{\n    (void)q;\n".to_owned();
     for (number, orientation) in model.orientations.iter().enumerate() {
@@ -143,7 +142,7 @@ fn normalise(model: &Model) -> String {
     out
 }
 
-/// The constants with the text.
+/// Returns the constants with the text.
 pub(in crate::emit) fn kernel_constants(double: &str, single: &str) -> TokenStream {
     let [double, single] = [double, single].map(raw);
     quote! {
@@ -154,13 +153,13 @@ pub(in crate::emit) fn kernel_constants(double: &str, single: &str) -> TokenStre
     }
 }
 
-/// Text as a literal of several lines, in which names and prelude are ASCII and no quotation mark
-/// is followed by a hash.
+/// Returns text as a multi-line raw literal. Names and prelude are ASCII, without a quotation mark
+/// followed by a hash.
 fn raw(text: &str) -> Literal {
     format!("r#\"{text}\"#").parse().unwrap_or_else(|_| Literal::string(text))
 }
 
-/// `KernelSystem`, if there is a kernel.
+/// Implements `KernelSystem`, if there is a kernel.
 pub(in crate::emit) fn kernel_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     members.kernel.as_ref()?;
     let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);

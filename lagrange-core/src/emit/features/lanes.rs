@@ -1,8 +1,8 @@
 //! The type for numbers in lanes: right-hand side, and the parameters of several motions.
 //!
-//! If equations have switches, each motion is on the side of its state, as the system is while its
-//! switches are free. Runs fix sides and stop at each surface, which parallel motions reach at
-//! different times. Such a system therefore does not offer its type to ensembles.
+//! If equations have switches, each motion follows the sides of its state, like a system with free
+//! switches. Runs fix sides and stop at each surface, which parallel motions reach at different
+//! times. The system therefore does not offer this type to ensembles.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -18,7 +18,7 @@ use crate::emit::base::shape::{Shape, doc, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 
-/// Features that a loop over motions side by side does not support.
+/// Features not supported by loops over parallel motions.
 const EXCLUSIONS: [Exclusion; 7] = [
     Exclusion::Contacts,
     Exclusion::Constraints,
@@ -29,7 +29,7 @@ const EXCLUSIONS: [Exclusion; 7] = [
     Exclusion::Delays,
 ];
 
-/// Writes the right-hand side for numbers side by side, if it is asked for.
+/// Writes the right-hand side for numbers in lanes, if requested.
 pub(in crate::emit) fn write_lanes(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
     if !writer.model.products.contains(&Product::Lanes) || writer.is_hopeless() {
         return Ok(());
@@ -47,7 +47,7 @@ pub(in crate::emit) fn write_lanes(writer: &mut MethodWriter<'_>) -> Result<(), 
     Ok(())
 }
 
-/// Sides of the switches: signs of what vanishes on them.
+/// Writes the sides of the switches, the signs of their surface functions.
 fn write_sides(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
     let switches = &writer.equations.switches[..writer.shape.switches.len()];
     if switches.is_empty() {
@@ -62,7 +62,7 @@ fn write_sides(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
     Some(sides)
 }
 
-/// The type, if it is asked for.
+/// Returns the type, if requested.
 pub(in crate::emit) fn lanes_struct(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let lanes = members.lanes.as_ref()?;
     let (name, number, visibility) =
@@ -95,7 +95,7 @@ pub(in crate::emit) fn lanes_struct(shape: &Shape<'_>, members: &Members) -> Opt
     })
 }
 
-/// Traits of the type, and that by which the system hands it out.
+/// Returns the traits of the type, and the trait by which the system provides it.
 pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let lanes = members.lanes.as_ref()?;
     let (name, number, krate, all) =
@@ -127,7 +127,7 @@ pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Opti
     })
 }
 
-/// `LanesSystem`
+/// Implements `LanesSystem`.
 fn system_impl(shape: &Shape<'_>) -> TokenStream {
     let (system, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (name, krate, number) = (shape.lanes_name(), shape.krate, shape.other_type_parameter("L"));
@@ -160,8 +160,8 @@ fn system_impl(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// `MechanicalSystem::with_lanes`, unless there are surfaces at which each motion would stop at a
-/// time of its own.
+/// Returns `MechanicalSystem::with_lanes`, unless there are surfaces at which motions would stop at
+/// different times.
 pub(in crate::emit) fn with_lanes(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, visitor_type, visitor) = (shape.krate, shape.other_type_parameter("V"), local("visitor"));
     let is_offered = members.lanes.is_some() && shape.switches.is_empty();

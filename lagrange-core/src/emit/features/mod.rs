@@ -1,4 +1,4 @@
-//! Features of emitted systems, one a file.
+//! Features of emitted systems, one per file.
 
 pub(super) mod clocks;
 pub(super) mod constants;

@@ -1,4 +1,4 @@
-//! Members for white noise: the diffusions, and what they add to the state.
+//! Members for white noise: the diffusions, and their contribution to the state.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -29,7 +29,7 @@ pub(in crate::emit) fn write_diffusion(writer: &mut MethodWriter<'_>) {
     writer.members.noise = Some(Noisy { count: diffusion.columns.len(), kind: diffusion.kind });
 }
 
-/// The members of `OdeSystem` by which methods of integration take noise.
+/// Returns the members of `OdeSystem` by which integration methods handle noise.
 pub(in crate::emit) fn noise_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let Noisy { count, kind } = members.noise?;
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());

@@ -1,7 +1,7 @@
-//! The prepared type: a system beside the values of all that its methods compute of parameters
+//! The prepared type: a system, together with all values that its methods compute from parameters
 //! alone.
 //!
-//! It wraps the system (`lagrange::system::Wrapper`), from which it has events, normalisation and
+//! It wraps the system (`lagrange::system::Wrapper`), which provides events, normalisation and
 //! energy. It has separate methods for the parts of the equations of motion. Its fields are private
 //! and it returns the system by a shared reference. Code outside the module of the declaration
 //! therefore cannot change parameters after they were prepared.
@@ -24,8 +24,8 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 use lagrange_algebra::program::Preparation;
 
-/// Products, beside `acceleration` and `rhs`, for which the prepared type has methods if the system
-/// has them.
+/// Products, in addition to `acceleration` and `rhs`, for which the prepared type has methods if
+/// the system has them.
 pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 10] = [
     Product::MassMatrix,
     Product::Forcing,
@@ -49,7 +49,7 @@ const EXCLUSIONS: [Exclusion; 6] = [
     Exclusion::Delays,
 ];
 
-/// Writes the methods of the prepared type, if it is asked for.
+/// Writes the methods of the prepared type, if requested.
 pub(in crate::emit) fn write_prepared(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
     if !writer.model.products.contains(&Product::Prepared) || writer.is_hopeless() {
         return Ok(());
@@ -98,7 +98,7 @@ fn method(
     Method { name: format_ident!("{name}"), docs: docs::with_counts(docs, counts), arguments, returns, body }
 }
 
-/// The prepared type, if it is asked for.
+/// Returns the prepared type, if requested.
 pub(in crate::emit) fn prepared_struct(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let prepared = members.prepared.as_ref()?;
     let (name, system, generics) = (shape.prepared_name(), shape.name(), shape.generics());
@@ -124,7 +124,7 @@ pub(in crate::emit) fn prepared_struct(shape: &Shape<'_>, members: &Members) -> 
     })
 }
 
-/// The method that makes the prepared type.
+/// Returns the method that creates the prepared type.
 pub(in crate::emit) fn prepared_method(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let prepared = members.prepared.as_ref()?;
     let (name, generics, fields) = (shape.prepared_name(), shape.generics(), &prepared.fields.names);
@@ -146,7 +146,7 @@ pub(in crate::emit) fn prepared_method(shape: &Shape<'_>, members: &Members) -> 
     })
 }
 
-/// Methods and traits of the prepared type.
+/// Returns methods and traits of the prepared type.
 pub(in crate::emit) fn prepared_items(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let prepared = members.prepared.as_ref()?;
     let (name, system) = (shape.prepared_name(), shape.name());
@@ -217,7 +217,7 @@ fn wrapper_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// `ControlledSystem`, if there are inputs: nothing that is prepared depends on them.
+/// Implements `ControlledSystem`, if there are inputs: no prepared value depends on them.
 fn inputs_impl(shape: &Shape<'_>, prepared: &Prepared) -> Option<TokenStream> {
     let has_inputs = shape.fields.iter().any(|name| shape.is_input(name));
     let (name, system, inputs) = (shape.prepared_name(), shape.name(), inputs_name(shape));
@@ -244,7 +244,7 @@ fn inputs_impl(shape: &Shape<'_>, prepared: &Prepared) -> Option<TokenStream> {
     })
 }
 
-/// `OutputSystem`, if there are outputs.
+/// Implements `OutputSystem`, if there are outputs.
 fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (name, system, krate) = (shape.prepared_name(), shape.name(), shape.krate);
     let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());

@@ -23,7 +23,7 @@ use lagrange_algebra::series::{
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::symbol::{Role, Symbols};
 
-/// The most groups whose sums are added up in one loop: with more, registers run out.
+/// Maximum number of groups whose sums share one loop; more would exhaust the registers.
 const LOOP: usize = 4;
 
 /// Parts of a system that series do not support.
@@ -56,7 +56,7 @@ enum Form {
     Residuals,
 }
 
-/// The programs of the form with fewer products.
+/// Returns the programs of the form with fewer products.
 fn cheaper(
     explicit: Result<SeriesPrograms, NoSeries>,
     implicit: Result<SeriesPrograms, NoSeries>,
@@ -107,7 +107,7 @@ fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms,
     expand(&motion)
 }
 
-/// The outputs of a program, one group after the other.
+/// The outputs of a program, split into consecutive groups.
 struct Outputs<'a>(&'a [ValueId]);
 
 impl<'a> Outputs<'a> {
@@ -118,7 +118,7 @@ impl<'a> Outputs<'a> {
     }
 }
 
-/// Writes the expansion; `None` if a constant is too large, which is kept in mind.
+/// Writes the expansion; `None` if a constant is too large, which is recorded.
 fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<Taylor> {
     let initial = optimise(&programs.initial, writer.model.accuracy);
     let start = writer.lowered_program(&initial, Arguments::Whole, |values| quote!([#(#values),*]));
@@ -131,7 +131,7 @@ fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<T
     Some(Taylor { shared: groups.shared.len(), groups: groups.groups.len(), followed, body })
 }
 
-/// A block with what is kept of one order.
+/// Returns a block with the stored values of one order.
 fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, groups: &Groups) -> Option<TokenStream> {
     let expansion = step(writer, programs, groups, &programs.expansion)?;
     let Some(correction) = &programs.correction else { return Some(expansion) };
@@ -146,7 +146,7 @@ fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, groups: &Gro
     }))
 }
 
-/// The loop over the orders.
+/// Returns the loop over the orders.
 fn expansion(
     shape: &Shape<'_>,
     programs: &SeriesPrograms,
@@ -207,7 +207,7 @@ fn expansion(
     }
 }
 
-/// Statements that begin to follow the arguments of tables, and that keep their newest
+/// Returns statements that start to track the arguments of tables, and that store their newest
 /// coefficients.
 fn followed(programs: &SeriesPrograms) -> [Option<TokenStream>; 2] {
     let [series, start, next, k] = ["series", "start", "next", "k"].map(local);
@@ -223,7 +223,7 @@ fn followed(programs: &SeriesPrograms) -> [Option<TokenStream>; 2] {
     [follow, keep].map(|statement| (!starts.is_empty()).then_some(statement))
 }
 
-/// A block with the outputs of the program of a step.
+/// Returns a block with the outputs of the program of a step.
 fn step(
     writer: &mut MethodWriter<'_>,
     programs: &SeriesPrograms,
@@ -258,7 +258,7 @@ fn step(
 /// Arrays in the loop over the orders.
 const ARRAYS: [&str; 6] = ["start", "sum", "now", "partial", "acceleration", "next"];
 
-/// The array and the place in it that hold a slot; `None` if it has a variable.
+/// Returns the array and the index that hold a slot; `None` if it is stored in a variable.
 fn source(slot: Slot) -> Option<(&'static str, usize)> {
     match slot {
         Slot::Initial(index) => Some(("start", index)),
@@ -270,7 +270,7 @@ fn source(slot: Slot) -> Option<(&'static str, usize)> {
     }
 }
 
-/// The variable that holds a slot.
+/// Returns the variable that holds a slot.
 fn variable(slot: Slot) -> String {
     match (source(slot), slot) {
         (Some((array, place)), _) => format!("{array}_{place}"),
@@ -280,7 +280,7 @@ fn variable(slot: Slot) -> String {
     }
 }
 
-/// `TaylorSystem`, if series are requested.
+/// Implements `TaylorSystem`, if series are requested.
 pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let Taylor { shared, groups, followed, body } = members.taylor.as_ref()?;
     let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
@@ -302,7 +302,7 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
             fn series() -> Self::Series {
                 #krate::private::Products::EMPTY
             }
-            // Compiled once for each set of instructions that the method chooses from.
+            // Compiled once for each instruction set that the method selects from.
             #[inline(always)]
             fn expand(
                 &self,

@@ -1,4 +1,4 @@
-//! What attributes of the head mean for all that is emitted.
+//! Effects of the struct's attributes on all emitted items.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,7 +8,7 @@ use crate::pipeline::expand;
 const BODY: &str = "param m = 1.0, lost = 2.0; coord x, y; kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     potential = pi * x; reduce Part { freeze y = 0; }";
 
-/// The items that are emitted, each with its attributes.
+/// Returns the emitted items, with their attributes.
 fn items(head: &str) -> Vec<syn::Item> {
     let tokens = format!("{head} {BODY}").parse::<TokenStream>().expect("tokens");
     syn::parse2::<syn::File>(expand(tokens, &quote!(::lagrange))).expect("items").items
@@ -82,7 +82,7 @@ fn expectations_are_of_what_fulfils_them() {
         assert!(has(of_struct, &format!("allow ({lint}")), "{attribute}: {:?}", attributes(of_struct));
         assert_eq!(has(of_struct, "expect (dead_code"), attribute.contains("dead_code"));
     }
-    // Nothing is deprecated here: the compiler says so.
+    // Nothing is deprecated here, which the compiler reports.
     let items = items("#[expect(deprecated)] struct Whole;");
     let expecting = items.iter().filter(|item| has(item, "expect (deprecated")).collect::<Vec<_>>();
     assert!(matches!(expecting.as_slice(), [syn::Item::Const(_)]));

@@ -1,8 +1,8 @@
-//! Conserved quantities that `emit { conserved }` finds.
+//! Conserved quantities found by `emit { conserved }`.
 
 use super::derived;
 
-/// Names of the outputs that a declaration gets.
+/// Returns the names of the outputs added to a declaration.
 fn conserved(text: &str) -> Vec<String> {
     let outputs = derived(&format!("{text} emit {{ conserved }}")).model.outputs;
     let names = outputs.iter().filter_map(|output| output.name.strip_prefix("conserved_"));
@@ -18,12 +18,12 @@ fn translations_and_rotations_of_free_points_are_found() {
     let rotations = ["angular_momentum", "angular_momentum_2", "angular_momentum_3"];
     assert_eq!(of_three(""), [&["energy", "x", "y", "z"][..], &rotations].concat());
     assert_eq!(of_three("potential = -1 / sqrt(x^2 + y^2 + z^2);"), [&["energy"][..], &rotations].concat());
-    // Planes x − y = constant turn about their normal.
+    // Planes x − y = constant rotate about their normal.
     assert_eq!(of_three("potential = (x - y)^2;"), ["energy", "x_y", "z", "angular_momentum"]);
     assert_eq!(of_three("potential = cos(x - 2*y);"), ["energy", "x_y", "z", "angular_momentum"]);
     // About the point (3, 0), not the origin.
     assert_eq!(of_three("potential = (x - 3)^2 + y^2 + z;"), ["energy", "angular_momentum"]);
-    // Time takes the energy and nothing else.
+    // Time dependence only removes the energy.
     assert_eq!(of_three("potential = sin(t) * (x^2 + y^2) + z;"), ["angular_momentum"]);
 }
 
@@ -57,7 +57,7 @@ fn constraints_contacts_and_events_end_what_they_change() {
 
 #[test]
 fn formulas_in_pieces_need_a_proof() {
-    // Flat where points are drawn, and not beyond.
+    // Flat at the sampled points, but not beyond.
     assert_eq!(of_three("potential = max(0, x - 100)^2 + y^2 + z;"), ["energy"]);
     assert_eq!(of_three("potential = if x < 50 { 0 } else { (x - 50)^3 } + y^2 + z;"), ["energy"]);
     assert_eq!(of_three("potential = max(0, x - y)^2 + z;"), ["energy", "x_y"]);

@@ -1,4 +1,4 @@
-//! What is derived and emitted of bodies and frames in space.
+//! Derived and emitted results for bodies and frames in space.
 
 use super::{derived, expand, parse};
 use crate::model::BodyMotion;
@@ -9,8 +9,8 @@ use lagrange_expr::expr::evaluate;
 use lagrange_expr::symbol::Role;
 use quote::quote;
 
-/// An arm with all kinds of steps: turns about other axes than z, an oblique one, a slide, a screw
-/// and a branch.
+/// An arm with all kinds of steps: rotations about axes other than z, an oblique one, a slide, a
+/// screw and a branch.
 const ARM: &str = "
     param m = 2, l = 0.7, e = 0.3;
     gravity = (0, 0, -9.81);
@@ -34,7 +34,7 @@ const ARM: &str = "
     output moment = angular_momentum(slider);
 ";
 
-/// A body that the user places, by an angle and a time, and what it carries.
+/// A body placed by the user with an angle and a time, and its carried bodies.
 const CARRIED: &str = "
     coord x, a;
     body cart { mass: 2; inertia: (1, 2, 2.5); centroid: (0.2, 0, 0); center: (x, 0.1*t^2, sin(x)); angles: (a, x, t); sequence: zxz; }
@@ -56,7 +56,7 @@ const TIME: f64 = 0.4;
 const Q: [f64; 5] = [0.3, -0.5, 0.7, 1.1, -0.4];
 const V: [f64; 5] = [-0.2, 0.9, 0.4, 0.6, 0.8];
 
-/// Values of a system at some state; accelerations are those that its equations give.
+/// Values of a system in some state; accelerations satisfy its equations.
 struct Values {
     derived: Derived,
     q: Vec<f64>,
@@ -104,7 +104,7 @@ impl Values {
         self.at(&motion.values).try_into().expect("as many as there are")
     }
 
-    /// Six rows of a Jacobian.
+    /// Returns the six rows of a Jacobian.
     fn jacobian(&self, name: &str) -> Vec<Vec<f64>> {
         let twists = &self.derived.model.scene.twists;
         let index = twists.iter().position(|twist| twist.name.text == name).expect("a frame");
@@ -112,7 +112,7 @@ impl Values {
         values.chunks(self.q.len()).map(<[f64]>::to_vec).collect()
     }
 
-    /// The same with a coordinate moved.
+    /// Returns the values with a coordinate displaced.
     fn moved(&mut self, coordinate: usize, by: f64) -> &Values {
         let n = self.q.len();
         self.q = Q[..n].to_vec();
@@ -161,8 +161,8 @@ fn jacobians_by_velocities_are_what_outputs_say() {
     assert_near(&found[3..], &values.output("v"), 1e-13);
 }
 
-/// Columns of the lower rows are slopes of the origin, those of the upper ones the axial vectors of
-/// ∂R/∂q Rᵀ.
+/// Columns of the lower rows are slopes of the origin; columns of the upper rows are the axial
+/// vectors of ∂R/∂q Rᵀ.
 #[test]
 fn jacobians_are_slopes_of_frames() {
     const STEP: f64 = 1e-5;
@@ -187,8 +187,8 @@ fn entries_of_joints_that_do_not_move_a_frame_are_exactly_zero() {
     let values = Values::of(&format!("{ARM} emit {{ frame_jacobians }}"));
     let graph = &values.derived.model.graph;
     let n = values.q.len();
-    // Coordinates q1, q2, s, q3, u; slides turn nothing, and wrist and slider have no part in each
-    // other's branch.
+    // Coordinates q1, q2, s, q3, u; slides rotate nothing, and wrist and slider are on separate
+    // branches.
     let moved = [("base", [1, 0, 0, 0, 0]), ("arm", [1, 1, 0, 0, 0]), ("nut", [1, 0, 0, 0, 1])];
     for (name, moves) in moved {
         let twists = &values.derived.model.scene.twists;
@@ -218,7 +218,7 @@ fn motions_are_what_outputs_say() {
     assert_near(&base[13..16], &center, 1e-14);
 }
 
-/// Kinetic energies of all bodies are that of the system.
+/// The sum of all bodies' kinetic energies is that of the system.
 #[test]
 fn motions_have_the_energy_of_the_system() {
     let values = Values::of(&format!("{ARM} emit {{ motion }}"));
@@ -270,7 +270,7 @@ fn statements_hold_what_products_need_and_nothing_else() {
     assert_eq!(statements("emit { frames, no frames }"), statements(""));
     assert!(!bare("emit { statements }").contains("let wrist_x"));
     assert!(bare("emit { frames, statements }").contains("let wrist_x"));
-    // Jacobians need where origins are, and no axes of the last frame.
+    // Jacobians need the positions of origins, and no axes of the last frame.
     let jacobians = bare("emit { frame_jacobians }");
     assert!(jacobians.contains("let hand_origin") && !jacobians.contains("let wrist_x"), "{jacobians}");
 }
@@ -297,7 +297,7 @@ fn methods_are_emitted_of_what_is_asked_for_alone() {
     assert!(skeleton.contains("SpatialMotion") && skeleton.contains("[[f64 ; 1] ; 6]"));
 }
 
-/// The first line of what is wrong; there is one mistake.
+/// Returns the first line of the single error.
 #[track_caller]
 fn mistake(text: &str) -> String {
     let report = parse(text).err().unwrap_or_else(|| panic!("no mistake in {text}"));

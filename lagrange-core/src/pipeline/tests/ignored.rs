@@ -1,11 +1,11 @@
-//! Reduced types with ignored coordinates, beside Routhians of textbooks.
+//! Reduced types with ignored coordinates, compared with Routhians from textbooks.
 
 use super::{NumericSystem, derived, parse};
 use crate::model::Product;
 use lagrange_expr::expr::Dependencies;
 
-/// Compares the Lagrangian of the first reduced type with a Routhian of parameters, positions and
-/// velocities.
+/// Compares the Lagrangian of the first reduced type with a Routhian as a function of parameters,
+/// positions and velocities.
 fn assert_routhian(text: &str, expected: impl Fn(&[f64], &[f64], &[f64]) -> f64) {
     let derived = derived(&format!("{text} emit {{ lagrangian }}"));
     let part = &derived.reduced[0];
@@ -121,8 +121,8 @@ fn coordinates_become_states_and_momenta_parameters() {
     assert_eq!(system.output("a", 0.0, &q, &v), Some(vec![0.0]));
 }
 
-/// A pendulum on an arm that turns about the vertical axis, by bodies, whose accelerations are
-/// found by a Gibbs function.
+/// A pendulum on an arm that rotates about the vertical axis, declared with bodies, whose
+/// accelerations are derived from a Gibbs function.
 #[test]
 fn bodies_in_space_turn_about_the_vertical() {
     let derived = derived(
@@ -147,8 +147,8 @@ fn bodies_in_space_turn_about_the_vertical() {
     }
 }
 
-/// The first force points outwards from the axis, which no turn changes; the second depends on the
-/// direction.
+/// The first force points outwards from the axis, independently of rotation; the second depends on
+/// the direction.
 #[test]
 fn forces_on_others_may_turn_with_what_is_ignored() {
     let text = "coord theta, phi; let (x, y) = (sin(theta)*cos(phi), sin(theta)*sin(phi));
@@ -173,7 +173,7 @@ fn forces_on_others_may_turn_with_what_is_ignored() {
 const TURN: &str = "param k = 3, f = 2; coord theta, phi;
     kinetic = 1/2*dot(theta)^2 + 1/2*(1 + theta^2)*dot(phi)^2; ";
 
-/// Conditions, signs and tables have no gradient where they decide by an angle.
+/// Conditions, signs and tables have no gradient if they depend on an angle.
 #[test]
 fn outputs_keep_what_only_decides() {
     let derived = derived(&format!(
@@ -254,7 +254,7 @@ fn rates_of_ignored_coordinates_have_a_name() {
     assert_eq!(reserved("state s; dot(s) = x;", "ignore y"), (1, false));
 }
 
-/// ẋẏ alone: R = ½ ż² − V − p_x p_y; with 2ẋẇ + ẏ² + u ẇ ẏ beside it, M is indefinite, too
+/// For ẋẏ alone, R = ½ ż² − V − p_x p_y; with 2ẋẇ + ẏ² + u ẇ ẏ added, M is also indefinite
 #[test]
 fn indefinite_energies_are_reduced_if_momenta_are_independent() {
     assert_routhian(
@@ -273,7 +273,7 @@ fn indefinite_energies_are_reduced_if_momenta_are_independent() {
             0.5 * v[0] * v[0] - 0.5 * (x * shift + y * turn + w * rate)
         },
     );
-    // A zero by an identity is no pivot.
+    // A pivot that is zero by an identity is rejected.
     let zero = "(sin(z)^2 + cos(z)^2 - 1)";
     assert_routhian(
         &format!(
@@ -291,7 +291,7 @@ fn indefinite_energies_are_reduced_if_momenta_are_independent() {
     assert!(found.contains("cannot be ignored"), "{found}");
 }
 
-/// Both terms overflow: ∞ ≤ 10⁻⁹ ∞ says nothing.
+/// Both terms overflow: ∞ ≤ 10⁻⁹ ∞ is meaningless.
 #[test]
 fn infinite_terms_do_not_vanish() {
     let found = report(&format!("{TURN} potential = (1 + theta)^2000*phi^2; reduce R {{ ignore phi; }}"));

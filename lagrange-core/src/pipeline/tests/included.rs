@@ -1,4 +1,4 @@
-//! Files of parts.
+//! Included files of parts.
 
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::tables::FileText;
@@ -7,7 +7,7 @@ use quote::quote;
 use crate::derive::StrategyChoice;
 use crate::pipeline::{expand_with, parse_with};
 
-/// A reader of files that are given with their paths.
+/// Returns a reader of the given files with their paths.
 fn files<'f>(files: &'f [(&str, &str)]) -> impl Fn(&str) -> Result<FileText, String> + 'f {
     |path| match files.iter().find(|(known, _)| *known == path) {
         Some((_, text)) => Ok(FileText { path: format!("/crate/{path}"), text: (*text).to_owned() }),
@@ -29,7 +29,7 @@ const HOPPER: &str =
 #[test]
 fn parts_of_files_are_those_of_the_declaration_and_files_are_watched() {
     let of = [("spring.lag", SPRING), ("foot.lag", FOOT)];
-    // Each file is read once, however often it is included.
+    // Each file is read only once, however often it is included.
     let included = emitted(&format!("include \"foot.lag\"; include \"spring.lag\"; {HOPPER}"), &of);
     for path in ["/crate/spring.lag", "/crate/foot.lag"] {
         assert_eq!(included.matches(&format!("include_bytes ! (\"{path}\")")).count(), 1, "{path}");
@@ -44,7 +44,7 @@ fn parts_of_files_are_those_of_the_declaration_and_files_are_watched() {
     assert_eq!(format!("{first}{}", rest.trim_start()).replace(' ', ""), whole.replace(' ', ""));
 }
 
-/// All messages about a declaration, each with the place of its error.
+/// Returns all messages about a declaration, each with the position of its error.
 fn mistakes(text: &str, of: &[(&str, &str)]) -> Vec<String> {
     let report = parse_with(text, &files(of)).err().unwrap_or_default();
     let place = |origin: lagrange_expr::diagnostics::Origin| {
@@ -98,7 +98,7 @@ fn chains_of_files_end() {
     assert_eq!(found, ["1:9 f31.lag:1:9: files include each other more than 32 deep"]);
 }
 
-/// The macro reads tokens; there the places in files are those of a second reading.
+/// The macro reads tokens; positions in files come from a second reading.
 #[test]
 fn errors_of_the_macro_name_files_lines_and_columns() {
     let tokens = "struct S; include \"p.lag\"; a: P {}".parse().expect("tokens");

@@ -1,4 +1,4 @@
-//! Limits that several kinds of statements share.
+//! Limits shared by several kinds of statements.
 
 use crate::limits::MAX_EVENTS;
 use crate::pipeline::parse;

@@ -1,11 +1,11 @@
-//! Declarations with noise, beside the same ones with inputs.
+//! Declarations with noise, compared with the same declarations with inputs.
 
 use super::derived;
 use crate::derive::DiffusionKind;
 use crate::pipeline::{NumericSystem, parse};
 
-/// Systems without the declaration of `w` and `v`, with a state [q…, v…] and the number of
-/// positions.
+/// Systems without the declaration of `w` and `v`, with a state [q…, v…], the number of positions,
+/// and the kind of diffusion.
 const SYSTEMS: [(&str, &[f64], usize, DiffusionKind); 4] = [
     (
         "param m = 2; coord x, y; kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2); force x = w - dot(x);
@@ -45,7 +45,7 @@ const SYSTEMS: [(&str, &[f64], usize, DiffusionKind); 4] = [
     ),
 ];
 
-/// The rates are linear in noise, so that a unit of an input in its place adds the diffusion.
+/// The rates are linear in noise, so a unit of an input in its place adds the diffusion.
 #[test]
 fn diffusions_are_what_a_unit_of_an_input_adds() {
     for (statements, state, positions, kind) in SYSTEMS {
@@ -107,7 +107,7 @@ fn noise_is_a_name_like_any_other() {
     assert_eq!(found, [0.0, -2.0, 0.5]);
 }
 
-/// Without noise nothing is emitted for it, and with it no quantity is said to be conserved.
+/// Without noise nothing is emitted for it; with noise no quantity is documented as conserved.
 #[test]
 fn noise_leaves_nothing_conserved() {
     let spring = |more: &str| derived(&format!("coord x; kinetic = 1/2 * dot(x)^2; potential = x^2; {more}"));

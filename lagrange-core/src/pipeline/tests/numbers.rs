@@ -1,15 +1,16 @@
-//! Numbers that are not real, and numbers that no scalar holds: reported where they stand.
+//! Numbers that are not real, and numbers outside the range of all scalars: reported at their
+//! position.
 
 use crate::pipeline::parse;
 
 const POINT: &str = "coord x; kinetic = 1/2 * dot(x)^2; ";
 
-/// What is reported of a point with one more statement.
+/// Returns the report about a point with an additional statement.
 fn report(statement: &str) -> String {
     parse(&format!("{POINT}{statement}")).map_or_else(|report| report.to_string(), |_| String::new())
 }
 
-/// The single mistake of a statement stands at this part of it.
+/// Checks that a statement has a single error, at this part of it.
 fn assert_reported(statement: &str, part: &str, message: &str) {
     let column = POINT.len() + statement.find(part).expect("a part of the statement") + 1;
     let report = report(statement);
@@ -37,7 +38,7 @@ fn what_is_not_real_is_reported_where_it_stands() {
     assert!(report("output o = ln(0);").contains("help: `ln` is defined above 0"));
 }
 
-/// Against the functions of the standard library.
+/// Compares with the functions of the standard library.
 #[test]
 fn functions_are_refused_exactly_where_they_have_no_value() {
     type Function = (&'static str, fn(f64) -> f64);

@@ -1,4 +1,4 @@
-//! What is derived and emitted of rigid bodies.
+//! Derived and emitted results for rigid bodies.
 
 use super::{derived, expand, parse};
 use crate::model::{BodyMotion, Model, Scene};
@@ -13,7 +13,7 @@ const ROD: &str = "
     body rod { mass: m; shape: slender_rod(l); center: (x, y); angle: a; }
 ";
 
-/// A rod with everything that can be drawn, declared in another order than it is drawn in.
+/// A rod with everything that can be drawn, declared in a different order than it is drawn.
 const FULL: &str = "
     param m = 2, l = 3;
     coord x, y, a;
@@ -30,7 +30,7 @@ fn scene(text: &str) -> Scene {
     parse(text).unwrap_or_else(|report| panic!("{text}\n{report}")).model.scene
 }
 
-/// The first line of what is wrong.
+/// Returns the first line of the errors.
 #[track_caller]
 fn mistake(text: &str) -> String {
     let report = parse(text).err().unwrap_or_else(|| panic!("no mistake in {text}"));
@@ -42,7 +42,7 @@ fn items(text: &str) -> String {
     expand(tokens, &quote!(::lagrange)).to_string()
 }
 
-/// Rod, line, spring, joint or force.
+/// Returns the kind of a drawn item: rod, line, spring, joint or force.
 fn kind(kind: &DrawnKind) -> &'static str {
     match kind {
         DrawnKind::Line { .. } => "line",
@@ -67,7 +67,7 @@ fn nothing_is_derived_or_emitted_that_nobody_asks_for() {
     let silent = scene(ROD);
     assert!(silent.motions.is_empty() && silent.drawing.is_empty());
     let text = items(&format!("struct Rod; {ROD}"));
-    // What stands there only for the compiler to explain takes `&mut self`.
+    // Members that only serve compiler messages take `&mut self`.
     for absent in ["rod_motion (& self", "scene", "STATEMENTS"] {
         assert!(!text.contains(absent), "{absent}");
     }
@@ -159,7 +159,8 @@ fn bodies_cannot_be_named_like_a_method_that_exists() {
     assert!(held.contains("`redundant_motion`"), "{held}");
 }
 
-/// The numbers that say how the first body moves, at x = 0.3, y = 0.5 and velocities 0.2, 0.1.
+/// Returns the numbers that describe the motion of the first body, at x = 0.3, y = 0.5 and
+/// velocities 0.2, 0.1.
 fn numbers(model: &Model) -> [f64; BodyMotion::VALUES[0]] {
     let value = |role| match role {
         Role::Parameter(i) => [2.0, 3.0][i as usize],

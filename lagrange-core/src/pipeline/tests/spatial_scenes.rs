@@ -1,4 +1,4 @@
-//! What there is to draw of bodies in space.
+//! Drawn items of bodies in space.
 
 use super::{derived, expand, parse};
 use crate::model::{DrawnItem, Scene};
@@ -8,7 +8,7 @@ use lagrange_language::bodies::{DrawnKind, SpatialJointForm};
 use lagrange_language::syntax::ast::MobilizerKind;
 use quote::quote;
 
-/// An arm with everything that can be drawn, declared in another order than it is drawn in.
+/// An arm with everything that can be drawn, declared in a different order than it is drawn.
 const ARM: &str = "
     param m = 2, l = 0.5, c = 0.1;
     input u;

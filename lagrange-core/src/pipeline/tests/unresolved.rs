@@ -1,4 +1,4 @@
-//! Names that stand for nothing: each is reported once.
+//! Undefined names: each is reported once.
 
 use crate::pipeline::parse;
 
@@ -31,7 +31,7 @@ fn a_name_that_is_declared_further_down_is_reported_once() {
     assert_eq!(report.matches("error at").count(), 1, "{report}");
 }
 
-/// The number of mistakes does not grow with the number of places.
+/// The number of errors does not grow with the number of uses.
 #[test]
 fn without_its_coordinates_a_chain_has_a_mistake_for_each() {
     let chain = |n: usize| {

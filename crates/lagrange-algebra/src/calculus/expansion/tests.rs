@@ -7,7 +7,7 @@ use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// Coordinates x, y and their velocities.
+/// Returns coordinates x, y and their velocities.
 fn symbols(g: &mut Graph) -> [ExprId; 4] {
     let roles = [Role::Coordinate(0), Role::Coordinate(1), Role::Velocity(0), Role::Velocity(1)];
     roles.map(|role| {
@@ -52,8 +52,8 @@ fn every_function_is_met_to_third_order() {
             let at = [0.6 + h, 0.4 - 2.0 * h, 0.0, 0.0];
             (value(&g, series.closed, at) - value(&g, f, at)).abs()
         };
-        // Third derivatives are of the order of ten or a hundred here; second ones would show at
-        // 1e-6.
+        // Third derivatives are of order ten to a hundred here; errors in second ones would appear
+        // at 1e-6.
         assert!(error(0.0) < 1e-15 && error(1e-3) < 1e-7, "{}: {} {}", row.name, error(0.0), error(1e-3));
     }
 }

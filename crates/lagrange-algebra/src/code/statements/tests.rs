@@ -31,7 +31,7 @@ impl Surroundings for Vectors<'_> {
     }
 }
 
-/// A one-sided spring with dry friction, on a turning disc.
+/// Writes a one-sided spring with dry friction, on a rotating disc.
 fn body(target: Target, accuracy: Accuracy) -> String {
     let mut graph = Graph::new();
     let g = &mut graph;

@@ -1,4 +1,4 @@
-//! What is written means what the program means, to the bit.
+//! Written code has the meaning of the program, to the bit.
 
 use lagrange_math::sin_cos_each;
 use proptest::prelude::{ProptestConfig, prop_assert, proptest};
@@ -47,7 +47,7 @@ impl Machine {
         }
     }
 
-    /// Statements in a block of their own, of which only what it gives is known afterwards.
+    /// Executes statements in a separate block, from which only the results remain known.
     fn part(&mut self, kept: &PatSlice, block: &Block) {
         let Some((Stmt::Expr(Expr::Array(given), None), statements)) = block.stmts.split_last() else {
             panic!("a part gives an array")
@@ -175,7 +175,7 @@ proptest! {
         for program in optimised.into_iter().chain([lowered]) {
             let expected = run(&program, |role| at(role, 0.0));
             for scalar in [Scalar::F64, generic(), side_by_side()] {
-                // Constants out of range are a mistake of the formula.
+                // Constants out of range are an error in the formula.
                 let Some(written) = execute(&graph, &program, &scalar) else { return Ok(()) };
                 prop_assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}: {program:?}");
             }
@@ -187,7 +187,7 @@ proptest! {
 fn long_bodies_in_parts_compute_what_the_interpreter_computes() {
     let (mut graph, parameters, coordinates) = letters();
     let letters = [parameters.as_slice(), &coordinates].concat();
-    // Every step uses the one before, one far back and a pair of a sine and a cosine.
+    // Every step uses the previous value, a much earlier one, and a pair of a sine and a cosine.
     let mut values = letters.clone();
     for step in 0..4000 {
         let (last, early) = (values[values.len() - 1], values[step * step % values.len()]);
@@ -209,7 +209,7 @@ fn long_bodies_in_parts_compute_what_the_interpreter_computes() {
     }
 }
 
-/// The most statements in one of the blocks of a body.
+/// Returns the largest number of statements in a block of a body.
 fn longest_block(block: &Block) -> usize {
     let inner = block.stmts.iter().map(|statement| match statement {
         Stmt::Local(Local { init: Some(init), .. }) => match &*init.expr {

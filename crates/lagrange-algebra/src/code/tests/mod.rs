@@ -19,7 +19,7 @@ fn side_by_side() -> Scalar {
     Scalar::SideBySide { number: Ident::new("S", Span::call_site()), is_single: false }
 }
 
-/// The body as a formatted function.
+/// Returns the body as a formatted function.
 fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: &Scalar) -> String {
     let program = optimise(&lower(graph, outputs, labels), Accuracy::Standard);
     let mut names = Names::default();

@@ -5,7 +5,7 @@ use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// `x -> x·(x + sin x)`, again and again: the text doubles with each step, the graph does not.
+/// Applies `x -> x·(x + sin x)` repeatedly: the text doubles with each step, the graph does not.
 fn doublings(g: &mut Graph, steps: usize) -> ExprId {
     let mut x = polish(g, "x");
     for _ in 0..steps {

@@ -1,4 +1,4 @@
-//! How many operations small formulas take.
+//! Operation counts of small formulas.
 
 use super::{counts, letters};
 use lagrange_expr::expr::{ExprId, Function, Graph};

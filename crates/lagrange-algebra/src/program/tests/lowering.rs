@@ -71,7 +71,7 @@ fn an_empty_program_and_repeated_outputs_are_programs() {
     assert_eq!(run(&optimised(&g, &[a, a]), |_| 3.0), [3.0, 3.0]);
 }
 
-/// Nests `step` so deep that a recursive walk would overflow the stack of this thread.
+/// Nests `step` so deeply that a recursive walk would overflow the stack of this thread.
 fn deep(step: fn(&mut Graph, ExprId, ExprId) -> ExprId) {
     let run = move || {
         let (mut g, [a, ..], [x, _]) = letters();

@@ -9,7 +9,7 @@ use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// A graph with parameters `a` to `d` and coordinates `x` and `y`.
+/// Returns a graph with parameters `a` to `d` and coordinates `x` and `y`.
 pub(crate) fn letters() -> (Graph, [ExprId; 4], [ExprId; 2]) {
     let mut graph = Graph::new();
     let parameters = ["a", "b", "c", "d"];
@@ -25,7 +25,7 @@ pub(crate) fn lowered(graph: &Graph, outputs: &[ExprId]) -> Program {
     program
 }
 
-/// After every pass, each checked.
+/// Returns the program after every pass, each of which is verified.
 fn optimised(graph: &Graph, outputs: &[ExprId]) -> Program {
     let mut program = lowered(graph, outputs);
     for pass in super::passes(Accuracy::Standard) {

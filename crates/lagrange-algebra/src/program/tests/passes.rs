@@ -1,4 +1,4 @@
-//! What single passes do.
+//! Effects of single passes.
 
 use super::{letters, lowered};
 use crate::program::{
@@ -50,7 +50,7 @@ fn a_pair_is_made_only_where_both_are_wanted() {
     assert_eq!(kinds(&program), ["pair", "sine", "other", "cosine"]);
 }
 
-/// The arguments of each batch.
+/// Returns the arguments of each batch.
 fn batches(program: &Program) -> Vec<Vec<ValueId>> {
     let batch = |op: &Op| match op {
         Op::SinCosEach(angles) => Some(angles.to_vec()),
@@ -99,8 +99,8 @@ fn values_are_computed_close_to_their_use() {
     assert_eq!(schedule(&program), program);
 }
 
-/// c·d waits for nothing, sin(a·b) for a product: that comes first, and the other stands where it
-/// is needed.
+/// c·d has no dependencies, while sin(a·b) depends on a product. The product therefore comes first,
+/// and c·d immediately before its use.
 #[test]
 fn what_waits_longest_is_computed_first() {
     let (mut g, [a, b, c, d], _) = letters();

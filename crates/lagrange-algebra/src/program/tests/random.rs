@@ -1,4 +1,4 @@
-//! Programs compute what their expressions mean, whatever the expressions.
+//! Programs compute the values of their expressions, for random expressions.
 
 use proptest::prelude::{
     ProptestConfig, Strategy, any, prop, prop_assert, prop_assert_eq, prop_assume, proptest,
@@ -14,7 +14,7 @@ use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// What to build next, and from which of the expressions built so far.
+/// The next construction step, with indices of earlier expressions.
 pub(crate) type Step = (u8, u8, u8, i8);
 
 pub(crate) fn steps() -> impl Strategy<Value = Vec<Step>> {
@@ -24,7 +24,7 @@ pub(crate) fn steps() -> impl Strategy<Value = Vec<Step>> {
 pub(crate) fn build(graph: &mut Graph, leaves: &[ExprId], steps: &[Step]) -> Vec<ExprId> {
     let mut made = leaves.to_vec();
     for &(kind, i, j, n) in steps {
-        // Mostly of what is new, so that expressions become deep.
+        // Mostly recent expressions are selected, so that the result becomes deep.
         let pick = |k: u8| made[made.len() - 1 - usize::from(k) % made.len().min(8)];
         let (a, b) = (pick(i), pick(j));
         let n = i64::from(n % 5);
@@ -54,15 +54,15 @@ pub(crate) fn at(role: Role, shift: f64) -> f64 {
     value * (1.0 + shift)
 }
 
-/// Whether two results agree as far as the conditioning of the formula lets them: `shifted` is the
-/// expected result for slightly different symbols.
+/// True if two results agree within the conditioning of the formula: `shifted` is the expected
+/// result for slightly different symbols.
 fn agree(value: f64, expected: f64, shifted: f64) -> bool {
     let tolerance = 1e-9 * (1.0 + expected.abs()) + 1e3 * (shifted - expected).abs();
     value == expected || (value - expected).abs() <= tolerance || !tolerance.is_finite()
 }
 
-/// Whether some condition compares values that are equal but for rounding, or infinite for that
-/// reason, and whether a function that jumps is taken there: either branch is right then.
+/// True if a condition compares values that are equal up to rounding, or infinite because of it, or
+/// a jumping function is evaluated there. Either branch is then correct.
 fn decides_by_rounding(graph: &Graph, outputs: &[ExprId]) -> bool {
     let at = |ids: &[ExprId]| evaluate(graph, ids, |role| at(role, 0.0));
     graph.reachable(outputs).into_iter().any(|id| match graph.node(id) {
@@ -78,7 +78,7 @@ fn decides_by_rounding(graph: &Graph, outputs: &[ExprId]) -> bool {
     })
 }
 
-/// Whether two results are the same number, or none.
+/// True if two results are the same number, or both NaN.
 pub(crate) fn same_bits((a, b): (&f64, &f64)) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }
@@ -104,7 +104,7 @@ proptest! {
                 program = (pass.run)(&program);
                 let after = run(&program, |role| at(role, 0.0));
                 prop_assert_eq!(verify(&program), Ok(()), "after {}", pass.name);
-                // Fused operations round differently, and so do other sines.
+                // Fused operations and fast sines round differently.
                 let exact = cfg!(not(target_feature = "fma")) && accuracy != Accuracy::Fast;
                 let same = match exact {
                     true => values.iter().zip(&after).all(same_bits),
@@ -115,14 +115,14 @@ proptest! {
         }
     }
 
-    /// Parameters are 0 to 3; what is prepared comes behind them.
+    /// Parameters are 0 to 3; prepared values follow them.
     #[test]
     fn what_is_prepared_computes_the_same_bits_and_is_no_longer_computed(steps in steps()) {
         let (mut graph, parameters, coordinates) = letters();
         let outputs = build(&mut graph, &[parameters.as_slice(), &coordinates].concat(), &steps);
         let program = lowered(&graph, &outputs);
         let mut preparation = Preparation::new(4);
-        // Once more, so that what is there is found again.
+        // A second preparation must find the existing values.
         let [prepared, again] = [(); 2].map(|()| preparation.prepare(&program));
         prop_assert_eq!(&prepared, &again);
         let values = preparation.finish();
@@ -140,7 +140,7 @@ proptest! {
         prop_assert!(!prepared.values().any(is_left), "{prepared:?}");
     }
 
-    /// `verify` finds operands that stand after their use.
+    /// `verify` detects operands that are defined after their use.
     #[test]
     fn any_order_of_values_computes_the_same_bits(steps in steps()) {
         let (mut graph, parameters, coordinates) = letters();

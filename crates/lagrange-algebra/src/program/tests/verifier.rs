@@ -1,4 +1,4 @@
-//! The verifier finds planted faults.
+//! The verifier detects planted faults.
 
 use crate::program::ir::Value;
 use crate::program::{Fault, Op, Program, ValueId, ValueTable, verify};
@@ -7,7 +7,7 @@ use lagrange_expr::symbol::Role;
 
 const INPUT: Op = Op::Input(Role::Time);
 
-/// A program that no builder would make.
+/// Returns a program that no builder would create.
 fn planted(ops: impl IntoIterator<Item = Op>, outputs: &[usize]) -> Program {
     let mut values = ValueTable::with_capacity(0);
     for op in ops {

@@ -32,10 +32,10 @@ fn value(role: Role) -> f64 {
     }
 }
 
-/// One step of a random construction: an operation and the two earlier results it takes.
+/// One step of a random construction: an operation and its two operands.
 type Step = (u8, u8, u8);
 
-/// Builds expressions that hold squares, differences, quotients, roots and conditions.
+/// Builds expressions with squares, differences, quotients, roots and conditions.
 fn build(g: &mut Graph, steps: &[Step]) -> Vec<ExprId> {
     let mut pool = letters(g).to_vec();
     for &(operation, first, second) in steps {

@@ -19,7 +19,7 @@ fn value(role: Role) -> f64 {
     }
 }
 
-/// The two terms that a rule speaks of, times `cofactor`.
+/// Returns the two terms of a rule, times `cofactor`.
 fn sides(g: &mut Graph, rule: &Rule, cofactor: ExprId, x: ExprId, y: ExprId) -> [ExprId; 2] {
     let y = if rule.arguments == RuleArguments::Same { x } else { y };
     let side = |g: &mut Graph, [f, h]: [Function; 2]| {
@@ -71,7 +71,7 @@ fn no_rule_joins_terms_with_different_cofactors() {
     }
 }
 
-/// `M`, `l`, `sin q`, `cos q`.
+/// Returns `M`, `l`, `sin q`, `cos q`.
 fn pendulum(g: &mut Graph) -> [ExprId; 4] {
     let [q, ..] = coordinates(g);
     let (m, l) = (g.symbol("M", Role::Parameter(0)), g.symbol("l", Role::Parameter(1)));

@@ -1,5 +1,4 @@
-//! Sums of products of sines and cosines, contracted and opened, and what expressions have in
-//! common.
+//! Sums of products of sines and cosines: contraction, expansion, and common factors.
 
 use proptest::collection::vec;
 use proptest::prelude::{ProptestConfig, Strategy, prop, prop_assert, prop_assert_eq, proptest};
@@ -63,7 +62,7 @@ fn random_terms() -> impl Strategy<Value = Vec<RandomTerm>> {
     vec((-2..3_i64, 0..4_usize, vec(wave, 0..4)), 1..8)
 }
 
-/// The terms of a sum with no two of them equal, as sums are before they are contracted.
+/// Returns the distinct terms of a sum, as required before contraction.
 fn build(g: &mut Graph, terms: &[RandomTerm]) -> Vec<(ExprId, Number)> {
     let Letters { masses: [m, n], angles } = letters(g);
     let (one, squared, product) = (g.number(1), g.square(m), g.multiply(m, n));
@@ -201,7 +200,7 @@ fn three_links_contract_as_two_do() {
     assert_eq!(contracted(&mut g, &[(whole, 1), (part, -1)]), expected);
 }
 
-/// However often a difference of angles is met, and in whichever nesting, it has one sine.
+/// However often and in whichever nesting a difference of angles occurs, it has one sine.
 #[test]
 fn an_angle_is_written_in_one_way() {
     let mut g = Graph::new();
@@ -259,7 +258,7 @@ fn nothing_that_may_vanish_on_the_way_is_divided_by() {
     assert_eq!(safe_quotient(&mut g, n, denominator), None);
 }
 
-/// Written out, such powers would take more memory than there is.
+/// Expanded, such powers would exceed the memory.
 #[test]
 fn powers_without_bound_stay_as_they_are() {
     let mut g = Graph::new();
@@ -277,7 +276,7 @@ fn powers_without_bound_stay_as_they_are() {
     assert_eq!(contracted(&mut g, &squares), one);
 }
 
-/// Written out, the angles have 2⁶⁰ terms.
+/// Expanded, the angles have 2⁶⁰ terms.
 #[test]
 fn sums_that_angles_share_are_read_once() {
     let mut g = Graph::new();

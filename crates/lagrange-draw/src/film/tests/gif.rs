@@ -9,7 +9,7 @@ struct Shown {
     rgba: Vec<u8>,
 }
 
-/// The pictures of a GIF as a viewer shows them.
+/// Returns the pictures of a GIF as a viewer displays them.
 fn play(bytes: &[u8]) -> Vec<Shown> {
     let mut options = DecodeOptions::new();
     options.set_color_output(ColorOutput::RGBA);
@@ -55,7 +55,7 @@ fn holds_only_what_changes() {
 
 #[test]
 fn lasts_as_long_as_the_motion() {
-    // A third of a second has no end in hundredths, and yet nothing adds up.
+    // A third of a second is not a whole number of hundredths, yet errors do not accumulate.
     let times: Vec<f64> = (0..10).map(|index| f64::from(index) / 3.0).collect();
     let delays: Vec<u16> =
         play(&pendulum_at(&times).gif().expect("can be written")).iter().map(|shown| shown.delay).collect();

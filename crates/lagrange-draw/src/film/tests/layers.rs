@@ -2,7 +2,7 @@ use crate::film::layers::{Change, Layer, layers, lengths};
 use crate::film::tests::{line, pendulum, pendulum_at, stroke};
 use crate::picture::{Mark, Picture, Point, Segment};
 
-/// The marks that layers show in a picture.
+/// Returns the marks of layers in a picture.
 fn marks(layers: &[Layer], picture: usize) -> Vec<Mark> {
     layers.iter().filter_map(|layer| mark(layer, picture)).collect()
 }
@@ -91,8 +91,8 @@ fn hold_only_what_changes() {
             Change::Bends(_) => 'b',
         })
         .collect();
-    // Ground, path, rod, disk, velocity, force, label; a time for each tenth of a second, to which
-    // 1.16 s is rounded, too.
+    // Ground, path, rod, disk, velocity, force, label; one time label per tenth of a second,
+    // including the rounded 1.16 s.
     let times =
         film.times().iter().map(|time| format!("{time:.1}")).collect::<std::collections::BTreeSet<_>>();
     let wanted: Vec<char> = "sgmmbsm".chars().chain(std::iter::repeat_n('s', times.len())).collect();
@@ -101,7 +101,7 @@ fn hold_only_what_changes() {
 
 #[test]
 fn follow_turns_beyond_half_a_turn() {
-    // The rod swings by 0.9 rad, so that its own angle never jumps.
+    // The rod swings by 0.9 rad, so its own angle never jumps.
     let film = pendulum_at(&(0..200).map(|index| f64::from(index) / 25.0).collect::<Vec<_>>());
     for layer in layers(&film.recording) {
         let Change::Moves(poses) = layer.change else { continue };
@@ -131,7 +131,7 @@ fn path(points: &[Point]) -> Picture {
 
 #[test]
 fn grow_although_the_last_point_of_a_picture_may_lack_in_the_next() {
-    // The second picture ends at 10.4, which is too near to 10 to stay.
+    // The second picture ends at 10.4, too close to 10 to be kept.
     let pictures = [
         path(&[[0.0, 0.0], [10.0, 0.0]]),
         path(&[[0.0, 0.0], [10.0, 0.0], [10.4, 0.1]]),

@@ -12,7 +12,7 @@ fn numbers(list: &str) -> Vec<f64> {
 
 #[test]
 fn has_a_time_for_each_value() {
-    // The last interval is shorter, as where an event ended the motion.
+    // The last interval is shorter, as after an event that ends the motion.
     let times: Vec<f64> = (0..24).map(|index| f64::from(index) / 25.0).chain([0.9301]).collect();
     let text = pendulum_at(&times).svg();
     let document = Document::parse(&text).expect("is well formed");
@@ -42,7 +42,7 @@ fn leaves_out_times_that_follow_from_the_number_of_values() {
         let values = animation.attribute("values").expect("has values").split(';').count();
         assert_eq!((values, animation.attribute("keyTimes")), (26, None));
     }
-    // The path; two for each of rod, disk and label but their angles, if those stay; the velocity.
+    // The path; two for each of rod, disk and label, apart from constant angles; the velocity.
     assert_eq!(smooth.len(), 1 + 2 + 1 + 1 + 1);
 }
 
@@ -97,7 +97,7 @@ fn looks_like_its_first_picture_where_nothing_is_animated() {
 #[test]
 fn grows_by_moves_and_not_by_pictures() {
     let (short, long) = (pendulum(26).svg().len(), pendulum(251).svg().len());
-    // 225 pictures more cost less than half of what their marks would.
+    // 225 more pictures cost less than a quarter of the size of their marks.
     let mark = pendulum(26).recording[0].svg().len();
     assert!(long - short < 225 * mark / 4, "{short} {long} {mark}");
 }

@@ -10,7 +10,7 @@ use crate::space::vector::Vector;
 use crate::{Drawing, Film};
 use lagrange_runtime::scene::Spatial;
 
-/// A file, taken apart.
+/// A parsed file.
 struct File {
     json: Value,
     numbers: Vec<u8>,
@@ -48,7 +48,8 @@ impl File {
         (0..count).map(|k| f64::from(number(k))).collect()
     }
 
-    /// What a node is told at a moment: by its channel, by itself, or by default.
+    /// Returns the value of a node's property at a moment: from its channel, its own field, or the
+    /// default.
     fn value(&self, node: usize, path: &str, moment: usize, default: &[f64]) -> Vec<f64> {
         let animation = &self.json["animations"][0];
         let mut channels = animation["channels"].as_array().into_iter().flatten();
@@ -64,7 +65,7 @@ impl File {
         self.floats(output)[default.len() * moment..][..default.len()].to_vec()
     }
 
-    /// Where the vertices of a primitive of a node are.
+    /// Returns the positions of the vertices of a node's primitive.
     fn places(&self, node: usize, primitive: usize, moment: usize) -> Vec<Vector> {
         let mesh = &self.json["meshes"][index(&self.json["nodes"][node]["mesh"])];
         let primitive = &mesh["primitives"][primitive];
@@ -88,7 +89,7 @@ fn index(value: &Value) -> usize {
     usize::try_from(value.as_u64().expect("is a whole number")).expect("fits")
 }
 
-/// q r q* by the vector product: r + 2 w (v × r) + 2 v × (v × r).
+/// Computes q r q* by the vector product: r + 2 w (v × r) + 2 v × (v × r).
 fn turned(four: &[f64], r: Vector) -> Vector {
     let v = [four[0], four[1], four[2]];
     let cross = |a: Vector, b: Vector| {
@@ -137,7 +138,7 @@ fn all_that_moves_has_the_times_of_the_film() {
     assert_eq!(times.len(), 601);
     assert!(times.iter().zip(film.times()).all(|(a, b)| (a - b).abs() < 1e-6));
     assert!(samplers.iter().all(|sampler| sampler["input"] == samplers[0]["input"]));
-    // The trunk, hips and joints do not turn; thighs and shanks do.
+    // The trunk, hips and joints do not rotate; thighs and shanks do.
     assert_eq!(samplers.len(), 13 + 8 + 12);
     let (things, traces) = (1 + 13 + 12, 4);
     assert_eq!(file.json["nodes"].as_array().map(Vec::len), Some(things + traces + 1));

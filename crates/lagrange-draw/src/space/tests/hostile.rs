@@ -1,4 +1,4 @@
-//! Titles and names from anywhere, through everything that is written of a drawing.
+//! Arbitrary titles and names in all formats of a drawing.
 
 use serde_json::Value;
 
@@ -24,7 +24,8 @@ fn any_title_is_written_in_every_format() {
         let film = drawing.film_of([(0.0, [0.0, 1.0]), (0.1, [0.1, 1.0])]).expect("draws");
         let film = film.with_values(&title, vec![0.0, 1.0]).expect("one for each moment");
         assert!(!film.html().contains("alert(\"1\")</script>"));
-        // A header of 12 bytes and one of 8, then JSON with its length in front.
+        // A header of 12 bytes, then a chunk header of 8 bytes that starts with the length of the
+        // JSON.
         let file = film.glb().expect("is written");
         let length = u32::from_le_bytes(file[12..16].try_into().expect("four bytes")) as usize;
         serde_json::from_slice::<Value>(&file[20..20 + length]).expect("is JSON");
@@ -37,7 +38,7 @@ fn first_picture(html: &str) -> &str {
     &html[start..end]
 }
 
-/// Braces that nothing closes keep words together.
+/// Unclosed braces keep words together.
 #[test]
 fn titles_of_many_words_are_set_at_once() {
     let start = std::time::Instant::now();

@@ -1,4 +1,4 @@
-//! Pages of films in space: what they hold, and that nothing in them breaks them.
+//! Pages of films in space: their content, and its robustness to arbitrary names.
 
 use std::sync::OnceLock;
 
@@ -24,7 +24,7 @@ pub(super) fn crane(moments: usize) -> Film<Spatial> {
     film.with_values("energy", height).expect("one for each moment")
 }
 
-/// Ten seconds at sixty pictures a second.
+/// Returns a film of ten seconds at sixty pictures per second.
 pub(super) fn walker() -> &'static Film<Spatial> {
     static FILM: OnceLock<Film<Spatial>> = OnceLock::new();
     FILM.get_or_init(walk)
@@ -58,7 +58,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     list.iter().map(|number| number.as_f64().expect("is a number")).collect()
 }
 
-/// A list of one moment or of all.
+/// Returns the values at a moment from a list for one moment or for all.
 fn at(list: &[f64], width: usize, moment: usize) -> &[f64] {
     let start = if list.len() == width { 0 } else { width * moment };
     &list[start..start + width]
@@ -203,7 +203,7 @@ fn files_are_written_where_they_are_wanted() {
     std::fs::remove_dir_all(&folder).expect("is removed");
 }
 
-/// Pages for `tools/space_check.py`, and what is to be looked at, where a folder is named for them.
+/// Writes pages for `tools/space_check.py` and for inspection, if a folder is specified for them.
 #[test]
 fn samples_are_left_where_they_are_asked_for() {
     let Ok(folder) = std::env::var("LAGRANGE_PICTURES") else { return };

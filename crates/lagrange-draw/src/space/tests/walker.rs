@@ -44,13 +44,13 @@ pub(super) const LEGS: [(&str, f64, f64); 4] = [
 const THIGH: f64 = 0.28;
 const SHANK: f64 = 0.27;
 
-/// About y, so that z turns towards x.
+/// Returns a rotation about y, from z towards x.
 fn about_y(angle: f64) -> Rotation {
     let (sin, cos) = angle.sin_cos();
     [[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]]
 }
 
-/// Hip, knee and foot of a leg, and the rotations of thigh and shank.
+/// Returns hip, knee and foot of a leg, and the rotations of thigh and shank.
 pub(super) fn leg(leg: usize, x: f64) -> ([Vector; 3], [Rotation; 2]) {
     let (_, ahead, aside) = LEGS[leg];
     let phase = 9.0 * x + if leg == 0 || leg == 3 { 0.0 } else { std::f64::consts::PI };

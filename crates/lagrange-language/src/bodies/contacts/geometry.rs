@@ -1,9 +1,8 @@
 //! Gaps and slip velocities.
 //!
-//! A body touches with a point at c, around which it has the radius r. The surface has the normal n
-//! on its free side, and perpendicular tangents with t₁ × t₂ = n. The gap is n·(c − p) − r for a
-//! plane through p. For a circle or sphere of radius R about p, it is |c − p| − R − r outside and R
-//! − r −
+//! A body touches at a point c with the radius r about it. The surface has the normal n on its free
+//! side, and orthogonal tangents with t₁ × t₂ = n. The gap is n·(c − p) − r for a plane through p.
+//! For a circle or sphere of radius R about p, it is |c − p| − R − r outside and R − r −
 //! |c − p| inside, with n along ±(c − p). For a cylinder, c − p is taken across its axis.
 //!
 //! The slip velocity is that of the material points at c − r n. Let u be the velocity at c and ω
@@ -13,8 +12,8 @@
 //!
 //! Terrain is in a separate file.
 //!
-//! A disk of radius 0.2 that turns at −3 rad/s and moves at 1 m/s along the ground slips at 1 + 0.2
-//! · (−3) = 0.4 m/s.
+//! A disk of radius 0.2 that rotates at −3 rad/s and moves at 1 m/s along the ground slips at 1 +
+//! 0.2 · (−3) = 0.4 m/s.
 //!
 //! Source: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, ch. 4.
 

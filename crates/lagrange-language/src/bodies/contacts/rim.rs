@@ -12,7 +12,7 @@
 //! When the axis passes through the normal, d reverses instantly. Since there are no events, the
 //! motion continues as under a smooth constraint, which does no work. No restitution occurs.
 //!
-//! For R = 0.5 and an axis that is inclined by 30°, the centre is 0.25 above the plane.
+//! For R = 0.5 and an axis inclined by 30°, the centre is 0.25 above the plane.
 
 use super::geometry::ContactGeometry;
 use crate::bodies::constants::number;

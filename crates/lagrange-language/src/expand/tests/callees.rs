@@ -57,7 +57,7 @@ fn mistakes_in_calls_of_elements_are_reported() {
     }
 }
 
-/// Names of methods belong to no array, though contacts make one of that name.
+/// Names of methods belong to no array, although contacts create arrays with these names.
 #[test]
 fn an_array_may_be_called_like_a_method() {
     let text = "gravity = (0, 0, -9.81); body case { mass: 2; shape: cuboid(0.4, 0.4, 0.4); } free case;";

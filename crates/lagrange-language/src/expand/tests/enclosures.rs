@@ -23,7 +23,7 @@ fn loops_in_events_and_clocks_stand_for_assignments() {
     );
 }
 
-/// The spelling of local names avoids those that are declared, also in parts.
+/// The spelling of local names avoids declared names, including those in parts.
 #[test]
 fn local_names_are_none_that_are_declared() {
     assert_same(
@@ -38,7 +38,7 @@ fn local_names_are_none_that_are_declared() {
     );
 }
 
-/// The loops around an event enclose those within.
+/// Loops around an event enclose the loops within.
 #[test]
 fn loops_around_and_within_events_know_each_other() {
     assert_same(
@@ -60,7 +60,7 @@ fn loops_in_reductions_stand_for_their_lines() {
     );
 }
 
-/// A `let` between braces is one in front of the statement, new in each iteration.
+/// A `let` between braces becomes a `let` before the statement, separate for each iteration.
 #[test]
 fn local_names_stand_in_front_of_the_statement() {
     assert_same(

@@ -9,7 +9,7 @@ fn a_name_in_a_loop_is_new_in_each_iteration() {
         "coord x_0, x_1, x_2; let r_0 = 2 * x_0; force x_0 = r_0; let r_1 = 2 * x_1; force x_1 = r_1;
          let r_2 = 2 * x_2; force x_2 = r_2;",
     );
-    // In every iteration of the inner loop, and once more in a loop beside it.
+    // The names are new in every iteration of the inner loop, and again in a separate loop.
     assert_same(
         "coord x[2]; for i in 0..2 { for j in 0..=i { let (a, b) = (x[i], x[j]); potential = a * b; } }
          for i in 5..6 { let a = x[i - 5]; kinetic = a; }",
@@ -53,7 +53,7 @@ fn inner_loops_conditions_and_parts_know_local_names() {
     );
 }
 
-/// Outside of loops, names in conditions are those around these.
+/// Outside of loops, conditions do not limit the scope of names.
 #[test]
 fn conditions_do_not_limit_names() {
     let text = "const n = 2; coord x; if n > 1 { let r = x; } else { let r = 2 * x; } force x = r;";
@@ -106,7 +106,7 @@ fn a_local_name_is_new_and_unknown_outside() {
     }
 }
 
-/// The variable of a sum in the height of terrain is none of its coordinates.
+/// The variable of a sum in the height of terrain is not one of its coordinates.
 #[test]
 fn mistakes_in_heights_are_reported_as_they_are_written() {
     let mistakes = [

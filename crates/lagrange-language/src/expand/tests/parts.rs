@@ -1,4 +1,4 @@
-//! Parts, beside the same statements written by hand.
+//! Parts, compared with the same statements written by hand.
 
 use super::{assert_same, written_out};
 use crate::expand::without_arrays;
@@ -11,7 +11,7 @@ fn members_have_the_name_of_the_placement_before_theirs() {
         "part Cart { param m = 1; coord x; kinetic = m * dot(x)^2; output place = x; } front: Cart {}",
         "param front_m = 1; coord front_x; kinetic = front_m * dot(front_x)^2; output front_place = front_x;",
     );
-    // The order is that of the placements, and names that are the same outside are others.
+    // The order is that of the placements, and equal names outside are distinct.
     assert_same(
         "coord x; part P { coord x; kinetic = dot(x); } b: P {} kinetic = dot(x) * b.x; a: P {}",
         "coord x; coord b_x; kinetic = dot(b_x); kinetic = dot(x) * b_x; coord a_x; kinetic = dot(a_x);",
@@ -111,7 +111,7 @@ fn parts_hold_parts() {
          output row_1_last = row_1_cell_1_x[1];
          output far = row_1_cell_1_x[0];",
     );
-    // A part is an argument, too.
+    // A part can also be an argument.
     assert_same(
         "part Shaft { coord q; kinetic = dot(q)^2; param k[2]; }
          part Spring(a, b) { potential = a.k[1] * (a.q - b.q)^2; }
@@ -152,8 +152,8 @@ fn members_are_known_as_they_are_written() {
     }
 }
 
-/// Copies of an argument are counted like terms of sums, and parts in parts before they are
-/// expanded.
+/// Copies of an argument count like terms of sums, and nested parts are counted before their
+/// expansion.
 #[test]
 fn what_would_grow_without_bound_is_refused() {
     let doubling = (0..30).map(|i| format!("part P{} (a) {{ p: P{i} {{ a: a * a; }} }}", i + 1));

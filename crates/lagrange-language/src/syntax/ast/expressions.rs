@@ -25,7 +25,7 @@ pub enum BinaryOperator {
     Divide,
     /// `^`
     Power,
-    /// `%`, of indices only
+    /// `%`, only in indices
     Remainder,
 }
 
@@ -34,14 +34,14 @@ pub enum BinaryOperator {
 pub struct Condition {
     /// Left operand.
     pub left: AstId,
-    /// Its sign.
+    /// Comparison sign.
     pub relation: Comparison,
     /// Right operand.
     pub right: AstId,
 }
 
-/// The function that `v in body` is: components of a vector in the axes of a body. It is a keyword,
-/// so that no call has this name.
+/// The function that represents `v in body`: components of a vector in the axes of a body. It is a
+/// keyword, so no call has this name.
 pub const IN_AXES: &str = "in";
 
 /// The function of contact points of two blocks, which no identifier is called. In a contact it
@@ -55,9 +55,9 @@ pub const CONTACT_POINT_LENGTH: usize = 13;
 /// An expression.
 #[derive(Clone, Debug)]
 pub enum Expression {
-    /// A literal, exactly.
+    /// A literal with its exact value.
     Number(Number),
-    /// A number and the unit behind it, `30 deg` or `9.81 [m/s^2]`.
+    /// A number with the unit after it, `30 deg` or `9.81 [m/s^2]`.
     Quantity(AstId, Box<Unit>),
     /// A name, not yet resolved.
     Name(String),
@@ -65,7 +65,7 @@ pub enum Expression {
     Tuple(Vec<AstId>),
     /// `-a`
     Negate(AstId),
-    /// `a + b` and its kin; the span is that of the operator.
+    /// `a + b` and similar; the span is that of the operator.
     Binary(BinaryOperator, Span, AstId, AstId),
     /// `f(a, b)`, or `a.f(b)` with the receiver as first argument.
     Call(Name, Vec<AstId>),
@@ -75,23 +75,23 @@ pub enum Expression {
     Entry {
         /// The vector or matrix.
         of: AstId,
-        /// Indices, which are numbers where arrays are expanded.
+        /// Indices, which are numbers after the expansion of arrays.
         indices: Vec<AstId>,
-        /// The shape that the value must have, if that of something else decides.
+        /// The shape that the value must have, if another item determines it.
         shape: Option<ArrayShape>,
     },
     /// `if c { a } else { b }`; longer chains nest in `otherwise`.
     If {
         /// The condition.
         condition: Condition,
-        /// Value where the condition holds.
+        /// Value if the condition holds.
         then: AstId,
-        /// Value elsewhere.
+        /// Value otherwise.
         otherwise: AstId,
     },
     /// An expression with arrays.
     Array(ArrayExpression),
-    /// Placeholder for what was reported already.
+    /// Placeholder for an item whose error was reported.
     Invalid,
 }
 
@@ -148,30 +148,30 @@ pub enum ArrayExpression {
     Element(Name),
     /// `sum(i in 0..n, e)`, `product(…)`, `min(…)` or `max(…)`
     Fold {
-        /// The function of all terms.
+        /// Function of all terms.
         fold: Fold,
-        /// The variable.
+        /// Variable of the range.
         variable: Name,
-        /// Its values.
+        /// Values of the variable.
         range: Range,
-        /// Term for each of them.
+        /// Term for each value.
         term: AstId,
     },
-    /// `if i == 0 { a } else { b }`, where indices decide.
+    /// `if i == 0 { a } else { b }`, decided by indices.
     Select {
         /// Deciding condition.
         condition: CombinedCondition,
-        /// Value where it holds.
+        /// Value if the condition holds.
         then: AstId,
-        /// Value elsewhere.
+        /// Value otherwise.
         otherwise: AstId,
     },
-    /// `[a, b]`, defaults of the elements of an array; those of a grid are such lists themselves.
+    /// `[a, b]`, defaults of the elements of an array; for a grid, the elements are lists.
     List(Vec<AstId>),
 }
 
 impl ArrayExpression {
-    /// The expressions that it is made of, in source order.
+    /// Returns its operands, in source order.
     fn operands(&self) -> Vec<AstId> {
         match self {
             ArrayExpression::Element(name) => name.indices.clone(),
@@ -203,21 +203,21 @@ impl ArrayExpression {
 /// A function of the terms of a range.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fold {
-    /// Their sum.
+    /// Sum of the terms.
     Sum,
-    /// Their product.
+    /// Product of the terms.
     Product,
-    /// The smallest of them.
+    /// Minimum of the terms.
     Minimum,
-    /// The largest of them.
+    /// Maximum of the terms.
     Maximum,
 }
 
 impl Fold {
-    /// All of them.
+    /// All functions.
     pub const ALL: [Fold; 4] = [Fold::Sum, Fold::Product, Fold::Minimum, Fold::Maximum];
 
-    /// Returns the word for it.
+    /// Returns the word for the function.
     pub fn word(self) -> &'static str {
         match self {
             Fold::Sum => "sum",
@@ -235,7 +235,7 @@ pub struct Range {
     pub from: AstId,
     /// The end.
     pub to: AstId,
-    /// True if the end is a value, too.
+    /// True if the end is included.
     pub is_inclusive: bool,
 }
 
@@ -259,8 +259,8 @@ impl Expressions {
         self.nodes.len()
     }
 
-    /// Gives names, also those of the variables of sums, another spelling in the expressions from
-    /// the one of this number on.
+    /// Replaces names, including those of the variables of sums, in the expressions from an index
+    /// on.
     pub fn respell(&mut self, first: usize, spelling: impl Fn(&str) -> Option<String>) {
         for (expression, _) in self.nodes.iter_mut().skip(first) {
             let name = match expression {
@@ -274,17 +274,18 @@ impl Expressions {
         }
     }
 
-    /// Says that the expressions so far are all that the user wrote.
+    /// Marks all expressions so far as written by the user.
     pub fn end_of_text(&mut self) {
         self.written = self.nodes.len();
     }
 
-    /// True if the user wrote an expression as it stands.
+    /// True if the user wrote an expression in this form.
     pub fn is_written(&self, id: AstId) -> bool {
         (id.0 as usize) < self.written
     }
 
-    /// Adds expressions that repeat others with numbers computed from theirs: these have no units.
+    /// Adds expressions that repeat others with numbers computed from theirs, and that therefore
+    /// have no units.
     pub fn computed<T>(
         of: &mut T,
         expressions: impl Fn(&mut T) -> &mut Expressions,
@@ -296,12 +297,12 @@ impl Expressions {
         expressions.computed = first..expressions.nodes.len();
     }
 
-    /// True for expressions that were added as such.
+    /// True for expressions added by `computed`.
     pub fn is_computed(&self, id: AstId) -> bool {
         self.computed.contains(&(id.0 as usize))
     }
 
-    /// Returns the expression behind an id.
+    /// Returns the expression with an id.
     pub fn get(&self, id: AstId) -> &Expression {
         &self.nodes[id.0 as usize].0
     }
@@ -321,11 +322,11 @@ impl Expressions {
                 pending.extend(self.get(id).operands());
             }
         }
-        // Operands are added before what is made of them.
+        // Operands have smaller indices than the expressions that contain them.
         found.into_iter().collect()
     }
 
-    /// Returns the numbers that expanded indices are.
+    /// Returns the values of expanded indices.
     pub fn places(&self, indices: &[AstId]) -> Option<Vec<usize>> {
         let place = |index: &AstId| match self.get(*index) {
             Expression::Number(number) => usize::try_from(number.to_integer()?).ok(),
@@ -334,7 +335,7 @@ impl Expressions {
         indices.iter().map(place).collect()
     }
 
-    /// Returns `x` of an expression `dot(x)`.
+    /// Returns `x` for an expression `dot(x)`.
     pub fn rate_of_name(&self, id: AstId) -> Option<&str> {
         let Expression::Call(function, arguments) = self.get(id) else { return None };
         match (function.text.as_str(), arguments.as_slice()) {

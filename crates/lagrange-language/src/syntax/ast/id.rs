@@ -1,4 +1,4 @@
-//! Identity of expressions.
+//! Identifiers of expressions.
 
 /// Identifies an expression of one [`Expressions`](super::Expressions) arena.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

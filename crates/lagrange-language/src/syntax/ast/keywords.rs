@@ -41,7 +41,7 @@ pub enum Soft {
 }
 
 impl Keyword {
-    /// Creates a word that begins a statement wherever it stands.
+    /// Creates a word that begins a statement in all contexts.
     pub(super) const fn new(word: &'static str, form: &'static str) -> Keyword {
         Keyword { word, form, soft: None }
     }

@@ -81,7 +81,7 @@ joints! {
     /// `cylindrical (q, s)`: turns about an axis and moves along it.
     Cylindrical "cylindrical" "(q, s)" [Turn(Own), Slide(Own)] Coordinates:
         "write `cylindrical (q, s) = ground to piston { axis: u; }`";
-    /// `universal (a, b)`: turns about x, then about the y that is turned with it.
+    /// `universal (a, b)`: turns about x, then about the rotated y.
     Universal "universal" "(a, b)" [Turn(Frame(0)), Turn(Frame(1))] Coordinates:
         "write `universal (a, b) = shaft to fork { at: p; }`";
     /// `planar (x, y, phi)`: moves along x and y and turns about z.

@@ -1,7 +1,7 @@
-//! Statements, one variant each, with the properties of each.
+//! Statements, one variant each, and their properties.
 //!
-//! Every walk over statements asks for their names and expressions here, and so learns of a variant
-//! as soon as it is listed.
+//! Every traversal of statements obtains their names and expressions here, and therefore covers a
+//! new variant as soon as it is listed.
 
 mod enclosures;
 mod events;
@@ -29,12 +29,12 @@ pub use parts::{PartArgument, PartDefinition, Placement};
 pub use reductions::{Reduction, ReductionItem, ReductionKind, momentum_of};
 pub use words::KEYWORDS;
 
-/// A statement and the stretch of source it covers.
+/// A statement with its range in the source.
 #[derive(Clone, Debug)]
 pub struct Statement {
     /// Kind and content.
     pub kind: StatementKind,
-    /// From the keyword to the semicolon.
+    /// Range from the keyword to the semicolon.
     pub origin: Origin,
     /// Documentation of the declared names, as attributes.
     pub docs: TokenStream,
@@ -88,7 +88,7 @@ pub struct Statement {
 /// ```
 ///
 /// `NAME { "[" sum "]" }` is possible wherever a statement has `NAME`, except for names of
-/// functions of the crate, parameters and types. Behind the name of an array, a value may be a
+/// functions of the crate, parameters and types. After the name of an array, a value may be a
 /// `list`.
 ///
 /// ```text
@@ -139,11 +139,11 @@ pub enum StatementKind {
     LetTuple(Vec<Name>, AstId),
     /// `let n = delay(e, tau);`, and a name for every other call of `delay`
     Delay {
-        /// The name of the delayed value.
+        /// Name of the delayed value.
         name: Name,
-        /// The signal that is delayed.
+        /// Delayed signal.
         signal: AstId,
-        /// The time by which it is.
+        /// Time by which it is delayed.
         lag: AstId,
     },
     /// `let f(x, y) = e;`
@@ -173,9 +173,9 @@ pub enum StatementKind {
     ForceOn(Name, AstId),
     /// `force f at p;`
     ForceAt {
-        /// A vector of as many components.
+        /// A vector with the same number of components as the point.
         force: AstId,
-        /// The point it acts on, a vector of as many components.
+        /// Point of application.
         point: AstId,
     },
     /// `force f along u;`
@@ -189,7 +189,7 @@ pub enum StatementKind {
     Torque {
         /// The moment.
         moment: AstId,
-        /// The angle it turns.
+        /// The angle on which it acts.
         angle: AstId,
     },
     /// `constraint name = e;`
@@ -215,7 +215,7 @@ pub enum StatementKind {
 }
 
 impl StatementKind {
-    /// Returns all expressions in a statement, to be read or replaced.
+    /// Returns mutable references to all expressions in a statement.
     pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         match self {
             StatementKind::Parameters(list)
@@ -270,11 +270,11 @@ impl StatementKind {
 
     /// Returns all expressions in a statement.
     pub fn expressions(&self) -> Vec<AstId> {
-        // Of a copy, so that they are listed in one place.
+        // A copy is used so that expressions are only listed in one place.
         self.clone().expressions_mut().into_iter().map(|id| *id).collect()
     }
 
-    /// Returns the name that calls mention, if it declares a function.
+    /// Returns the name used in calls, if it declares a function.
     pub fn declared_function(&self) -> Option<&Name> {
         match self {
             StatementKind::Function(function) => Some(&function.name),
@@ -284,7 +284,7 @@ impl StatementKind {
         }
     }
 
-    /// Returns names with the expressions that define them, also as defaults.
+    /// Returns names with the expressions that define them, including defaults.
     pub fn definitions(&self) -> Vec<(&Name, AstId)> {
         match self {
             StatementKind::Parameters(list)
@@ -298,8 +298,8 @@ impl StatementKind {
         }
     }
 
-    /// Returns the names that a statement declares, each with the expression for its value or for
-    /// the start of its value.
+    /// Returns the names that a statement declares, each with the expression for its value or
+    /// initial value.
     pub fn declarations_mut(&mut self) -> Vec<(&Name, Option<&mut AstId>)> {
         match self {
             StatementKind::Parameters(list)
@@ -314,7 +314,7 @@ impl StatementKind {
                 let starts = starts.iter_mut().map(Some).chain(std::iter::repeat_with(|| None));
                 names.iter().zip(starts).collect()
             }
-            // The density of a noise is not a value of it.
+            // The density of a noise is not its value.
             kind => kind.names().0.into_iter().map(|name| (name, None)).collect(),
         }
     }
@@ -334,7 +334,7 @@ impl StatementKind {
         )
     }
 
-    /// True if names that it declares are those of values.
+    /// True if the names that it declares have values.
     pub fn declares_values(&self) -> bool {
         match self {
             StatementKind::Velocity(..)
@@ -349,12 +349,12 @@ impl StatementKind {
         }
     }
 
-    /// True if names that it declares can be called.
+    /// True if the names that it declares can be called.
     pub fn declares_callables(&self) -> bool {
         matches!(self, StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_))
     }
 
-    /// True if names that it declares in a loop, without indices, are those of one iteration.
+    /// True if the names that it declares in a loop, without indices, are local to an iteration.
     pub fn is_local_in_loops(&self) -> bool {
         matches!(
             self,
@@ -368,7 +368,7 @@ impl StatementKind {
         )
     }
 
-    /// Returns the names that expressions behind the statement may mention.
+    /// Returns the names that expressions after the statement may refer to.
     pub fn declared_names(&self) -> Vec<&Name> {
         self.names_within(&[Reach::Expressions, Reach::Both])
     }
@@ -378,10 +378,10 @@ impl StatementKind {
         self.names_within(&[Reach::Members, Reach::Both])
     }
 
-    /// True if it declares something that is emitted and can be documented.
+    /// True if it declares an emitted item that can be documented.
     pub fn is_documented(&self) -> bool {
         let is_part = matches!(self, StatementKind::Block(Block::Part(_) | Block::Place(_)));
-        // Even if the names could not be read.
+        // This includes statements with unreadable names.
         is_part || self.names().1 != Reach::Expressions
     }
 

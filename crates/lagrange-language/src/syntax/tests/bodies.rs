@@ -1,7 +1,7 @@
 use super::{errors, read, read_wrong, shown, statements};
 use crate::syntax::ast::{AstId, Body, Declaration, JointKind, Mobilizer, Name, Part, SceneStatement, Shape};
 
-/// A statement about bodies as nested lists, its kind first.
+/// Formats a statement about bodies as nested lists, its kind first.
 pub(super) fn scene(declaration: &Declaration, statement: &SceneStatement) -> String {
     let show = |id: &AstId| shown(&declaration.expressions, *id);
     let labelled = |label: &str, value: &Option<AstId>| match value {

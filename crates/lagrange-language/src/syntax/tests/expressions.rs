@@ -1,7 +1,7 @@
 use super::{errors, read, shown};
 use crate::syntax::ast::{Expression, StatementKind};
 
-/// The expression of a text that is one.
+/// Formats the text of a single expression.
 fn tree(text: &str) -> String {
     let declaration = read(&format!("kinetic = {text};"));
     match declaration.statements[0].kind {

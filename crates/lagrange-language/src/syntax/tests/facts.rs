@@ -6,7 +6,7 @@ use crate::syntax::{messages, print};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
 
-/// The statement that the form of a keyword shows first.
+/// Returns the first statement in the form of a keyword.
 fn example(word: &str) -> &'static str {
     let keyword = keywords::statement(word).expect("a keyword");
     keyword.form.split('`').nth(1).expect("a form in backquotes")
@@ -36,7 +36,7 @@ fn documentation_of_names_that_cannot_be_read_is_no_second_mistake() {
     assert_eq!(errors("/// Text.\ncoord;").len(), 1);
 }
 
-/// Expressions that no statement names and that are part of none that one does.
+/// Returns expressions that no statement contains, neither directly nor as parts.
 fn strays(declaration: &Declaration) -> Vec<String> {
     let expressions = &declaration.expressions;
     let mut known = HashSet::default();

@@ -2,7 +2,7 @@ use super::{read, statements};
 use crate::syntax::ast::{Declaration, Name, StatementKind, TableSource};
 use crate::syntax::print;
 
-/// A statement about a function without a formula.
+/// Formats a statement about a function without a formula.
 pub(super) fn callable(declaration: &Declaration, kind: &StatementKind) -> String {
     match kind {
         StatementKind::External(function) => {

@@ -144,7 +144,7 @@ fn all_mistakes_of_a_head_are_found_at_once() {
     assert_eq!(places.collect::<Vec<_>>(), expected, "{:#?}", errors(text));
 }
 
-/// What a `macro_rules!` macro passes on is a group without brackets.
+/// A `macro_rules!` macro passes fragments as groups without brackets.
 #[test]
 fn attributes_hold_fragments_of_other_macros() {
     let fragment = |text: &str| {
@@ -162,7 +162,7 @@ fn attributes_hold_fragments_of_other_macros() {
     assert!(declaration.statements[0].docs.to_string().starts_with("# [doc = \"text\"] # [doc = "));
 }
 
-/// Emitted as they stand, they would make everything emitted unreadable.
+/// Emitted unchanged, they would make all emitted items unreadable.
 #[test]
 fn what_is_no_attribute_of_rust_is_refused() {
     let cases = [

@@ -14,7 +14,7 @@ use lagrange_expr::diagnostics::Report;
 
 const LONG: usize = 100_000;
 
-/// Reads a text on a stack of 2 MiB; gives the number of nodes and of mistakes.
+/// Reads a text on a stack of 2 MiB, and returns the numbers of nodes and of errors.
 fn read(text: String) -> (usize, usize) {
     let work = move || {
         let mut report = Report::default();
@@ -73,7 +73,7 @@ fn deep_nesting_of_any_kind_is_harmless() {
     assert_eq!(deep("x.max(", "x", ")"), 1);
     assert_eq!(deep("if x < x {", "x", "} else { x }"), 1);
     assert_eq!(deep("if x < x { x } else {", "x", "}"), 1);
-    // A condition misses its comparison at every readable depth.
+    // The missing comparison of a condition is reported at every readable depth.
     assert!(deep("if (", "x < x", ")") <= 64);
     assert_eq!(deep("if ", "x", " < x { x } else { x }"), 1);
     assert_eq!(deep("[", "x", "]"), 1);
@@ -87,7 +87,7 @@ fn deep_nesting_of_any_kind_is_harmless() {
     assert_eq!(read(deep_visibility), (0, 1));
 }
 
-/// Types and expressions of Rust nest without brackets, too.
+/// Types and expressions of Rust also nest without brackets.
 #[test]
 fn heads_of_any_length_are_read() {
     let head =
@@ -104,7 +104,7 @@ fn heads_of_any_length_are_read() {
     assert_eq!(head("", "#[a] ", "struct A; coord x;"), (0, 0));
 }
 
-/// Turns that take nothing: each token is complained about and skipped.
+/// Turns that consume nothing: each token is reported and skipped.
 #[test]
 fn a_loop_ends_whatever_its_turns_do() {
     let mut report = Report::default();
@@ -116,7 +116,7 @@ fn a_loop_ends_whatever_its_turns_do() {
     assert_eq!(report.diagnostics().len(), count);
 }
 
-/// Wherever something else is read, the beginning of a statement is read or complained about.
+/// A statement in place of anything else is either read or reported.
 #[test]
 fn a_statement_has_a_place_only_among_statements() {
     let places = [
@@ -147,7 +147,7 @@ fn a_statement_has_a_place_only_among_statements() {
             for place in places {
                 let text = place.replace('@', &format!("{keyword} {rest}"));
                 let (_, mistakes) = read(text.clone());
-                // Products are known to those who emit them.
+                // Products are checked by later phases.
                 let is_word = is_soft(keyword) || place.starts_with("emit");
                 assert!(mistakes > 0 || is_word, "{text}");
                 assert!(mistakes < 20, "{text}");
@@ -156,12 +156,12 @@ fn a_statement_has_a_place_only_among_statements() {
     }
 }
 
-/// True if a word has a meaning of the user's in most places.
+/// True if a word can be a user-defined name in most places.
 fn is_soft(keyword: &str) -> bool {
     soft_statement(keyword).is_some()
 }
 
-/// Texts that look like declarations from afar.
+/// Generates texts that resemble declarations.
 fn shuffled_words() -> impl Strategy<Value = String> {
     let words = [
         "param", "coord", "let", "kinetic", "force", "at", "torque", "on", "emit", "no", "const", "body",
@@ -174,7 +174,7 @@ fn shuffled_words() -> impl Strategy<Value = String> {
         .prop_map(|words| words.concat())
 }
 
-/// Every child is older than its parent, and an unreadable part comes with an error.
+/// True if every child is older than its parent, and every unreadable part has an error.
 fn is_sound(text: &str) -> bool {
     let mut report = Report::default();
     let Some(declaration) = parse_text(text, &mut report) else {

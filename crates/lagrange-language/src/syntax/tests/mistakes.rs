@@ -81,7 +81,7 @@ fn what_is_left_out_is_remembered_by_its_words() {
     let declaration = read_wrong("paran m = 1.0;\nparam type, l;\nlet e = a +;").0.expect("tokens");
     let words = ["m", "type", "l", "a"].map(|word| declaration.unreadable_words.contains(&word.to_owned()));
     assert_eq!(words, [true, true, false, false]);
-    // A coordinate keeps its place, so that vectors have the length that the user expects.
+    // A coordinate keeps its position, so that vectors have the length that the user expects.
     let declaration = read_wrong("coord x, type, y;").0.expect("tokens");
     assert_eq!(statements(&declaration), ["coord x __coordinate_3 y"]);
 }

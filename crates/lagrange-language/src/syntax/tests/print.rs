@@ -7,7 +7,7 @@ use crate::syntax::ast::{AstId, Declaration, Expression, StatementKind};
 use crate::syntax::{parse_text, print};
 use lagrange_expr::number::Number;
 
-/// What stands for the expression of a single statement.
+/// Returns the printed expression of a single statement.
 fn printed(text: &str) -> String {
     let printed = print::statements(&read(&format!("let a = {text};")));
     let value = printed.strip_prefix("let a = ").and_then(|rest| rest.strip_suffix(";\n"));
@@ -135,14 +135,14 @@ fn long_chains_are_printed() {
     }
 }
 
-/// How an expression is made from earlier ones: which kind, from which, and a number.
+/// One step in constructing an expression: its kind, its operands, and a number.
 type Step = (u8, [Index; 4], i8);
 
-/// Adds an expression on top of others.
+/// Adds an expression that contains others.
 fn grow(declaration: &mut Declaration, ids: &mut Vec<AstId>, names: [AstId; 2], step: &Step) {
     let (kind, operands, number) = step;
     let [a, b, c, d] = operands.map(|index| ids[index.index(ids.len())]);
-    // Of statements that can be read, so that spans and names need not be made.
+    // Copies from readable statements avoid constructing spans and names.
     let of = |text: &str| read(text).expressions.iter().last().map(|(_, expression)| expression.clone());
     let origin = declaration.expressions.origin(names[0]);
     let expression = match (kind % 10, of("let a = f(a + b, b);")) {

@@ -4,7 +4,7 @@ use std::path::Path;
 use crate::syntax::parse_text;
 use lagrange_expr::diagnostics::Report;
 
-/// Name and text of each system that is kept as test data.
+/// Returns name and text of each system in the test data.
 pub(super) fn systems() -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let directories = ["../../tests/oracle", "../../tests/constrained"].map(|directory| root.join(directory));

@@ -54,7 +54,7 @@ fn units_behind_numbers_end_where_operators_stand() {
     for (written, printed) in values {
         assert_eq!(print::statements(&read(&format!("let a = {written};"))), format!("let a = {printed};\n"));
     }
-    // Of a name that is declared a product is meant, and said to lack its sign.
+    // After a declared name a product is intended, and its missing sign is reported.
     let messages = errors("param m; let a = 2 m; let b = 2 [m];");
     assert_eq!(messages, ["error at 1:20: expected an operator or `;`, found `m`"]);
 }

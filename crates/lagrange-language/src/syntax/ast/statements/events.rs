@@ -21,7 +21,7 @@ pub struct Event {
 }
 
 impl Event {
-    /// Its expressions.
+    /// Returns its expressions.
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         let mut expressions = vec![&mut self.value];
         match &mut self.action {
@@ -45,7 +45,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// Its expressions.
+    /// Returns its expressions.
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         let assigned = self.assignments.iter_mut().flat_map(Assignment::parts);
         [&mut self.period].into_iter().chain(assigned).collect()
@@ -114,14 +114,14 @@ pub struct Friction {
     pub slip: AstId,
     /// The magnitude of the force while it slips.
     pub kinetic: AstId,
-    /// The largest magnitude of the force while it sticks, if different.
+    /// The maximum magnitude of the force while it sticks, if different.
     pub fixed: Option<AstId>,
     /// The range of slip velocities over which the force changes its sign, if it is smooth.
     pub width: Option<AstId>,
 }
 
 impl Friction {
-    /// Its expressions.
+    /// Returns its expressions.
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         let limits = [Some(&mut self.kinetic), self.fixed.as_mut(), self.width.as_mut()];
         [&mut self.slip].into_iter().chain(limits.into_iter().flatten()).collect()

@@ -1,4 +1,4 @@
-//! Names in statements, as they stand in the text.
+//! Names in statements, as written.
 
 use super::StatementKind;
 use crate::syntax::ast::bodies::SceneStatement;
@@ -7,7 +7,7 @@ use crate::syntax::ast::mobilizers::MobilizerKind;
 use crate::syntax::ast::{AstId, Expression, Expressions, Name, Reach};
 
 impl StatementKind {
-    /// Returns the names that a statement declares, and where they are known.
+    /// Returns the names that a statement declares, and their scope.
     pub(super) fn names(&self) -> (Vec<&Name>, Reach) {
         match self {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
@@ -21,7 +21,7 @@ impl StatementKind {
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
             StatementKind::Solve(unknowns) => (unknowns.names.iter().collect(), Reach::Expressions),
             StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
-            // Its name can be called, and means nothing by itself.
+            // Its name can be called, but has no value.
             StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_) => {
                 (Vec::new(), Reach::Expressions)
             }
@@ -50,8 +50,8 @@ impl StatementKind {
         }
     }
 
-    /// Returns all names outside of expressions, to be read or replaced. They are the names that
-    /// the statement declares, without derived ones, and those that it mentions. Names within loops
+    /// Returns mutable references to all names outside of expressions. These are the names that the
+    /// statement declares, without derived ones, and those that it refers to. Names within loops
     /// are excluded.
     pub fn names_mut(&mut self) -> Vec<&mut Name> {
         match self {
@@ -100,7 +100,7 @@ impl StatementKind {
         }
     }
 
-    /// Returns the names that a `let` gives to expressions of the text.
+    /// Returns the names that a `let` gives to expressions in the text.
     pub fn named_expressions(&self, expressions: &Expressions) -> Vec<(&Name, AstId)> {
         match self {
             StatementKind::Let(name, value) => vec![(name, *value)],
@@ -113,7 +113,7 @@ impl StatementKind {
     }
 
     /// Returns the names that a statement declares, except those of types. Each is a name in the
-    /// text and a suffix: a quaternion `hip` declares `hip` with `_qw` behind it.
+    /// text and a suffix: a quaternion `hip` declares `hip` with the suffix `_qw`.
     pub fn written_names(&self) -> Vec<(&Name, String)> {
         match self {
             StatementKind::Quaternion(quaternion) => made_of(&quaternion.name, quaternion.names()),
