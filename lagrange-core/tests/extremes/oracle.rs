@@ -45,6 +45,7 @@ fn printed<'a>(reference: &Reference, values: &'a Value, state: &'a Value, role:
         Role::Acceleration(_)
         | Role::Multiplier(_)
         | Role::Reaction(_)
+        | Role::Noise(_)
         | Role::Side(_)
         | Role::State(_)
         | Role::Discrete(_)

@@ -40,6 +40,7 @@ impl Sample {
             Role::Acceleration(_)
             | Role::Multiplier(_)
             | Role::Reaction(_)
+            | Role::Noise(_)
             | Role::Side(_)
             | Role::State(_)
             | Role::Discrete(_)

@@ -71,6 +71,7 @@ impl Laboratory {
             Role::Acceleration(_)
             | Role::Multiplier(_)
             | Role::Reaction(_)
+            | Role::Noise(_)
             | Role::Side(_)
             | Role::State(_)
             | Role::Discrete(_)
