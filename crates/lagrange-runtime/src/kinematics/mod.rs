@@ -1,5 +1,5 @@
-//! Inverse kinematics: positions in which frames of bodies stand at given places, and velocities
-//! that move them as given. Without heap.
+//! Inverse kinematics without heap allocation. Finds positions in which frames of bodies are at
+//! given places, and velocities that move them as given.
 //!
 //! ```
 //! use lagrange::kinematics::{InverseKinematics, FrameTask};
