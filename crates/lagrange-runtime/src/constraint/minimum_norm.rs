@@ -277,7 +277,7 @@ fn coordinate_scales<S: Scalar, const N: usize, const D: usize>(
 }
 
 /// Returns the shortest x for which the columns of the factors, in the amounts x / `scales`, add up
-/// to a vector with these components in the directions of the independent columns.
+/// to a vector. The vector is given by its components in the directions of the independent columns.
 fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
     factors: &OrthogonalFactors<S, ROWS, COLUMNS>,
     components: &[S; ROWS],
