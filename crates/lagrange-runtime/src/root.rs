@@ -29,9 +29,9 @@ const ASIDE: f64 = 32.0;
 /// At y, `equation` computes the residual r, its slope ∂r/∂y, and a bound on the rounding error of
 /// r. The bound sums the effects of one relative rounding error in y and in each intermediate
 /// value. A candidate is a point where r is within four times the bound, or where steps of rounding
-/// size stop shrinking. It is a zero if r changes its sign around it, or if the last two slopes
-/// agree over a distance that rounding does not hide. A residual that is merely small relative to
-/// its terms, such as √(y² + 1) − y, has no zero. One more step is taken from a zero.
+/// size stop shrinking. It is a zero if r changes its sign around it. It is also one if the last
+/// two slopes agree over a distance that rounding does not hide. A residual that is merely small
+/// relative to its terms, such as √(y² + 1) − y, has no zero. One more step is taken from a zero.
 ///
 /// ```
 /// use lagrange::root::newton;
@@ -65,10 +65,10 @@ struct RootSearch<S: Number> {
     noise: S,
 }
 
-/// Distance of each side from the point.
+/// A point that is a zero if the residual has different signs on its two sides.
 struct RootCandidate<S: Number> {
     value: S,
-    /// Distance of the sides.
+    /// Distance of each side from the point.
     width: S,
     /// Residual and slope on the upper side.
     above: [S; 2],

@@ -100,7 +100,7 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         name: &'a str,
         /// Origin of the load.
         cause: LoadOrigin,
-        /// The body it acts on, if that is known.
+        /// The body it acts on, if known.
         body: Option<&'a str>,
         /// Position at which it is drawn.
         at: D::Vector<S>,

@@ -284,8 +284,8 @@ impl<'a> Trade<'a> {
         Report { title: self.title.clone(), has_own_reference: self.reference.is_none(), rows, is_cut }
     }
 
-    /// Returns the end of the finest run of the first method with a tolerance that reaches it, and
-    /// true if finer runs would take too long.
+    /// Returns the end of the finest run of the first method with a tolerance that reaches it. The
+    /// second value is true if finer runs would take too long.
     fn finest(&self) -> (Option<Vec<f64>>, bool) {
         let mut adaptive = self.contestants.iter().filter(|contestant| contestant.knob == Knob::Tolerance);
         let mut is_cut = false;
