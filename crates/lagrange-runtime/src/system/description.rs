@@ -2,8 +2,7 @@
 
 /// Names and units of the variables of a system.
 ///
-/// By default these are the constants of the system's type. Systems that are read at run time have
-/// their own.
+/// They are the constants of the system's type, unless the system was read at run time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Description {
     /// Names of the positions, `COORDINATES`.

@@ -143,7 +143,7 @@ impl<'a> Trade<'a> {
         }
     }
 
-    /// Adds a system with the methods in coordinates and momenta.
+    /// Adds a system for the methods that take coordinates and momenta.
     ///
     /// # Panics
     /// As [`variant`](Self::variant).
