@@ -96,6 +96,7 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
 /// Returns the nearest velocities that satisfy the constraints at these positions, which remain
 /// unchanged.
 ///
+/// # Errors
 /// If there are none. The error names the constraint with the largest violation in proportion to
 /// its scale, as in [`project`].
 pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(

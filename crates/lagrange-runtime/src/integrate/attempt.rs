@@ -95,6 +95,7 @@ impl<S: Scalar> Crawling<S> {
 
     /// Checks that the motion makes progress.
     ///
+    /// # Errors
     /// If it does not.
     #[inline]
     pub(super) fn check(&self) -> Result<(), StepFailure<S>> {

@@ -46,6 +46,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
 
     /// Returns the method with a maximum step length, to be checked by [`check`](Method::check).
     ///
+    /// # Errors
     /// If its step length is already a setting.
     fn with_longest_step(self, _longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>>
     where

@@ -109,6 +109,7 @@ where
 
     /// Searches for the posture.
     ///
+    /// # Errors
     /// If a setting is invalid, or if no start leads to the goals. The error then contains the
     /// nearest posture.
     pub fn solve(&self) -> SearchResult<M, Posture<M::Coordinates>> {

@@ -93,6 +93,7 @@ impl<'a> Trade<'a> {
     /// Sets the state at the end. The default is the end of the finest run of the first method with
     /// a tolerance that reaches it. Errors close to rounding are then not reliable.
     ///
+    /// # Panics
     /// If its length differs from that of the state at the start.
     #[must_use]
     pub fn reference(mut self, state: &[f64]) -> Self {
@@ -111,6 +112,7 @@ impl<'a> Trade<'a> {
     /// Adds a variant of the system, such as other number types or accuracy levels, in all methods
     /// that accept any system.
     ///
+    /// # Panics
     /// If the length of its state differs.
     #[must_use]
     pub fn variant<M>(self, name: &str, system: &'a M) -> Self

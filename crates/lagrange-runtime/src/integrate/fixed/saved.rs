@@ -33,6 +33,7 @@ where
     /// saved motion. The method and its settings must be the same. The work done so far still
     /// counts.
     ///
+    /// # Errors
     /// If the count of numbers differs, or a number is not finite. The motion is then unchanged.
     pub fn restore(
         &mut self,

@@ -65,6 +65,7 @@ impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
     /// Solves the equations from the starting values in `stages`, given the remainder of the last
     /// step.
     ///
+    /// # Errors
     /// If iterations do not converge, or lead to a state where the system is undefined.
     #[inline]
     pub(super) fn solve(
