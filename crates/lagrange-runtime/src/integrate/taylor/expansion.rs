@@ -177,8 +177,8 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         change
     }
 
-    /// Computes Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that terms do not
-    /// depend on the previous ones.
+    /// Computes Σ hᵏ times the term of order k + 1, as four polynomials in h⁴. Successive terms can
+    /// then be computed independently.
     #[inline(always)]
     fn polynomial(&self, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
         let square = h * h;
