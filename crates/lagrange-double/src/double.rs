@@ -6,8 +6,8 @@ use crate::exact::{ordered_sum, product, sum};
 
 /// A real number as the unevaluated sum of two doubles, about 106 bits or 32 decimal digits.
 ///
-/// The upper double is the nearest to the number. Infinity and NaN are those of the upper double.
-/// `Debug` shows both doubles, `Display` 32 decimal digits.
+/// The upper double is the nearest to the number. Infinity and NaN are represented by the upper
+/// double. `Debug` shows both doubles, `Display` 32 decimal digits.
 ///
 /// ```
 /// use lagrange_double::Double;
@@ -23,7 +23,7 @@ pub struct Double {
 }
 
 impl Double {
-    /// Adds two doubles without any error.
+    /// Adds two doubles exactly.
     #[inline]
     pub fn from_sum(a: f64, b: f64) -> Self {
         let (upper, lower) = sum(a, b);
@@ -36,8 +36,8 @@ impl Double {
         (self.upper, self.lower)
     }
 
-    /// The sum of two doubles, or the plain result where that is zero or no number: there it has
-    /// the right sign and kind.
+    /// Returns the sum of two doubles, or the plain result if the sum is zero or not finite. The
+    /// plain result then has the right sign and kind.
     #[inline(always)]
     fn joined(upper: f64, lower: f64, plain: f64) -> Self {
         let is_sum = lower.is_finite() && upper.is_finite() && upper != 0.0;

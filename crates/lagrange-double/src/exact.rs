@@ -1,9 +1,9 @@
 //! Sums and products of doubles together with their rounding errors.
 
-/// Products below have errors that doubles cannot represent.
+/// Rounding errors of products below this are not representable as doubles.
 const LEAST_EXACT_PRODUCT: f64 = f64::from_bits((1023 - 969) << 52);
 
-/// The rounded sum and its error (Knuth).
+/// Returns the rounded sum and its error (Knuth).
 #[inline(always)]
 pub(crate) fn sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -12,14 +12,15 @@ pub(crate) fn sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - of_a) + (b - of_b))
 }
 
-/// The rounded sum and its error, for |a| ≥ |b| or a = 0 (Dekker).
+/// Returns the rounded sum and its error, for |a| ≥ |b| or a = 0 (Dekker).
 #[inline(always)]
 pub(crate) fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// The rounded product and its error. The error is zero if it is not a double.
+/// Returns the rounded product and its error. The error is set to zero if it may not be
+/// representable as a double.
 #[inline(always)]
 pub(crate) fn product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -33,7 +34,7 @@ fn product_error(a: f64, b: f64, product: f64) -> f64 {
     a.mul_add(b, -product)
 }
 
-/// The error by products of halves, which are exact (Dekker).
+/// Computes the error from products of halves, which are exact (Dekker).
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 #[inline(always)]
 fn product_error(a: f64, b: f64, product: f64) -> f64 {
@@ -41,7 +42,7 @@ fn product_error(a: f64, b: f64, product: f64) -> f64 {
     ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2
 }
 
-/// Two numbers of at most 26 bits whose sum is the number.
+/// Splits a number into two numbers of at most 26 bits.
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 #[inline(always)]
 fn halves(x: f64) -> (f64, f64) {

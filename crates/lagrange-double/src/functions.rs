@@ -1,5 +1,5 @@
-//! Functions of the number: zeros, infinities and NaN according to IEEE 754, all else by wide
-//! numbers.
+//! Functions of [`Double`]. Zeros, infinities and NaN follow IEEE 754; all other values are
+//! computed by wide numbers.
 
 use lagrange_runtime::Number;
 
@@ -9,15 +9,15 @@ use crate::exact::{ordered_sum, product};
 use crate::reduction::reduced;
 use crate::wide::Wide;
 
-/// Beyond this power of e every result overflows or vanishes.
+/// Beyond this power of e every result overflows or underflows.
 const LARGEST_POWER: f64 = 800.0;
-/// From here on the hyperbolic tangent is one.
+/// Above this magnitude the hyperbolic tangent is one.
 const TANH_IS_ONE: f64 = 40.0;
-/// Squares of roots within this range are exact with their errors.
+/// Range of squares for which the square of the root and its error are exact.
 const PLAIN_ROOTS: core::ops::Range<f64> = 1e-280..1e300;
 
 impl Double {
-    /// The exact value of a finite number, or the leading 192 bits of it.
+    /// Returns the exact value of a finite number, or its leading 192 bits.
     pub(crate) fn wide(self) -> Wide {
         Wide::of(self.upper).plus(Wide::of(self.lower))
     }
@@ -30,12 +30,12 @@ impl Double {
         self.upper.is_sign_negative()
     }
 
-    /// The number with this sign.
+    /// Returns the number with this sign.
     fn signed(self, is_negative: bool) -> Double {
         if self.is_negative() == is_negative { self } else { -self }
     }
 
-    /// A function that is the identity at zero, and undefined or infinite at infinity.
+    /// Computes a function that is the identity at zero, and undefined or infinite at infinity.
     fn odd(self, at_infinity: Double, function: impl FnOnce(Wide) -> Wide) -> Double {
         if self.is_nan() || self.upper == 0.0 {
             return self;
@@ -64,13 +64,13 @@ impl Double {
         })
     }
 
-    /// 1 − x and 1 + x without rounding.
+    /// Computes 1 − x and 1 + x without rounding.
     fn distances_from_ends(self) -> (Wide, Wide) {
         let (upper, lower) = (Wide::of(self.upper), Wide::of(self.lower));
         (Wide::ONE.minus(upper).minus(lower), Wide::ONE.plus(upper).plus(lower))
     }
 
-    /// √(1 − x²), for a magnitude of at most one.
+    /// Computes √(1 − x²) for a magnitude of at most one.
     fn other_leg(self) -> Wide {
         let (below, above) = self.distances_from_ends();
         below.times(above).root()
@@ -150,7 +150,7 @@ impl Double {
         exp(self.wide()).to_double()
     }
 
-    /// The logarithm of a positive finite number.
+    /// Computes the logarithm of a positive finite number.
     fn wide_logarithm(self) -> Wide {
         let above_one = Wide::of(self.upper).minus(Wide::ONE).plus(Wide::of(self.lower));
         if above_one.exponent < -1 { ln_near_one(above_one) } else { ln(self.wide()) }
@@ -215,7 +215,7 @@ impl Double {
         power.signed(self.is_negative() && exponent.is_odd())
     }
 
-    /// Powers with zeros, ones and infinities.
+    /// Computes powers with zeros, ones and infinities.
     fn power_at_the_edge(self, magnitude: Double, exponent: Double) -> Double {
         let is_defined = !self.is_negative() || self.upper == 0.0 || self.upper.is_infinite();
         if !is_defined && !exponent.is_integer() && exponent.upper.is_finite() {
@@ -239,7 +239,7 @@ impl Double {
     }
 }
 
-/// Doubles from here on are whole, and even from twice as much on.
+/// Doubles of at least this magnitude are whole, and even from twice this magnitude on.
 const ALL_WHOLE: f64 = 4_503_599_627_370_496.0;
 
 fn is_integer(x: f64) -> bool {

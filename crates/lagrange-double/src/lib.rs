@@ -1,7 +1,7 @@
 //! [`Double`], a real number of about 106 bits: the sum of two doubles.
 //!
-//! It is a [`Scalar`](lagrange_runtime::Scalar), so that declarations with a type parameter run in
-//! it, such as `struct Pendulum<S>;`.
+//! It is a [`Scalar`](lagrange_runtime::Scalar), so declarations with a type parameter, such as
+//! `struct Pendulum<S>;`, can use it.
 //!
 //! | operation | error, in units of 2⁻¹⁰⁶ of the result | source |
 //! |---|---|---|
@@ -17,9 +17,9 @@
 //! V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, "Accurate calculation of Euclidean
 //! norms using double-word arithmetic", *ACM TOMS* 49 (2023), 1.
 //!
-//! The bounds hold while neither the result nor an intermediate result is below 2⁻⁹⁶⁹ or close to
-//! overflow. Beyond, results keep the 53 bits of a double. Functions compute with 192 bits in
-//! integers. They use no library of the platform. All results are the same bits with and without
+//! The bounds hold if neither the result nor an intermediate result is below 2⁻⁹⁶⁹ or close to
+//! overflow. Otherwise, results keep the 53 bits of a double. Functions compute with 192 bits in
+//! integers, and use no library of the platform. All results have the same bits with and without
 //! fused products.
 #![no_std]
 #![forbid(unsafe_code)]

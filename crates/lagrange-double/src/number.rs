@@ -1,4 +1,4 @@
-//! The traits of numbers that emitted code computes with.
+//! Implementations of the number traits used by emitted code.
 
 use lagrange_runtime::{Number, Scalar};
 
@@ -45,7 +45,7 @@ impl Number for Double {
             return (Double::NAN, Double::NAN);
         }
         let (sine, cosine) = self.sine_and_cosine();
-        // The sine of zero has its sign.
+        // The sine of zero has the sign of zero.
         let sine = if self.upper == 0.0 { self } else { sine.to_double() };
         (sine, cosine.to_double())
     }

@@ -1,17 +1,17 @@
-//! Angles of any size, less the nearest multiple of π/2.
+//! Reduction of angles of any size by the nearest multiple of π/2.
 
 use lagrange_math::{nearest_quarter, quarter_turns};
 
 use crate::double::Double;
 use crate::wide::Wide;
 
-/// Words of a number of quadrants: two bits before the point and 446 behind it. An angle of 106
-/// bits is no closer to a multiple of π/2 than about 2⁻¹²⁰. More than 192 bits therefore follow the
-/// first set bit.
+/// Number of words of a number of quadrants: two bits before the point and 446 after it. An angle
+/// of 106 bits is no closer to a multiple of π/2 than about 2⁻¹²⁰. More than 192 bits therefore
+/// follow the first set bit.
 const WORDS: usize = 7;
 type Quadrants = [u64; WORDS];
 
-/// The nearest multiple of π/2 to a finite angle, modulo four, and the difference from it.
+/// Returns the nearest multiple of π/2 to a finite angle, modulo four, and the remainder.
 pub(crate) fn reduced(angle: Double) -> (u64, Wide) {
     let (upper, lower) = angle.parts();
     if upper.abs() < 0.785 {
@@ -21,7 +21,7 @@ pub(crate) fn reduced(angle: Double) -> (u64, Wide) {
     (nearest, first_bits(is_negative, &rest).times(Wide::PI).scaled(-1))
 }
 
-/// The leading 192 bits of a fraction.
+/// Returns the leading 192 bits of a fraction.
 fn first_bits(is_negative: bool, fraction: &Quadrants) -> Wide {
     let Some(first) = fraction.iter().position(|&word| word != 0) else { return Wide::ZERO };
     let zeros = fraction[first].leading_zeros();

@@ -6,14 +6,14 @@ use core::str::FromStr;
 use crate::double::Double;
 use crate::wide::Wide;
 
-/// Digits that are written.
+/// Number of digits that are written.
 const DIGITS: i32 = 32;
-/// Digits that are read; later ones change nothing.
+/// Maximum number of digits that are read; later ones are ignored.
 const MAX_DIGITS: usize = 60;
 /// Powers of ten beyond which every number is zero or infinite.
 const LARGEST_POWER: i64 = 2000;
 
-/// A text that is no decimal number.
+/// The error for a text that is not a decimal number.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ParseDoubleError;
 
@@ -30,7 +30,7 @@ impl core::error::Error for ParseDoubleError {}
 impl FromStr for Double {
     type Err = ParseDoubleError;
 
-    /// Reads a decimal number, as `f64` does, to the full width.
+    /// Parses a decimal number in the syntax of `f64`, with full precision.
     fn from_str(text: &str) -> Result<Self, ParseDoubleError> {
         let is_special = |text: &str| text.bytes().all(|byte| byte.is_ascii_alphabetic());
         let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
@@ -42,7 +42,7 @@ impl FromStr for Double {
     }
 }
 
-/// Reads digits, a point and an exponent.
+/// Parses digits, a point and an exponent.
 fn decimal(text: &str) -> Result<Wide, ParseDoubleError> {
     let (digits, exponent) = match text.split_once(['e', 'E']) {
         Some((digits, exponent)) => (digits, power(exponent)?),
@@ -70,7 +70,7 @@ fn decimal(text: &str) -> Result<Wide, ParseDoubleError> {
     Ok(times_power_of_ten(value, power.clamp(-LARGEST_POWER, LARGEST_POWER) as i32).rounded())
 }
 
-/// Reads an exponent; large ones become a bound.
+/// Parses an exponent; large ones are clamped.
 fn power(text: &str) -> Result<i64, ParseDoubleError> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     if unsigned.is_empty() || !unsigned.bytes().all(|byte| byte.is_ascii_digit()) {
@@ -80,7 +80,7 @@ fn power(text: &str) -> Result<i64, ParseDoubleError> {
     Ok(if text.starts_with('-') { -magnitude } else { magnitude })
 }
 
-/// The number times 10 to a power, by repeated squaring.
+/// Computes the number times 10 to a power, by repeated squaring.
 fn times_power_of_ten(value: Wide, power: i32) -> Wide {
     let (mut product, mut square) = (Wide::ONE, Wide::integer(10));
     let mut remaining = power.unsigned_abs();
@@ -94,10 +94,11 @@ fn times_power_of_ten(value: Wide, power: i32) -> Wide {
     if power < 0 { value.divided_by(product) } else { value.times(product) }
 }
 
-/// The first digits of a positive number as an integer, and the power of ten of the first.
+/// Returns the leading digits of a positive number as an integer, and the power of ten of the first
+/// digit.
 fn digits(value: Wide) -> (u128, i32) {
     let limit = 10_u128.pow(DIGITS as u32);
-    // log₁₀ 2 is a little less than 1233/4096, so that the guess may be one too large.
+    // log₁₀ 2 is a little less than 1233/4096, so the guess may be too large by one.
     let mut power = ((value.exponent - 1) * 1233).div_euclid(4096);
     loop {
         let digits = times_power_of_ten(value, DIGITS - 1 - power).to_integer();
@@ -112,7 +113,7 @@ fn digits(value: Wide) -> (u128, i32) {
 }
 
 impl fmt::Display for Double {
-    /// Writes 32 digits without zeros at the end.
+    /// Writes 32 digits without trailing zeros.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (upper, _) = self.parts();
         if upper == 0.0 || !upper.is_finite() {
@@ -132,7 +133,7 @@ impl fmt::Display for Double {
 /// The digits of a number as characters.
 struct Digits {
     characters: [u8; DIGITS as usize],
-    /// Number of digits before the zeros at the end.
+    /// Number of digits without trailing zeros.
     count: usize,
 }
 

@@ -1,16 +1,16 @@
-//! Numbers of 192 bits in integers, for functions whose results are rounded once.
+//! Numbers of 192 bits in integers, for functions with results rounded once.
 
 use core::cmp::Ordering;
 
 use crate::double::Double;
 
-/// A number ± 0.m · 2ᵉ: zero, or one whose first bit after the point is set. Results are truncated,
-/// to a relative error of 2⁻¹⁸⁹.
+/// A number ± 0.m · 2ᵉ: zero, or one with a set first bit after the point. Results are truncated,
+/// with a relative error of at most 2⁻¹⁸⁹.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wide {
     pub(crate) is_negative: bool,
     pub(crate) exponent: i32,
-    /// The most significant word first.
+    /// Words of the mantissa, most significant word first.
     pub(crate) mantissa: [u64; 3],
 }
 
@@ -36,14 +36,14 @@ impl Wide {
         Wide::normalised(value < 0, 64, [value.unsigned_abs(), 0, 0])
     }
 
-    /// The number ± 0.m · 2ᵉ with its first bit moved to the point.
+    /// Creates the number ± 0.m · 2ᵉ, with its first set bit moved to the point.
     pub(crate) fn normalised(is_negative: bool, exponent: i32, mantissa: [u64; 3]) -> Wide {
         let Some(first) = mantissa.iter().position(|&word| word != 0) else { return Wide::ZERO };
         let zeros = first as u32 * 64 + mantissa[first].leading_zeros();
         Wide { is_negative, exponent: exponent - zeros as i32, mantissa: shifted_left(mantissa, zeros) }
     }
 
-    /// A finite double, exactly.
+    /// Converts a finite double exactly.
     pub(crate) fn of(value: f64) -> Wide {
         let bits = value.to_bits();
         let (field, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
@@ -63,7 +63,7 @@ impl Wide {
         Wide { is_negative: false, ..self }
     }
 
-    /// This times 2 to a power.
+    /// Multiplies by 2 to a power.
     pub(crate) fn scaled(self, power: i32) -> Wide {
         if self.is_zero() { self } else { Wide { exponent: self.exponent + power, ..self } }
     }
@@ -102,7 +102,7 @@ impl Wide {
         Wide::normalised(self.is_negative != other.is_negative, self.exponent + other.exponent, product)
     }
 
-    /// This divided by a small number.
+    /// Divides by a small number.
     pub(crate) fn over(self, divisor: u32) -> Wide {
         let mut remainder = 0;
         let quotient = self.mantissa.map(|word| {
@@ -113,8 +113,8 @@ impl Wide {
         Wide::normalised(self.is_negative, self.exponent, quotient)
     }
 
-    /// This divided by a number other than zero: Newton's iteration for the reciprocal, which
-    /// doubles the digits.
+    /// Divides by a nonzero number. Newton's iteration for the reciprocal doubles the number of
+    /// digits.
     pub(crate) fn divided_by(self, divisor: Wide) -> Wide {
         let divisor_mantissa = Wide { exponent: 0, ..divisor };
         let mut reciprocal = Wide::of(1.0 / divisor_mantissa.rough());
@@ -125,7 +125,7 @@ impl Wide {
         self.times(reciprocal).scaled(-divisor.exponent)
     }
 
-    /// The nearest number of 185 bits, which takes the truncation of a few operations back where
+    /// Returns the nearest number of 185 bits. This reverses the truncation of a few operations if
     /// the result has fewer bits.
     pub(crate) fn rounded(self) -> Wide {
         let half = Wide { is_negative: self.is_negative, ..Wide::power_of_two(self.exponent - 186) };
@@ -134,7 +134,7 @@ impl Wide {
         rounded
     }
 
-    /// The square root of a magnitude, by Newton's iteration for its reciprocal.
+    /// Computes the square root of a magnitude, by Newton's iteration for its reciprocal.
     pub(crate) fn root(self) -> Wide {
         if self.is_zero() {
             return self;
@@ -149,7 +149,7 @@ impl Wide {
         mantissa.times(reciprocal).scaled(halved)
     }
 
-    /// True if the magnitude is less than that of the other.
+    /// True if the magnitude is less than that of the other number.
     pub(crate) fn is_below(&self, other: &Wide) -> bool {
         if self.is_zero() || other.is_zero() {
             return !other.is_zero();
@@ -157,34 +157,34 @@ impl Wide {
         self.exponent.cmp(&other.exponent).then(self.mantissa.cmp(&other.mantissa)) == Ordering::Less
     }
 
-    /// A double near this, of moderate size.
+    /// Returns a double close to a number of moderate size.
     pub(crate) fn rough(self) -> f64 {
         self.leading(self.exponent.clamp(-900, 900))
     }
 
-    /// The nearest whole number, of moderate size, and what remains.
+    /// Returns the nearest whole number, which must be of moderate size, and the remainder.
     pub(crate) fn split(self) -> (i32, Wide) {
         let rough = self.rough();
         let whole = if rough < 0.0 { (rough - 0.5) as i32 } else { (rough + 0.5) as i32 };
         (whole, self.minus(Wide::integer(i64::from(whole))))
     }
 
-    /// The mantissa rounded to a double, times 2 to this power.
+    /// Returns the mantissa rounded to a double, times 2 to this power.
     fn leading(self, exponent: i32) -> f64 {
-        // Ties are rounded up by any bit that follows, which a sticky bit keeps.
+        // Any following bit rounds ties up; a sticky bit preserves it.
         let sticky = u64::from(self.mantissa[1] != 0 || self.mantissa[2] != 0);
         let value = times_power(i128::from(self.mantissa[0] | sticky), exponent - 64);
         if self.is_negative { -value } else { value }
     }
 
-    /// The nearest integer to a magnitude below 2¹²⁷.
+    /// Returns the nearest integer to a magnitude below 2¹²⁷.
     pub(crate) fn to_integer(self) -> u128 {
         let half = self.magnitude().plus(Wide::power_of_two(-1));
         let bits = u128::from(half.mantissa[0]) << 64 | u128::from(half.mantissa[1]);
         if half.exponent <= 0 { 0 } else { bits >> (128 - half.exponent.min(127)) }
     }
 
-    /// The nearest sum of two doubles; infinite beyond their range.
+    /// Returns the nearest sum of two doubles; infinite beyond their range.
     pub(crate) fn to_double(self) -> Double {
         let upper = self.leading(self.exponent.clamp(-2000, 2000));
         if !upper.is_finite() || upper == 0.0 {
@@ -196,11 +196,11 @@ impl Wide {
     }
 }
 
-/// value · 2ᵖ with one rounding: in two steps, the first of which is exact unless the result is
-/// subnormal.
+/// Computes value · 2ᵖ with one rounding, in two steps. The first step is exact unless the result
+/// is subnormal.
 fn times_power(value: i128, power: i32) -> f64 {
     let bits = 128 - value.leading_zeros() as i32;
-    // Below the last bit of subnormal numbers nothing is kept but that there was something.
+    // Bits below the last bit of subnormal numbers only affect rounding.
     let lost = (-1074 - power).max(0);
     let kept = bits - lost;
     let value = if kept < 53 && lost > 0 { rounded_bits(value, lost) } else { value };
@@ -208,7 +208,7 @@ fn times_power(value: i128, power: i32) -> f64 {
     (value as f64) * two_to(power / 2) * two_to(power - power / 2)
 }
 
-/// The value divided by 2 to the number of lost bits, rounded to the nearest, ties to even.
+/// Divides the value by 2 to the number of lost bits, rounded to the nearest, ties to even.
 fn rounded_bits(value: i128, lost: i32) -> i128 {
     if lost > 120 {
         return 0;
@@ -217,7 +217,7 @@ fn rounded_bits(value: i128, lost: i32) -> i128 {
     quotient + i128::from(remainder > half || remainder == half && quotient & 1 == 1)
 }
 
-/// 2 to a power in the range of normal numbers.
+/// Returns 2 to a power in the range of normal numbers.
 fn two_to(power: i32) -> f64 {
     f64::from_bits(((power + 1023) as u64) << 52)
 }
@@ -260,7 +260,7 @@ fn difference(a: [u64; 3], b: [u64; 3]) -> [u64; 3] {
     difference
 }
 
-/// The upper half of the product.
+/// Returns the upper half of the product.
 fn upper_product(a: [u64; 3], b: [u64; 3]) -> [u64; 3] {
     let mut words = [0_u64; 6];
     for i in (0..3).rev() {

@@ -1,8 +1,8 @@
-//! Files that are saved as a whole or not at all, and cells of tables in text.
+//! Files that are saved completely or not at all, and cells of tables in text.
 //!
-//! A file is written beside its place, under another name, and takes its place when the disk has
-//! all of it. Readers find the older file or the new one, whatever stops the writer: an error, a
-//! full disk, a signal or a power cut.
+//! A file is written under another name in the same folder, and replaces the older file once it is
+//! completely on the disk. Readers find either the older file or the new one, even after an error,
+//! a full disk, a signal or a power failure.
 #![forbid(unsafe_code)]
 
 use std::borrow::Cow;
@@ -12,14 +12,14 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Ends the names of files that are not whole.
+/// The end of names of incomplete files.
 pub const UNFINISHED: &str = ".unfinished";
 
-/// Saves a file that `write` writes. An older file stays until the new one is whole, and as it is
-/// after an error.
+/// Saves a file written by `write`. An older file remains until the new one is complete, and
+/// remains unchanged after an error.
 ///
 /// The new file has the permissions of the older one. For a link, the target is replaced. A pipe or
-/// a device is written to directly. `wrong` makes an error from that of the operating system.
+/// a device is written to directly. `wrong` converts errors of the operating system.
 ///
 /// # Errors
 /// If `write` fails, or the operating system cannot write the file.
@@ -39,7 +39,7 @@ pub fn save<T, E>(
     }
 }
 
-/// Saves these bytes, as [`save`] does.
+/// Saves these bytes, like [`save`].
 ///
 /// # Errors
 /// If the operating system cannot write the file.
@@ -47,8 +47,8 @@ pub fn save_bytes(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     save(path, |error| error, |mut file| file.write_all(bytes.as_ref()))
 }
 
-/// Returns a text as a cell of comma-separated values (RFC 4180), with an apostrophe before what
-/// spreadsheets would take for a formula.
+/// Returns a text as a cell of comma-separated values (RFC 4180). An apostrophe precedes text that
+/// spreadsheets would interpret as a formula.
 pub fn csv_cell(text: &str) -> Cow<'_, str> {
     let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
     let text = if is_formula { format!("'{text}").into() } else { Cow::from(text) };
@@ -61,7 +61,7 @@ pub fn csv_cell(text: &str) -> Cow<'_, str> {
 
 /// The destination of a file.
 enum Place {
-    /// A device or pipe, which can only be written to.
+    /// A device or pipe, which is written to directly.
     Device(File),
     /// A file, with the permissions of the older one that it replaces.
     File { path: PathBuf, older: Option<fs::Permissions> },
@@ -69,7 +69,7 @@ enum Place {
 
 impl Place {
     /// # Errors
-    /// If there is something at the path that may not be written.
+    /// If the path refers to an object that cannot be written.
     fn of(path: &Path) -> io::Result<Place> {
         let older = match OpenOptions::new().write(true).open(path) {
             Ok(older) => older,
@@ -86,17 +86,18 @@ impl Place {
     }
 }
 
-/// A file that is not whole; it is deleted when this is dropped.
+/// An incomplete file, which is deleted when this is dropped.
 struct Unfinished {
     path: PathBuf,
     file: File,
 }
 
-/// Characters of a name that the other name begins with. Names of 255 bytes have room for it.
+/// Maximum number of characters taken from the original name. Names of 255 bytes have enough space
+/// for them.
 const MAX_CHARACTERS: usize = 50;
 
 impl Unfinished {
-    /// A new file beside this path, under a name that nobody else has.
+    /// Creates a new file in the folder of this path, with a unique name.
     fn beside(path: &Path) -> io::Result<Unfinished> {
         static COUNT: AtomicU64 = AtomicU64::new(0);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -111,7 +112,7 @@ impl Unfinished {
         }
     }
 
-    /// Puts the file, which is whole now, in its place.
+    /// Moves the complete file to its place.
     fn put(&self, path: &Path, older: Option<fs::Permissions>) -> io::Result<()> {
         if let Some(permissions) = older {
             self.file.set_permissions(permissions)?;
@@ -125,13 +126,13 @@ impl Unfinished {
 
 impl Drop for Unfinished {
     fn drop(&mut self) {
-        // After it was put in its place, there is no file of this name.
+        // After the move, no file with this name exists.
         drop(fs::remove_file(&self.path));
     }
 }
 
-/// Has the disk keep the names in the folder of this file. Not every system can; the file itself is
-/// whole.
+/// Synchronises the names in the folder of this file to the disk. Not every system supports this;
+/// the file itself is complete.
 fn sync_folder(path: &Path) {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     drop(File::open(folder.unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all()));

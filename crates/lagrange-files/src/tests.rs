@@ -1,4 +1,4 @@
-//! An older file is there until the new one is whole.
+//! An older file exists until the new one is complete.
 
 use std::env;
 use std::fs::{self, File};
@@ -8,7 +8,7 @@ use std::thread;
 
 use super::{UNFINISHED, csv_cell, save, save_bytes};
 
-/// An empty folder that is deleted in the end.
+/// An empty folder that is deleted at the end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -81,7 +81,7 @@ fn cells_are_text_and_no_formulas() {
     assert_eq!(csv_cell("\r=x"), "\"'\r=x\"");
 }
 
-/// One of them wins; what is there is whole.
+/// One of the writers succeeds last, and the file is complete.
 #[test]
 fn writers_at_the_same_time_do_not_mix() {
     let folder = Folder::new("writers");
@@ -146,7 +146,7 @@ mod on_unix {
 
     const CHILD: &str = "LAGRANGE_FILES_TEST_FOLDER";
 
-    /// Files may not grow beyond a kilobyte, as on a full disk.
+    /// Limits files to a kilobyte, as on a full disk.
     #[test]
     fn an_older_file_survives_a_full_disk() {
         if let Some(folder) = env::var_os(CHILD) {
@@ -160,7 +160,7 @@ mod on_unix {
         command.args(["-c", "trap '' XFSZ; ulimit -f 2; exec \"$@\"", "sh"]);
         command.arg(env::current_exe().expect("is known"));
         command.args(["--exact", "tests::on_unix::an_older_file_survives_a_full_disk"]);
-        // What it says could go to a file that may not grow.
+        // Its output could go to a file with a limited size.
         command.stdout(Stdio::null()).stderr(Stdio::null());
         assert!(command.env(CHILD, &folder.0).status().expect("starts").success());
         assert_eq!(fs::read(folder.0.join("run.csv")).expect("is there"), [1; 4096]);

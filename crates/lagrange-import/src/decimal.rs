@@ -1,26 +1,26 @@
-//! Decimals: numbers of a file as people wrote them, with the values that they have.
+//! Decimals: numbers as written in a file, with their values.
 //!
-//! Numbers in a declaration stay as exact as they were in the file, and are written short, without
-//! needless zeros.
+//! Numbers in a declaration are as exact as in the file, and are written briefly, without
+//! superfluous zeros.
 
 use std::fmt;
 
-/// Powers of ten between which a number is written without an exponent.
+/// Range of powers of ten in which a number is written without an exponent.
 const PLAIN: std::ops::RangeInclusive<i64> = -5..=9;
-/// More digits of an exponent than any number needs.
+/// Maximum number of digits of an exponent, more than any number needs.
 const LONGEST_EXPONENT: usize = 6;
 
 /// A finite decimal and its value.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Decimal {
-    /// Without the sign.
+    /// Digits without the sign.
     digits: String,
     is_negative: bool,
     value: f64,
 }
 
 impl Decimal {
-    /// Parses a text as a finite number, if it is one.
+    /// Parses a text as a finite number; `None` if it is not one.
     pub(crate) fn parse(text: &str) -> Option<Decimal> {
         let (unsigned, is_negative) = match text.strip_prefix('-') {
             Some(rest) => (rest, true),
@@ -37,18 +37,18 @@ impl Decimal {
         }
         let magnitude = unsigned.parse::<f64>().ok().filter(|value| value.is_finite())?;
         let point = i64::try_from(whole.len()).ok()? + exponent;
-        // What is too small for a number is zero.
+        // Numbers that underflow are zero.
         let digits = if magnitude == 0.0 { "0".to_owned() } else { written(&digits, point) };
         let is_negative = is_negative && magnitude > 0.0;
         Some(Decimal { digits, is_negative, value: if is_negative { -magnitude } else { magnitude } })
     }
 
-    /// The shortest decimal of a number that was computed and is finite.
+    /// Returns the shortest decimal of a computed finite number.
     pub(crate) fn of(value: f64) -> Decimal {
         Decimal::parse(&format!("{value:e}")).unwrap_or_else(Decimal::zero)
     }
 
-    /// A number that was computed from others, without the digits that roundings changed.
+    /// Returns the decimal of a computed number, without the digits affected by rounding.
     pub(crate) fn rounded(value: f64) -> Decimal {
         Decimal::parse(&format!("{value:.14e}")).unwrap_or_else(Decimal::zero)
     }
@@ -91,7 +91,7 @@ fn exponent_of(text: &str) -> Option<i64> {
     Some(if text.starts_with('-') { -magnitude } else { magnitude })
 }
 
-/// Digits with a decimal point behind so many of them, not all zero.
+/// Writes digits, not all zero, with a decimal point after this number of them.
 fn written(digits: &str, point: i64) -> String {
     let leading = digits.len() - digits.trim_start_matches('0').len();
     let significant = digits.trim_matches('0');

@@ -1,8 +1,8 @@
-//! Declarations for `lagrange` from descriptions of robots.
+//! Declarations for `lagrange` from robot descriptions.
 //!
-//! [`urdf`] reads URDF files. What comes out is text for `lagrange::system!`, written to be read,
-//! edited and kept; nothing here is needed where it is compiled. `lagrange urdf robot.urdf` is the
-//! same as a command.
+//! [`urdf`] reads URDF files. The result is text for `lagrange::system!`, written to be read,
+//! edited and kept; compiling it does not require this crate. The command `lagrange urdf
+//! robot.urdf` does the same.
 #![forbid(unsafe_code)]
 
 mod decimal;

@@ -1,8 +1,8 @@
-//! Mistakes in files: their places and elements, their description, and help.
+//! Mistakes in files, with places, elements, messages and advice.
 
 use std::fmt;
 
-/// A mistake, or a warning of something that was left out.
+/// A mistake, or a warning about an omission.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
     /// Line in the file, from one.
@@ -15,7 +15,7 @@ pub struct Mistake {
     pub message: String,
     /// Advice.
     pub help: Option<String>,
-    /// True if nothing can be imported for it; otherwise it is a warning.
+    /// True if the mistake prevents the import; otherwise it is a warning.
     pub is_error: bool,
 }
 
@@ -25,11 +25,11 @@ impl Mistake {
     }
 }
 
-/// Errors, and warnings, that a listing shows at most.
+/// Maximum number of errors, and of warnings, in a listing.
 const MAX_LISTED: usize = 50;
 
-/// Lists mistakes as compilers do, each behind the name of the file, with the number of those that
-/// are too many to read.
+/// Lists mistakes in the format of compilers, each after the name of the file. The number of
+/// omitted ones follows.
 pub fn listing(file: &str, mistakes: &[Mistake]) -> String {
     let mut counts = [0, 0];
     let mut lines = String::new();
@@ -48,7 +48,7 @@ pub fn listing(file: &str, mistakes: &[Mistake]) -> String {
     lines
 }
 
-/// `12:5: error: joint "elbow", <axis>: …`, with help on a line of its own.
+/// Formats a mistake as `12:5: error: joint "elbow", <axis>: …`, with help on a separate line.
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Mistake { line, column, element, message, help, is_error } = self;

@@ -1,13 +1,15 @@
-//! Directions in which points of links can move, which decide what can touch the ground.
+//! Directions in which points of links can move, which determine the possible contacts with the
+//! ground.
 //!
-//! The ball at the end of a crane that only turns about the vertical keeps its height. Velocities
-//! are those of two postures without any symmetry: what is zero in both is zero in all.
+//! A ball at the end of a crane that only rotates about the vertical keeps its height. Velocities
+//! are evaluated in two postures without any symmetry: if they are zero in both, they are always
+//! zero.
 
 use crate::decimal::Decimal;
 use crate::robot::{Joint, Kind, Robot};
 use crate::rotation::{Rotation, about, applied, direction, from_z_to, product, roll_pitch_yaw};
 
-/// Velocities for unit rates below this are rounding.
+/// Velocities for unit rates below this are rounding errors.
 const NEGLIGIBLE: f64 = 1e-9;
 const POSTURES: usize = 2;
 
@@ -63,7 +65,7 @@ impl Mobility<'_> {
 fn poses(robot: &Robot, posture: usize) -> Vec<Pose> {
     let world = Pose { rotation: from_z_to([0.0, 0.0, 1.0]), origin: [0.0; 3] };
     let mut poses = vec![world; robot.links.len()];
-    // Joints stand behind those that carry them.
+    // Joints follow those that carry them.
     for (index, joint) in robot.joints.iter().enumerate() {
         let positions = [0, 1, 2].map(|axis| (1.7 * (3 * index + axis) as f64 + posture as f64 + 0.3).sin());
         poses[joint.child] = placed(joint, poses[joint.parent], positions);
@@ -71,7 +73,7 @@ fn poses(robot: &Robot, posture: usize) -> Vec<Pose> {
     poses
 }
 
-/// The frame of a joint in the world before it moves.
+/// Returns the frame of a joint in the world before it moves.
 fn frame(joint: &Joint, parent: Pose) -> Pose {
     let rotation = product(parent.rotation, roll_pitch_yaw(joint.turned.each_ref().map(Decimal::value)));
     let origin = sum(parent.origin, applied(parent.rotation, joint.at.each_ref().map(Decimal::value)));
@@ -97,8 +99,8 @@ fn placed(joint: &Joint, parent: Pose, positions: Vector) -> Pose {
     Pose { rotation: product(rotation, turned), origin: sum(origin, applied(rotation, moved)) }
 }
 
-/// Velocities of a point at unit rates of a joint. Turns of a planar joint lead nowhere that its
-/// moves do not.
+/// Returns velocities of a point for unit rates of a joint. Rotation of a planar joint adds no
+/// directions to its translations.
 fn velocities(joint: &Joint, parent: Pose, point: Vector) -> Vec<Vector> {
     let Pose { rotation, origin } = frame(joint, parent);
     match joint.kind {

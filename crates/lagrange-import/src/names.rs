@@ -1,4 +1,4 @@
-//! Names of a file as identifiers that a declaration can introduce, each once.
+//! Unique identifiers for declarations, from names in a file.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,23 +7,23 @@ use lagrange_core::syntax::can_be_declared;
 
 /// Name of the world in the language.
 pub(crate) const GROUND: &str = "ground";
-/// Endings of names in the state of a body that moves freely, and of an orientation.
+/// Suffixes of names in the state of a body that moves freely, and of an orientation.
 pub(crate) const FREE: [&str; 13] =
     ["x", "y", "z", "vx", "vy", "vz", "qw", "qx", "qy", "qz", "wx", "wy", "wz"];
 
-/// The identifiers that are taken.
+/// The identifiers in use.
 #[derive(Debug, Default)]
 pub(crate) struct Identifiers {
     taken: HashSet<String>,
-    /// The number from which on a name may be free, where many would have the same.
+    /// For names with many duplicates, the first number that may be free.
     numbers: HashMap<String, usize>,
 }
 
 impl Identifiers {
-    /// Takes an identifier like a name; `kind`, such as `link`, is put to those that would not be
-    /// one or are taken.
+    /// Reserves an identifier similar to a name. `kind`, such as `link`, is appended if the
+    /// identifier is invalid or in use.
     ///
-    /// Names made of it, with `endings` behind an underscore, are reserved with it.
+    /// Derived names, with `endings` after an underscore, are reserved, too.
     pub(crate) fn take(&mut self, name: &str, kind: &str, endings: &[&str]) -> String {
         let base = identifier(name, kind);
         let with_kind = format!("{base}_{kind}");
@@ -34,8 +34,8 @@ impl Identifiers {
         identifier
     }
 
-    /// Counts on from the number that was given last, so that many equal names take no longer than
-    /// others.
+    /// Continues counting from the last number, so that many equal names take no longer than
+    /// distinct ones.
     fn numbered(&mut self, name: &str, endings: &[&str]) -> String {
         let first = self.numbers.get(name).copied().unwrap_or(2);
         let mut numbered = (first..).map(|number| (number, format!("{name}_{number}")));
@@ -55,7 +55,7 @@ impl Identifiers {
     }
 }
 
-/// A name in the letters of an identifier, in small ones: `LHip.Yaw 2` is `l_hip_yaw_2`.
+/// Converts a name to a lower-case identifier: `LHip.Yaw 2` becomes `l_hip_yaw_2`.
 fn identifier(name: &str, kind: &str) -> String {
     let words = words(name);
     match words.first() {
@@ -67,14 +67,14 @@ fn identifier(name: &str, kind: &str) -> String {
     }
 }
 
-/// True if an identifier shows the name that it was made of: letters and digits are the same.
+/// True if an identifier has the same letters and digits as its original name.
 pub(crate) fn tells(identifier: &str, name: &str) -> bool {
     let letters =
         name.chars().filter(|letter| letter.is_alphanumeric()).map(|letter| letter.to_ascii_lowercase());
     letters.eq(identifier.chars().filter(|letter| letter.is_alphanumeric()))
 }
 
-/// The name of a type: `two_link-arm` is `TwoLinkArm`.
+/// Returns the name of a type: `two_link-arm` becomes `TwoLinkArm`.
 pub(crate) fn type_name(name: &str) -> String {
     let capitalised = |word: String| word[..1].to_uppercase() + &word[1..];
     let name = words(name).into_iter().map(capitalised).collect::<String>();
@@ -82,8 +82,8 @@ pub(crate) fn type_name(name: &str) -> String {
     if is_name { name } else { format!("Robot{name}") }
 }
 
-/// Stretches of letters and digits in small letters; a capital begins a new one behind a small
-/// letter, or in front of one.
+/// Splits a name into lower-case words of letters and digits. A capital begins a new word after or
+/// before a small letter.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let letters = name.chars().collect::<Vec<_>>();

@@ -1,14 +1,12 @@
-//! Robots: links and the joints between them, as a tree that has been checked, independent of any
-//! file format.
+//! Robots: links and the joints between them, as a validated tree, independent of the file format.
 
 use crate::decimal::Decimal;
 
-/// Products of moments of inertia below this fraction of the largest ones may be what is left of
-/// numbers that cancel.
+/// Products of moments of inertia below this fraction of the largest ones are attributed to
+/// cancellation.
 const NEGLIGIBLE: f64 = 1e-12;
 
-/// A tree of links. Joints stand in an order in which each is carried by the root or by what one
-/// before it places.
+/// A tree of links. Each joint is carried by the root or by a link that an earlier joint places.
 #[derive(Clone, Debug)]
 pub(crate) struct Robot {
     pub(crate) name: String,
@@ -21,11 +19,11 @@ pub(crate) struct Robot {
 #[derive(Clone, Debug)]
 pub(crate) struct Link {
     pub(crate) name: String,
-    /// None of a link without mass.
+    /// `None` for a massless link.
     pub(crate) inertial: Option<Inertial>,
-    /// Shapes, as far as they are primitives.
+    /// Shapes that are primitives.
     pub(crate) shapes: Vec<Shape>,
-    /// True if it collides as a mesh or another shape that is no primitive.
+    /// True if a collision shape is a mesh or another shape that is not a primitive.
     pub(crate) collides_as_mesh: bool,
     /// Offset of the declaration in the file.
     pub(crate) place: usize,
@@ -36,7 +34,7 @@ pub(crate) struct Link {
 pub(crate) struct Inertial {
     pub(crate) mass: Decimal,
     pub(crate) centroid: [Decimal; 3],
-    /// xx, yy, zz, xy, xz, yz about the centre of mass.
+    /// Entries xx, yy, zz, xy, xz, yz about the centre of mass.
     pub(crate) tensor: [Decimal; 6],
     /// True if a body can have this tensor.
     pub(crate) is_physical: bool,
@@ -49,7 +47,7 @@ pub(crate) struct Inertial {
 pub(crate) struct Shape {
     pub(crate) is_visual: bool,
     pub(crate) solid: Solid,
-    /// In the order of the language.
+    /// Dimensions in the order of the language.
     pub(crate) dimensions: Vec<Decimal>,
     pub(crate) at: [Decimal; 3],
     pub(crate) turned: [Decimal; 3],
@@ -88,11 +86,11 @@ pub(crate) enum Kind {
     Planar,
     Floating,
     Fixed,
-    /// One that could move, but moves no mass, so that nothing says how it does.
+    /// A joint that could move, but moves no mass, so its motion is undetermined.
     Held,
 }
 
-/// Kinds of joints by their words in files.
+/// Kinds of joints by their names in files.
 pub(crate) const KINDS: [(&str, Kind); 6] = [
     ("revolute", Kind::Revolute),
     ("continuous", Kind::Revolute),
@@ -108,7 +106,7 @@ impl Kind {
         matches!(self, Kind::Revolute | Kind::Prismatic)
     }
 
-    /// True if what it places is fixed in what carries it.
+    /// True if the joint is rigid.
     pub(crate) fn is_rigid(self) -> bool {
         matches!(self, Kind::Fixed | Kind::Held)
     }
@@ -122,7 +120,7 @@ pub(crate) struct Limit {
     pub(crate) velocity: Option<Decimal>,
 }
 
-/// Coordinate = multiplier · coordinate of another joint + offset.
+/// The coupling: coordinate = multiplier · coordinate of another joint + offset.
 #[derive(Clone, Debug)]
 pub(crate) struct Mimic {
     /// Index of the other joint.
@@ -131,7 +129,7 @@ pub(crate) struct Mimic {
     pub(crate) offset: Decimal,
 }
 
-/// The motion of a joint: factor · that of an independent one + offset.
+/// The motion of a joint: factor · motion of an independent one + offset.
 pub(crate) struct Following {
     pub(crate) leader: usize,
     pub(crate) factor: f64,
@@ -139,12 +137,12 @@ pub(crate) struct Following {
 }
 
 impl Link {
-    /// Primitives that are collided with.
+    /// Returns the primitives of the collision shape.
     pub(crate) fn collisions(&self) -> impl Iterator<Item = &Shape> {
         self.shapes.iter().filter(|shape| !shape.is_visual)
     }
 
-    /// True if the link resists turns about every axis.
+    /// True if the link has inertia about every axis.
     pub(crate) fn has_all_moments(&self) -> bool {
         let Some(inertial) = &self.inertial else { return false };
         let [xx, yy, zz, xy, xz, yz] = inertial.tensor.each_ref().map(Decimal::value);
@@ -156,7 +154,7 @@ impl Link {
 }
 
 impl Robot {
-    /// Follows joints that mimic each other up to the one that mimics none.
+    /// Follows the chain of joints that mimic each other to the one that mimics none.
     pub(crate) fn following(&self, joint: usize) -> Following {
         let mut following = Following { leader: joint, factor: 1.0, offset: 0.0 };
         while let Some(mimic) = &self.joints[following.leader].mimic {
@@ -167,7 +165,7 @@ impl Robot {
         following
     }
 
-    /// For each link, whether it or anything that it carries has mass.
+    /// Returns true for each link that has or carries mass.
     pub(crate) fn carries_mass(&self) -> Vec<bool> {
         let mut carries = self.links.iter().map(|link| link.inertial.is_some()).collect::<Vec<_>>();
         for joint in self.joints.iter().rev() {
@@ -176,7 +174,7 @@ impl Robot {
         carries
     }
 
-    /// For each link, whether it is fixed in the root.
+    /// Returns true for each link that is fixed to the root.
     pub(crate) fn fixed_in_root(&self) -> Vec<bool> {
         let mut fixed = vec![false; self.links.len()];
         fixed[self.root] = true;
@@ -186,12 +184,12 @@ impl Robot {
         fixed
     }
 
-    /// The first link that moves and that has, with all that is fixed to it, no inertia about some
-    /// axis.
+    /// Returns the first link that moves and that, together with all links fixed to it, lacks
+    /// inertia about some axis.
     ///
-    /// Without such a link every motion has inertia.
+    /// If there is no such link, every motion has inertia.
     pub(crate) fn first_without_moment(&self, is_free: bool) -> Option<usize> {
-        // The link that carries all that is fixed to it.
+        // The link that carries all links fixed to it.
         let mut carriers = (0..self.links.len()).collect::<Vec<_>>();
         for joint in self.joints.iter().filter(|joint| joint.kind.is_rigid()) {
             carriers[joint.child] = carriers[joint.parent];

@@ -74,7 +74,7 @@ pub(crate) fn angles_of(rotation: Rotation) -> [f64; 3] {
     [zy.atan2(zz), (-zx).atan2(cosine), yx.atan2(xx)]
 }
 
-/// Computes the smallest rotation that takes the z-axis to a unit vector.
+/// Computes the smallest rotation that maps the z-axis to a unit vector.
 pub(crate) fn from_z_to([x, y, z]: [f64; 3]) -> Rotation {
     if z < SNAPPED - 1.0 {
         return [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
@@ -99,7 +99,7 @@ pub(crate) fn coordinate_axis(direction: [f64; 3]) -> Option<(usize, bool)> {
     Some((axis, direction[axis] < 0.0))
 }
 
-/// Formats an angle as a person would write it: quarter turns as fractions of π.
+/// Formats an angle in readable form: quarter turns as fractions of π.
 pub(crate) fn angle(angle: &Decimal) -> String {
     let quarters = angle.value() / std::f64::consts::FRAC_PI_2;
     let whole = quarters.round();
@@ -196,7 +196,7 @@ mod tests {
     fn quarter_turns_of_tensors_move_numbers_and_change_none() {
         let tensor =
             ["1.10", "2.2", "3.3", "0.1", "0.2", "0.3"].map(|text| Decimal::parse(text).expect("a number"));
-        // x goes to y, y to −x.
+        // x becomes y, and y becomes −x.
         let turned = turned_tensor(roll_pitch_yaw([0.0, 0.0, std::f64::consts::FRAC_PI_2 + 5e-12]), &tensor);
         assert_eq!(turned.each_ref().map(ToString::to_string), ["2.2", "1.1", "3.3", "-0.1", "-0.3", "0.2"]);
         let rotation = roll_pitch_yaw([0.3, 0.4, 0.5]);

@@ -6,21 +6,22 @@
 //! sin(r + δ) ≈ r + (r z p(z) + δ (1 − z/2)),    cos(r + δ) ≈ 1 − z/2 + (z² q(z) − r δ),
 //! ```
 //!
-//! where the first term is exact, or its rounding error is added back, and the rest is at most a
-//! tenth of it. In units in the last place the error is at most the sum of these contributions:
-//! - 0.5 of the last sum;
-//! - 0.34 of the rounding of the rest (the sine at r = π/4, where six roundings of terms near 0.08
-//!   meet a unit of 2⁻⁵³);
-//! - 0.04 of the polynomial;
-//! - 0.01 of the reduction.
+//! where the first term is exact or its rounding error is added back. The rest is at most a tenth
+//! of the first term. In units in the last place the error is at most the sum of these
+//! contributions:
+//! - 0.5 from the last sum;
+//! - 0.34 from the rounding of the rest (the sine at r = π/4, where six roundings of terms near
+//!   0.08 meet a unit of 2⁻⁵³);
+//! - 0.04 from the polynomial;
+//! - 0.01 from the reduction.
 //!
-//! The polynomials are added up so that few operations wait for each other.
+//! The polynomials are evaluated such that few operations depend on each other.
 
 use crate::fused::multiply_add;
 use crate::pair::Pair;
 use crate::reduction::{Reduced, reduce, reduce_large};
 
-/// p: minimax for the relative error of sin r on [0, π/4], 2^−57.9.
+/// Coefficients of p: minimax for the relative error of sin r on [0, π/4], 2^−57.9.
 pub(crate) const SINE: [f64; 6] = [
     f64::from_bits(0xbfc5_5555_5555_5548),
     f64::from_bits(0x3f81_1111_1110_f730),
@@ -30,7 +31,7 @@ pub(crate) const SINE: [f64; 6] = [
     f64::from_bits(0x3de5_d8b5_585c_7708),
 ];
 
-/// q: minimax for the relative error of cos r on [0, π/4], 2^−63.9.
+/// Coefficients of q: minimax for the relative error of cos r on [0, π/4], 2^−63.9.
 pub(crate) const COSINE: [f64; 6] = [
     f64::from_bits(0x3fa5_5555_5555_554b),
     f64::from_bits(0xbf56_c16c_16c1_5015),
@@ -42,20 +43,22 @@ pub(crate) const COSINE: [f64; 6] = [
 
 const SIGN: u64 = 1 << 63;
 
-/// Sine and cosine of an angle of at most 10⁵ in magnitude; of others the result has no meaning.
+/// Computes sine and cosine of an angle of at most 10⁵ in magnitude; for other angles the result is
+/// meaningless.
 #[inline(always)]
 pub(crate) fn sin_cos<const FUSED: bool>(x: f64) -> (f64, f64) {
     let reduced = reduce::<FUSED>(x.abs());
     in_quadrant(reduced.quadrant, of_rest::<FUSED>(&reduced), x)
 }
 
-/// Sine and cosine of an angle of any size.
+/// Computes sine and cosine of an angle of any size.
 pub(crate) fn sin_cos_large(x: f64) -> (f64, f64) {
     let reduced = reduce_large(x.abs());
     in_quadrant(reduced.quadrant, of_rest::<false>(&reduced), x)
 }
 
-/// Sine and cosine of the reduced angle, the second numbers up to a tenth of the first ones.
+/// Computes sine and cosine of the reduced angle. The second number of each pair is at most a tenth
+/// of the first.
 #[inline(always)]
 pub(crate) fn of_rest<const FUSED: bool>(reduced: &Reduced) -> (Pair, Pair) {
     let z = reduced.high * reduced.high;
@@ -83,14 +86,15 @@ fn cosine<const FUSED: bool>(reduced: &Reduced, z: f64, half: f64, near_cosine: 
     Pair { high: near_cosine, low: multiply_add::<FUSED>(rest, z2 * z2, first) }
 }
 
-/// Two neighbouring terms of a polynomial, divided by the power of z that they share.
+/// Computes two adjacent terms of a polynomial, divided by their common power of z.
 #[inline(always)]
 fn pair<const FUSED: bool>(coefficients: &[f64; 6], index: usize, z: f64) -> f64 {
     multiply_add::<FUSED>(coefficients[index + 1], z, coefficients[index])
 }
 
-/// Adds up sine and cosine, exchanges them in odd quadrants and sets their signs, the sine's also
-/// by that of the angle. In bits, since on many targets a choice between numbers is a branch.
+/// Adds up sine and cosine, exchanges them in odd quadrants and sets their signs; the sine also
+/// takes the sign of the angle. It operates on bits, since a selection between numbers is a branch
+/// on many targets.
 #[inline(always)]
 pub(crate) fn in_quadrant(quadrant: u64, (sine, cosine): (Pair, Pair), x: f64) -> (f64, f64) {
     let (sine, cosine, sign) = (sine.high + sine.low, cosine.high + cosine.low, x.to_bits() & SIGN);

@@ -1,7 +1,7 @@
 //! Angles with a given tangent, sine or cosine, without a branch.
 //!
-//! The angle of a point is first found in an eighth of the plane. With a ≤ b, the smaller and the
-//! larger of its coordinates in magnitude:
+//! The angle of a point is first computed in an eighth of the plane. Let a ≤ b be the smaller and
+//! the larger of its coordinates in magnitude:
 //!
 //! ```text
 //! arctan(a/b) = arctan t,           t = a / b                 if a ≤ b tan(π/8),
@@ -9,22 +9,22 @@
 //! arctan t ≈ t + t z A(z),          z = t²,  |t| ≤ tan(π/8),
 //! ```
 //!
-//! and is then taken from, or added to, a multiple of π/4. t is a sum of two doubles, and so is
-//! that of the multiple and t. For arcsine and arccosine the other coordinate is √(1 − x²), a sum
-//! of two doubles, too.
+//! The result is subtracted from, or added to, a multiple of π/4. t is a sum of two doubles, and so
+//! is the sum of the multiple and t. For arcsine and arccosine, the other coordinate is √(1 − x²),
+//! also a sum of two doubles.
 
 use core::f64::consts::FRAC_PI_4;
 
 use crate::fused::multiply_add;
 use crate::pair::{Pair, product, quotient, square_root, sum};
 
-/// π/4 as a double, of which small multiples up to four are taken, and the rest.
+/// π/4 as a double, with exact multiples up to four, and the remainder.
 const QUARTER_PI: [f64; 2] = [FRAC_PI_4, f64::from_bits(0x3c81_a626_3314_5c07)];
 
-/// tan(π/8), roughly: on both sides of it either way is right.
+/// Approximation of tan(π/8): near it, both formulas are valid.
 const TAN_EIGHTH: f64 = 0.414_213_562_373;
 
-/// A: minimax for the relative error of arctan t on [0, tan(π/8)], 2^−59.4.
+/// Coefficients of A: minimax for the relative error of arctan t on [0, tan(π/8)], 2^−59.4.
 const TAIL: [f64; 11] = [
     f64::from_bits(0xbfd5_5555_5555_553d),
     f64::from_bits(0x3fc9_9999_9999_5869),
@@ -39,12 +39,11 @@ const TAIL: [f64; 11] = [
     f64::from_bits(0xbf92_56a6_0d99_b473),
 ];
 
-/// Coordinates other than zero are from the first to the second in magnitude, so that nothing here
-/// overflows or gets lost.
+/// Range of nonzero coordinates in magnitude, in which nothing overflows or is lost.
 const LEAST_COORDINATE: f64 = 1e-270;
 const LARGEST_COORDINATE: f64 = 1e270;
 
-/// True if a number and another are coordinates of a point whose angle is computed here.
+/// True if these are coordinates of a point whose angle is computed here.
 #[inline(always)]
 pub(crate) fn are_coordinates(ordinate: f64, abscissa: f64) -> bool {
     let is_between = |x: f64| (LEAST_COORDINATE..=LARGEST_COORDINATE).contains(&x);
@@ -52,8 +51,8 @@ pub(crate) fn are_coordinates(ordinate: f64, abscissa: f64) -> bool {
     (is_between(y) & (is_between(x) | (x == 0.0))) | ((y == 0.0) & is_between(x))
 }
 
-/// The angle of a point with [coordinates](are_coordinates) that are neither too large nor too
-/// small.
+/// Computes the angle of a point with [coordinates](are_coordinates) that are neither too large nor
+/// too small.
 #[inline(always)]
 pub(crate) fn atan2<const FUSED: bool>(ordinate: f64, abscissa: f64) -> f64 {
     angle::<FUSED>(ordinate.abs().into(), abscissa.into()).copysign(ordinate)
@@ -62,7 +61,7 @@ pub(crate) fn atan2<const FUSED: bool>(ordinate: f64, abscissa: f64) -> f64 {
 /// Computes the arctangent of any number.
 #[inline(always)]
 pub(crate) fn atan<const FUSED: bool>(x: f64) -> f64 {
-    /// Farther out the angle is π/2 to the last bit.
+    /// Beyond this the angle is π/2 to the last bit.
     const FAR: f64 = 1e20;
     let magnitude = x.abs();
     let magnitude = if magnitude > FAR { FAR } else { magnitude };
@@ -81,7 +80,7 @@ pub(crate) fn acos<const FUSED: bool>(x: f64) -> f64 {
     angle::<FUSED>(leg::<FUSED>(x), x.into())
 }
 
-/// √(1 − x²)
+/// Computes √(1 − x²).
 #[inline(always)]
 fn leg<const FUSED: bool>(x: f64) -> Pair {
     let square = product::<FUSED>(x, x);
@@ -89,7 +88,7 @@ fn leg<const FUSED: bool>(x: f64) -> Pair {
     square_root::<FUSED>(Pair { high: rest.high, low: rest.low - square.low })
 }
 
-/// The angle in [0, π] of a point whose ordinate is not negative.
+/// Computes the angle in [0, π] of a point with a nonnegative ordinate.
 #[inline(always)]
 fn angle<const FUSED: bool>(ordinate: Pair, abscissa: Pair) -> f64 {
     let is_left = abscissa.high.is_sign_negative();
@@ -124,7 +123,7 @@ fn from_axis<const FUSED: bool>(eighths: f64, sign: f64, tangent: Pair) -> f64 {
     near.high + (near.low + multiply_add::<FUSED>(eighths, QUARTER_PI[1], sign * rest))
 }
 
-/// A(z), added up so that few operations wait for each other.
+/// Computes A(z) such that few operations depend on each other.
 #[inline(always)]
 fn tail<const FUSED: bool>(z: f64) -> f64 {
     let pair = |k: usize| multiply_add::<FUSED>(TAIL[k + 1], z, TAIL[k]);

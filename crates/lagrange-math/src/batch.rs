@@ -4,7 +4,7 @@ use crate::angle;
 use crate::fused::HAS_FUSED;
 use crate::precise;
 
-/// Up to this magnitude angles are reduced with all others, in radians; beyond, one by one in
+/// Angles up to this magnitude are reduced together, in radians; larger ones one by one, in
 /// integers.
 pub const LARGEST_ANGLE: f64 = 1e5;
 
@@ -12,8 +12,8 @@ pub const LARGEST_ANGLE: f64 = 1e5;
 ///
 /// The error is below 0.9 units in the last place for angles of any size, whether or not products
 /// are fused. The result for an angle does not depend on the other angles. It is the same on every
-/// platform that fuses products, and on every one that does not. Zeros keep their sign; infinity
-/// and NaN give NaN.
+/// platform that fuses products, and on every platform that does not. Zeros keep their sign; the
+/// result for infinity and NaN is NaN.
 ///
 /// ```
 /// use lagrange_math::sin_cos_each;
@@ -33,10 +33,10 @@ pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     zipped(sines, cosines)
 }
 
-/// Computes all sines and all cosines of the angles, with or without fused products, whatever the
-/// target is. It serves callers that detect the processor's instructions at run time and compile
-/// this function for them. Results and errors are those of [`sin_cos_each`], which decides by the
-/// target.
+/// Computes the sines and the cosines of all angles, with or without fused products, regardless of
+/// the target. It serves callers that detect the processor's instructions at run time and compile
+/// this function for them. Results and errors are those of [`sin_cos_each`], which chooses
+/// according to the target.
 ///
 /// ```
 /// use lagrange_math::sines_and_cosines;
@@ -51,11 +51,11 @@ pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) ->
     sine_and_cosine_of_each(angle::sin_cos::<FUSED>, angle::sin_cos_large, angles)
 }
 
-/// Computes all sines and all cosines of the angles without fused products. The error is below 0.55
+/// Computes the sines and the cosines of all angles without fused products. The error is below 0.55
 /// units in the last place for angles of any size.
 ///
 /// The result for an angle has the same bits on every platform and does not depend on the other
-/// angles. Zeros keep their sign; infinity and NaN give NaN.
+/// angles. Zeros keep their sign; the result for infinity and NaN is NaN.
 ///
 /// ```
 /// use lagrange_math::precise_sines_and_cosines;
@@ -79,7 +79,7 @@ fn sine_and_cosine_of_each<const N: usize>(
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     formulas(formula, &angles, &mut sines, &mut cosines);
     if !are_small(&angles) {
-        // Copies are lent, so that those of whoever needs no call stay out of memory.
+        // Copies are passed, so that the originals stay out of memory if no call is needed.
         let (lent, mut lent_sines, mut lent_cosines) = (angles, sines, cosines);
         replace_large(of_large, &lent, &mut lent_sines, &mut lent_cosines);
         return (lent_sines, lent_cosines);
@@ -87,8 +87,8 @@ fn sine_and_cosine_of_each<const N: usize>(
     (sines, cosines)
 }
 
-/// Sines and cosines of small angles; of others they have no meaning. Apart, so that all sines, and
-/// all cosines, lie side by side as vector instructions want them.
+/// Computes sines and cosines of small angles; results for others are meaningless. Separate arrays
+/// keep all sines, and all cosines, contiguous for vector instructions.
 #[inline(always)]
 fn formulas<const N: usize>(
     formula: impl Fn(f64) -> (f64, f64),
@@ -109,14 +109,14 @@ fn are_small(angles: &[f64]) -> bool {
     angles.iter().fold(true, |all, angle| all & is_small(*angle))
 }
 
-/// Combines both arrays by value. Compilers then see that the result does not alias arrays lent to
-/// a call, and keep it out of memory.
+/// Combines both arrays by value. Compilers can then prove that the result does not alias arrays
+/// passed to a call, and keep it out of memory.
 #[inline(always)]
 fn zipped<const N: usize>(sines: [f64; N], cosines: [f64; N]) -> [(f64, f64); N] {
     core::array::from_fn(|i| (sines[i], cosines[i]))
 }
 
-/// Computes sines and cosines in single precision by way of double precision, rounded once. The
+/// Computes sines and cosines in single precision, as rounded results of double precision. The
 /// error is below 0.5000001 units in the last place for angles of any size.
 #[inline(always)]
 #[must_use]
@@ -142,18 +142,19 @@ pub fn sines_and_cosines_f32<const FUSED: bool, const N: usize>(angles: [f32; N]
 }
 
 /// Returns the boundaries between loops, so that compilers unroll short ones and vectorise long
-/// ones. Without them an odd number of angles costs up to half as much again.
+/// ones. Without them, an odd number of angles costs up to 50 % more.
 const fn cuts(count: usize) -> [usize; 2] {
     if count < 4 { [0, count] } else { [count - count % 8, count - count % 2] }
 }
 
-/// False for NaN.
+/// True for magnitudes up to [`LARGEST_ANGLE`]; false for NaN.
 #[inline(always)]
 fn is_small(angle: f64) -> bool {
     angle.abs() <= LARGEST_ANGLE
 }
 
-/// One call for all angles, so that those who never need it jump past it once.
+/// Replaces results for large angles. A single call for all angles needs a single branch in the
+/// common case.
 #[cold]
 #[inline(never)]
 fn replace_large(of_large: fn(f64) -> (f64, f64), angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {

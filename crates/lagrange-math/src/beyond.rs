@@ -1,5 +1,5 @@
-//! Functions beyond the domains of the formulas, by `libm`: pure Rust, and the same bits on every
-//! platform.
+//! Functions beyond the domains of the formulas, by `libm`, which is pure Rust and returns the same
+//! bits on every platform.
 
 use crate::tangent;
 

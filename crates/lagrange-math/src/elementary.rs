@@ -8,7 +8,7 @@ use crate::length;
 use crate::logarithm;
 use crate::tangent;
 
-/// Makes the enumeration of the functions that lanes compute together, and their values.
+/// Defines the enumeration of the functions that lanes compute together, and their values.
 macro_rules! of_lanes {
     ($(
         $name:ident $arguments:tt C $c:tt lanes($($variant:ident: $module:ident::$formula:ident $(, $domain:ident)?)?) $method:tt
@@ -38,7 +38,7 @@ macro_rules! of_lanes {
 
 crate::functions!(of_lanes);
 
-/// Computes values of a function at several numbers, with products that are fused or not, as for
+/// Computes values of a function for several numbers. Products are fused or not, as for
 /// [`sines_and_cosines`](crate::sines_and_cosines).
 ///
 /// The result for a number does not depend on the others, and is the same on every platform for
@@ -51,7 +51,7 @@ crate::functions!(of_lanes);
 /// | `Sinh`, `Cosh`, `Tanh` | 0.8 |
 /// | `Exp` | 0.6, or 1.2 below 2⁻¹⁰²² |
 ///
-/// Special values are those of IEEE 754: zeros keep their sign, and NaN stays NaN.
+/// Special values follow IEEE 754: zeros keep their sign, and NaN stays NaN.
 ///
 /// ```
 /// use lagrange_math::{Elementary, values};
@@ -65,19 +65,19 @@ pub fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments
     of_each::<FUSED, N>(function, arguments)
 }
 
-/// False for NaN.
+/// True for magnitudes up to [`LARGEST_ANGLE`]; false for NaN.
 #[inline(always)]
 fn is_angle(x: f64) -> bool {
     x.abs() <= LARGEST_ANGLE
 }
 
-/// False for NaN.
+/// True for magnitudes up to [`LARGEST_HYPERBOLIC`]; false for NaN.
 #[inline(always)]
 fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST_HYPERBOLIC
 }
 
-/// Values of a formula that is meant for all numbers.
+/// Computes values of a formula that is valid for all numbers.
 #[inline(always)]
 fn everywhere<const N: usize>(arguments: [f64; N], formula: impl Fn(f64) -> f64) -> [f64; N] {
     let mut values = [0.0; N];
@@ -87,8 +87,8 @@ fn everywhere<const N: usize>(arguments: [f64; N], formula: impl Fn(f64) -> f64)
     values
 }
 
-/// Values of a formula, each by its index, and those of another function where the formula is not
-/// meant for what it is given.
+/// Computes values of a formula by index. Another function replaces those outside the domain of the
+/// formula.
 #[inline(always)]
 fn each<const N: usize>(
     formula: impl Fn(usize) -> f64,
@@ -110,11 +110,11 @@ fn each<const N: usize>(
     values
 }
 
-/// Computes the angles in [−π, π] of several points, each with an ordinate and an abscissa.
+/// Computes the angles in [−π, π] of several points, given by their ordinates and abscissas.
 ///
-/// Errors are below 0.7 units in the last place where both coordinates are zero or from 10⁻²⁷⁰ to
-/// 10²⁷⁰ in magnitude. Other points, including the origin, have the angle of `libm`, with the sides
-/// of the cut according to IEEE 754. The rest is as for [`values`].
+/// Errors are below 0.7 units in the last place if each coordinate is zero or from 10⁻²⁷⁰ to 10²⁷⁰
+/// in magnitude. For other points, including the origin, `libm` computes the angle, with the sides
+/// of the cut according to IEEE 754. Otherwise, results are as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas: [f64; N]) -> [f64; N] {
@@ -128,9 +128,9 @@ pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas:
 
 /// Computes the lengths √(x² + y²) of several vectors.
 ///
-/// Errors are below 0.6 units in the last place where both components are zero or from 10⁻¹³⁰ to
-/// 10¹⁵⁰ in magnitude. Others have the length of `libm`, infinite if a component is. The rest is as
-/// for [`values`].
+/// Errors are below 0.6 units in the last place if each component is zero or from 10⁻¹³⁰ to 10¹⁵⁰
+/// in magnitude. Otherwise `libm` computes the length, which is infinite if a component is
+/// infinite. In all other respects, results are as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [f64; N] {
@@ -142,7 +142,7 @@ pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [
 }
 
 /// Raises a number to a real power, with an error below one unit in the last place. The bits are
-/// the same on every platform. NaN if either is NaN.
+/// the same on every platform. NaN if either argument is NaN.
 ///
 /// ```
 /// assert_eq!(lagrange_math::power(2.0, 0.5), 2_f64.sqrt());
@@ -154,21 +154,21 @@ pub fn power(base: f64, exponent: f64) -> f64 {
     if base.is_nan() || exponent.is_nan() { f64::NAN } else { libm::pow(base, exponent) }
 }
 
-/// Computes [`values`] in single precision, by way of double precision, rounded once.
+/// Computes [`values`] in single precision, as rounded results of double precision.
 #[inline(always)]
 #[must_use]
 pub fn values_f32<const FUSED: bool, const N: usize>(function: Elementary, arguments: [f32; N]) -> [f32; N] {
     narrow(values::<FUSED, N>(function, widen(arguments)))
 }
 
-/// Computes [`angles`] in single precision, by way of double precision, rounded once.
+/// Computes [`angles`] in single precision, as rounded results of double precision.
 #[inline(always)]
 #[must_use]
 pub fn angles_f32<const FUSED: bool, const N: usize>(ordinates: [f32; N], abscissas: [f32; N]) -> [f32; N] {
     narrow(angles::<FUSED, N>(widen(ordinates), widen(abscissas)))
 }
 
-/// Computes [`lengths`] in single precision, by way of double precision, rounded once.
+/// Computes [`lengths`] in single precision, as rounded results of double precision.
 #[inline(always)]
 #[must_use]
 pub fn lengths_f32<const FUSED: bool, const N: usize>(x: [f32; N], y: [f32; N]) -> [f32; N] {

@@ -1,7 +1,7 @@
-//! The list of elementary functions: numbers, lanes, emitted code and kernels all take their
-//! functions from it.
+//! The list of elementary functions, from which numbers, lanes, emitted code and kernels derive
+//! their functions.
 
-/// Passes the list of elementary functions to a macro, behind tokens for that macro.
+/// Passes the list of elementary functions to a macro, after tokens for that macro.
 ///
 /// ```text
 /// name(arguments) C(name for double, name for float) lanes(Variant: formula, domain) {
@@ -11,9 +11,9 @@
 /// ```
 ///
 /// The default is the body of the method for number types that do not define it, or `;` if every
-/// number type must. The names in C are also those of `libm`. Lanes compute several numbers
-/// together by the formula, if there is one. It is a function of this crate; numbers outside its
-/// domain are left to the platform.
+/// number type must. The names in C are also those of `libm`. If there is a formula for lanes, they
+/// use it to compute several numbers together. It is a function of this crate; the platform
+/// computes numbers outside its domain.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions {
@@ -22,18 +22,18 @@ macro_rules! functions {
             $($context)*
 
             sin(x) C(sin, sinf) lanes() {
-                /// Sine; NaN at infinity.
+                /// Computes the sine; NaN at infinity.
                 fn(self);
             }
 
             cos(x) C(cos, cosf) lanes() {
-                /// Cosine; NaN at infinity.
+                /// Computes the cosine; NaN at infinity.
                 fn(self);
             }
 
             tan(x) C(tan, tanf) lanes(Tan: tangent::tan, is_angle) {
-                /// Tangent; NaN at infinity. Finite elsewhere, since no binary number is an odd
-                /// multiple of π/2.
+                /// Computes the tangent; NaN at infinity. Finite elsewhere, since no binary number
+                /// is an odd multiple of π/2.
                 fn(self) {
                     let (sine, cosine) = self.sin_cos();
                     sine / cosine
@@ -41,38 +41,40 @@ macro_rules! functions {
             }
 
             asin(x) C(asin, asinf) lanes(Asin: arc::asin) {
-                /// The angle in [−π/2, π/2] with this sine; NaN outside [−1, 1].
+                /// Computes the angle in [−π/2, π/2] with this sine; NaN outside [−1, 1].
                 fn(self) {
                     self.atan2(((Self::ONE - self) * (Self::ONE + self)).sqrt())
                 }
             }
 
             acos(x) C(acos, acosf) lanes(Acos: arc::acos) {
-                /// The angle in [0, π] with this cosine; NaN outside [−1, 1].
+                /// Computes the angle in [0, π] with this cosine; NaN outside [−1, 1].
                 fn(self) {
                     ((Self::ONE - self) * (Self::ONE + self)).sqrt().atan2(self)
                 }
             }
 
             atan(x) C(atan, atanf) lanes(Atan: arc::atan) {
-                /// The angle in [−π/2, π/2] with this tangent; ±π/2 at ±∞.
+                /// Computes the angle in [−π/2, π/2] with this tangent; ±π/2 at ±∞.
                 fn(self) {
                     self.atan2(Self::ONE)
                 }
             }
 
             atan2(y, x) C(atan2, atan2f) lanes() {
-                /// The angle in [−π, π] of the point with ordinate `self` and the given abscissa.
+                /// Computes the angle in [−π, π] of the point with ordinate `self` and the given
+                /// abscissa.
                 ///
-                /// As in IEEE 754, the sign of a zero picks the side of the cut: (±0, −1) gives ±π
-                /// and (±0, 1) gives ±0. The origin counts as a point of the axis of its zeros.
+                /// As in IEEE 754, the sign of a zero determines the side of the cut: the angle is
+                /// ±π for (±0, −1) and ±0 for (±0, 1). The origin counts as a point of the axis
+                /// given by the signs of its zeros.
                 fn(self, abscissa);
             }
 
             sinh(x) C(sinh, sinhf) lanes(Sinh: exponential::sinh, is_moderate) {
-                /// Hyperbolic sine.
+                /// Computes the hyperbolic sine.
                 fn(self) {
-                    // The difference of exponentials cancels near zero, where Taylor's series is
+                    // The difference of exponentials cancels near zero, where the Taylor series is
                     // short.
                     let (square, mut series) = (self * self, Self::ONE);
                     for k in (1_u16..=14).rev() {
@@ -87,7 +89,7 @@ macro_rules! functions {
             }
 
             cosh(x) C(cosh, coshf) lanes(Cosh: exponential::cosh, is_moderate) {
-                /// Hyperbolic cosine.
+                /// Computes the hyperbolic cosine.
                 fn(self) {
                     let half = Self::from_f64(0.5);
                     let root = (self.abs() * half).exp();
@@ -96,7 +98,7 @@ macro_rules! functions {
             }
 
             tanh(x) C(tanh, tanhf) lanes(Tanh: exponential::tanh) {
-                /// Hyperbolic tangent; ±1 at ±∞.
+                /// Computes the hyperbolic tangent; ±1 at ±∞.
                 fn(self) {
                     let one = Self::select(self.less(Self::ZERO), -Self::ONE, Self::ONE);
                     let is_one = Self::from_f64(50.0).less(self.abs());
@@ -105,31 +107,31 @@ macro_rules! functions {
             }
 
             exp(x) C(exp, expf) lanes(Exp: exponential::exp) {
-                /// e to this power.
+                /// Computes e to this power.
                 fn(self);
             }
 
             ln(x) C(log, logf) lanes(Ln: logarithm::ln) {
-                /// Natural logarithm; −∞ at ±0, NaN below.
+                /// Computes the natural logarithm; −∞ at ±0, NaN below.
                 fn(self);
             }
 
             sqrt(x) C(sqrt, sqrtf) lanes() {
-                /// Square root, correctly rounded; −0 at −0, NaN below.
+                /// Computes the square root, correctly rounded; −0 at −0, NaN below.
                 fn(self);
             }
 
             abs(x) C(fabs, fabsf) lanes() {
-                /// Magnitude.
+                /// Computes the magnitude.
                 fn(self) {
-                    // The sum has no negative zero.
+                    // The sum is never a negative zero.
                     Self::select(self.less(Self::ZERO), -self, self + Self::ZERO)
                 }
             }
 
             hypot(x, y) C(hypot, hypotf) lanes() {
-                /// √(self² + other²) without intermediate overflow or underflow; +∞ if either is
-                /// infinite.
+                /// Computes √(self² + other²) without intermediate overflow or underflow; +∞ if
+                /// either is infinite.
                 fn(self, other) {
                     let (x, y) = (self.abs(), other.abs());
                     let (large, small) = (x.max(y), x.min(y));

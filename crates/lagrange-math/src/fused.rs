@@ -1,11 +1,10 @@
-//! Products and sums in one rounding, where requested.
+//! Products and sums with one rounding, if requested.
 
-/// True if the target that is compiled for has an instruction for a product and a sum with one
-/// rounding.
+/// True if the compilation target has an instruction for a product and a sum with one rounding.
 pub(crate) const HAS_FUSED: bool = cfg!(all(feature = "std", target_feature = "fma"));
 
-/// `a * b + c`, rounded once if FUSED and twice otherwise. Where FUSED is no instruction it is a
-/// call of a library.
+/// Computes `a * b + c`, rounded once if FUSED and twice otherwise. If the target lacks the
+/// instruction, FUSED calls a library.
 #[inline(always)]
 pub(crate) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
     if !FUSED {

@@ -1,10 +1,9 @@
-//! The length of a vector of the plane, without a branch: squares as sums of two doubles, so that
-//! only the root is rounded.
+//! The length of a vector in the plane, without a branch. Squares are sums of two doubles, so only
+//! the root is rounded.
 
 use crate::pair::{Pair, product, square_root, sum};
 
-/// Components other than zero are from the first to the second in magnitude, so that no square
-/// overflows or gets lost.
+/// Range of nonzero components in magnitude, in which no square overflows or is lost.
 const LEAST_COMPONENT: f64 = 1e-130;
 const LARGEST_COMPONENT: f64 = 1e150;
 
@@ -15,8 +14,8 @@ pub(crate) fn are_components(x: f64, y: f64) -> bool {
     is_one(x.abs()) & is_one(y.abs())
 }
 
-/// The length of a vector with [components](are_components) that are neither too large nor too
-/// small.
+/// Computes the length of a vector with [components](are_components) that are neither too large nor
+/// too small.
 #[inline(always)]
 pub(crate) fn hypot<const FUSED: bool>(x: f64, y: f64) -> f64 {
     let (x, y) = (x.abs(), y.abs());

@@ -1,11 +1,10 @@
-//! Elementary functions of several numbers at a time. They serve the level of accuracy `fast` (sine
-//! and cosine), numbers in the lanes of vector instructions, and those with the same bits
-//! everywhere.
+//! Elementary functions of several numbers at a time. They serve the accuracy level `fast` (sine
+//! and cosine), numbers in lanes of vector instructions, and numbers with the same bits everywhere.
 //!
-//! [`sin_cos_each`], [`values`] and the others have no table and no branch that depends on a
-//! number. The compiler inlines them and computes several numbers with each instruction where the
-//! target can. They call nothing of the platform: without fused products, results have the same
-//! bits everywhere.
+//! [`sin_cos_each`], [`values`] and the others use no table and no branch that depends on a number.
+//! The compiler inlines them and computes several numbers per instruction if the target supports
+//! it. They do not call the platform: without fused products, results have the same bits
+//! everywhere.
 //!
 //! The methods are the classical ones:
 //! - Sine and cosine are reduced to [−π/4, π/4] with π/2 in three parts, as in W. J. Cody, W.

@@ -6,14 +6,15 @@
 //! ln(1 + f) = 2 artanh s ≈ 2 s + s w L(w) = f − s (f − w L(w)),    ln x = k ln 2 + ln(1 + f),
 //! ```
 //!
-//! where f is exact, and so is k times the first part of ln 2; of their sum what rounding loses is
-//! added back. What is rounded beside it is a fifth of the result or less.
+//! where f is exact, and so is k times the first part of ln 2; the rounding error of their sum is
+//! added back. The rounded rest is at most a fifth of the result.
 
 use crate::exponential::LN_2;
 use crate::fused::multiply_add;
 use crate::pair::sum;
 
-/// L: minimax for the relative error of artanh s on [0, (√2 − 1) / (√2 + 1)], 2^−59.5.
+/// Coefficients of L: minimax for the relative error of artanh s on [0, (√2 − 1) / (√2 + 1)],
+/// 2^−59.5.
 const TAIL: [f64; 7] = [
     f64::from_bits(0x3fe5_5555_5555_5592),
     f64::from_bits(0x3fd9_9999_9997_ff65),
@@ -25,13 +26,13 @@ const TAIL: [f64; 7] = [
 ];
 
 const MANTISSA: u64 = (1 << 52) - 1;
-/// 2⁵²: a small integer, put into its last bits, is added to it.
+/// 2⁵²: a small integer written to its last bits is added to it.
 const WHOLE: f64 = 4_503_599_627_370_496.0;
 /// 2⁵⁴, which makes all positive numbers normal.
 const GROWTH: f64 = 18_014_398_509_481_984.0;
 const BIAS: f64 = 1023.0;
 
-/// The natural logarithm of any number.
+/// Computes the natural logarithm of any number.
 #[inline(always)]
 pub(crate) fn ln<const FUSED: bool>(x: f64) -> f64 {
     let value = of_positive::<FUSED>(x);
@@ -46,7 +47,7 @@ fn of_positive<const FUSED: bool>(x: f64) -> f64 {
     let is_small = x < f64::MIN_POSITIVE;
     let normal = if is_small { x * GROWTH } else { x };
     let bias = if is_small { BIAS + 54.0 } else { BIAS };
-    // One is moved to where the exponent changes, from √½, so that 1 + f lies on both sides of it.
+    // Shifts √½ to a change of the exponent, so that 1 + f lies on both sides of one.
     let root_half = core::f64::consts::FRAC_1_SQRT_2.to_bits();
     let moved = normal.to_bits().wrapping_add(1_f64.to_bits() - root_half);
     let multiple = f64::from_bits((moved >> 52) | WHOLE.to_bits()) - (WHOLE + bias);
@@ -58,7 +59,7 @@ fn of_positive<const FUSED: bool>(x: f64) -> f64 {
     near.high - (curved - multiply_add::<FUSED>(multiple, LN_2[1], near.low))
 }
 
-/// L(w), added up so that few operations wait for each other.
+/// Computes L(w) such that few operations depend on each other.
 #[inline(always)]
 fn tail<const FUSED: bool>(w: f64) -> f64 {
     let pair = |k: usize| multiply_add::<FUSED>(TAIL[k + 1], w, TAIL[k]);

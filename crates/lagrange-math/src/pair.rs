@@ -3,7 +3,7 @@
 
 use crate::fused::multiply_add;
 
-/// The sum of two numbers, of which the second is small beside the first.
+/// The sum of two numbers; the second is small relative to the first.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair {
     pub(crate) high: f64,
@@ -17,7 +17,7 @@ impl From<f64> for Pair {
     }
 }
 
-/// The sum of a number and one that is not larger, rounded, and what was lost.
+/// Returns the rounded sum of a number and one that is not larger, and the rounding error.
 #[inline(always)]
 pub(crate) fn sum(larger: f64, smaller: f64) -> Pair {
     let high = larger + smaller;
@@ -30,8 +30,8 @@ pub(crate) fn normal(pair: Pair) -> Pair {
     sum(pair.high, pair.low)
 }
 
-/// The product, rounded, and what was lost. Of factors beyond 10²⁷⁰ it is not a number where
-/// products are not fused.
+/// Returns the rounded product and the rounding error. For factors beyond 10²⁷⁰ the error may be
+/// NaN unless products are fused.
 #[inline(always)]
 pub(crate) fn product<const FUSED: bool>(a: f64, b: f64) -> Pair {
     let high = a * b;
@@ -43,8 +43,8 @@ pub(crate) fn product<const FUSED: bool>(a: f64, b: f64) -> Pair {
     Pair { high, low }
 }
 
-/// The leading 26 bits of a number and the others, so that products of halves are exact (G. W.
-/// Veltkamp).
+/// Splits a number into its leading 26 bits and the rest, so that products of halves are exact (G.
+/// W. Veltkamp).
 #[inline(always)]
 fn halves(number: f64) -> Pair {
     const SPLITTER: f64 = 134_217_729.0;
@@ -53,8 +53,8 @@ fn halves(number: f64) -> Pair {
     Pair { high, low: number - high }
 }
 
-/// The quotient of pairs, a unit in the last place from rounded, and what is missing to some
-/// hundred bits.
+/// Returns the quotient of pairs, within a unit in the last place of the rounded one, and the
+/// remainder to about a hundred bits.
 #[inline(always)]
 pub(crate) fn quotient<const FUSED: bool>(numerator: Pair, denominator: Pair) -> Pair {
     let reciprocal = 1.0 / denominator.high;
@@ -65,10 +65,10 @@ pub(crate) fn quotient<const FUSED: bool>(numerator: Pair, denominator: Pair) ->
     Pair { high, low: rest * reciprocal }
 }
 
-/// The square root of a pair, and what is missing of it; zero of zero, NaN below.
+/// Returns the square root of a pair, and the remainder; zero for zero, NaN below.
 #[inline(always)]
 pub(crate) fn square_root<const FUSED: bool>(square: Pair) -> Pair {
-    /// Added to what is zero only where it may as well be this.
+    /// Prevents a division of zero by zero, and is otherwise negligible.
     const NOTHING: f64 = 1e-300;
     let high = root(square.high);
     let back = product::<FUSED>(high, high);
@@ -76,7 +76,7 @@ pub(crate) fn square_root<const FUSED: bool>(square: Pair) -> Pair {
     Pair { high, low: rest / (2.0 * high + NOTHING) }
 }
 
-/// The square root, correctly rounded.
+/// Computes the correctly rounded square root.
 #[inline(always)]
 fn root(square: f64) -> f64 {
     #[cfg(feature = "std")]

@@ -1,10 +1,10 @@
-//! Angles of any size in quarter turns, in integers.
+//! Conversion of angles of any size to quarter turns, in integers.
 //!
 //! M. H. Payne, R. N. Hanek, "Radian reduction for trigonometric functions", *SIGNUM Newsletter* 18
-//! (1983). Of 2/π, only those bits count that neither make multiples of four quarters nor are too
-//! small.
+//! (1983). Only some bits of 2/π are relevant: those that neither contribute multiples of four
+//! quarters nor are too small.
 
-/// The bits of 2/π behind the point.
+/// The bits of 2/π after the point.
 const TWO_OVER_PI: [u64; 24] = [
     0xa2f9_836e_4e44_1529,
     0xfc27_57d1_f534_ddc0,
@@ -32,8 +32,8 @@ const TWO_OVER_PI: [u64; 24] = [
     0x0606_1556_ca73_a8c9,
 ];
 
-/// Returns a finite angle in quarter turns modulo four: two bits before the point, all others
-/// behind it.
+/// Returns a finite angle in quarter turns modulo four: two bits before the point, all others after
+/// it.
 ///
 /// Negative numbers are in two's complement. The error is below 2⁵⁵ in the last place.
 ///
@@ -58,15 +58,16 @@ pub fn quarter_turns<const WORDS: usize>(angle: f64) -> [u64; WORDS] {
     if angle.is_sign_negative() { negated(product) } else { product }
 }
 
-/// 64 bits of 2/π from this place behind the point.
+/// Returns 64 bits of 2/π, starting at this place after the point.
 fn bits_from(place: i64) -> u64 {
     let (index, bits) = (place.div_euclid(64), place.rem_euclid(64));
     let word = |i: i64| usize::try_from(i).ok().and_then(|i| TWO_OVER_PI.get(i)).copied().unwrap_or(0);
     if bits == 0 { word(index) } else { word(index) << bits | word(index + 1) >> (64 - bits) }
 }
 
-/// Splits quarter turns into the nearest whole number, modulo four, and the magnitude of the rest.
-/// That is at most one half and begins at the point. The truth value is true for a negative rest.
+/// Splits quarter turns into the nearest whole number, modulo four, and the magnitude of the
+/// remainder. The remainder is at most one half and begins at the point. The Boolean is true for a
+/// negative remainder.
 #[must_use]
 pub fn nearest_quarter<const WORDS: usize>(turns: [u64; WORDS]) -> (u64, bool, [u64; WORDS]) {
     let nearest = (turns[0] >> 62) + (turns[0] >> 61 & 1);

@@ -1,18 +1,19 @@
 //! The tangent of one angle, without a branch. It is the quotient of the sine and the cosine of the
 //! reduced angle, or of the cosine and the sine in odd quadrants. Both are sums of two doubles, so
-//! that only the quotient is rounded.
+//! only the quotient is rounded.
 
 use crate::angle::of_rest;
 use crate::pair::{Pair, normal, quotient};
 use crate::reduction::{Reduced, reduce, reduce_large};
 
-/// The tangent of an angle of at most 10⁵ in magnitude; of others the result has no meaning.
+/// Computes the tangent of an angle of at most 10⁵ in magnitude; for other angles the result is
+/// meaningless.
 #[inline(always)]
 pub(crate) fn tan<const FUSED: bool>(x: f64) -> f64 {
     of_reduced::<FUSED>(&reduce::<FUSED>(x.abs()), x)
 }
 
-/// The tangent of an angle of any size.
+/// Computes the tangent of an angle of any size.
 pub(crate) fn tan_large(x: f64) -> f64 {
     of_reduced::<false>(&reduce_large(x.abs()), x)
 }
@@ -28,8 +29,8 @@ fn of_reduced<const FUSED: bool>(reduced: &Reduced, x: f64) -> f64 {
     f64::from_bits((high + low).to_bits() ^ sign)
 }
 
-/// The first pair where all bits of the mask are set, the second where none is. In bits, as in
-/// [`crate::angle`].
+/// Returns the first pair if all bits of the mask are set, and the second if none is set. It
+/// operates on bits, as in [`crate::angle`].
 #[inline(always)]
 fn chosen(mask: u64, then: Pair, otherwise: Pair) -> Pair {
     let choose = |then: f64, otherwise: f64| {

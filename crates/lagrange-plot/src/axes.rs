@@ -1,4 +1,4 @@
-//! Axes on paper: their places, marks and labels.
+//! Axes of figures: their places, marks and labels.
 
 use crate::axis::Axis;
 use crate::label::{Anchor, Label};
@@ -6,7 +6,7 @@ use crate::paper::{Down, INK, Paper, Place};
 use crate::pixels::Colour;
 use crate::thin::Point;
 
-/// Points to the unit of sizes: curves are drawn to a tenth of it.
+/// Number of points per unit of size: curves are drawn to a tenth of a unit.
 pub(crate) const FINENESS: u32 = 10;
 
 /// The place of a panel, in points: left, right, top and bottom of its axes.
@@ -16,28 +16,29 @@ pub(crate) struct Frame {
     pub(crate) right: i32,
     pub(crate) top: i32,
     pub(crate) bottom: i32,
-    /// True if lines run anchor it at all marks.
+    /// True if grid lines cross it at all marks.
     pub(crate) is_ruled: bool,
 }
 
 /// Margins around the axes for labels: left, right, top and bottom.
 const MARGINS: (u32, u32, u32, u32) = (74, 18, 28, 50);
 const TICK: i32 = 5;
-/// From an ordinate to the far side of its name on the left, and to the near side on the right.
+/// Distances from an ordinate to the far side of its name on the left, and to the near side on the
+/// right.
 const NAMES: [i32; 2] = [66, 49];
-/// Width and height that a mark with its label takes.
+/// Width and height of a mark with its label.
 const MARK: (i32, i32) = (90, 30);
 const GRID: Colour = [225, 225, 225, u8::MAX];
 const THIN: u32 = 10;
 
-/// The size of a panel whose axes have this size, with labels on the left and below.
+/// Returns the size of a panel whose axes have this size, with labels on the left and below.
 pub(crate) fn around((width, height): (u32, u32)) -> (u32, u32) {
     let (left, right, top, bottom) = MARGINS;
     (left + width + right, top + height + bottom)
 }
 
 impl Frame {
-    /// A panel with this upper left corner and size.
+    /// Creates a panel with this upper left corner and size.
     pub(crate) fn new(corner: (u32, u32), size: (u32, u32)) -> Self {
         let (left, right, top, bottom) = MARGINS;
         let points = |units: u32| (units * FINENESS) as i32;
@@ -58,18 +59,18 @@ impl Frame {
         f64::from(self.bottom) - place * f64::from(self.bottom - self.top)
     }
 
-    /// From the upper left all around.
+    /// Returns the corners, starting at the upper left.
     fn corners(&self) -> [(i32, i32); 5] {
         let Frame { left, right, top, bottom, .. } = *self;
         [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)]
     }
 
-    /// Returns the number of ticks that fit below.
+    /// Returns the number of ticks that fit along the abscissa.
     pub(crate) fn columns(&self) -> u32 {
         marks(self.right - self.left, MARK.0)
     }
 
-    /// Returns the number of ticks that fit at a side.
+    /// Returns the number of ticks that fit along an ordinate.
     pub(crate) fn rows(&self) -> u32 {
         marks(self.bottom - self.top, MARK.1)
     }
@@ -80,22 +81,22 @@ fn marks(length: i32, each: i32) -> u32 {
     (length / points(each)).clamp(4, 10).unsigned_abs()
 }
 
-/// This many units of sizes in points.
+/// Converts units of size to points.
 pub(crate) fn points(units: i32) -> i32 {
     units * FINENESS as i32
 }
 
-/// The nearest whole point.
+/// Returns the nearest whole point.
 pub(crate) fn rounded((x, y): Point) -> (i32, i32) {
     (x.round() as i32, y.round() as i32)
 }
 
-/// A line around everything that is drawn.
+/// Draws a border around the axes.
 pub(crate) fn draw_border(paper: &mut dyn Paper, frame: &Frame) {
     paper.line(&frame.corners(), INK, THIN);
 }
 
-/// Draws marks and labels below.
+/// Draws marks and labels of the abscissa.
 pub(crate) fn draw_abscissa(paper: &mut dyn Paper, frame: &Frame, axis: &Axis, name: &Label) {
     let place = |at, anchor| Place { at, anchor, down: Down::Below, is_turned: false };
     for mark in &axis.marks {
@@ -121,7 +122,7 @@ pub(crate) enum Side {
     Right,
 }
 
-/// Draws marks and labels at a side.
+/// Draws marks and labels of an ordinate.
 pub(crate) fn draw_ordinate(paper: &mut dyn Paper, frame: &Frame, side: Side, axis: &Axis, name: &Label) {
     let (edge, outwards, anchor, column) = match side {
         Side::Left => (frame.left, -1, Anchor::End, NAMES[0]),

@@ -5,10 +5,10 @@ use crate::notation::raised;
 /// The scale of an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Scale {
-    /// Evenly.
+    /// Equal distances for equal differences.
     #[default]
     Linear,
-    /// Powers of ten; zero lies at the lower end.
+    /// Equal distances for equal ratios; zero is placed at the lower end.
     Logarithmic,
 }
 
@@ -16,16 +16,16 @@ pub enum Scale {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Axis {
     scale: Scale,
-    /// On a logarithmic axis, decimal logarithms.
+    /// Decimal logarithms on a logarithmic axis.
     from: f64,
     to: f64,
     /// Its marks, from the lower to the upper end.
     pub marks: Vec<Mark>,
-    /// Factor and offset common to all labels.
+    /// Factor and offset shared by all labels.
     pub note: String,
 }
 
-/// A label and where it belongs: 0 at the lower, 1 at the upper end.
+/// A label and its position: 0 at the lower end, 1 at the upper end.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Mark {
     /// Its position.
@@ -34,20 +34,20 @@ pub struct Mark {
     pub label: String,
 }
 
-/// An axis spans at least this part of the values on it, so that their rounding does not fill it.
+/// Minimum range of an axis relative to its values, so that rounding errors do not fill the axis.
 const LEAST_SPAN: f64 = 3e-14;
-/// An axis on which everything is zero goes so far to both sides.
+/// Range on both sides of zero if all values are zero.
 const ZERO_SPAN: f64 = 1.0;
-/// Labels of numbers from 10⁻³ to 10⁵ are written as they are, others with a power of ten beside
+/// Range of numbers with plain labels. Labels of other numbers have a common power of ten next to
 /// the axis.
 const PLAIN: core::ops::Range<f64> = 1e-3..1e5;
-/// If labels would have to differ after this many digits, most of the number stands beside the
+/// If labels would differ only after this many digits, most of the number is written next to the
 /// axis.
 const DIGITS: f64 = 1e6;
 
 impl Axis {
-    /// Creates an axis for values of this range, with some room at both ends relative to it, and
-    /// about this many marks.
+    /// Creates an axis for values in this range, with relative room at both ends and about this
+    /// number of marks.
     pub fn new(scale: Scale, range: Option<(f64, f64)>, room: f64, marks: u32) -> Self {
         match scale {
             Scale::Linear => linear(range.unwrap_or((0.0, 1.0)), room, marks),
@@ -55,14 +55,13 @@ impl Axis {
         }
     }
 
-    /// Creates an axis for the finite ones of these values; a logarithmic axis is for those above
-    /// zero.
+    /// Creates an axis for the finite values; a logarithmic axis only includes positive ones.
     pub fn over(scale: Scale, values: impl Iterator<Item = f64>, room: f64, marks: u32) -> Self {
         Axis::new(scale, range(scale, values), room, marks)
     }
 
-    /// Creates an axis that ends with the least and the largest of the finite values; a logarithmic
-    /// axis is for those above zero.
+    /// Creates an axis that ends at the smallest and the largest of the finite values; a
+    /// logarithmic axis only includes positive ones.
     pub fn exact(scale: Scale, values: impl Iterator<Item = f64>, marks: u32) -> Self {
         match (scale, range(scale, values)) {
             (Scale::Logarithmic, Some((low, high))) if low < high => exact_logarithmic((low, high)),
@@ -85,7 +84,7 @@ impl Axis {
     }
 }
 
-/// The least and the largest of the values that an axis can show.
+/// Returns the smallest and the largest of the values that an axis can show.
 fn range(scale: Scale, values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     let shown = values.filter(|value| value.is_finite() && (scale == Scale::Linear || *value > 0.0));
     shown.fold(None, |range, value| {
@@ -121,8 +120,8 @@ fn logarithmic((low, high): (f64, f64), marks: u32) -> Axis {
     Axis { scale: Scale::Logarithmic, from, to, marks: powers.map(mark).collect(), note: String::new() }
 }
 
-/// An axis whose ends are no powers of ten: marks are at these, and if they are few at 2 and 5
-/// times each, too.
+/// Creates an axis whose ends need not be powers of ten. Marks are at powers of ten and, if these
+/// are few, also at 2 and 5 times each power.
 fn exact_logarithmic((low, high): (f64, f64)) -> Axis {
     let (from, to) = (low.log10(), high.log10());
     let powers: Vec<f64> = std::iter::successors(Some(from.floor()), |power| Some(power + 1.0))
@@ -145,14 +144,14 @@ fn exact_logarithmic((low, high): (f64, f64)) -> Axis {
     Axis { scale: Scale::Logarithmic, from, to, marks, note: String::new() }
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is not smaller.
+/// Returns the smallest of 1, 2, 5 times a power of ten that is not below `step`.
 fn nice(step: f64) -> f64 {
     let power = 10_f64.powf(step.log10().floor());
     let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * power >= step * (1.0 - 1e-9));
     factor.unwrap_or(10.0) * power
 }
 
-/// Labels of ticks this far apart, and what stands beside the axis.
+/// Returns the labels of ticks with this spacing, and the note next to the axis.
 fn labels(ticks: &[f64], step: f64) -> (Vec<String>, String) {
     let largest = |offset: f64| ticks.iter().fold(0.0_f64, |most, tick| most.max((tick - offset).abs()));
     let offset =
@@ -181,7 +180,7 @@ fn round_to(value: f64, unit: f64) -> f64 {
     (value / unit).round() * unit
 }
 
-/// With the sign that is as wide as a plus.
+/// Replaces the hyphen with a minus sign, which is as wide as a plus sign.
 fn minus(number: &str) -> String {
     number.replace('-', "−")
 }

@@ -6,8 +6,8 @@ use crate::label::Label;
 use crate::paper::{Paper, Point};
 use crate::pixels::Colour;
 
-/// The area between two curves over the same abscissae, broken where one is not finite. Bands that
-/// lie in each other darken.
+/// The area between two curves over the same abscissae, interrupted at points that are not finite.
+/// Nested bands appear darker.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Band {
     /// Name in the legend.
@@ -16,7 +16,7 @@ pub struct Band {
     pub points: Vec<(f64, f64, f64)>,
 }
 
-/// Opacity of a band, to 255.
+/// Opacity of a band, from 0 to 255.
 const OPACITY: u8 = 56;
 
 impl Band {
@@ -37,7 +37,8 @@ impl Band {
         }
     }
 
-    /// Draws a sample of the colour of the band with this index, which lies within all before it.
+    /// Draws a sample of the colour of the band with this index, which lies within all previous
+    /// bands.
     pub(crate) fn draw_sample(
         paper: &mut dyn Paper,
         index: usize,

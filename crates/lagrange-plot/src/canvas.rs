@@ -6,13 +6,14 @@ use crate::label::Label;
 use crate::paper::{FONT, INK, Paper, Place, Point};
 use crate::pixels::{Colour, Path, PathBuilder, Pixels, Transform};
 
-/// A picture whose points are finer than its pixels.
+/// A picture whose points are smaller than its pixels.
 pub(crate) struct Canvas {
     pub(crate) pixels: Pixels,
 }
 
 impl Canvas {
-    /// A white picture of a size in points, with this many points a pixel; none if it is too large.
+    /// Creates a white picture of a size in points, with this number of points per pixel; `None` if
+    /// it is too large.
     pub(crate) fn new(size: (u32, u32), fineness: u32) -> Option<Self> {
         let pixels = [size.0, size.1].map(|side| side.div_ceil(fineness));
         Some(Canvas { pixels: Pixels::white(pixels, 1.0 / f64::from(fineness))? })
@@ -29,7 +30,7 @@ impl Canvas {
     }
 }
 
-/// Returns the line through points; none through a single one that is not repeated.
+/// Returns the line through points; `None` for a single point that is not repeated.
 fn line(points: &[Point]) -> Option<Path> {
     let mut line = PathBuilder::new();
     for (x, y) in points {

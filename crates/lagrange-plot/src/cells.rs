@@ -7,8 +7,8 @@ use crate::label::Label;
 use crate::paper::Paper;
 use crate::pixels::{Colour, mixed};
 
-/// A grid of cells with a value each, coloured from dark blue for the least to yellow for the
-/// largest. Cells whose value is not finite stay white.
+/// A grid of cells with one value each, coloured from dark blue for the smallest to yellow for the
+/// largest value. Cells whose value is not finite remain white.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Cells {
     /// Name of the values.
@@ -21,12 +21,12 @@ pub struct Cells {
     pub y: (f64, f64),
     /// Number of columns.
     pub columns: usize,
-    /// From left to right, in rows from the lowest.
+    /// Values from left to right, in rows starting at the bottom.
     pub values: Vec<f64>,
 }
 
-/// Colours at equal distances from the least to the largest value: `viridis` by Stéfan van der Walt
-/// and Nathaniel Smith (2015).
+/// Colours at equal distances from the smallest to the largest value: `viridis` by Stéfan van der
+/// Walt and Nathaniel Smith (2015).
 const VIRIDIS: [Colour; 8] = [
     [68, 1, 84, u8::MAX],
     [70, 50, 127, u8::MAX],
@@ -37,14 +37,14 @@ const VIRIDIS: [Colour; 8] = [
     [159, 218, 58, u8::MAX],
     [253, 231, 37, u8::MAX],
 ];
-/// The bar of colours: how far it is from the grid, how wide it is, and what its marks and its name
-/// take.
+/// Layout of the colour bar: its distance from the grid, its width, and the width of its marks and
+/// its name.
 const GAP: i32 = 12;
 const BAR: i32 = 14;
 const LABELS: i32 = 62;
 /// Number of colours in the bar.
 const SHADES: u32 = 256;
-/// Pixels that a grid has to a side, about, if its cells are larger than a pixel.
+/// Approximate number of pixels along a side of the grid, if its cells are larger than a pixel.
 const SIDE: u32 = 1000;
 
 impl Cells {
@@ -52,8 +52,8 @@ impl Cells {
         self.values.len() / self.columns.max(1)
     }
 
-    /// The size of a grid of which each cell has a whole number of pixels, of which there are so
-    /// many to the unit.
+    /// Returns the size of a grid whose cells have a whole number of pixels, for this number of
+    /// pixels per unit.
     pub(crate) fn size(&self, pixels: u32) -> (u32, u32) {
         let (columns, rows) = (self.columns as u32, self.rows() as u32);
         let each = (SIDE / columns.max(rows).max(1)).max(1);
@@ -71,7 +71,7 @@ impl Cells {
         Axis::exact(self.scale, self.values.iter().copied(), rows)
     }
 
-    /// The grid in its frame, and the bar beside it.
+    /// Returns the grid in its frame, and the bar next to it.
     pub(crate) fn images(&self, frame: &Frame) -> [Placed; 2] {
         let axis = self.axis(frame.rows());
         let rows = self.values.chunks(self.columns.max(1)).rev();
@@ -82,7 +82,7 @@ impl Cells {
         [Placed { image: grid, frame: *frame }, Placed { image: bar, frame: bar_frame(frame) }]
     }
 
-    /// Marks and name of the bar.
+    /// Draws the marks and the name of the bar.
     pub(crate) fn draw_bar(&self, paper: &mut dyn Paper, frame: &Frame) {
         let bar = bar_frame(frame);
         draw_border(paper, &bar);
@@ -95,7 +95,7 @@ fn bar_frame(frame: &Frame) -> Frame {
     Frame { left, right: left + points(BAR), is_ruled: false, ..*frame }
 }
 
-/// Red, green, blue and opacity of a value that lies there between the least and the largest.
+/// Returns red, green, blue and opacity at this place between the smallest and the largest value.
 fn colour(place: f64) -> Colour {
     if !place.is_finite() {
         return [0; 4];

@@ -1,11 +1,11 @@
-//! Characters of texts and numbers that pictures show, and how documents hold them.
+//! Characters of texts and numbers in pictures, and their encoding in documents.
 //!
-//! Names and titles come from anywhere. XML 1.0 (section 2.2) does not allow most control
+//! Names and titles come from arbitrary sources. XML 1.0 (section 2.2) does not allow most control
 //! characters, nor U+FFFE and U+FFFF, not even as references. Pixels and documents show the same
-//! characters, so that widths are those of the displayed text.
+//! characters, so widths match the displayed text.
 
-/// Returns the characters of a text that a picture shows. Each tab and end of a line becomes a
-/// blank; other control characters and code points that are no characters are dropped.
+/// Returns the characters of a text that a picture shows. Tabs and line ends become blanks; other
+/// control characters and noncharacters are dropped.
 pub fn shown(text: &str) -> impl Iterator<Item = char> + '_ {
     text.chars().filter_map(|character| match character {
         '\t' | '\n' | '\r' | '\u{85}' => Some(' '),
@@ -14,13 +14,13 @@ pub fn shown(text: &str) -> impl Iterator<Item = char> + '_ {
     })
 }
 
-/// True of the 66 code points that Unicode reserves for programs.
+/// True for the 66 noncharacters of Unicode.
 fn is_noncharacter(character: char) -> bool {
     let code = u32::from(character);
     code & 0xfffe == 0xfffe || (0xfdd0..=0xfdef).contains(&code)
 }
 
-/// Escapes a text for XML or HTML, so that nothing in it is taken for a tag.
+/// Escapes a text for XML or HTML, so that no part of it is interpreted as a tag.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for character in shown(text) {

@@ -8,14 +8,14 @@ use crate::lettering::FAMILY;
 use crate::paper::{FONT, INK, Paper, Place, Point};
 use crate::pixels::Colour;
 
-/// A document whose last elements are still to come.
+/// A document under construction.
 pub(crate) struct Document {
     text: String,
 }
 
 impl Document {
-    /// Starts a document of a size in points. Its title is for those who cannot see the picture and
-    /// for those who point at it. Images are above the white ground and below all other elements.
+    /// Starts a document of a size in points. Its title serves screen readers and tooltips. Images
+    /// are above the white ground and below all other elements.
     ///
     /// # Errors
     /// If an image cannot be encoded.
@@ -25,8 +25,8 @@ impl Document {
         images: &[Placed],
     ) -> Result<Self, png::EncodingError> {
         let images = images.iter().map(Placed::svg).collect::<Result<String, _>>()?;
-        // Points are finer than the unit in which a size is given. Corners and ends of curves must
-        // not stick out.
+        // Points are smaller than the unit of the given size. Round joins prevent corners and ends
+        // of curves from sticking out.
         let text = format!(
             "<svg role=\"img\" stroke-linejoin=\"round\" stroke-linecap=\"round\" width=\"{}\" height=\"{}\" \
              viewBox=\"0 0 {width} {height}\" xmlns=\"http://www.w3.org/2000/svg\" xml:space=\"preserve\" \

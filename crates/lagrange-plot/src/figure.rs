@@ -1,9 +1,9 @@
 //! Figures of curves, areas and coloured cells, saved as SVG or PNG.
 //!
-//! A [`Figure`] is a grid of panels with separate axes; a [`Panel`] holds curves. Nothing needs
-//! tuning: ranges, marks, labels and colours follow from the numbers. Colours are those of Okabe
-//! and Ito, *Color Universal Design* (2008), which people with any colour vision can distinguish.
-//! More than seven curves run from blue to yellow.
+//! A [`Figure`] is a grid of panels with separate axes; a [`Panel`] contains curves. No settings
+//! are required: ranges, marks, labels and colours follow from the numbers. Colours follow Okabe
+//! and Ito, *Color Universal Design* (2008), and are distinguishable with any colour vision. The
+//! colours of more than seven curves range from blue to yellow.
 
 use std::fmt::{Display, Formatter};
 use std::io::{self, BufWriter};
@@ -19,33 +19,35 @@ use crate::panel::Panel;
 use crate::paper::Paper;
 use crate::pixels::Pixels;
 
-/// Panels next to each other.
+/// Panels arranged in a grid.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Figure {
     /// The panels, row by row.
     pub panels: Vec<Panel>,
     /// Number of panels in a row.
     pub columns: usize,
-    /// Width and height of a panel with its labels, as on a screen: 96 to the inch.
+    /// Width and height of a panel with its labels, in screen pixels of 1/96 inch.
     pub size: (u32, u32),
 }
 
-/// Points to the pixel of PNG files, which are so twice as fine as a screen of 96 dots to the inch.
+/// Number of points per pixel of PNG files, which have twice the resolution of a screen with 96
+/// dots per inch.
 const POINTS_A_PIXEL: u32 = 5;
 
 impl Figure {
-    /// Creates a figure of one panel, so large that each of its cells has a whole number of pixels
-    /// in a PNG file.
+    /// Creates a figure of one panel, with a size at which each of its cells has a whole number of
+    /// pixels in a PNG file.
     pub fn of_cells(panel: Panel) -> Figure {
         let size = panel.size_of_cells(FINENESS / POINTS_A_PIXEL);
         Figure { panels: vec![panel], columns: 1, size }
     }
 
-    /// Saves the figure to a file: SVG or PNG, by its extension. An older file stays until the new
-    /// one is whole.
+    /// Saves the figure as SVG or PNG, depending on the extension of the file. An older file
+    /// remains until the new one is complete.
     ///
     /// # Errors
-    /// If the extension is another one, an image cannot be encoded, or the file cannot be written.
+    /// If the extension differs from both, an image cannot be encoded, or the file cannot be
+    /// written.
     pub fn save(&self, path: &Path) -> Result<(), PlotError> {
         let written =
             |result: io::Result<()>| result.map_err(|error| PlotError::Io { path: path.to_owned(), error });
@@ -77,7 +79,7 @@ impl Figure {
         titles.collect::<Vec<_>>().join("; ")
     }
 
-    /// The figure in pixels.
+    /// Draws the figure in pixels.
     pub(crate) fn pixels(&self) -> Result<Pixels, PlotError> {
         let size = self.points();
         let too_large = || PlotError::Backend(format!("{} by {} are too many pixels", size.0, size.1).into());
@@ -87,7 +89,7 @@ impl Figure {
         Ok(canvas.pixels)
     }
 
-    /// Images below everything that is drawn.
+    /// Returns the images below all other content.
     fn images(&self) -> Vec<Placed> {
         self.frames().flat_map(|(panel, frame)| panel.images(&frame)).collect()
     }
@@ -96,7 +98,7 @@ impl Figure {
         self.frames().for_each(|(panel, frame)| panel.draw(paper, &frame));
     }
 
-    /// Panels and where they lie.
+    /// Returns the panels with their places.
     fn frames(&self) -> impl Iterator<Item = (&Panel, Frame)> {
         self.panels.iter().enumerate().map(|(index, panel)| {
             let (row, column) = (index / self.columns, index % self.columns);
@@ -105,7 +107,7 @@ impl Figure {
         })
     }
 
-    /// Its size in points.
+    /// Returns its size in points.
     pub(crate) fn points(&self) -> (u32, u32) {
         let columns = self.columns.min(self.panels.len()) as u32;
         let rows = self.panels.len().div_ceil(self.columns) as u32;
@@ -113,29 +115,30 @@ impl Figure {
     }
 }
 
-/// Why a plot could not be made.
+/// The reason why a plot could not be made.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// There is no column of this name.
+    /// There is no column with this name.
     UnknownColumn {
         /// The unknown name.
         name: String,
         /// The names of all columns.
         known: Vec<String>,
     },
-    /// No column was named.
+    /// No column was requested.
     NoColumns,
-    /// Only an observed energy can be plotted.
+    /// An energy is requested but not recorded.
     NoEnergy,
-    /// A grid has another number of cells than there are values for it, or none.
+    /// The number of cells differs from the number of values, or is zero.
     Cells {
         /// Number of values.
         values: usize,
         /// Number of cells.
         cells: usize,
     },
-    /// The range of the quantity of this name does not go from a finite number to a larger one.
+    /// The range of the quantity with this name does not extend from a finite number to a larger
+    /// one.
     Range(String),
     /// The extension of the file is neither `svg` nor `png`.
     Extension(PathBuf),

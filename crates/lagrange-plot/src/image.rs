@@ -1,15 +1,15 @@
-//! Images of pixels within figures.
+//! Pixel images within figures.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use crate::axes::Frame;
 
-/// Pixels in rows from the top.
+/// Pixels in rows, starting at the top.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Image {
     pub(crate) columns: u32,
-    /// Red, green, blue and opacity of each, opaque or nothing.
+    /// Red, green, blue and opacity of each pixel, either opaque or transparent.
     pub(crate) rgba: Vec<u8>,
 }
 
@@ -39,7 +39,8 @@ impl Image {
 }
 
 impl Placed {
-    /// An element of SVG with the file in it, whose pixels stay squares however large it is shown.
+    /// Returns an SVG element with the encoded image. Its pixels remain squares at any
+    /// magnification.
     pub(crate) fn svg(&self) -> Result<String, png::EncodingError> {
         let Frame { left, right, top, bottom, .. } = self.frame;
         let data = STANDARD.encode(self.image.png()?);

@@ -7,7 +7,7 @@ use tiny_skia::{PathSegment, Point, Transform};
 use crate::characters::{escaped, number};
 use crate::lettering::{self, Slope};
 
-/// Subscripts are smaller by this factor and lowered by this part of the size of the font.
+/// Size of subscripts and their shift below the base line, both relative to the size of the font.
 pub const SUBSCRIPT: (f64, f64) = (0.7, 0.2);
 
 /// A piece of a label.
@@ -15,19 +15,18 @@ pub const SUBSCRIPT: (f64, f64) = (0.7, 0.2);
 pub struct Run {
     /// Its characters.
     pub text: String,
-    /// True if it is smaller and lower.
+    /// True if it is a subscript.
     pub is_subscript: bool,
 }
 
 impl Run {
-    /// Returns true for a symbol, which is set in italics: one letter, perhaps with dots and
-    /// primes.
+    /// True for a symbol, which is set in italics: one letter, optionally with dots and primes.
     pub fn is_symbol(&self) -> bool {
         !self.is_subscript && is_symbol(&self.text)
     }
 }
 
-/// Returns true for one letter, perhaps with dots and primes.
+/// True for one letter, optionally with dots and primes.
 pub(crate) fn is_symbol(text: &str) -> bool {
     let is_beside = |c: char| "′'″‴".contains(c) || lettering::is_accent(c);
     let mut letters = text.trim_end_matches(is_beside).chars();
@@ -40,14 +39,14 @@ pub struct Label {
     runs: Vec<Run>,
 }
 
-/// A text as it is, without any notation.
+/// Creates a label of plain text, without any notation.
 impl From<&str> for Label {
     fn from(text: &str) -> Label {
         Label::default().then(text)
     }
 }
 
-/// The part of a text at its place.
+/// The part of a text that is placed at its anchor.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Anchor {
     /// The left end.
@@ -69,7 +68,7 @@ impl Anchor {
     }
 }
 
-/// A piece of a text in its place.
+/// A piece of a text with its place.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Set {
     /// Its characters.
@@ -78,12 +77,12 @@ pub struct Set {
     pub slope: Slope,
     /// Their size.
     pub size: f64,
-    /// From the left end of the base line of the text to that of the piece, y downwards.
+    /// The offset of its base line from the left end of the text's base line, y downwards.
     pub at: [f64; 2],
 }
 
 impl Label {
-    /// Reads a text in the notation of formulas.
+    /// Parses a text in the notation of formulas.
     pub fn parse(text: &str) -> Label {
         let mut label = Label::default();
         let mut rest = text;
@@ -92,7 +91,7 @@ impl Label {
             let braced = behind.strip_prefix('{').and_then(|inner| inner.split_once('}'));
             let end = behind.find(|c: char| !c.is_alphanumeric()).unwrap_or(behind.len());
             let (subscript, after) = braced.unwrap_or_else(|| behind.split_at(end));
-            // A lone underscore is one.
+            // A lone underscore is literal.
             label.push(if subscript.is_empty() { "_" } else { subscript }, !subscript.is_empty());
             rest = after;
         }
@@ -100,7 +99,7 @@ impl Label {
         label
     }
 
-    /// Adds a text as it is.
+    /// Appends plain text.
     pub fn then(mut self, text: &str) -> Label {
         self.push(text, false);
         self
@@ -112,27 +111,27 @@ impl Label {
         }
     }
 
-    /// Returns its pieces.
+    /// Returns the pieces.
     pub fn runs(&self) -> &[Run] {
         &self.runs
     }
 
-    /// Returns true for a label without characters.
+    /// True for a label without characters.
     pub fn is_empty(&self) -> bool {
         self.runs.is_empty()
     }
 
-    /// Returns true if a part of it hangs below the others.
+    /// True if a part of it is a subscript.
     pub fn has_subscript(&self) -> bool {
         self.runs.iter().any(|run| run.is_subscript)
     }
 
-    /// Returns the text in one line of plain letters.
+    /// Returns the text without notation.
     pub fn plain(&self) -> String {
         self.runs.iter().map(|run| run.text.as_str()).collect()
     }
 
-    /// Returns the pieces in their places, and the width of all.
+    /// Returns the pieces with their places, and the total width.
     pub fn set(&self, size: f64) -> (Vec<Set>, f64) {
         let mut left = 0.0;
         let place = |run: &Run| {
@@ -146,15 +145,15 @@ impl Label {
         (self.runs.iter().map(place).collect(), left)
     }
 
-    /// Returns the width in the embedded font, which is about that in others.
+    /// Returns the width in the embedded font, which is close to that in other fonts.
     pub fn width(&self, size: f64) -> f64 {
         self.set(size).1
     }
 
-    /// Returns an element of SVG with the left end, middle or right end of the base line at a
-    /// place.
+    /// Returns an SVG element with the left end, middle or right end of the base line at a place.
     ///
-    /// A text with accents is drawn as outlines: many fonts hide dots in high letters such as θ.
+    /// A text with accents is drawn as outlines, since many fonts hide dots above tall letters such
+    /// as θ.
     pub fn element(&self, at: [f64; 2], size: f64, anchor: Anchor, attributes: &str) -> String {
         if self.runs.iter().any(|run| run.text.contains(lettering::is_accent)) {
             return self.outlined(at, size, anchor, attributes);
@@ -187,8 +186,8 @@ impl Label {
     /// Returns the content of an SVG text element: symbols in italics, subscripts smaller and
     /// lower.
     ///
-    /// Sizes are in the units of the picture, which every viewer understands. Some viewers do not
-    /// accept a percentage, or an em for a part of a text.
+    /// Sizes are in the units of the picture, which every viewer supports. Some viewers reject
+    /// percentages, or `em` for a part of a text.
     pub fn content(&self, size: f64) -> String {
         let mut content = String::new();
         let mut is_lowered = false;
@@ -199,7 +198,7 @@ impl Label {
         content
     }
 
-    /// Returns elements of HTML: symbols in italics, subscripts as such.
+    /// Returns HTML elements: symbols in italics, subscripts as `sub`.
     pub fn html(&self) -> String {
         let piece = |run: &Run| {
             let text = escaped(&run.text);
@@ -226,8 +225,8 @@ fn path_data(segments: impl Iterator<Item = PathSegment>) -> String {
     segments.map(command).collect()
 }
 
-/// Returns one piece of a text in letters of this size; `is_lowered` is true if the piece before is
-/// a subscript.
+/// Returns one piece of a text in letters of this size; `is_lowered` is true if the previous piece
+/// is a subscript.
 fn span(run: &Run, size: f64, is_lowered: bool) -> String {
     let (factor, lowered) = SUBSCRIPT;
     let lowered = number(size * lowered);

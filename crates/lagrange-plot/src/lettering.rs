@@ -1,11 +1,10 @@
-//! Letters as outlines, of a font that is embedded, so that pictures in pixels are the same
-//! everywhere.
+//! Letters as outlines of an embedded font, so that pixel images are the same everywhere.
 //!
 //! The font is STIX Two, made for mathematics, reduced to the letters of labels and named Lagrange
-//! Letters. `letters/` holds it with its licence, the SIL Open Font License 1.1, and
-//! `tools/letters.py` makes it. It is read by `ttf-parser`. Pairs of letters are kerned and accents
-//! stand above their letters. Ligatures, and scripts that are not written letter by letter from
-//! left to right, are not supported. A character that the font lacks is a box with a question mark.
+//! Letters. `letters/` contains it with its licence, the SIL Open Font License 1.1, and
+//! `tools/letters.py` creates it. It is parsed by `ttf-parser`. Pairs of letters are kerned, and
+//! accents are placed above their letters. Ligatures are not supported, nor are scripts other than
+//! letter by letter from left to right. Missing characters appear as a box with a question mark.
 
 use std::sync::LazyLock;
 
@@ -14,25 +13,25 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder, Rect};
 
 use crate::characters::shown;
 
-/// The font family for viewers with fonts of their own: the embedded one in full, or others of
-/// about the same width.
+/// The font family for viewers with their own fonts: the complete embedded font, or others of
+/// similar width.
 pub const FAMILY: &str =
     "'STIX Two Text', 'STIX Two Math', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
 
-/// Factor by which viewers' fonts may be wider than the embedded font, which determines widths.
+/// Maximum ratio of the width of viewers' fonts to the embedded font, which determines widths.
 pub const LEEWAY: f64 = 1.06;
 
-/// Height of capitals in terms of the size of the font.
+/// Height of capitals relative to the size of the font.
 pub const CAPITALS: f64 = 0.657;
-/// Height of small letters, likewise.
+/// Height of small letters relative to the size of the font.
 pub const SMALL: f64 = 0.473;
 
 /// The slope of letters.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Slope {
-    /// Words, numbers and signs.
+    /// Upright, for words, numbers and signs.
     Upright,
-    /// Symbols. What the font has no italics of is upright.
+    /// Italic, for symbols. Characters without italics in the font are upright.
     Italic,
 }
 
@@ -43,21 +42,20 @@ fn face(data: &'static [u8]) -> Face<'static> {
     Face::parse(data, 0).expect("the embedded fonts are fonts")
 }
 
-/// Returns the outline of a line of text for a font of size 1, with y downwards from the left end
-/// of the base line. `None` if nothing is visible.
+/// Returns the outline of a line of text for a font of size 1. The origin is at the left end of the
+/// base line, with y downwards. `None` if nothing is visible.
 pub fn outline(text: &str, slope: Slope) -> Option<Path> {
     let mut pen = Pen { path: PathBuilder::new(), at: (0.0, 0.0), unit: 1.0 };
     set(text, slope, |letter, at| {
         pen.at = at;
         pen.unit = unit(letter.face);
-        // A blank has no outline.
+        // Blanks have no outline.
         letter.face.outline_glyph(letter.glyph, &mut pen);
     });
     pen.path.finish()
 }
 
-/// Returns the width of a line of text for a font of size 1, up to where the next letter would
-/// start.
+/// Returns the width of a line of text for a font of size 1, up to the start of the next letter.
 pub fn width(text: &str, slope: Slope) -> f64 {
     f64::from(set(text, slope, |_, _| {}))
 }
@@ -76,11 +74,11 @@ impl Letter {
             Slope::Italic => &[&ITALIC, &UPRIGHT],
         };
         let known = faces.iter().find_map(|face| Some(Letter { face, glyph: face.glyph_index(character)? }));
-        // The first glyph of a font stands for all that it lacks.
+        // The first glyph of a font represents all missing ones.
         known.unwrap_or(Letter { face: &UPRIGHT, glyph: GlyphId(0) })
     }
 
-    /// In terms of the size of the font.
+    /// Returns the width relative to the size of the font.
     fn width(self) -> f32 {
         unit(self.face) * f32::from(self.face.glyph_hor_advance(self.glyph).unwrap_or(0))
     }
@@ -92,8 +90,8 @@ impl Letter {
         if std::ptr::eq(self.face, next.face) { unit(self.face) * f32::from(found.unwrap_or(0)) } else { 0.0 }
     }
 
-    /// From where this letter stands to where an accent is drawn: above its middle, along its
-    /// slope, higher above high letters.
+    /// Returns the offset from this letter to its accent: above its middle, along its slope, and
+    /// higher for tall letters.
     fn accented(self, accent: Letter) -> Option<(f32, f32)> {
         let [letter, mark] = [self, accent].map(|drawn| drawn.face.glyph_bounding_box(drawn.glyph));
         let (letter, mark) = (letter?, mark?);
@@ -106,17 +104,17 @@ impl Letter {
     }
 }
 
-/// One over the units that a size has in a font.
+/// Returns the reciprocal of the number of font units per size.
 fn unit(face: &Face<'_>) -> f32 {
     f32::from(face.units_per_em()).recip()
 }
 
-/// True if a character stands above the one before.
+/// True if a character is an accent on the previous one.
 pub fn is_accent(character: char) -> bool {
     matches!(character, '\u{300}'..='\u{314}' | '\u{20d0}'..='\u{20dc}')
 }
 
-/// Calls with each letter and its place, y downwards, and returns the width of all.
+/// Calls `each` with each letter and its place, y downwards, and returns the total width.
 fn set(text: &str, slope: Slope, mut each: impl FnMut(Letter, (f32, f32))) -> f32 {
     let (mut end, mut last): (f32, Option<(Letter, f32)>) = (0.0, None);
     for character in shown(text) {
@@ -137,7 +135,7 @@ fn set(text: &str, slope: Slope, mut each: impl FnMut(Letter, (f32, f32))) -> f3
     end
 }
 
-/// Draws a glyph from a place.
+/// A pen that draws a glyph at a place.
 struct Pen {
     path: PathBuilder,
     at: (f32, f32),

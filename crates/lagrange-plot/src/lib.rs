@@ -1,7 +1,7 @@
-//! Figures of curves over numbers, and the pixels and letters of all pictures.
+//! Figures of curves over numbers, and the pixels and letters used by all pictures.
 //!
-//! Nothing here knows of mechanics: plots consist of names and points. Without the feature
-//! `figures` there are axes, pixels and letters only, which pictures of mechanisms use, too.
+//! This crate is independent of mechanics: plots consist of names and points. Without the feature
+//! `figures`, it only contains axes, pixels and letters, which pictures of mechanisms also use.
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "figures")]

@@ -41,17 +41,17 @@ const GREEK: [(&str, char); 34] = [
     ("Omega", 'Ω'),
 ];
 
-/// Behind a word, more letters than these are another word and no subscript.
+/// Maximum number of letters of a subscript after a word; a longer part is another word.
 const SHORT: usize = 3;
 
-/// Writes a name in the notation of labels: Greek letters by their names, numbers behind a letter
-/// as subscripts. A part behind an underscore is a subscript of a symbol, or of a word if it is
-/// short; longer parts are words: `left_half`.
+/// Writes a name in the notation of labels. Names of Greek letters become Greek letters, and
+/// numbers after a letter become subscripts. A part after an underscore is a subscript of a symbol,
+/// or of a word if the part is short. Longer parts are words: `left_half`.
 pub fn formula(name: &str) -> String {
     let is_name = name.chars().all(|c| c.is_alphanumeric() || "_'′".contains(c));
     let mut parts = name.split('_').map(symbols);
     let (Some(base), true) = (parts.next(), is_name) else { return symbols(name) };
-    // What is within a subscript has none of its own.
+    // Subscripts have no subscripts of their own.
     let behind: Vec<String> = parts.map(|part| part.replace('_', "")).collect();
     if base.is_empty() || behind.is_empty() || behind.iter().any(String::is_empty) {
         return symbols(name);
@@ -63,12 +63,12 @@ pub fn formula(name: &str) -> String {
             format!("{base} {}", parts.join(" "))
         }
         [part] if number.is_empty() => format!("{letter}_{part}"),
-        // Several subscripts are one.
+        // Several subscripts are joined into one.
         parts => format!("{letter}_{{{}}}", format!("{number} {}", parts.join(" ")).trim_start()),
     }
 }
 
-/// Writes a symbol, with a name as subscript where there are several.
+/// Writes a symbol, with a name as subscript if there are several symbols.
 pub fn symbol(letter: &str, name: &str, has_others: bool) -> String {
     if has_others {
         format!("{letter}_{{{}}}", Label::parse(&formula(name)).plain())
@@ -77,7 +77,7 @@ pub fn symbol(letter: &str, name: &str, has_others: bool) -> String {
     }
 }
 
-/// Writes Greek letters, primes, and numbers behind single letters; underscores stay as they are.
+/// Writes Greek letters, primes, and numbers after single letters; underscores remain unchanged.
 fn symbols(name: &str) -> String {
     let mut written = String::new();
     let mut rest = name;
@@ -98,22 +98,22 @@ fn symbols(name: &str) -> String {
     written
 }
 
-/// The columns of a system, which are labelled by symbols where their names are those of symbols
-/// and no two look alike.
+/// The columns of a system. They are labelled by symbols if their names are those of symbols and no
+/// two look alike.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Columns {
-    /// Names by the symbols that they are written as.
+    /// Names by the corresponding symbols; `None` for a symbol of several names.
     names: BTreeMap<String, Option<String>>,
 }
 
 impl Columns {
-    /// Takes the names of all columns.
+    /// Collects the names of all columns.
     pub fn new<'n>(names: impl IntoIterator<Item = &'n str>) -> Columns {
         let mut columns = Columns::default();
         for name in names {
             let Some(symbol) = quantity(name) else { continue };
             let first = columns.names.entry(symbol).or_insert_with(|| Some(name.to_owned()));
-            // Two names that look alike stay as they are written.
+            // Two names that look alike remain as they are spelled.
             if first.as_deref().is_some_and(|first| first != name) {
                 *first = None;
             }
@@ -129,7 +129,7 @@ impl Columns {
     }
 }
 
-/// Writes the name of a column in the notation of labels if it is that of a symbol. Thus
+/// Writes the name of a column in the notation of labels if it denotes a symbol. For example,
 /// `theta1_dot` is θ̇ with the subscript 1, and `x[2]` is x with the subscript 2. Words such as
 /// `energy` have no symbol.
 fn quantity(name: &str) -> Option<String> {
@@ -148,7 +148,7 @@ fn quantity(name: &str) -> Option<String> {
         return None;
     }
     let parts = subscript.into_iter().chain(numbers(indices)?).collect::<Vec<_>>();
-    // Dots take the place of the letter's.
+    // Dots replace the dot of the letter.
     let letter = match letter {
         "i" if !dots.is_empty() => "ı",
         "j" if !dots.is_empty() => "ȷ",
@@ -158,14 +158,14 @@ fn quantity(name: &str) -> Option<String> {
     Some(format!("{letter}{dots}{subscript}"))
 }
 
-/// Returns the numbers in `[1][2]`, if this is all.
+/// Returns the numbers of `[1][2]`; `None` for any other text.
 fn numbers(indices: &str) -> Option<Vec<&str>> {
     let is_number = |index: &str| !index.is_empty() && index.chars().all(|c| c.is_ascii_digit());
     let parts = indices.split('[').skip(1).map(|part| part.strip_suffix(']'));
     parts.map(|index| index.filter(|index| is_number(index))).collect()
 }
 
-/// Writes a unit as in formulas: `kg*m^2/s^2` is kg·m²/s².
+/// Writes a unit as in formulas: `kg*m^2/s^2` becomes kg·m²/s².
 pub fn unit(unit: &str) -> String {
     let mut written = String::new();
     let mut is_raised = false;
@@ -190,7 +190,7 @@ pub fn raised(character: char) -> char {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        // The other superscripts lie side by side.
+        // The other superscripts are consecutive.
         _ => character.to_digit(10).and_then(|digit| char::from_u32('⁰' as u32 + digit)).unwrap_or(character),
     }
 }

@@ -13,7 +13,7 @@ use crate::paper::{Down, FONT, Paper, Place};
 use crate::pixels::{Colour, mixed};
 use crate::thin::{Point, thin};
 
-/// A pair of axes with curves, and with a grid of cells and areas behind them.
+/// A pair of axes with curves, and optionally a grid of cells and areas behind them.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Panel {
     /// Label of the abscissa.
@@ -24,39 +24,39 @@ pub struct Panel {
     pub x_scale: Scale,
     /// Scale of the ordinate.
     pub y_scale: Scale,
-    /// True if curves keep away from the ends of the abscissa, too.
+    /// True if there is room between curves and the ends of the abscissa, too.
     pub has_room: bool,
     /// Values over both quantities, on linear axes.
     pub cells: Option<Cells>,
-    /// Areas, the wider ones first.
+    /// Areas, wider ones first.
     pub bands: Vec<Band>,
     /// Curves; if there is more than one, or a band, all are named in a legend.
     pub curves: Vec<Curve>,
 }
 
-/// Points joined by a line, broken where one is not finite.
+/// Points joined by a line, interrupted at points that are not finite.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Curve {
     /// Name in the legend.
     pub name: Label,
-    /// Abscissae and ordinates, in their order.
+    /// Abscissae and ordinates, in drawing order.
     pub points: Vec<Point>,
 }
 
-/// Names in a title at most.
+/// Maximum number of names in a title.
 const MAX_TITLED: usize = 7;
-/// The line before a name in a legend.
+/// Length of the line in front of a name in a legend.
 const SWATCH: i32 = 18;
 const LINE: i32 = 18;
-/// Room above and below curves in terms of their height.
+/// Room above and below curves, relative to their height.
 const ROOM: f64 = 0.05;
-/// Half of the width of a curve, about: points closer than this cannot be told apart.
+/// About half of the width of a curve: closer points cannot be distinguished.
 const COLUMN: f64 = 5.0;
 const CURVE: u32 = 14;
-/// A curve of a single point is a dot of this size.
+/// Size of the dot that represents a curve of a single point.
 const DOT: u32 = 60;
 
-/// After Okabe and Ito, without yellow, which is hard to see on white.
+/// Colours of Okabe and Ito, without yellow, which is hard to see on white.
 const COLOURS: [Colour; 7] = [
     [0, 114, 178, u8::MAX],
     [213, 94, 0, u8::MAX],
@@ -66,11 +66,11 @@ const COLOURS: [Colour; 7] = [
     [86, 180, 233, u8::MAX],
     [0, 0, 0, u8::MAX],
 ];
-/// Ends and middle of the colours of many curves, falling in luminance from the last to the first.
+/// The first, middle and last colour of many curves, with ascending luminance.
 const RAMP: [Colour; 3] = [[0, 32, 96, u8::MAX], [124, 123, 120, u8::MAX], [235, 210, 60, u8::MAX]];
 
 impl Panel {
-    /// Draws axes, what is over them, and a legend.
+    /// Draws axes, their content, and a legend.
     pub(crate) fn draw(&self, paper: &mut dyn Paper, panel: &Frame) {
         let frame = self.frame(panel);
         let (x, y) = self.axes(&frame);
@@ -89,7 +89,7 @@ impl Panel {
         self.draw_legend(paper, panel);
     }
 
-    /// Returns a description in words.
+    /// Returns a description as text.
     pub(crate) fn title(&self) -> String {
         let names = self.names();
         let more = names.len().saturating_sub(MAX_TITLED);
@@ -109,15 +109,15 @@ impl Panel {
         self.cells.iter().flat_map(|cells| cells.images(&self.frame(panel))).collect()
     }
 
-    /// The size with all labels at which each cell has a whole number of pixels, of which there are
-    /// so many to the unit.
+    /// Returns the size with all labels at which each cell has a whole number of pixels, for this
+    /// number of pixels per unit.
     pub(crate) fn size_of_cells(&self, pixels: u32) -> (u32, u32) {
         let (width, height) = around(self.cells.as_ref().map_or((0, 0), |cells| cells.size(pixels)));
         let beside = (self.legend_width() + self.bar_width()).unsigned_abs();
         (width + beside.div_ceil(FINENESS), height)
     }
 
-    /// Returns the place of the axes within the space for them and all labels.
+    /// Returns the place of the axes within the place of the panel with all labels.
     fn frame(&self, panel: &Frame) -> Frame {
         let beside = self.legend_width() + self.bar_width();
         Frame { right: panel.right - beside, is_ruled: self.cells.is_none(), ..*panel }
@@ -142,7 +142,7 @@ impl Panel {
     }
 
     fn colour(&self, index: usize) -> Colour {
-        // Blue is among the colours of cells.
+        // The colours of cells include blue.
         let index = index + usize::from(self.cells.is_some());
         if self.curves.len() <= COLOURS.len() {
             return COLOURS[index % COLOURS.len()];
@@ -151,7 +151,7 @@ impl Panel {
         if place < 1.0 { mixed([RAMP[0], RAMP[1]], place) } else { mixed([RAMP[1], RAMP[2]], place - 1.0) }
     }
 
-    /// In points; none without cells.
+    /// Returns the width in points; zero without cells.
     fn bar_width(&self) -> i32 {
         if self.cells.is_some() { Cells::bar_width() } else { 0 }
     }
@@ -163,7 +163,7 @@ impl Panel {
         if names.len() < 2 { Vec::new() } else { names }
     }
 
-    /// In points; none for a single curve.
+    /// Returns the width in points; zero for a single curve.
     fn legend_width(&self) -> i32 {
         let longest = self.names().into_iter().map(|name| name.width(FONT)).reduce(f64::max);
         longest.map_or(0, |longest| points(SWATCH + 16) + (longest * LEEWAY) as i32)

@@ -4,14 +4,14 @@ use crate::label::{Anchor, Label};
 use crate::lettering::SMALL;
 use crate::pixels::Colour;
 
-/// A place in points, downwards from the upper left corner.
+/// A place in points, from the upper left corner downwards.
 pub(crate) type Point = (i32, i32);
 
-/// A document or pixels.
+/// A surface for drawing: a document or pixels.
 pub(crate) trait Paper {
     /// Draws a line through points.
     fn line(&mut self, points: &[Point], colour: Colour, width: u32);
-    /// Fills the area within corners.
+    /// Fills the polygon with these corners.
     fn area(&mut self, corners: &[Point], colour: Colour);
     /// Writes a label in letters of size [`FONT`].
     fn write(&mut self, label: &Label, place: Place);
@@ -28,11 +28,11 @@ pub(crate) struct Place {
     pub(crate) at: Point,
     pub(crate) anchor: Anchor,
     pub(crate) down: Down,
-    /// True if it is read from below, turned about its place.
+    /// True if it is rotated about its place, to be read from the right.
     pub(crate) is_turned: bool,
 }
 
-/// The side of its place on which a label is.
+/// The vertical position of a label relative to its place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Down {
     Below,
@@ -41,7 +41,7 @@ pub(crate) enum Down {
 }
 
 impl Down {
-    /// Returns the points from the place down to the base line.
+    /// Returns the distance from the place down to the base line, in points.
     pub(crate) fn base(self) -> f64 {
         FONT * match self {
             Down::Below => 0.76,

@@ -1,5 +1,5 @@
 //! Pixels of all pictures: areas, lines and letters with smooth edges on white, by `tiny-skia`, and
-//! PNG files of them.
+//! their PNG files.
 
 use std::io::{self, Write};
 
@@ -12,18 +12,18 @@ use tiny_skia::{
 
 use crate::lettering::{self, Slope};
 
-/// A picture in pixels, all of which are opaque.
+/// A picture of opaque pixels.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Pixels {
     pixmap: Pixmap,
-    /// From what is drawn to pixels.
+    /// The transformation from drawing units to pixels.
     transform: Transform,
 }
 
-/// Red, green, blue and opacity, each to 255.
+/// Red, green, blue and opacity, each from 0 to 255.
 pub type Colour = [u8; 4];
 
-/// Returns the colour this part of the way from the first to the second.
+/// Returns the colour at this fraction of the way from the first to the second.
 #[cfg(feature = "figures")]
 pub(crate) fn mixed([from, to]: [Colour; 2], part: f64) -> Colour {
     let mix = |channel| f64::from(from[channel]) + part * (f64::from(to[channel]) - f64::from(from[channel]));
@@ -31,8 +31,8 @@ pub(crate) fn mixed([from, to]: [Colour; 2], part: f64) -> Colour {
 }
 
 impl Pixels {
-    /// Returns a white picture of this many pixels, with `scale` pixels to the unit of the drawing.
-    /// `None` without pixels, or with more than fit into memory.
+    /// Creates a white picture with this number of pixels, with `scale` pixels per drawing unit.
+    /// `None` without pixels, or if they do not fit into memory.
     pub fn white([width, height]: [u32; 2], scale: f64) -> Option<Pixels> {
         let size = IntSize::from_wh(width, height)?;
         let bytes = (width as usize).checked_mul(height as usize)?.checked_mul(4)?;
@@ -53,17 +53,17 @@ impl Pixels {
         self.pixmap.height()
     }
 
-    /// Returns red, green, blue and opacity of each pixel, in rows from the top.
+    /// Returns red, green, blue and opacity of each pixel, in rows starting at the top.
     pub fn rgba(&self) -> &[u8] {
         self.pixmap.data()
     }
 
-    /// Fills an area; what two lines enclose both is outside.
+    /// Fills an area by the even-odd rule.
     pub fn fill(&mut self, area: &Path, colour: Colour) {
         self.pixmap.fill_path(area, &paint(colour), FillRule::EvenOdd, self.transform, None);
     }
 
-    /// Draws lines with round ends; where they overlap, the colour is laid on once.
+    /// Draws lines with round ends; overlaps of lines are not darker.
     pub fn stroke(&mut self, lines: &Path, colour: Colour, width: f64, dashes: &[f64]) {
         let dashes: Vec<f32> = dashes.iter().map(|length| *length as f32).collect();
         let pen = Stroke {
@@ -76,9 +76,9 @@ impl Pixels {
         self.pixmap.stroke_path(lines, &paint(colour), &pen, self.transform, None);
     }
 
-    /// Draws an image, rows of pixels with red, green, blue and opacity, between these edges on the
-    /// left, above, on the right and below. Each of its pixels stays a rectangle of one colour;
-    /// opacities are none or full.
+    /// Draws an image between these edges on the left, above, on the right and below. The image
+    /// consists of rows of pixels with red, green, blue and opacity. Each of its pixels remains a
+    /// rectangle of one colour; opacities are zero or full.
     pub fn place(&mut self, rgba: &[u8], [width, height]: [u32; 2], [left, top, right, bottom]: [f64; 4]) {
         let Some(image) = PixmapRef::from_bytes(rgba, width, height) else { return };
         let (wide, high) = ((right - left) / f64::from(width), (bottom - top) / f64::from(height));
@@ -87,8 +87,8 @@ impl Pixels {
         self.pixmap.draw_pixmap(0, 0, image, &paint, self.transform.pre_concat(within), None);
     }
 
-    /// Writes a line of text. The transform takes it from a font of size 1 to its place. There the
-    /// left end is on the base line at the origin, with y downwards.
+    /// Writes a line of text. The transformation maps it from a font of size 1 to its place. The
+    /// text starts at the origin on the base line, with y downwards.
     pub fn write(&mut self, text: &str, slope: Slope, place: Transform, colour: Colour) {
         let Some(outline) = lettering::outline(text, slope) else { return };
         let transform = self.transform.pre_concat(place);

@@ -1,4 +1,4 @@
-//! What is drawn, and where.
+//! Content and places of drawings.
 
 mod cells;
 mod documents;
@@ -20,7 +20,7 @@ fn curve(name: &str, points: impl Iterator<Item = (f64, f64)>) -> Curve {
     Curve { name: name.into(), points: points.collect() }
 }
 
-/// The points of the polylines that are as wide as curves.
+/// Returns the points of the polylines with the width of curves.
 fn polylines(svg: &str) -> Vec<Vec<(f64, f64)>> {
     let curves =
         svg.lines().filter(|line| line.contains("<polyline") && line.contains("stroke-width=\"14\""));
@@ -190,7 +190,7 @@ fn a_picture_has_pixels_where_the_curve_is() {
     let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
     let info = reader.next_frame(&mut pixels).expect("a frame");
     assert_eq!((info.width, info.height), (800, 600));
-    // The middle of the axes, where the diagonal passes, and a place beside it.
+    // The middle of the axes, on the diagonal, and a place next to it.
     let pixel = |x: usize, y: usize| &pixels[3 * (800 * y + x)..][..3];
     assert_eq!(pixel(456, 278), [0, 114, 178]);
     assert_eq!(pixel(300, 278), [255, 255, 255]);
@@ -200,7 +200,7 @@ fn a_picture_has_pixels_where_the_curve_is() {
     std::fs::remove_file(path).expect("was there");
 }
 
-/// The columns and rows of a picture with ink on them, of those between others.
+/// Returns the columns and rows of a picture that contain ink, within these ranges.
 fn inked(pixels: &Pixels, columns: Range<usize>, rows: Range<usize>) -> [Range<usize>; 2] {
     let width = pixels.width() as usize;
     let is_dark = |(x, y): &(usize, usize)| pixels.rgba()[4 * (width * y + x)] < 128;
@@ -219,7 +219,7 @@ fn words_are_where_the_document_has_them() {
         rest.split('"').next().and_then(|value| value.parse().ok()).expect("a number")
     };
     assert!(line.contains("text-anchor=\"middle\""), "{line}");
-    // Five points a pixel; capitals and the letter t reach from the base line upwards.
+    // Five points per pixel; capitals and the letter t extend upwards from the base line.
     let (size, x, y) = (number("font-size") / 5.0, number("x") / 5.0, number("y") / 5.0);
     let (base, half) = (y, 0.5 * size * width("time", Slope::Upright));
     let pixels = figure.pixels().expect("draws");

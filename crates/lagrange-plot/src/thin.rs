@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 /// Abscissa and ordinate.
 pub(crate) type Point = (f64, f64);
 
-/// Splits a curve where it is not finite, and leaves out what cannot be seen at this width of a
-/// line.
+/// Splits a curve at points that are not finite, and omits points that cannot be seen with this
+/// line width.
 ///
-/// Reduces the points of a curve. For a curve over time, the first, the lowest, the highest and the
-/// last point within one column stay, so that no extreme is lost. Other curves keep points that lie
-/// in another square than the one before. A segment that joins the same squares as an earlier one
-/// is omitted: where a curve runs along itself, it is drawn once.
+/// For a curve over time, the first, the lowest, the highest and the last point within each column
+/// remain, so that no extreme is lost. Other curves keep points in a different square than the
+/// previous point. A segment that joins the same squares as an earlier one is omitted: where a
+/// curve retraces itself, it is drawn once.
 pub(crate) fn thin(points: impl Iterator<Item = Point>, width: f64) -> Vec<Vec<Point>> {
     let mut pieces = Vec::new();
     for piece in finite(points) {
@@ -24,7 +24,7 @@ pub(crate) fn thin(points: impl Iterator<Item = Point>, width: f64) -> Vec<Vec<P
     pieces
 }
 
-/// The finite pieces of a curve.
+/// Returns the finite pieces of a curve.
 fn finite(points: impl Iterator<Item = Point>) -> Vec<Vec<Point>> {
     let mut pieces = Vec::from([Vec::new()]);
     for point in points {
@@ -42,7 +42,7 @@ fn cell(coordinate: f64, width: f64) -> i64 {
     (coordinate / width).floor() as i64
 }
 
-/// At most four points of each column.
+/// Returns at most four points of each column.
 fn by_columns(piece: &[Point], width: f64) -> Vec<Point> {
     let mut kept = Vec::new();
     for column in piece.chunk_by(|a, b| cell(a.0, width) == cell(b.0, width)) {
@@ -56,7 +56,7 @@ fn by_columns(piece: &[Point], width: f64) -> Vec<Point> {
     kept
 }
 
-/// Pieces of which no two segments join the same squares.
+/// Adds pieces in which no two segments join the same squares.
 fn by_squares(piece: &[Point], width: f64, pieces: &mut Vec<Vec<Point>>) {
     let square = |point: &Point| (cell(point.0, width), cell(point.1, width));
     let mut seen = BTreeSet::new();
@@ -66,7 +66,7 @@ fn by_squares(piece: &[Point], width: f64, pieces: &mut Vec<Vec<Point>>) {
         let to = square(point);
         let Some((from, before)) = last.replace((to, *point)) else { continue };
         if from == to {
-            // The point before counts, so that squares are left where they were entered.
+            // The previous point counts, so that squares are left from their entry points.
             last = Some((from, before));
         } else if seen.insert((from.min(to), from.max(to))) {
             if current.is_empty() {
@@ -77,7 +77,7 @@ fn by_squares(piece: &[Point], width: f64, pieces: &mut Vec<Vec<Point>>) {
             pieces.push(std::mem::take(&mut current));
         }
     }
-    // A curve that never leaves its square is a dot.
+    // A curve that stays within its square is a dot.
     if current.is_empty() && seen.is_empty() {
         current.extend(piece.first());
     }

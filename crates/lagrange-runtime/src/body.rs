@@ -1,18 +1,18 @@
 //! The motion of rigid bodies: velocities and accelerations of their points, instantaneous centres,
 //! angular momentum.
 //!
-//! [`Motion`] is that of a body in the plane, [`SpatialMotion`] that of one in space.
+//! [`Motion`] describes a body in the plane, [`SpatialMotion`] a body in space.
 //!
-//! The own coordinates X, Y of a body in the plane turn with it by its angle φ, counterclockwise.
-//! With ω = φ̇ and e_z × (x, y) = (−y, x), a point Q of the body at ρ from another point P of it
-//! has
+//! The own coordinates X, Y of a body in the plane rotate with the body by its angle φ,
+//! counterclockwise. Let ω = φ̇ and e_z × (x, y) = (−y, x). A point Q of the body at ρ from another
+//! point P of the body then has
 //!
 //! ```text
 //! v_Q = v_P + ω e_z × ρ,    a_Q = a_P + ω̇ e_z × ρ − ω² ρ.
 //! ```
 //!
-//! Both are arithmetic on one moment of a motion: they know of no forces and integrate nothing.
-//! Types declared with `emit { motion }` return one for each body.
+//! Both are evaluated at one moment of a motion, without forces or integration. Types declared with
+//! `emit { motion }` return one for each body.
 //!
 //! ```
 //! use lagrange::body::Motion;
@@ -46,8 +46,8 @@ pub use spatial::SpatialMotion;
 /// The motion of a plane rigid body at one moment.
 ///
 /// Positions are in m, angles in rad, masses in kg, times in s, if the numbers of the declaration
-/// are. Points of the body are named by their own coordinates `[X, Y]`, places in the plane by
-/// `[x, y]`. What is not finite makes every number that depends on it NaN or infinite.
+/// are. Points of the body are given in own coordinates `[X, Y]`, places in the plane as `[x, y]`.
+/// If a value is not finite, every number that depends on it is NaN or infinite.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Motion<S> {
     /// The mass.
@@ -58,7 +58,7 @@ pub struct Motion<S> {
     pub centroid: [S; 2],
     /// The position of the centre of mass.
     pub center: [S; 2],
-    /// The angle φ by which the body's own axes are turned.
+    /// The angle φ by which the body's own axes are rotated.
     pub angle: S,
     /// The velocity of the centre of mass.
     pub velocity: [S; 2],
@@ -83,7 +83,7 @@ pub struct Acceleration<S> {
 }
 
 impl<S: Scalar> Acceleration<S> {
-    /// Returns the acceleration itself: the sum of its parts.
+    /// Returns the total acceleration, the sum of its parts.
     #[must_use]
     pub fn total(&self) -> [S; 2] {
         sum(self.reference, sum(self.tangential, self.radial))
@@ -92,7 +92,7 @@ impl<S: Scalar> Acceleration<S> {
 
 /// Places and directions.
 impl<S: Scalar> Motion<S> {
-    /// Turns a direction fixed in the body, given in its own axes, into the plane.
+    /// Rotates a direction from the body's own axes into the plane.
     #[must_use]
     pub fn vector(&self, [x, y]: [S; 2]) -> [S; 2] {
         let (sin, cos) = self.angle.sin_cos();
@@ -105,20 +105,20 @@ impl<S: Scalar> Motion<S> {
         sum(self.center, self.between(self.centroid, own))
     }
 
-    /// Returns the own coordinates of the point of the body, imagined as large as necessary, at a
-    /// place: the inverse of [`point`](Motion::point).
+    /// Returns the own coordinates of the body's point at a place, even outside of its shape: the
+    /// inverse of [`point`](Motion::point).
     #[must_use]
     pub fn own(&self, place: [S; 2]) -> [S; 2] {
         sum(self.centroid, self.turned_back(difference(place, self.center)))
     }
 
-    /// A direction of the plane in the body's own axes.
+    /// Returns a direction of the plane in the body's own axes.
     fn turned_back(&self, [x, y]: [S; 2]) -> [S; 2] {
         let (sin, cos) = self.angle.sin_cos();
         [cos * x + sin * y, cos * y - sin * x]
     }
 
-    /// ρ from one point of the body to another.
+    /// Returns ρ from one point of the body to another.
     fn between(&self, from: [S; 2], to: [S; 2]) -> [S; 2] {
         self.vector(difference(to, from))
     }
@@ -132,21 +132,20 @@ impl<S: Scalar> Motion<S> {
         sum(self.velocity, scaled(self.angular_velocity, turned(self.between(self.centroid, own))))
     }
 
-    /// Returns the two parts v_P and ω e_z × ρ of the velocity of a point Q of the body, as seen
-    /// from the point P. Their sum is [`velocity_at`](Motion::velocity_at) for every P.
+    /// Returns the two parts v_P and ω e_z × ρ of the velocity of a point Q of the body, relative
+    /// to the point P. Their sum is [`velocity_at`](Motion::velocity_at) for every P.
     #[must_use]
     pub fn velocity_from(&self, own: [S; 2], reference: [S; 2]) -> [[S; 2]; 2] {
         let about = scaled(self.angular_velocity, turned(self.between(reference, own)));
         [self.velocity_at(reference), about]
     }
 
-    /// Returns the instantaneous centre of rotation r_S + e_z × v_S / ω: the place whose point of
-    /// the body has no velocity.
+    /// Returns the instantaneous centre of rotation r_S + e_z × v_S / ω: the place where the point
+    /// of the body has no velocity.
     ///
-    /// `None` if ω is zero, as in pure translation, or if the centre is not at a finite place, as
-    /// in a NaN state. There is no tolerance. An ω that only rounding keeps from zero gives a
-    /// centre far away, the farther the smaller it is. To omit such centres, compare their distance
-    /// with a length of your system.
+    /// `None` if ω is zero, as in pure translation, or if the centre is not finite, as in a NaN
+    /// state. There is no tolerance. If ω differs from zero only by rounding, the centre is very
+    /// far away. To omit such centres, compare their distance with a length of your system.
     #[must_use]
     pub fn instant_center(&self) -> Option<[S; 2]> {
         finite(sum(self.center, self.instant_arm()))
@@ -159,7 +158,7 @@ impl<S: Scalar> Motion<S> {
         finite(sum(self.centroid, self.turned_back(self.instant_arm())))
     }
 
-    /// e_z × v_S / ω, which is not finite if ω is zero.
+    /// Computes e_z × v_S / ω, which is not finite if ω is zero.
     fn instant_arm(&self) -> [S; 2] {
         turned(self.velocity).map(|component| component / self.angular_velocity)
     }
@@ -167,14 +166,14 @@ impl<S: Scalar> Motion<S> {
 
 /// Accelerations.
 impl<S: Scalar> Motion<S> {
-    /// Returns the acceleration of a point of the body in parts that refer to the centre of mass.
+    /// Returns the acceleration of a point of the body, in parts relative to the centre of mass.
     #[must_use]
     pub fn acceleration_at(&self, own: [S; 2]) -> Acceleration<S> {
         self.parts(self.acceleration, self.between(self.centroid, own))
     }
 
-    /// Returns the acceleration of a point of the body in parts that refer to the point
-    /// `reference`, also in own coordinates. The total does not depend on it, the parts do.
+    /// Returns the acceleration of a point of the body, in parts relative to the point `reference`,
+    /// also in own coordinates. The total does not depend on the reference, but the parts do.
     #[must_use]
     pub fn acceleration_from(&self, own: [S; 2], reference: [S; 2]) -> Acceleration<S> {
         self.parts(self.acceleration_at(reference).total(), self.between(reference, own))
@@ -225,7 +224,7 @@ impl<S: Scalar> Motion<S> {
     /// counterclockwise. By the axiom of angular momentum, it is J_P ω̇ + m (ρ_S × a_P)_z, with ρ_S
     /// from P to the centre of mass.
     ///
-    /// For the centre of mass that is J_S ω̇, for a point at rest J_P ω̇.
+    /// For the centre of mass this is J_S ω̇, for a point at rest J_P ω̇.
     #[must_use]
     pub fn moment_about(&self, own: [S; 2]) -> S {
         let acceleration = self.acceleration_at(own).total();
@@ -238,7 +237,7 @@ fn finite<S: Scalar>(place: [S; 2]) -> Option<[S; 2]> {
     place.iter().all(|component| component.is_finite()).then_some(place)
 }
 
-/// e_z × a.
+/// Computes e_z × a.
 fn turned<S: Scalar>([x, y]: [S; 2]) -> [S; 2] {
     [-y, x]
 }
@@ -259,7 +258,7 @@ fn norm_squared<S: Scalar>([x, y]: [S; 2]) -> S {
     x * x + y * y
 }
 
-/// (a × b)_z.
+/// Computes (a × b)_z.
 fn cross<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
     a[0] * b[1] - a[1] * b[0]
 }

@@ -1,17 +1,17 @@
-//! Moments of inertia of plane and solid bodies, and where their centres of mass are.
+//! Moments of inertia and centres of mass of plane and solid bodies.
 //!
-//! Every moment of inertia here is J = ∫ (X² + Y²) dm of a homogeneous body of the mass `mass`. Its
-//! axis goes through the *centre of mass* and is normal to the plane of motion. It is in kg m² for
-//! masses in kg and lengths in m. For a prismatic body of height h and density γ it is γ h times
-//! the polar second moment of its area. [`steiner`] shifts it to a parallel axis; [`MassGeometry`]
-//! combines parts and holes to bodies.
+//! Every moment of inertia in this module is J = ∫ (X² + Y²) dm of a homogeneous body with the mass
+//! `mass`. Its axis passes through the *centre of mass*, normal to the plane of motion. The unit is
+//! kg m² for masses in kg and lengths in m. For a prismatic body of height h and density γ, J is γ
+//! h times the polar second moment of its area. [`steiner`] shifts it to a parallel axis;
+//! [`MassGeometry`] combines parts and holes into bodies.
 //!
 //! If the centre of mass is not obvious, a function ending in `_center` returns it in the body's
-//! own coordinates, those of [`Outline`](crate::scene::Outline). The language of `system!` has the
-//! same functions.
+//! own coordinates, as defined by [`Outline`](crate::scene::Outline). The language of `system!` has
+//! the same functions.
 //!
 //! NaN stays NaN, and NaN is returned for impossible shapes, such as a triangle with a side longer
-//! than the other two together. Signs of lengths do not matter unless stated.
+//! than the other two together. Signs of lengths are irrelevant unless stated otherwise.
 //!
 //! ```
 //! use lagrange::inertia::{MassGeometry, disk, rectangle, semicircular_disk, semicircular_disk_center};

@@ -1,8 +1,7 @@
-//! The generator of random numbers, as a function of a key and of a counter.
+//! The random number generator, as a function of a key and a counter.
 //!
-//! Philox4x32-10: a counter goes through ten rounds of multiplication and exclusive or, with a key.
-//! Nothing is carried from one call to the next, so that numbers do not depend on who asks for them
-//! first.
+//! Philox4x32-10: ten rounds of multiplication and exclusive or transform a counter with a key.
+//! Calls share no state, so numbers do not depend on the order of requests.
 //!
 //! Sources: Salmon, Moraes, Dror, Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC'11, §3.3,
 //! and the vectors of Random123; Box, Muller, *A note on the generation of random normal deviates*,
@@ -16,34 +15,35 @@ const MULTIPLIERS: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
 const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 /// 2⁻⁵³
 const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
-/// Bits of a counter that number the blocks of one purpose.
+/// Number of counter bits that number the blocks of one purpose.
 const BLOCK_BITS: u32 = u64::BITS - 8;
 
-/// A seed, a motion of an ensemble, and the purpose of what is drawn for it.
+/// A seed, a motion of an ensemble, and the purpose of the numbers drawn for it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stream {
     pub(crate) seed: u64,
     pub(crate) motion: u64,
-    /// Number of the purpose, below 256. Different ones have independent numbers.
+    /// Number of the purpose, below 256. Different purposes have independent numbers.
     pub(crate) purpose: u8,
 }
 
 impl Stream {
-    /// Returns two times 64 bits: the block with this number, below 2⁵⁶. No sequence is as long.
+    /// Returns two words of 64 bits: the block with this number, which must be below 2⁵⁶. No
+    /// sequence is that long.
     pub(crate) fn block(self, number: u64) -> [u64; 2] {
         let blocks = u64::from(self.purpose) << BLOCK_BITS | number;
         words([blocks, self.motion], self.seed)
     }
 }
 
-/// Returns two times 64 bits for a counter of as many and a key.
+/// Returns two words of 64 bits for a counter of the same size and a key.
 pub(crate) fn words([lower, upper]: [u64; 2], key: u64) -> [u64; 2] {
     let ([a, b], [c, d]) = (halves(lower), halves(upper));
     let [a, b, c, d] = philox([a, b, c, d], halves(key));
     [joined(a, b), joined(c, d)]
 }
 
-/// Returns a number from 0 included to 1 excluded.
+/// Returns a number in [0, 1).
 pub(crate) fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 * UNIT
 }
@@ -51,13 +51,13 @@ pub(crate) fn unit(bits: u64) -> f64 {
 /// Returns two independent normal numbers with mean 0 and standard deviation 1, by the formula of
 /// Box and Muller. Their magnitude is below 8.6.
 pub(crate) fn normals([first, second]: [u64; 2]) -> [f64; 2] {
-    // From zero excluded to one included, so that the logarithm is finite.
+    // In (0, 1], so that the logarithm is finite.
     let radius = libm::sqrt(-2.0 * libm::log(unit(first) + UNIT));
     let (sin, cos) = libm::sincos(TAU * unit(second));
     [radius * cos, radius * sin]
 }
 
-/// Ten rounds.
+/// Applies ten rounds of Philox.
 fn philox(counter: [u32; 4], key: [u32; 2]) -> [u32; 4] {
     let ([mut a, mut b, mut c, mut d], [mut left, mut right]) = (counter, key);
     for _ in 0..ROUNDS {
@@ -69,7 +69,7 @@ fn philox(counter: [u32; 4], key: [u32; 2]) -> [u32; 4] {
     [a, b, c, d]
 }
 
-/// Lower and upper half.
+/// Returns the lower and the upper half.
 fn halves(word: u64) -> [u32; 2] {
     [word as u32, (word >> 32) as u32]
 }

@@ -1,4 +1,4 @@
-//! Zeros of functions that emitted code cannot write out: the algebraic unknowns of declarations.
+//! Zeros of functions without a closed form: the algebraic unknowns of declarations.
 
 mod coupled;
 
@@ -6,29 +6,32 @@ pub use coupled::{CoupledEquations, coupled};
 
 use crate::scalar::{Mask, Number, spacing_at_one};
 
-/// Residuals up to this many times the bound of their rounding count as zero.
+/// Residuals up to this many times the bound on their rounding error count as zero.
 const TOLERANCE: f64 = 4.0;
-/// A slope is trusted where it is known this many times farther away than rounding hides the zero.
+/// Minimum length of the last step, in units of the distance hidden by rounding, for a slope to be
+/// trusted.
 const MIN_SPAN: f64 = 4.0;
-/// Slopes that differ by no more than this part of them belong to the same zero.
+/// Slopes whose relative difference is at most this belong to the same zero.
 const SAME_SLOPE: f64 = 0.25;
-/// Slopes that differ by more than this factor between both sides of a zero leave no digit of it.
+/// If slopes on the two sides of a zero differ by more than this factor, no digit of the zero is
+/// reliable.
 const MAX_BEND: f64 = 65_536.0;
-/// Ratio of the difference to the sum of noisy residuals on both sides of a zero.
+/// Minimum ratio of the difference to the sum of noisy residuals on the two sides of a zero.
 const CENTRAL: f64 = 4.0;
-/// The distance to both sides at which signs are compared, in units of what rounding hides.
+/// Distance of the two sides at which signs are compared, in units of the distance hidden by
+/// rounding.
 const ASIDE: f64 = 32.0;
 
-/// Returns the zero that Newton's method finds from a start within a number of steps; NaN if it
-/// finds none. Numbers in lanes continue until each of them has its own zero, which does not depend
-/// on the others.
+/// Returns the zero found by Newton's method from a start within a number of steps; NaN if none is
+/// found. Numbers in lanes iterate until each has its own zero, which does not depend on the
+/// others.
 ///
-/// For a value of y, `equation` computes the residual r, its slope ∂r/∂y, and a rounding error of
-/// r. That is the sum of the effects of one relative rounding error in y and in each value on the
-/// way to r. A candidate is a point where r is within four times that, or where steps of rounding
-/// size stop shrinking. It is a zero if r changes its sign around it, or the last two slopes agree
-/// over a distance that rounding does not hide. A residual that only becomes small beside its
-/// terms, as √(y² + 1) − y does, has no zero. From a zero one more step is taken.
+/// At y, `equation` computes the residual r, its slope ∂r/∂y, and a bound on the rounding error of
+/// r. The bound sums the effects of one relative rounding error in y and in each intermediate
+/// value. A candidate is a point where r is within four times the bound, or where steps of rounding
+/// size stop shrinking. It is a zero if r changes its sign around it. It is also one if the last
+/// two slopes agree over a distance that rounding does not hide. A residual that is merely small
+/// relative to its terms, such as √(y² + 1) − y, has no zero. One more step is taken from a zero.
 ///
 /// ```
 /// use lagrange::root::newton;
@@ -52,20 +55,20 @@ struct RootSearch<S: Number> {
     point: S,
     /// The zero; NaN before it is found.
     root: S,
-    /// Number of steps that are left.
+    /// Number of remaining steps.
     left: S,
     /// Length and slope of the last step.
     last: [S; 2],
     candidate: RootCandidate<S>,
     epsilon: S,
-    /// The part of y that steps may be which the noise of y's equation decides: ε^(3/4).
+    /// Steps below this relative size are dominated by the noise of the equation: ε^(3/4).
     noise: S,
 }
 
 /// A point that is a zero if the residual has different signs on its two sides.
 struct RootCandidate<S: Number> {
     value: S,
-    /// Distance of the sides.
+    /// Distance of each side from the point.
     width: S,
     /// Residual and slope on the upper side.
     above: [S; 2],
@@ -98,7 +101,7 @@ impl<S: Number> RootSearch<S> {
         RootSearch { point: start, root: S::NAN, left, last: [S::ZERO; 2], candidate, epsilon, noise }
     }
 
-    /// True where the zero is found or no further step is possible.
+    /// True if the zero is found or no further step is possible.
     #[inline(always)]
     fn is_over(&self) -> S::Mask {
         let is_aside = self.candidate.awaits_above | self.candidate.awaits_below;
@@ -106,7 +109,7 @@ impl<S: Number> RootSearch<S> {
         is_number(self.root) | !is_number(self.point) | is_exhausted
     }
 
-    /// Goes on from the residual, its slope and its rounding at the point.
+    /// Continues with the residual, its slope and its rounding error at the point.
     #[inline(always)]
     fn advance(&mut self, [residual, slope, rounding]: [S; 3]) {
         let (is_above, is_below) = (self.candidate.awaits_above, self.candidate.awaits_below);
@@ -135,7 +138,7 @@ impl<S: Number> RootSearch<S> {
 }
 
 impl<S: Number> RootCandidate<S> {
-    /// True if the residual passes zero between the two sides, in one direction all the way.
+    /// True if the residual passes zero between the two sides, with similar slopes throughout.
     #[inline(always)]
     fn is_crossed(&self, residual: S, slope: S) -> S::Mask {
         let [residual_above, slope_above] = self.above;
@@ -161,7 +164,7 @@ impl<S: Number> RootCandidate<S> {
 struct NewtonStep<S: Number> {
     next: S,
     length: S,
-    /// Half the width of the interval that a zero must be in.
+    /// Half the width of the interval that must contain the zero.
     width: S,
     is_small: S::Mask,
     is_candidate: S::Mask,
@@ -182,7 +185,7 @@ impl<S: Number> NewtonStep<S> {
         let is_noise = length.less(search.noise * next.abs()) & no_longer_shrinks;
         let agrees = (slope - last_slope).abs().less_equal(S::from_f64(SAME_SLOPE) * steepness);
         let spans = (S::from_f64(MIN_SPAN) * hidden).less_equal(last_length);
-        // Where all terms are zero nothing cancels.
+        // If all terms are zero, there is no cancellation.
         let is_plain = bound.less_equal(zero);
         let noise = S::select(is_small, zero, larger(length, last_length));
         NewtonStep {
@@ -201,7 +204,7 @@ fn is_number<S: Number>(value: S) -> S::Mask {
     value.less_equal(value)
 }
 
-/// The larger of two numbers, the first if one of them is NaN.
+/// Returns the larger of two numbers; the first if one of them is NaN.
 #[inline(always)]
 fn larger<S: Number>(a: S, b: S) -> S {
     S::select(a.less(b), b, a)

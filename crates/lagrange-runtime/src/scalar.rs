@@ -1,10 +1,10 @@
-//! Numbers that emitted code can compute with.
+//! Number types for emitted code.
 //!
-//! [`Number`] is the contract between emitted formulas and a number type. It is no general numeric
-//! abstraction: it holds what the language of `system!` can express, nothing else. [`Scalar`] adds
-//! what runs, events and contacts need beside: an order, so that a program may branch. `f64` and
-//! `f32` are both, with the functions of the platform under the `std` feature and those of `libm`
-//! without it. [`Portable`] numbers have the same bits everywhere.
+//! [`Number`] is the contract between emitted formulas and a number type. It is not a general
+//! numeric abstraction: it contains only the operations that the language of `system!` can express.
+//! [`Scalar`] adds the needs of runs, events and contacts, such as an order for branches. `f64` and
+//! `f32` implement both, with the functions of the platform under the `std` feature and the
+//! functions of `libm` without it. [`Portable`] numbers have the same bits everywhere.
 
 mod lanes;
 mod mask;
@@ -48,19 +48,20 @@ macro_rules! value_of {
     };
 }
 
-/// A real number with elementary functions, or several in lanes that take the same formulas.
+/// A real number with elementary functions, or several numbers in lanes that pass through the same
+/// formulas.
 ///
-/// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out,
-/// except for `hypot` with an infinite and `powi` with a zero argument, as documented there.
-/// Emitted code relies on this to never hide a failed computation. Zeros keep their sign according
-/// to IEEE 754.
+/// Angles are in radians. Outside the domain of a function the result is NaN. NaN arguments lead to
+/// NaN results, except for `hypot` with an infinite and `powi` with a zero argument, as documented
+/// there. Emitted code relies on this to avoid hiding a failed computation. Zeros keep their sign
+/// according to IEEE 754.
 ///
-/// Numbers in lanes cannot branch, since each may need another branch: they compute both and
-/// [`select`](Number::select). For those that can branch a [mask](Mask) is a `bool`, and they are
+/// Numbers in lanes cannot branch, since lanes may need different branches. They compute both and
+/// [`select`](Number::select). Numbers that can branch have the [mask](Mask) type `bool` and are
 /// [`Scalar`]s.
 ///
-/// Functions with a default need not be defined. Defaults are accurate to a few units in the last
-/// place, in double precision or less. They build on the required functions: `atan` on
+/// Functions with a default are optional. Defaults are accurate to a few units in the last place,
+/// in double precision or less. They build on the required functions: `atan` on
 /// [`atan2`](Number::atan2), and `sin_cos` on sine and cosine. A new function of the language
 /// always has a default.
 pub trait Number:
@@ -92,12 +93,12 @@ pub trait Number:
     /// True if this is less than or equal to the other; false if either is NaN.
     fn less_equal(self, other: Self) -> Self::Mask;
 
-    /// Selects the first number where the mask is true, the second elsewhere.
+    /// Selects the first number if the mask is true, otherwise the second.
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
-    /// Returns the largest whole number that is not above this one, but at least 0 and below
-    /// `count`; 0 for NaN. `None` for numbers in lanes and by default. Tables then search for their
-    /// pieces in another way.
+    /// Returns the largest whole number that is not above this one, clamped to at least 0 and less
+    /// than `count`; 0 for NaN. `None` for numbers in lanes and by default. Tables then use another
+    /// search.
     #[inline]
     fn floor_below(self, count: usize) -> Option<usize> {
         let _ = count;
@@ -114,9 +115,9 @@ pub trait Number:
     /// infinity.
     ///
     /// For `f64` and `f32`, [`lagrange_math`] computes several at a time if the target can. The
-    /// error is below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For other
-    /// numbers the default is [`sin_cos`](Number::sin_cos); the result for an angle must not depend
-    /// on the others.
+    /// error is below 0.9 units in the last place for `f64`, and below 0.5000001 for `f32`. For
+    /// other numbers, the default calls [`sin_cos`](Number::sin_cos). The result for an angle must
+    /// not depend on the others.
     ///
     /// ```
     /// use lagrange::Number;
@@ -144,7 +145,7 @@ pub trait Number:
         Self::select(Self::ZERO.less(self), Self::ONE, or_negative)
     }
 
-    /// Returns the smaller of two numbers, `self` if they are equal; NaN if either is, unlike
+    /// Returns the smaller of two numbers, `self` if they are equal; NaN if either is NaN, unlike
     /// [`f64::min`].
     #[inline(always)]
     fn min(self, other: Self) -> Self {
@@ -152,7 +153,7 @@ pub trait Number:
         Self::select(self.less_equal(other), self, or_other)
     }
 
-    /// Returns the larger of two numbers, `self` if they are equal; NaN if either is, unlike
+    /// Returns the larger of two numbers, `self` if they are equal; NaN if either is NaN, unlike
     /// [`f64::max`].
     #[inline(always)]
     fn max(self, other: Self) -> Self {
@@ -160,8 +161,8 @@ pub trait Number:
         Self::select(other.less_equal(self), self, or_other)
     }
 
-    /// Raises `self` to an integer power, by repeated squaring; exponent zero gives the empty
-    /// product, one.
+    /// Raises `self` to an integer power, by repeated squaring. For the exponent zero, the result
+    /// is one.
     ///
     /// A negative power is the reciprocal of the positive one. Rounding errors grow in proportion
     /// to the exponent. The result depends on no library and is the same on every platform.
@@ -182,39 +183,39 @@ pub trait Number:
         if exponent < 0 { Self::ONE / product } else { product }
     }
 
-    /// Computes `self * factor + addend`; for `f64` and `f32` with one rounding exactly when the
-    /// target feature `fma` is enabled at compile time.
+    /// Computes `self * factor + addend`. For `f64` and `f32`, it is rounded once if and only if
+    /// the target feature `fma` is enabled at compile time.
     ///
     /// On a target without the instruction, a fused product is a library call, many times slower
-    /// than a product and a sum. There the result is rounded twice.
+    /// than a product and a sum. The result is then rounded twice.
     #[inline]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }
 }
 
-/// A single real number, which programs may compare and branch on: what methods of integration,
-/// events and contacts compute with.
+/// A single real number, which programs can compare and branch on. Methods of integration, events
+/// and contacts compute with such numbers.
 pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
     /// True if this is neither NaN nor infinite.
     fn is_finite(self) -> bool;
 
-    /// Returns the distance from one to the next number, as [`f64::EPSILON`].
+    /// Returns the distance from one to the next number, like [`f64::EPSILON`].
     #[inline]
     fn epsilon() -> Self {
         spacing_at_one()
     }
 
-    /// Computes `self * factor + addend` with one rounding for `f64` and `f32`, whatever the target
-    /// is, for
+    /// Computes `self * factor + addend` for [`Lanes`]. `f64` and `f32` round once on every target;
+    /// without the instruction, this is a library call.
     /// [`Lanes`]: where it is no instruction it is a call of a library.
     #[inline(always)]
     fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
         self.multiply_add(factor, addend)
     }
 
-    /// Computes all sines and all cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse
-    /// products if FUSED.
+    /// Computes sines and cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse products
+    /// if FUSED.
     #[inline(always)]
     fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sines, mut cosines) = (angles, angles);
@@ -224,14 +225,14 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         (sines, cosines)
     }
 
-    /// Computes values of an elementary function at several numbers, for [`Lanes`]; `f64` and `f32`
-    /// fuse products if FUSED.
+    /// Computes values of an elementary function for several arguments, for [`Lanes`]; `f64` and
+    /// `f32` fuse products if FUSED.
     #[inline(always)]
     fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments: [Self; N]) -> [Self; N] {
         arguments.map(|x| lagrange_math::functions!(value_of function of x:))
     }
 
-    /// Computes the angles of several points, each with an ordinate and an abscissa, for [`Lanes`];
+    /// Computes the angles of several points from their ordinates and abscissas, for [`Lanes`];
     /// `f64` and `f32` fuse products if FUSED.
     #[inline(always)]
     fn angles<const FUSED: bool, const N: usize>(ordinates: [Self; N], abscissas: [Self; N]) -> [Self; N] {
@@ -245,14 +246,14 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         core::array::from_fn(|i| x[i].hypot(y[i]))
     }
 
-    /// Computes the binary logarithm of a positive normal number to 2 · 10⁻⁴, for lengths of steps.
-    /// Of others the result has no meaning.
+    /// Computes the binary logarithm of a positive normal number to 2 · 10⁻⁴, for step lengths. For
+    /// other numbers the result is meaningless.
     #[inline(always)]
     fn rough_log2(self) -> Self {
         self.ln() / Self::from_f64(core::f64::consts::LN_2)
     }
 
-    /// Raises two to this power, limited to [−100, 100], to a relative 10⁻⁴, for lengths of steps.
+    /// Raises two to this power, clamped to [−100, 100], to a relative 10⁻⁴, for step lengths.
     #[inline(always)]
     fn rough_exp2(self) -> Self {
         let hundred = Self::from_f64(100.0);
@@ -262,10 +263,10 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
     }
 }
 
-/// The distance from one to the next number, of numbers side by side, too.
+/// Returns the distance from one to the next number, also for numbers in lanes.
 #[inline(always)]
 pub(crate) fn spacing_at_one<S: Number>() -> S {
-    // A third has no finite binary expansion; rounding it leaves this much.
+    // A third has no finite binary expansion; its rounding error leaves this distance.
     let three = S::from_f64(3.0);
     (three * (S::from_f64(4.0) / three - S::ONE) - S::ONE).abs()
 }

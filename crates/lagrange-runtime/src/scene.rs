@@ -1,8 +1,8 @@
-//! A description of a system of rigid bodies to be drawn at one moment.
+//! Descriptions of a system of rigid bodies for drawing at one moment.
 //!
-//! Types declared with `emit { drawing }` implement [`Scene`], whose [`Space`] is the [`Plane`] or
-//! [`Spatial`]; the feature `draw` makes pictures and films of both. Here are numbers only: no
-//! picture, no scale, no colour.
+//! Types declared with `emit { drawing }` implement [`Scene`], whose [`Space`] is [`Plane`] or
+//! [`Spatial`]. The feature `draw` makes pictures and films of both. This module contains only
+//! numbers: no pictures, scales or colours.
 
 mod plane;
 mod space;
@@ -18,19 +18,19 @@ use crate::system::{MechanicalSystem, OdeSystem};
 /// An item of a system.
 type ItemOf<'a, M> = Item<'a, <M as OdeSystem>::Scalar, <M as Scene>::Space>;
 
-/// A system of bodies that hands out what there is to draw of it.
+/// A system of bodies that provides a description of its drawing.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has nothing to draw",
     note = "declare it with `emit {{ drawing }}`"
 )]
 pub trait Scene: MechanicalSystem {
-    /// The plane or space.
+    /// The plane, or space.
     type Space: Space;
 
-    /// Passes on everything to be drawn at time `t`, coordinates `q` and velocities `v`. First come
-    /// lines, bodies and frames, connectors and joints, then forces and moments, each in the order
-    /// of the declaration. Everything is in the axes of the world. In space, only the places of
-    /// items change with time, not the items or their shapes.
+    /// Passes every item to be drawn at time `t`, coordinates `q` and velocities `v` to `visit`.
+    /// Lines, bodies and frames come first, then connectors and joints, then forces and moments,
+    /// each in the order of the declaration. Everything is in world axes. In space, only the places
+    /// of items change with time, not the items or their shapes.
     fn items(
         &self,
         t: Self::Scalar,
@@ -40,7 +40,7 @@ pub trait Scene: MechanicalSystem {
     );
 }
 
-/// Something to be drawn.
+/// An item to be drawn.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Item<'a, S: Scalar, D: Space = Plane> {
     /// A rigid body.
@@ -54,7 +54,7 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
     },
     /// A frame, in space only.
     Frame(D::Frame<'a, S>),
-    /// A straight line without ends, in the plane only.
+    /// An infinite straight line, in the plane only.
     Line(D::Line<'a, S>),
     /// A spring or damper.
     Connector {
@@ -62,20 +62,20 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         name: &'a str,
         /// Kind of connector.
         kind: Connector,
-        /// One end; for torsion springs and dampers where the two bodies meet.
+        /// One end; for torsion springs and dampers the place where the two bodies meet.
         from: D::Vector<S>,
         /// The other end; the same for torsion springs and dampers.
         to: D::Vector<S>,
-        /// The force by which it pulls both ends together, or the moment that turns the first body
+        /// The force that pulls both ends together, or the moment that rotates the first body
         /// towards the second.
         tension: S,
     },
     /// A joint.
     Joint {
-        /// Its name. In space it is that of its quaternion, of its first coordinate, of the placed
-        /// body, or of a pin.
+        /// Its name. In space it is the name of its quaternion, of its first coordinate, of the
+        /// placed body, or of a pin.
         name: &'a str,
-        /// Kind of joint; in space with its axis and the bodies that it joins.
+        /// Kind of joint; in space also its axis and the bodies that it joins.
         kind: D::Joint<'a, S>,
         /// Position; in space the origin of its frame on the carrier.
         at: D::Vector<S>,
@@ -86,30 +86,32 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         name: &'a str,
         /// Origin of the load.
         cause: LoadOrigin,
-        /// The body it acts on, if that is known.
+        /// The body it acts on, if known.
         body: Option<&'a str>,
         /// The point it acts on.
         at: D::Vector<S>,
         /// Its components.
         force: D::Vector<S>,
     },
-    /// A moment: positive counterclockwise, in space about its own direction by the right hand.
+    /// A moment: positive counterclockwise, in space by the right-hand rule about its own
+    /// direction.
     Moment {
         /// Its name.
         name: &'a str,
         /// Origin of the load.
         cause: LoadOrigin,
-        /// The body it acts on, if that is known.
+        /// The body it acts on, if known.
         body: Option<&'a str>,
         /// Position at which it is drawn.
         at: D::Vector<S>,
-        /// Its value, in space its components.
+        /// Its value; in space its components.
         moment: D::Moment<S>,
     },
-    /// A force or moment that acts and is not included. A joint that the coordinates satisfy has no
-    /// multiplier, and a torque on a coordinate may determine neither a body nor a place.
+    /// A force or moment that acts but cannot be drawn. A joint satisfied by the choice of
+    /// coordinates has no multiplier, and a torque on a coordinate may determine neither a body nor
+    /// a place.
     Omitted {
-        /// The name of the joint, or what acts.
+        /// The name of the joint or load.
         name: &'a str,
     },
 }
@@ -117,13 +119,13 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
 /// A part of a body's shape.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Part<'a, S: Scalar, D: Space = Plane> {
-    /// Its outline, in space its solid, in its own coordinates.
+    /// Its outline, or in space its solid, in its own coordinates.
     pub shape: D::Shape<'a, S>,
     /// Origin of its own coordinates in those of the body.
     pub at: D::Vector<S>,
     /// The rotation from its own axes to those of the body.
     pub rotation: D::Rotation<S>,
-    /// True if it is cut out of the parts before it.
+    /// True if it is cut out of the previous parts.
     pub is_hole: bool,
 }
 
@@ -149,7 +151,7 @@ pub enum LoadOrigin {
     Gravity,
     /// A spring or damper.
     Connector,
-    /// A joint, which upholds its constraint by this force.
+    /// A joint, which enforces its constraint by this force.
     Joint,
     /// A contact, by its normal force or its friction.
     Contact,

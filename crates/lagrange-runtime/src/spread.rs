@@ -1,8 +1,8 @@
-//! Points that look random and are the same in every run.
+//! Points that appear random and are the same in every run.
 
 use crate::scalar::Scalar;
 
-/// Returns a number between −1 and 1 for a place of a point.
+/// Returns a number between −1 and 1 for one entry of a point.
 ///
 /// Source: the hash splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
 /// generators", OOPSLA 2014).

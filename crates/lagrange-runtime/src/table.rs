@@ -1,23 +1,23 @@
-//! Tables that declarations hold: splines, evaluated in any number type.
+//! Tables of declarations: splines, evaluated for any number type.
 //!
-//! `lagrange::system!` computes the coefficients of the polynomials; here they are looked up and
-//! evaluated. If all pieces are equally long, that takes `f64` and `f32` the same time for tables
-//! of any size. Otherwise a binary search finds the piece. Numbers in lanes are evaluated in
-//! groups, one for each piece that contains some of them.
+//! `lagrange::system!` computes the coefficients of the polynomials; this module selects and
+//! evaluates them. If all pieces have equal lengths, this takes the same time for tables of any
+//! size with `f64` and `f32`. Otherwise a binary search finds the piece. Numbers in lanes are
+//! evaluated in groups, one for each piece that contains some of them.
 
 use crate::scalar::{Mask, Number};
 
-/// Places along an axis where pieces of a table meet.
+/// The knots along an axis, at which pieces of a table meet.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Axis {
     /// At least two numbers, ascending.
     pub knots: &'static [f64],
-    /// Pieces in a unit of length, if they are equally long; 0 if not.
+    /// Number of pieces per unit of length if they have equal lengths; 0 otherwise.
     pub density: f64,
 }
 
 impl Axis {
-    /// Returns the ends of the piece that a number is in; infinite beyond the first and the last
+    /// Returns the ends of the piece that contains a number; infinite beyond the first and the last
     /// knot, NaN for NaN.
     pub fn piece<S: Number>(&self, x: S) -> [S; 2] {
         let Some((piece, _)) = self.find(&mut Group { mask: S::Mask::splat(true) }, x) else {
@@ -30,9 +30,9 @@ impl Axis {
         [knot(piece.checked_sub(1), f64::NEG_INFINITY), knot(Some(piece), f64::INFINITY)]
     }
 
-    /// The piece that the numbers of a group are in, and their distances from where that begins;
-    /// `None` for NaN. Piece 0 is the one before the first knot, whose distance counts from there.
-    /// Numbers in other pieces leave the group.
+    /// Returns the piece that contains the numbers of a group, and their distances from its start;
+    /// `None` for NaN. Piece 0 precedes the first knot, and its distances are measured from this
+    /// knot. Numbers in other pieces leave the group.
     fn find<S: Number>(&self, group: &mut Group<S::Mask>, x: S) -> Option<(usize, S)> {
         let (knot, count) = (|i: usize| S::from_f64(self.knots[i]), self.knots.len());
         let piece = if group.agree_on(x.less(knot(0))) {
@@ -47,7 +47,7 @@ impl Axis {
         Some((piece, x - knot(piece.saturating_sub(1))))
     }
 
-    /// The interval between two knots, counted from zero.
+    /// Returns the index of the interval between two knots, counted from zero.
     fn interval<S: Number>(&self, group: &mut Group<S::Mask>, x: S) -> usize {
         let intervals = self.knots.len() - 1;
         if self.density > 0.0 {
@@ -68,13 +68,13 @@ impl Axis {
     }
 }
 
-/// Numbers side by side that have given the same answers so far.
+/// Numbers in lanes that have had the same results in all comparisons so far.
 struct Group<M> {
     mask: M,
 }
 
 impl<M: Mask> Group<M> {
-    /// True if the answer is yes; those for whom it is not leave the group, if anybody stays.
+    /// True if the answer is true for any member. Members with a different answer leave the group.
     fn agree_on(&mut self, answer: M) -> bool {
         let yes = self.mask & answer;
         let is_yes = yes.any();
@@ -85,8 +85,7 @@ impl<M: Mask> Group<M> {
     }
 }
 
-/// The values for all numbers side by side, of which `evaluate` computes those of one group after
-/// another.
+/// Computes the values for all lanes, by calling `evaluate` for one group after another.
 #[inline]
 fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
     let (mut rest, mut values) = (S::Mask::splat(true), S::NAN);
@@ -99,7 +98,7 @@ fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
     values
 }
 
-/// Function of one argument: polynomials with N coefficients, piece by piece.
+/// A function of one argument, given by piecewise polynomials with N coefficients.
 ///
 /// ```
 /// use lagrange::table::{Axis, Curve};
@@ -111,11 +110,11 @@ fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Curve<const N: usize> {
-    /// Places where pieces meet.
+    /// The knots at which pieces meet.
     pub axis: Axis,
-    /// Coefficients of each piece, one piece more than there are knots: the first lies before the
-    /// first knot, the last behind the last one. They belong to ascending powers of the distance
-    /// from the start of the piece, of the first one from the first knot.
+    /// Coefficients of each piece. There is one piece more than there are knots: the first precedes
+    /// the first knot, the last follows the last knot. Coefficients belong to ascending powers of
+    /// the distance from the start of the piece; for the first piece, from the first knot.
     pub pieces: &'static [[f64; N]],
 }
 
@@ -126,7 +125,7 @@ impl<const N: usize> Curve<N> {
         self.derivative(0, x)
     }
 
-    /// Computes the derivative of an order; NaN for NaN.
+    /// Computes the derivative of this order; NaN for NaN.
     #[inline]
     pub fn derivative<S: Number>(&self, order: usize, x: S) -> S {
         in_groups(|group| match self.axis.find(group, x) {
@@ -136,25 +135,27 @@ impl<const N: usize> Curve<N> {
     }
 }
 
-/// Function of two arguments: products of polynomials with N coefficients each, piece by piece.
+/// A function of two arguments, given by piecewise products of polynomials with N coefficients
+/// each.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Surface<const N: usize> {
-    /// Places where pieces meet, along the first and along the second argument.
+    /// The knots at which pieces meet, along the first and along the second argument.
     pub axes: [Axis; 2],
-    /// Coefficients of each piece, in rows of ascending powers of the first distance, with
-    /// ascending powers of the second one in each. The pieces are in rows along the second
-    /// argument, as many as in a [`Curve`].
+    /// Coefficients of each piece, in rows of ascending powers of the first distance; each row
+    /// contains ascending powers of the second distance. Pieces are arranged in rows along the
+    /// second argument, with the same number as in a [`Curve`].
     pub pieces: &'static [[[f64; N]; N]],
 }
 
 impl<const N: usize> Surface<N> {
-    /// Computes the value; NaN where an argument is.
+    /// Computes the value; NaN if an argument is NaN.
     #[inline]
     pub fn value<S: Number>(&self, x: S, y: S) -> S {
         self.derivative([0, 0], [x, y])
     }
 
-    /// Computes the derivative of an order by each argument; NaN where an argument is.
+    /// Computes the derivative of these orders with respect to the two arguments; NaN if an
+    /// argument is NaN.
     #[inline]
     pub fn derivative<S: Number>(&self, [by_x, by_y]: [usize; 2], [x, y]: [S; 2]) -> S {
         let [along_x, along_y] = &self.axes;
@@ -168,7 +169,7 @@ impl<const N: usize> Surface<N> {
     }
 }
 
-/// The derivative of an order of Σ cᵢ sⁱ with so many coefficients, by Horner's rule.
+/// Computes a derivative of Σ cᵢ sⁱ with this number of coefficients, by Horner's rule.
 #[inline]
 fn polynomial<S: Number>(order: usize, s: S, coefficient: impl Fn(usize) -> S, count: usize) -> S {
     let term = |power: usize| coefficient(power) * S::from_f64(falling(power, order));
@@ -177,7 +178,7 @@ fn polynomial<S: Number>(order: usize, s: S, coefficient: impl Fn(usize) -> S, c
     powers.fold(term(highest), |sum, power| sum.multiply_add(s, term(power)))
 }
 
-/// n (n − 1) … (n − k + 1)
+/// Computes n (n − 1) … (n − k + 1).
 #[inline]
 fn falling(n: usize, k: usize) -> f64 {
     (0..k).map(|i| (n - i) as f64).product()

@@ -7,10 +7,10 @@ use crate::mobility::Mobility;
 use crate::robot::{Shape, Solid};
 use crate::rotation::roll_pitch_yaw;
 
-/// Coefficient of friction on the ground. Files state none.
+/// Coefficient of friction on the ground, which files do not specify.
 const FRICTION: &str = "0.6";
 
-/// A point or the centre of a ball that touches.
+/// A contact point, or the centre of a ball in contact.
 struct Point<'r> {
     name: String,
     link: usize,
@@ -19,8 +19,8 @@ struct Point<'r> {
 }
 
 impl Writer<'_> {
-    /// Friction of joints. That of one which mimics another acts there. With q₂ = −2 q₁, a limit f₂
-    /// on q₂ is 2 f₂ on q₁, as both dissipate f₂ |q̇₂|.
+    /// Writes the friction of joints. The friction of a joint that mimics another one acts on the
+    /// other one. With q₂ = −2 q₁, a limit f₂ on q₂ is 2 f₂ on q₁, since both dissipate f₂ |q̇₂|.
     pub(super) fn friction(&mut self) {
         let robot = self.robot;
         let mut limits = vec![None::<Decimal>; robot.joints.len()];
@@ -45,7 +45,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Spheres and corners of boxes of links that move, on the ground.
+    /// Writes contacts of spheres and of box corners with the ground, for links that move.
     pub(super) fn contacts(&mut self, style: &Style) {
         let robot = self.robot;
         let moving = robot.links.iter().enumerate().filter(|(link, _)| !self.at_rest[*link]);
@@ -81,7 +81,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The centre of a sphere, or the corners of a box.
+    /// Returns the centre of a sphere, or the corners of a box.
     fn points<'s>(&mut self, link: usize, shape: &'s Shape) -> Vec<Point<'s>> {
         let name = &self.links[link];
         if shape.solid == Solid::Sphere {
@@ -105,7 +105,7 @@ impl Writer<'_> {
     }
 }
 
-/// Corners of a box in the axes of the link, X changing fastest.
+/// Returns the corners of a box in the axes of the link, with X changing fastest.
 fn corners(shape: &Shape) -> Vec<[Decimal; 3]> {
     let rotation = roll_pitch_yaw(shape.turned.each_ref().map(Decimal::value));
     let corner = |i: usize| -> [Decimal; 3] {

@@ -7,7 +7,7 @@ use crate::names::{FREE, GROUND, tells};
 use crate::robot::{Joint, Kind};
 use crate::rotation::{Rotation, angle, angles_of, coordinate_axis, direction, from_z_to, transposed};
 
-/// A joint with the identifiers of what it connects.
+/// A joint with the identifiers of the links that it connects.
 pub(super) struct Placed<'r> {
     pub(super) joint: &'r Joint,
     pub(super) parent: String,
@@ -38,7 +38,7 @@ fn turned_by(rotation: Rotation) -> Option<String> {
     turned(&angles_of(rotation).map(Decimal::of))
 }
 
-/// The axis, unless it is z: a coordinate axis where it is along one.
+/// Returns the axis unless it is z, in the simple form of a coordinate axis if it is along one.
 fn axis(placed: &Placed<'_>) -> Option<String> {
     match coordinate_axis(placed.direction()) {
         Some((2, false)) => None,
@@ -56,7 +56,7 @@ impl Writer<'_> {
         self.page.block(&format!("weld {} to {}", placed.parent, placed.child), &placed.frame());
     }
 
-    /// `revolute` or `prismatic`; the name of its coordinate.
+    /// Writes `revolute` or `prismatic`. Returns the name of its coordinate.
     pub(super) fn simple(&mut self, placed: &Placed<'_>) -> String {
         let name = self.identifiers.take(&placed.joint.name, "joint", &["dot"]);
         let word = if placed.joint.kind == Kind::Prismatic { "prismatic" } else { "revolute" };
@@ -78,7 +78,7 @@ impl Writer<'_> {
         name
     }
 
-    /// In the plane across the axis; links have the axes of the joint's frame.
+    /// Writes `planar`, in the plane normal to the axis; links have the axes of the joint's frame.
     pub(super) fn planar(&mut self, placed: &Placed<'_>) {
         let names = self.component_names(placed, ["x", "y", "angle"]);
         self.document(placed.joint);
@@ -97,7 +97,8 @@ impl Writer<'_> {
         self.motion(placed, names.to_vec(), 3);
     }
 
-    /// `free` where the joint's frame is that of the world, otherwise three moves and a ball joint.
+    /// Writes `free` if the joint's frame is that of the world, otherwise three translations and a
+    /// ball joint.
     pub(super) fn floating(&mut self, placed: &Placed<'_>) {
         self.document(placed.joint);
         if placed.parent == GROUND && is_plainly_floating(placed.joint) {
@@ -122,7 +123,7 @@ impl Writer<'_> {
         self.motion(placed, [&moves[..], &orientation].concat(), 6);
     }
 
-    /// A joint whose coordinates are named after it.
+    /// Documents a joint whose coordinates are named after it.
     fn document(&mut self, joint: &Joint) {
         let text = format!("Joint `{}` of the file. {}", plain(&joint.name), words::limits(joint));
         self.page.comment("//", &text);

@@ -1,8 +1,8 @@
-//! Statements as people lay them out.
+//! Layout of statements for human readers.
 
-/// Lines are broken where they would be longer.
+/// Maximum width of a line; longer ones are broken.
 const WIDEST: usize = 120;
-/// Comments are wrapped where they would be longer, as this workspace wraps its own.
+/// Maximum width of a comment; longer ones are wrapped, as in this workspace.
 const WIDEST_COMMENT: usize = 100;
 /// Indentation of every statement.
 const INDENT: &str = "    ";
@@ -18,7 +18,7 @@ impl Page {
         self.lines.push(format!("{INDENT}{text}"));
     }
 
-    /// A comment, on as many lines as it takes.
+    /// Adds a comment, on as many lines as necessary.
     pub(super) fn comment(&mut self, mark: &str, text: &str) {
         let mut line = mark.to_owned();
         for word in text.split_whitespace() {
@@ -31,14 +31,14 @@ impl Page {
         self.line(&line);
     }
 
-    /// An empty line, unless there is one already.
+    /// Adds an empty line, unless the last line is empty.
     pub(super) fn gap(&mut self) {
         if self.lines.last().is_some_and(|line| !line.is_empty()) {
             self.lines.push(String::new());
         }
     }
 
-    /// A statement with properties in braces, on one line if there is room for them.
+    /// Adds a statement with properties in braces, on one line if they fit.
     pub(super) fn block(&mut self, head: &str, properties: &[String]) {
         if properties.is_empty() {
             return self.line(&format!("{head};"));
@@ -52,7 +52,7 @@ impl Page {
         self.line("}");
     }
 
-    /// A property on a line of its own, or two if it is a long list.
+    /// Adds a property on a separate line, or on two lines if it is a long list.
     fn property(&mut self, property: &str) {
         let line = format!("{INDENT}{property}");
         let commas = line.match_indices(", ").map(|(index, _)| index + 1).collect::<Vec<_>>();
@@ -66,7 +66,7 @@ impl Page {
         }
     }
 
-    /// A statement of several parts with commas between them.
+    /// Adds a statement of several parts, separated by commas.
     pub(super) fn list(&mut self, head: &str, parts: &[String]) {
         let mut line = head.to_owned();
         for (i, part) in parts.iter().enumerate() {
@@ -80,7 +80,7 @@ impl Page {
         self.line(&line);
     }
 
-    /// All lines, without empty ones at the end.
+    /// Returns all lines, without empty ones at the end.
     pub(super) fn text(mut self) -> String {
         while self.lines.last().is_some_and(String::is_empty) {
             self.lines.pop();
@@ -89,7 +89,7 @@ impl Page {
     }
 }
 
-/// `(x, y, z)`
+/// Formats a vector as `(x, y, z)`.
 pub(super) fn vector<T: ToString>(components: impl IntoIterator<Item = T>) -> String {
     let components = components.into_iter().map(|component| component.to_string()).collect::<Vec<_>>();
     format!("({})", components.join(", "))

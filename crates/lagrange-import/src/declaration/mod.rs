@@ -1,8 +1,8 @@
-//! Robots as declarations, to be read and edited.
+//! Declarations of robots, for reading and editing.
 //!
-//! The order is that of the tree: a link, then the joint that places it. The printer of the
-//! language has no comments and one line for each statement, so the text is laid out here
-//! ([`layout`]). The caller checks that it is parsed as intended.
+//! The order follows the tree: each link precedes the joint that places it. The printer of the
+//! language supports no comments and writes one line per statement, so this module has its own
+//! [`layout`]. The caller checks that the text is parsed as intended.
 
 mod contacts;
 mod joints;
@@ -22,22 +22,22 @@ pub(crate) struct Style {
     pub(crate) name: String,
     /// True if the base moves freely.
     pub(crate) is_free: bool,
-    /// True if each coordinate gets an input that is a force on it.
+    /// True if each coordinate gets an input that acts as a force on it.
     pub(crate) has_inputs: bool,
     /// True if limits of joints become stops, and limits of efforts clamp inputs.
     pub(crate) has_limits: bool,
     /// True if joints have their dry friction.
     pub(crate) has_friction: bool,
-    /// True if spheres that collide touch the ground.
+    /// True if collision spheres touch the ground.
     pub(crate) has_contacts: bool,
-    /// Links of which corners of boxes that collide do.
+    /// Links whose corners of collision boxes touch the ground.
     pub(crate) cornered: Vec<usize>,
 }
 
 /// A moving part: a joint, or the base.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Motion {
-    /// The name of the joint in the file; `None` of a base that moves freely.
+    /// The name of the joint in the file; `None` for a base that moves freely.
     pub joint: Option<String>,
     /// Names of its positions in the state.
     pub positions: Vec<String>,
@@ -48,30 +48,30 @@ pub struct Motion {
 /// A declaration.
 #[derive(Default)]
 pub(crate) struct Declared {
-    /// With the macro around it.
+    /// The declaration, including the macro.
     pub(crate) text: String,
     /// Statements within the macro.
     pub(crate) statements: String,
     pub(crate) motions: Vec<Motion>,
     /// Joints whose limits leave no range.
     pub(crate) rangeless: Vec<usize>,
-    /// Links of which something that collides keeps its height.
+    /// Links with a collision shape that stays at a constant height.
     pub(crate) level: Vec<usize>,
     /// Number of events and dry frictions.
     pub(crate) event_count: usize,
 }
 
-/// Statements so far, and the names in them.
+/// The statements written so far, and their names.
 struct Writer<'r> {
     robot: &'r Robot,
     page: Page,
     identifiers: Identifiers,
-    /// Identifiers of links, [`GROUND`] among them.
+    /// Identifiers of links, including [`GROUND`].
     links: Vec<String>,
-    /// Coordinates of joints that have a single one.
+    /// Coordinates of joints with a single coordinate.
     coordinates: Vec<Option<String>>,
     declared: Declared,
-    /// For each link, whether it never moves.
+    /// True for each link that never moves.
     at_rest: Vec<bool>,
 }
 
@@ -133,7 +133,7 @@ impl<'r> Writer<'r> {
         self.page.gap();
     }
 
-    /// The link that no joint places.
+    /// Writes the link that no joint places.
     fn base(&mut self, style: &Style) {
         let (root, name) = (self.robot.root, self.links[self.robot.root].clone());
         if name == GROUND {
@@ -148,7 +148,7 @@ impl<'r> Writer<'r> {
         self.declared.motions.push(free_motion(None, &name));
     }
 
-    /// A link, and the joint that places it.
+    /// Writes a link, and the joint that places it.
     fn placed_by(&mut self, index: usize, joint: &'r Joint) {
         self.link(joint.child);
         let placed = Placed {
@@ -169,7 +169,7 @@ impl<'r> Writer<'r> {
         }
     }
 
-    /// `body` or `frame`; one at rest without its inertia if no body has it.
+    /// Writes `body` or `frame`. A link at rest with impossible inertia becomes a frame.
     fn link(&mut self, index: usize) {
         let (link, name) = (&self.robot.links[index], self.links[index].clone());
         if !tells(&name, &link.name) {
@@ -209,8 +209,8 @@ impl<'r> Writer<'r> {
         self.page.block(&format!("body {name}"), &properties);
     }
 
-    /// Moments as parameters: numbers that no body has are an error, defaults of parameters a
-    /// warning.
+    /// Declares moments of inertia as parameters. Impossible numbers are an error, but impossible
+    /// defaults of parameters are only a warning.
     fn impossible_moments(&mut self, link: &Link, name: &str, moments: &[String]) -> Vec<String> {
         let names =
             ["xx", "yy", "zz"].map(|axes| self.identifiers.take(&format!("{name}_{axes}"), "inertia", &[]));
@@ -223,7 +223,7 @@ impl<'r> Writer<'r> {
         names.to_vec()
     }
 
-    /// Coordinates that follow others.
+    /// Writes the constraints of coordinates that follow others.
     fn mimics(&mut self) {
         let robot = self.robot;
         self.page.gap();
@@ -239,8 +239,8 @@ impl<'r> Writer<'r> {
         }
     }
 
-    /// Motors at all coordinates that do not follow others. They give no more than their efforts if
-    /// these limit them.
+    /// Writes motors for all coordinates that do not follow others. If requested, efforts limit
+    /// their forces.
     fn inputs(&mut self, are_limited: bool) {
         let joints = self.robot.joints.iter().zip(self.coordinates.clone());
         let driven = joints
@@ -284,13 +284,12 @@ fn free_motion(joint: Option<&str>, name: &str) -> Motion {
     Motion { joint: joint.map(str::to_owned), positions: positions.to_vec(), velocities: 6 }
 }
 
-/// True if a joint puts no frame of its own between what carries it and a link that moves in any
-/// way.
+/// True if a floating joint places a link without a displaced or rotated frame of its own.
 fn is_plainly_floating(joint: &Joint) -> bool {
     joint.kind == Kind::Floating && joint.at.iter().chain(&joint.turned).all(Decimal::is_zero)
 }
 
-/// A name of a file in a comment: on one line, and with escapes for what cannot be seen.
+/// Returns a name of the file for a comment: on one line, with escapes for invisible characters.
 fn plain(name: &str) -> String {
     let mut plain = String::new();
     for character in name.split_whitespace().collect::<Vec<_>>().join(" ").chars() {
@@ -303,8 +302,8 @@ fn plain(name: &str) -> String {
     plain
 }
 
-/// True of characters that show nothing or change how others are shown, of which the compiler
-/// refuses some in comments.
+/// True for characters that are invisible or change the display of others; the compiler rejects
+/// some of them in comments.
 fn is_invisible(character: char) -> bool {
     character.is_control()
         || matches!(

@@ -1,14 +1,14 @@
 //! Limits of joints as stops: contacts of a coordinate with the ends of its range.
 //!
-//! A joint that follows another has its stops there. With q₂ = −2 q₁ + 0.1 and 0 ≤ q₂ ≤ 1, the
-//! leader has −0.45 ≤ q₁ ≤ 0.05, and from its own limits and these the tighter ones.
+//! The stops of a joint that follows another one act on the leader. With q₂ = −2 q₁ + 0.1 and 0 ≤
+//! q₂ ≤ 1, the leader has −0.45 ≤ q₁ ≤ 0.05. The tighter of these limits and its own ones apply.
 
 use super::Writer;
 use crate::decimal::Decimal;
 use crate::robot::{Following, Joint};
 
-/// A limit of a follower this close to that of its leader, relative to the larger of it and one, is
-/// the same.
+/// Difference up to which limits of a follower and of its leader are the same, relative to the
+/// larger of the limit and one.
 const SAME: f64 = 1e-9;
 
 /// Limits of a coordinate.
@@ -39,13 +39,13 @@ impl Range {
         if *factor < 0.0 { Range { lower: upper, upper: lower } } else { Range { lower, upper } }
     }
 
-    /// Takes limits that are tighter.
+    /// Replaces limits with tighter ones.
     fn narrow(&mut self, other: Range) {
         tighten(&mut self.lower, other.lower, 1.0);
         tighten(&mut self.upper, other.upper, -1.0);
     }
 
-    /// Returns zero if that is within the limits, otherwise their middle.
+    /// Returns zero if it is within the limits, otherwise their middle.
     fn start(&self) -> f64 {
         let [lower, upper] = [&self.lower, &self.upper].map(|limit| limit.as_ref().map(Decimal::value));
         let is_outside = lower.is_some_and(|lower| lower > 0.0) || upper.is_some_and(|upper| upper < 0.0);
@@ -57,7 +57,7 @@ impl Range {
     }
 }
 
-/// Replaces a limit by another that exceeds it in the direction of the sign.
+/// Replaces a limit with another one that exceeds it in the direction of the sign.
 fn tighten(limit: &mut Option<Decimal>, other: Option<Decimal>, sign: f64) {
     let exceeds = |other: &Decimal| {
         limit
@@ -70,7 +70,7 @@ fn tighten(limit: &mut Option<Decimal>, other: Option<Decimal>, sign: f64) {
 }
 
 impl Writer<'_> {
-    /// Stops without restitution, and a start between them if zero is not.
+    /// Writes stops without restitution, and a start between them if they exclude zero.
     pub(super) fn stops(&mut self) {
         let robot = self.robot;
         let coordinates = self.coordinates.clone();

@@ -5,7 +5,8 @@ use crate::decimal::Decimal;
 use crate::robot::{Joint, Kind, Limit, Shape, Solid};
 use crate::rotation::angle;
 
-/// Units of a coordinate, of the force on it and of its rate, where there is a single one.
+/// Returns the units of a coordinate, of the force on it and of its rate; empty for several
+/// coordinates.
 fn units(kind: Kind) -> [&'static str; 3] {
     match kind {
         Kind::Revolute => [" rad", " N m", " rad/s"],
@@ -14,8 +15,8 @@ fn units(kind: Kind) -> [&'static str; 3] {
     }
 }
 
-/// Returns a sentence about the limits in the file, which have no part in the equations; empty if
-/// there are none.
+/// Returns a sentence about limits in the file that do not affect the equations; empty if there are
+/// none.
 pub(super) fn limits(joint: &Joint) -> String {
     let Limit { lower, upper, effort, velocity } = &joint.limit;
     let [unit, force, rate] = units(joint.kind);
@@ -45,8 +46,8 @@ pub(super) fn visual(shapes: &[Shape]) -> Option<String> {
     (!parts.is_empty()).then(|| format!("visual {{ {} }}", parts.join(" ")))
 }
 
-/// Primitives that have no part in the declaration, as comments: those that are collided with and,
-/// without a body, those that are seen.
+/// Returns comments about primitives that do not become part of the declaration: collision shapes
+/// and, without a body, visual shapes.
 pub(super) fn shapes(shapes: &[Shape], has_body: bool) -> Vec<String> {
     let of = |is_visual: bool| {
         let shapes = shapes.iter().filter(move |shape| shape.is_visual == is_visual);
@@ -65,7 +66,8 @@ pub(super) fn shapes(shapes: &[Shape], has_body: bool) -> Vec<String> {
     named.map(|(name, list)| format!("{name}: {}.", list.join(", "))).collect()
 }
 
-/// A primitive with its place, as far as that is not the origin, behind these words.
+/// Returns a primitive with its place. Position and orientation follow these words and are omitted
+/// if zero.
 fn placed(shape: &Shape, [at, turned]: [&str; 2]) -> String {
     let given = |word: &str, triple: &[Decimal; 3], text: String| match triple.iter().all(Decimal::is_zero) {
         true => String::new(),

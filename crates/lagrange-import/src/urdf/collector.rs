@@ -1,18 +1,17 @@
-//! Mistakes while a file is read: kept by their place in the text, and given lines and columns all
-//! at once.
+//! Mistakes found while reading a file. They are stored with their offsets in the text; lines and
+//! columns are determined for all of them at once.
 //!
-//! Counting lines from the start of the text for each mistake would take time that grows with the
-//! square of their number.
+//! Counting from the start of the text for each mistake would take quadratic time.
 
 use std::collections::HashMap;
 
 use super::messages;
 use crate::mistakes::Mistake;
 
-/// A file that is read, and its mistakes so far.
+/// A file that is being read, and its mistakes so far.
 pub(super) struct Source<'d> {
     text: &'d str,
-    /// Places at which lines begin.
+    /// Offsets at which lines begin.
     lines: Vec<usize>,
     found: Vec<(usize, Mistake)>,
 }
@@ -23,13 +22,13 @@ impl<'d> Source<'d> {
         Source { text, lines: [0].into_iter().chain(behind).collect(), found: Vec::new() }
     }
 
-    /// The line of a place, from one.
+    /// Returns the line of an offset, counted from one.
     pub(super) fn line(&self, place: usize) -> u32 {
         let before = self.lines.partition_point(|start| *start <= place);
         u32::try_from(before).unwrap_or(u32::MAX)
     }
 
-    /// Adds an error at a place, whose element is described in words.
+    /// Adds an error at a place, which includes a description of the element.
     pub(super) fn error_at(&mut self, place: (usize, String), message: impl Into<String>) -> &mut Mistake {
         self.add(place, message.into(), true)
     }
@@ -39,7 +38,7 @@ impl<'d> Source<'d> {
     }
 
     fn add(&mut self, (place, element): (usize, String), message: String, is_error: bool) -> &mut Mistake {
-        // The column is found when all mistakes are known.
+        // The column is determined once all mistakes are known.
         let line = self.line(place);
         let mistake = Mistake { line, column: 1, element, message, help: None, is_error };
         let last = self.found.len();
@@ -51,8 +50,8 @@ impl<'d> Source<'d> {
         self.found.iter().filter(|(_, mistake)| mistake.is_error).count()
     }
 
-    /// Mistakes and warnings from the first place to the last. Equal warnings about elements of one
-    /// tag are merged.
+    /// Returns mistakes and warnings in the order of the text. Equal warnings about elements with
+    /// the same tag are merged.
     pub(super) fn into_mistakes(mut self) -> Vec<Mistake> {
         self.found.sort_by_key(|(place, _)| *place);
         self.count_columns();
@@ -75,7 +74,7 @@ impl<'d> Source<'d> {
         counted.collect()
     }
 
-    /// Counts the characters before each mistake in its line, from the mistake before it on.
+    /// Counts the characters before each mistake in its line, starting at the previous mistake.
     fn count_columns(&mut self) {
         let (mut last, mut column) = (0, 1);
         for (place, mistake) in &mut self.found {
@@ -91,7 +90,8 @@ impl<'d> Source<'d> {
     }
 }
 
-/// The last part of an element in words, without names: `<axis>` of `joint "elbow", <axis>`.
+/// Returns the last part of the description of an element, without names: `<axis>` for `joint
+/// "elbow", <axis>`.
 fn tag(mistake: &Mistake) -> &str {
     let last = mistake.element.rsplit(", ").next().unwrap_or_default();
     if last.starts_with('<') { last } else { last.split(' ').next().unwrap_or_default() }

@@ -1,4 +1,4 @@
-//! Inertia of a whole robot: tensors that no body has, and links that nothing resists.
+//! Inertia of a whole robot: impossible tensors, and links without inertia.
 
 use lagrange_core::diagnostics::{Report, Severity};
 
@@ -7,7 +7,7 @@ use super::{Options, messages};
 use crate::mistakes::Mistake;
 use crate::robot::{Link, Robot};
 
-/// Inertia of links that are fixed to the ground has no effect.
+/// Reports impossible tensors. Inertia of links that are fixed to the ground has no effect.
 pub(super) fn report_impossible(source: &mut Source<'_>, robot: &Robot, options: &Options) {
     let fixed = robot.fixed_in_root();
     for (link, is_fixed) in robot.links.iter().zip(fixed) {

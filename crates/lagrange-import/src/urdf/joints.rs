@@ -1,4 +1,4 @@
-//! Joints: their places, motions and limits.
+//! Joints: their frames, kinds and limits.
 
 use lagrange_core::diagnostics::nearest;
 use roxmltree::Node;
@@ -9,10 +9,10 @@ use super::source::attribute_of;
 use crate::decimal::Decimal;
 use crate::robot::{KINDS, Kind, Limit};
 
-/// Lengths of an axis from this on are not what is left of numbers that cancel.
+/// Minimum length of an axis. Shorter ones are attributed to cancellation.
 const SHORTEST_AXIS: f64 = 1e-6;
 
-/// A joint whose links and whose leader are still names.
+/// A joint with links and leader given by names.
 pub(super) struct NamedJoint<'a> {
     pub(super) name: &'a str,
     pub(super) kind: Kind,
@@ -28,7 +28,7 @@ pub(super) struct NamedJoint<'a> {
     pub(super) place: usize,
 }
 
-/// A name and where it stands, with the element in words.
+/// A name with its place, and the description of its element.
 pub(super) struct NameAt<'a> {
     pub(super) name: &'a str,
     pub(super) place: (usize, String),
@@ -40,10 +40,10 @@ pub(super) struct NamedMimic<'a> {
     pub(super) offset: Decimal,
 }
 
-/// Elements of a joint for other programs.
+/// Elements of a joint that are intended for other programs.
 const LEFT_OUT: [&str; 2] = ["calibration", "safety_controller"];
 
-/// `None` if nothing says what it connects.
+/// Reads a joint; `None` if the file does not specify the links that it connects.
 pub(super) fn joint<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Option<NamedJoint<'a>> {
     let known = ["origin", "parent", "child", "axis", "limit", "dynamics", "mimic", LEFT_OUT[0], LEFT_OUT[1]];
     source.allow_only(node, &["name", "type"], &known);
@@ -63,7 +63,7 @@ pub(super) fn joint<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Opti
     Some(NamedJoint { name, kind, parent, child, at, turned, axis, limit, damping, friction, mimic, place })
 }
 
-/// Anything after a mistake.
+/// Reads the kind of a joint; `Fixed` after a mistake.
 fn kind<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Kind {
     let Some(word) = source.text(node, "type") else { return Kind::Fixed };
     if let Some((_, kind)) = KINDS.into_iter().find(|(known, _)| *known == word) {
@@ -85,7 +85,7 @@ fn name_at<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>, attribute: &str)
     Some(NameAt { name, place: (node.range().start, super::source::described(node)) })
 }
 
-/// x if nothing says it.
+/// Reads the axis; x by default.
 fn axis<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> [Decimal; 3] {
     let x = || [Decimal::of(1.0), Decimal::zero(), Decimal::zero()];
     let Some(child) = source.child(node, "axis") else { return x() };
@@ -111,7 +111,7 @@ fn limit<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Limit {
             source.warning(child, messages::CONTINUOUS_LIMITS);
             (limit.lower, limit.upper) = (None, None);
         }
-        // One without the other: its default is zero.
+        // If only one is specified, the other defaults to zero.
         Some("revolute" | "prismatic") if limit.lower.is_some() != limit.upper.is_some() => {
             limit.lower.get_or_insert_with(Decimal::zero);
             limit.upper.get_or_insert_with(Decimal::zero);
@@ -126,7 +126,7 @@ fn limit<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Limit {
     limit
 }
 
-/// Damping and dry friction, where they are not zero.
+/// Reads damping and dry friction, unless they are zero.
 fn dynamics<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> (Option<Decimal>, Option<Decimal>) {
     let Some(child) = source.child(node, "dynamics") else { return (None, None) };
     source.allow_only(child, &["damping", "friction"], &[]);

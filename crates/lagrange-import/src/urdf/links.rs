@@ -1,4 +1,4 @@
-//! Links: mass, its distribution, and shapes for pictures.
+//! Links: mass, its distribution, and shapes.
 
 use lagrange_core::elaborate::is_physical;
 use roxmltree::Node;
@@ -11,10 +11,10 @@ use crate::robot::{Inertial, Link, Shape, Solid};
 use crate::rotation::{roll_pitch_yaw, turned_tensor};
 
 const ENTRIES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
-/// Entries of a tensor below this, for each kilogram, belong to distances of a nanometre: what is
-/// left of numbers that cancel.
+/// Smallest entry of a tensor per kilogram. Smaller ones correspond to distances of a nanometre and
+/// are attributed to cancellation.
 const NEGLIGIBLE: f64 = 1e-18;
-/// Solids with the attributes of their dimensions.
+/// Solids with the attributes that specify their dimensions.
 const SOLIDS: [(&str, &[&str], Solid); 3] = [
     ("box", &["size"], Solid::Box),
     ("cylinder", &["radius", "length"], Solid::Cylinder),
@@ -32,7 +32,7 @@ pub(super) fn link<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Link {
     link
 }
 
-/// `None` of a link without mass, or after a mistake.
+/// Reads the inertia; `None` for a massless link, or after a mistake.
 fn inertial<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Inertial> {
     source.allow_only(node, &[], &["origin", "mass", "inertia"]);
     let [centroid, turned] = source.origin(node);
@@ -64,7 +64,7 @@ fn inertial<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Inertial>
     Some(Inertial { mass, centroid, tensor, is_physical, place: inertia.range().start })
 }
 
-/// A primitive; nothing of a mesh.
+/// Reads a primitive; `None` for a mesh.
 fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
     source.allow_only(node, &["name", "group"], &["origin", "geometry", "material"]);
     let [at, turned] = source.origin(node);
@@ -85,7 +85,7 @@ fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
     Some(Shape { is_visual: node.tag_name().name() == "visual", solid, dimensions, at, turned })
 }
 
-/// Positive numbers, in the order of the attributes.
+/// Reads dimensions that must not be negative, in the order of the attributes.
 fn dimensions<'d>(source: &mut Source<'d>, solid: Node<'_, 'd>, attributes: &[&str]) -> Option<Vec<Decimal>> {
     let mut dimensions = Vec::new();
     for &attribute in attributes {

@@ -82,15 +82,16 @@ messages! {
     not_accepted(report) = "the imported declaration is rejected: {report}";
 }
 
-/// Characters of a name or a number of the file that a message repeats at most.
+/// Maximum number of characters of a name or a number that a message quotes.
 const MAX_QUOTED: usize = 60;
 
-/// Text of the file in quotation marks: shortened, and with escapes for what cannot be seen.
+/// Returns text of the file in quotation marks: shortened, and with escapes for invisible
+/// characters.
 fn quoted(text: impl Display) -> String {
     format!("{:?}", shortened(text))
 }
 
-/// The beginning of a text of the file.
+/// Returns the beginning of a text of the file.
 pub(super) fn shortened(text: impl Display) -> String {
     let text = text.to_string();
     match text.char_indices().nth(MAX_QUOTED) {

@@ -35,42 +35,42 @@
 //! ");
 //! ```
 //!
-//! # What becomes of a file
+//! # Conversion of a file
 //!
 //! | in the file | in the declaration |
 //! |---|---|
-//! | names | identifiers in small letters; the name of a joint is that of its coordinate. Where a name is taken, or a word of the language, `_link` or `_joint` is put to it |
-//! | numbers | as they are, written short |
-//! | the link that no joint places | `weld ground to base;`, or `free base;` with [`Options::is_free`]; without mass it is the ground |
-//! | `<inertial>` | a `body`, its tensor in the axes of the link; a link without mass is a `frame` |
+//! | names | lower-case identifiers; the name of a joint becomes that of its coordinate. If a name is in use, or is a word of the language, `_link` or `_joint` is appended |
+//! | numbers | unchanged, in short form |
+//! | the link that no joint places | `weld ground to base;`, or `free base;` with [`Options::is_free`]; if it has no mass, it becomes the ground |
+//! | `<inertial>` | a `body` with its tensor in the axes of the link; a massless link becomes a `frame` |
 //! | `revolute`, `continuous`, `prismatic` | the joints of the language with these coordinates |
-//! | `planar` | `planar` with the coordinates `NAME_x`, `NAME_y`, `NAME_angle` in the plane across the axis: x, y and z of the joint's frame after the smallest turn that takes z to the axis |
-//! | `floating` | `free` if that is the same, otherwise three `prismatic` joints `NAME_x`, `NAME_y`, `NAME_z` and a `ball` joint `NAME` |
+//! | `planar` | `planar` with the coordinates `NAME_x`, `NAME_y`, `NAME_angle` in the plane normal to the axis: x, y and z of the joint's frame after the smallest rotation that maps z to the axis |
+//! | `floating` | `free` if equivalent, otherwise three `prismatic` joints `NAME_x`, `NAME_y`, `NAME_z` and a `ball` joint `NAME` |
 //! | `fixed` | `weld` |
-//! | orientations, as `rpy` or as `quat_xyzw` of any length | `turned`; angles within 1e-9 of quarter turns are fractions of `pi`. Entries of rotations within 1e-9 of 0, 1 and −1 are these numbers where all of their row or column are |
-//! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate. `lower` and `upper` are zero if only the other one is given; continuous joints have none |
-//! | `lower` and `upper`, with [`Options::has_limits`] | `event NAME_lower = q - lower, falling => impact(0);`, and a `start` between them if zero is not. Joints that mimic others have their stops there, as far as they are tighter |
-//! | `effort`, with [`Options::has_limits`] and [`Options::has_inputs`] | bounds of the input within the force |
+//! | orientations, as `rpy` or as `quat_xyzw` of any length | `turned`; angles within 1e-9 of quarter turns are fractions of `pi`. Entries of rotations within 1e-9 of 0, 1 and −1 are rounded to these numbers if this applies to their whole row or column |
+//! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate. `lower` and `upper` default to zero if only the other one is specified; continuous joints have none |
+//! | `lower` and `upper`, with [`Options::has_limits`] | `event NAME_lower = q - lower, falling => impact(0);`, and a `start` between them if they exclude zero. Stops of joints that mimic others act on the other joint if they are tighter |
+//! | `effort`, with [`Options::has_limits`] and [`Options::has_inputs`] | bounds on the input in the expression of the force |
 //! | friction of `<dynamics>`, with [`Options::has_friction`] | `friction NAME_friction = dot(q), value;` |
 //! | spheres of `<collision>`, with [`Options::has_contacts`] | `contact LINK_touch = link.point(x, y, z) on ground { friction: mu; radius: r; }`, with a parameter for the coefficient of friction |
-//! | boxes of `<collision>` of the links in [`Options::corners`] | `contact LINK_corner[0] = link.point(x, y, z) on ground { friction: mu; }`, and seven more |
+//! | boxes of `<collision>` of the links in [`Options::corners`] | `contact LINK_corner[0] = link.point(x, y, z) on ground { friction: mu; }`, and seven others |
 //! | other boxes, cylinders and meshes of `<collision>`, with [`Options::has_contacts`] | a warning |
 //! | damping of `<dynamics>` | `damping` |
 //! | `<mimic>` | a constraint between the two coordinates |
-//! | boxes, cylinders and spheres of `<visual>` and `<collision>` | `visual` of a body, which is what pictures show of it; what is collided with, and what is seen of a link without mass, are comments. Meshes are left out |
-//! | `<material>`, `<transmission>`, `<gazebo>`, `<sensor>`, `<ros2_control>`, `<calibration>`, `<safety_controller>` | left out |
+//! | boxes, cylinders and spheres of `<visual>` and `<collision>` | `visual` of a body, its appearance in pictures; collision shapes, and visual shapes of a massless link, become comments. Meshes are omitted |
+//! | `<material>`, `<transmission>`, `<gazebo>`, `<sensor>`, `<ros2_control>`, `<calibration>`, `<safety_controller>` | omitted |
 //!
 //! Anything else is ignored with a warning, unless ignoring it may change the motion. Unknown
-//! attributes of origins, axes, masses and inertia, and such elements that are misplaced or
-//! misspelt, are errors. Elements and attributes of other namespaces, such as `<drake:joint>`, are
-//! for other programs: they are ignored, with one warning for each prefix.
+//! attributes of origins, axes, masses and inertia are errors, and so are misplaced or misspelt
+//! elements of this kind. Elements and attributes of other namespaces, such as `<drake:joint>`, are
+//! intended for other programs. They are ignored, with one warning for each prefix.
 //!
 //! A joint that moves no mass would have no equation of motion: it is held at zero, with a warning.
-//! A link that can move without inertia otherwise, such as a free base without mass on which one
-//! joint turns, is a mistake.
+//! Any other link that can move without inertia is a mistake, such as a massless free base that
+//! carries a single revolute joint.
 //!
-//! Mistakes are collected, each with its line and element: nothing is written then.
-//! [`listing`](crate::listing) shows the first of them. Characters of names that cannot be seen, or
+//! Mistakes are collected, each with its line and element; nothing is written if there are any.
+//! [`listing`](crate::listing) shows the first of them. Invisible characters in names, and those
 //! that change the direction of text, are written as escapes.
 
 mod collector;
@@ -96,34 +96,34 @@ use source::{attribute_of, tagged};
 
 pub use crate::declaration::Motion;
 
-/// The options of an import.
+/// Options of an import.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Name of the struct; by default it follows from the robot's.
+    /// Name of the struct; by default it is derived from the name of the robot.
     pub name: Option<String>,
     /// True if the base moves freely instead of being fixed to the ground.
     pub is_free: bool,
-    /// True if each coordinate gets an input that is a force on it, as of a motor.
+    /// True if each coordinate gets an input that acts as a force on it, like a motor.
     pub has_inputs: bool,
-    /// True if limits of joints become stops, contacts of the coordinate without restitution. With
-    /// inputs, limits of efforts clamp these.
+    /// True if limits of joints become stops, contacts of the coordinate without restitution. If
+    /// there are inputs, limits of efforts clamp them.
     pub has_limits: bool,
     /// True if dry friction of joints becomes `friction`.
     pub has_friction: bool,
-    /// True if spheres that collide become contacts with the ground.
+    /// True if collision spheres become contacts with the ground.
     pub has_contacts: bool,
-    /// Names of links in the file. The corners of the boxes that they collide as become contacts
-    /// with the ground.
+    /// Names of links in the file. The corners of their collision boxes become contacts with the
+    /// ground.
     pub corners: Vec<String>,
-    /// True if inertia that no body has becomes parameters, of which the compiler warns, instead of
-    /// a mistake.
+    /// True if impossible inertia becomes parameters, about which the compiler warns, instead of a
+    /// mistake.
     pub trusts_inertia: bool,
 }
 
 /// A declaration from a file.
 #[derive(Clone, Debug)]
 pub struct Import {
-    /// The declaration as a person would write it.
+    /// The declaration, formatted for reading.
     pub declaration: String,
     /// Moving parts, in the order of the state.
     pub motions: Vec<Motion>,
@@ -134,7 +134,7 @@ pub struct Import {
 /// Writes the declaration of the robot in a URDF file.
 ///
 /// # Errors
-/// Everything that is wrong with the file, with the warnings.
+/// If the file has mistakes; warnings are included.
 pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     let document = Document::parse(text).map_err(|error| vec![malformed(&error)])?;
     let mut source = Source::new(text);
@@ -154,7 +154,7 @@ pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     let declared = declaration(&robot, &style);
     wishes::report_written(&mut source, &robot, &declared);
     let Declared { text, statements, motions, .. } = declared;
-    // What is written is read once, so that nobody is handed what the language refuses.
+    // The result is parsed, so that a declaration that the language rejects is never returned.
     let without_moment = robot.first_without_moment(options.is_free);
     if source.error_count() == 0
         && let Err(report) = accepted(&statements, without_moment.is_some())
@@ -169,8 +169,8 @@ pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     if is_accepted { Ok(Import { declaration: text, motions, warnings: mistakes }) } else { Err(mistakes) }
 }
 
-/// Reads statements, and derives the equations of motion where a link may move without inertia,
-/// which only they show.
+/// Parses statements. If a link may move without inertia, the equations of motion are derived, too,
+/// since only they reveal it.
 fn accepted(statements: &str, is_doubtful: bool) -> Result<(), Report> {
     let system = parse(statements)?;
     if is_doubtful { system.derive(StrategyChoice::Cheapest).map(drop) } else { Ok(()) }
@@ -186,7 +186,7 @@ fn malformed(error: &roxmltree::Error) -> Mistake {
     Mistake { line, column, element: String::new(), message: error.to_string(), help, is_error: true }
 }
 
-/// `None` after a mistake.
+/// Reads the robot; `None` after a mistake.
 fn robot<'d>(source: &mut Source<'d>, root: Node<'_, 'd>, options: &Options) -> Option<Robot> {
     if !root.has_tag_name("robot") {
         source.error(root, messages::NOT_A_ROBOT);
@@ -218,7 +218,7 @@ fn robot<'d>(source: &mut Source<'d>, root: Node<'_, 'd>, options: &Options) -> 
     (source.error_count() == 0).then_some(robot)
 }
 
-/// Elements mean other things in versions to come.
+/// Checks the version, since elements may have other meanings in future versions.
 fn check_version<'d>(source: &mut Source<'d>, root: Node<'_, 'd>) {
     let Some(version) = attribute_of(root, "version") else { return };
     if !["1", "1.0", "1.1", "1.2"].contains(&version.trim()) {
@@ -226,5 +226,5 @@ fn check_version<'d>(source: &mut Source<'d>, root: Node<'_, 'd>) {
     }
 }
 
-/// Elements of a robot; from the third on, they do not concern motion.
+/// Known elements of a robot; those from the third on do not affect motion.
 const KNOWN: [&str; 7] = ["link", "joint", "material", "transmission", "gazebo", "sensor", "ros2_control"];

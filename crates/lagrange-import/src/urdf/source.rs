@@ -9,12 +9,11 @@ use crate::decimal::Decimal;
 use crate::mistakes::Mistake;
 use crate::rotation::{angles_of, from_quaternion};
 
-/// Elements that say how a robot moves. At another place, or misspelt, they are not passed over.
+/// Elements that determine the motion of a robot. They are not ignored if misplaced or misspelt.
 const MECHANICAL: [&str; 11] = [
     "link", "joint", "inertial", "origin", "mass", "inertia", "parent", "child", "axis", "mimic", "dynamics",
 ];
-/// Elements whose attributes must all be known. Other programs add attributes to joints and their
-/// dynamics.
+/// Elements without unknown attributes. Other programs add attributes to joints and their dynamics.
 const EXACT: [&str; 7] = ["origin", "mass", "inertia", "parent", "child", "axis", "mimic"];
 
 impl<'d> Source<'d> {
@@ -31,7 +30,7 @@ impl<'d> Source<'d> {
         self.error_at((written.unwrap_or(node.range().start), described(node)), message)
     }
 
-    /// The child of that tag; a second one is a mistake.
+    /// Returns the child with this tag; a second one is a mistake.
     pub(super) fn child<'a>(&mut self, node: Node<'a, 'd>, tag: &str) -> Option<Node<'a, 'd>> {
         let mut children = tagged(node, tag);
         let first = children.next();
@@ -77,7 +76,7 @@ impl<'d> Source<'d> {
         number
     }
 
-    /// Three numbers, or four; `None` if there is no such attribute, or after a mistake.
+    /// Reads three or four numbers; `None` without the attribute, or after a mistake.
     pub(super) fn numbers<const N: usize>(
         &mut self,
         node: Node<'_, 'd>,
@@ -100,7 +99,8 @@ impl<'d> Source<'d> {
         numbers.try_into().ok()
     }
 
-    /// Place and orientation of an `<origin>`, the latter by roll, pitch and yaw: zero without one.
+    /// Reads position and orientation of an `<origin>`, the latter as roll, pitch and yaw; zero by
+    /// default.
     pub(super) fn origin(&mut self, node: Node<'_, 'd>) -> [[Decimal; 3]; 2] {
         let zero = || [Decimal::zero(), Decimal::zero(), Decimal::zero()];
         let Some(origin) = self.child(node, "origin") else { return [zero(), zero()] };
@@ -116,7 +116,7 @@ impl<'d> Source<'d> {
         [self.numbers(origin, "xyz").unwrap_or_else(zero), turned.unwrap_or_else(zero)]
     }
 
-    /// Roll, pitch and yaw of a quaternion of any length, its real part last.
+    /// Reads a quaternion of any length, real part last, as roll, pitch and yaw.
     fn quaternion(&mut self, node: Node<'_, 'd>, attribute: &str) -> Option<[Decimal; 3]> {
         let components = self.numbers::<4>(node, attribute)?;
         let rotation = from_quaternion(components.each_ref().map(Decimal::value));
@@ -127,7 +127,7 @@ impl<'d> Source<'d> {
         Some(angles_of(rotation?).map(Decimal::of))
     }
 
-    /// Warns of attributes and elements that are none of these. Those that may change the motion
+    /// Warns about attributes and elements that are not listed. Those that may change the motion
     /// are errors.
     pub(super) fn allow_only(&mut self, node: Node<'_, 'd>, attributes: &[&str], elements: &[&str]) {
         self.report_foreign(node);
@@ -170,7 +170,8 @@ impl<'d> Source<'d> {
         }
     }
 
-    /// Warns of attributes and elements of other namespaces, once for each prefix.
+    /// Warns about attributes and elements of other namespaces. Warnings of the same prefix are
+    /// later merged.
     fn report_foreign(&mut self, node: Node<'_, 'd>) {
         let foreign = |namespace: &str| messages::foreign(node.lookup_prefix(namespace));
         for attribute in node.attributes() {
@@ -186,25 +187,25 @@ impl<'d> Source<'d> {
     }
 }
 
-/// True of namespaces of XML itself, which say nothing of the robot.
+/// True for namespaces of XML itself, which do not describe the robot.
 fn is_of_xml(namespace: &str) -> bool {
     ["http://www.w3.org/XML/", "http://www.w3.org/2001/XMLSchema"]
         .iter()
         .any(|own| namespace.starts_with(own))
 }
 
-/// True if an element is of the namespace of the whole file: those of others are for other
+/// True if an element belongs to the namespace of the whole file; other namespaces are for other
 /// programs.
 fn is_own(node: Node<'_, '_>) -> bool {
     node.tag_name().namespace() == node.document().root_element().tag_name().namespace()
 }
 
-/// The elements of the file's namespace within another.
+/// Returns the child elements in the namespace of the file.
 pub(super) fn elements<'a, 'd>(node: Node<'a, 'd>) -> impl Iterator<Item = Node<'a, 'd>> {
     node.children().filter(|child| child.is_element() && is_own(*child))
 }
 
-/// The value of an attribute that URDF speaks of. The library would also find those of other
+/// Returns the value of an attribute of URDF. The XML library would also find attributes of other
 /// namespaces.
 pub(super) fn attribute_of<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     attribute_node(node, name).map(|attribute| attribute.value())
@@ -219,7 +220,7 @@ pub(super) fn tagged<'a, 'd>(node: Node<'a, 'd>, tag: &str) -> impl Iterator<Ite
     elements(node).filter(move |child| child.tag_name().name() == tag)
 }
 
-/// True of an `<origin>` at which nothing is displaced or turned, whichever element it stands in.
+/// True for an `<origin>` without displacement and rotation, in any element.
 fn is_identity(node: Node<'_, '_>) -> bool {
     let is_zero = |word: &str| Decimal::parse(word).is_some_and(|number| number.is_zero());
     node.tag_name().name() == "origin"
@@ -228,7 +229,7 @@ fn is_identity(node: Node<'_, '_>) -> bool {
         })
 }
 
-/// An element in words: `link "arm", <mass>`.
+/// Returns the description of an element: `link "arm", <mass>`.
 pub(super) fn described(node: Node<'_, '_>) -> String {
     let tag = messages::shortened(node.tag_name().name());
     let named =

@@ -1,4 +1,4 @@
-//! From links and joints to a tree: names resolved, one base, no loops.
+//! Construction of a tree from links and joints: names resolved, one base, no loops.
 
 use std::collections::HashMap;
 
@@ -9,8 +9,8 @@ use super::joints::{NameAt, NamedJoint};
 use super::messages;
 use crate::robot::{Joint, Kind, Link, Mimic, Robot};
 
-/// Puts joints in order from the base on. `None` after a mistake; `is_complete` if none has made a
-/// joint unreadable.
+/// Sorts joints, starting at the base. `None` after a mistake; `is_complete` is true if all joints
+/// are readable.
 pub(super) fn tree(
     source: &mut Source<'_>,
     name: String,
@@ -31,7 +31,7 @@ pub(super) fn tree(
     let ends = ends.into_iter().collect::<Option<Vec<_>>>()?;
     report_placed_twice(source, &links, &joints, &ends);
     if source.error_count() > before || !is_complete {
-        // What is not connected may be so because of that.
+        // Missing connections may be a consequence of these mistakes.
         return None;
     }
     let root = root_of(source, &links, &ends)?;
@@ -49,20 +49,20 @@ pub(super) fn tree(
     (source.error_count() == before).then_some(Robot { name, links, root, joints })
 }
 
-/// Names for which the nearest known one is looked for: behind so many, nobody reads what is
-/// suggested.
+/// Maximum number of unknown names for which a similar one is suggested. Nobody reads more
+/// suggestions.
 const MAX_SUGGESTIONS: usize = 50;
 
-/// An element with a name.
+/// Elements by name.
 struct Named<'n> {
     indices: HashMap<&'n str, usize>,
-    /// In their order; made when the first name is not found.
+    /// The names in sorted order, filled when the first name is not found.
     sorted: Vec<&'n str>,
     suggestions: usize,
 }
 
 impl<'n> Named<'n> {
-    /// Items with their places; names that stand twice are reported.
+    /// Collects items with their places, and reports repeated names.
     fn new(source: &mut Source<'_>, tag: &str, items: impl Iterator<Item = (&'n str, usize)>) -> Named<'n> {
         let mut known = HashMap::<&str, (usize, usize)>::new();
         for (index, (name, place)) in items.enumerate() {
@@ -80,7 +80,7 @@ impl<'n> Named<'n> {
         Named { indices, sorted: Vec::new(), suggestions: 0 }
     }
 
-    /// The index of a name; one that is not known is reported.
+    /// Returns the index of a name; an unknown one is reported.
     fn find(
         &mut self,
         source: &mut Source<'_>,
@@ -105,7 +105,7 @@ impl<'n> Named<'n> {
     }
 }
 
-/// The joint that another mimics.
+/// Returns the joint that another one mimics.
 fn leader(source: &mut Source<'_>, joint: &NamedJoint<'_>, joints: &mut Named<'_>) -> Option<usize> {
     let name = &joint.mimic.as_ref()?.joint;
     if name.name == joint.name {
@@ -115,10 +115,10 @@ fn leader(source: &mut Source<'_>, joint: &NamedJoint<'_>, joints: &mut Named<'_
     joints.find(source, name, || messages::unknown_joint(name.name))
 }
 
-/// Reports joints that mimic each other in a circle, each circle at its first joint.
+/// Reports circles of joints that mimic each other, each at its first joint.
 fn report_mimic_circles(source: &mut Source<'_>, joints: &[NamedJoint<'_>], leaders: &[Option<usize>]) {
-    // The joint from which each was reached first; who comes back to one of the same walk has gone
-    // round.
+    // The start from which each joint was first reached; reaching a joint of the same walk again
+    // closes a circle.
     let mut reached_from = vec![None; joints.len()];
     for start in 0..joints.len() {
         let mut next = Some(start);
@@ -152,7 +152,7 @@ fn report_placed_twice(
     }
 }
 
-/// The only link that no joint places.
+/// Returns the only link that no joint places.
 fn root_of(source: &mut Source<'_>, links: &[Link], ends: &[(usize, usize)]) -> Option<usize> {
     let mut is_placed = vec![false; links.len()];
     ends.iter().for_each(|(_, child)| is_placed[*child] = true);
@@ -171,7 +171,7 @@ fn root_of(source: &mut Source<'_>, links: &[Link], ends: &[(usize, usize)]) -> 
     Some(root)
 }
 
-/// Joints from the base on, each branch to its end before the next.
+/// Returns joints in depth-first order, starting at the base.
 fn order(root: usize, count: usize, ends: &[(usize, usize)]) -> Vec<usize> {
     let mut carried = vec![Vec::new(); count];
     ends.iter().enumerate().for_each(|(joint, (parent, _))| carried[*parent].push(joint));
@@ -221,7 +221,7 @@ fn resolve(joint: &NamedJoint<'_>, (parent, child): (usize, usize), leader: Opti
     }
 }
 
-/// Holds joints that move no mass, and leaves out what they mimic; `is_free` if the base moves.
+/// Holds joints that move no mass, and omits their couplings; `is_free` is true if the base moves.
 pub(super) fn settle(source: &mut Source<'_>, robot: &mut Robot, is_free: bool) {
     let carries = robot.carries_mass();
     for joint in &mut robot.joints {

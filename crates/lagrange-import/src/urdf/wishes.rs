@@ -1,4 +1,4 @@
-//! Limits, friction and contacts that are wanted of a robot but have no counterpart.
+//! Requested limits, friction and contacts that have no counterpart in the robot.
 
 use lagrange_core::diagnostics::nearest;
 use lagrange_core::limits::MAX_EVENTS;

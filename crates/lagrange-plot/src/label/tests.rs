@@ -1,4 +1,4 @@
-//! Symbols and subscripts on paper.
+//! Symbols and subscripts in pictures.
 
 use roxmltree::Document;
 
@@ -48,7 +48,7 @@ fn symbols_may_have_dots_and_primes() {
     }
 }
 
-/// Outlines have dots above letters that fonts of viewers may draw over.
+/// Outlines show dots above letters, which fonts of viewers may hide.
 #[test]
 fn texts_with_accents_are_outlines_in_their_place() {
     for (text, size) in [("θ\u{307}_1 in rad", 14.0), ("Ω\u{308}", 137.0), ("a < \u{307}b", 10.0)] {

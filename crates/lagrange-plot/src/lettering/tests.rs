@@ -1,4 +1,4 @@
-//! Which characters there are, how wide they are, and where accents stand.
+//! Available characters, their widths, and the positions of accents.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,11 +8,11 @@ use tiny_skia::Rect;
 
 use super::{CAPITALS, SMALL, Slope, UPRIGHT, outline, width};
 
-/// What labels, marks of axes and titles in several languages are written with.
+/// Characters of labels, marks of axes and titles in several languages.
 const WRITTEN: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!\"#$%&'()*+,-./:;<=>?@[\\]^_`{|}~\
                        ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩαβγδεζηθικλμνξοπρςστυφχψωϑϕϵ′″·×−–—°½…±≈≠≤≥→∞√∂∑∫∥⊥⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻₀₁₂\
                        ẋẍẏäöüßéèçñåøłšž«»„“‚‘АБВГДабвгдёж";
-/// What no font of letters has.
+/// A character that no text font contains.
 const UNKNOWN: &str = "\u{f8ff}";
 
 fn bounds(text: &str, slope: Slope) -> Rect {
@@ -96,8 +96,8 @@ fn pairs_stand_closer_where_the_font_says_so() {
     assert_eq!(width("nn", Slope::Upright), apart("n", "n"));
 }
 
-/// Accents take no place, and stand above the middle of high and of low letters without touching
-/// them.
+/// Accents have no width, and are placed above the middle of tall and of short letters without
+/// touching them.
 #[test]
 fn accents_stand_above_their_letters() {
     for slope in [Slope::Upright, Slope::Italic] {

@@ -45,7 +45,7 @@ fn every_greek_letter_has_a_glyph_of_its_own() {
     }
 }
 
-/// Names of columns, and what they are written as: a subscript in braces, a dot above as `'`.
+/// Names of columns and their notation: a subscript in braces, a dot above as `'`.
 #[test]
 fn columns_are_symbols_where_their_names_are() {
     let pairs = [
@@ -124,12 +124,12 @@ fn names_that_would_look_alike_stay_as_they_are_written() {
     assert_eq!(written, ["x1", "x_1", "x[1]", "θ", "phi", "φ", "y1", "energy"]);
     let marked = names.map(|name| columns.label(name).has_subscript());
     assert_eq!(marked, [false, false, false, false, false, false, true, false]);
-    // A name may be given twice, and one that is no column may look like one.
+    // A name may be specified twice, and a name that is not a column may look like one.
     assert_eq!(Columns::new(["theta", "theta"]).label("theta").plain(), "θ");
     assert!(!Columns::new(["x1"]).label("x_1").has_subscript());
 }
 
-/// Labels of all names that look different are different, too.
+/// All names that look different have different labels.
 #[test]
 fn no_two_columns_have_the_same_label() {
     let stems =

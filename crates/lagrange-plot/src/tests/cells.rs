@@ -11,7 +11,7 @@ const DARK: [u8; 3] = [68, 1, 84];
 const YELLOW: [u8; 3] = [253, 231, 37];
 const WHITE: [u8; 3] = [255; 3];
 
-/// Three cells side by side in two rows, the last of which has no value.
+/// Three cells side by side in two rows; the last one has no value.
 fn map(scale: Scale) -> Figure {
     let values = vec![1.0, 10.0, 100.0, 100.0, 1.0, f64::NAN];
     let cells = Cells { name: "time".into(), scale, x: (0.0, 3.0), y: (-1.0, 1.0), columns: 3, values };
@@ -23,8 +23,8 @@ fn pixel(pixels: &Pixels, (x, y): (u32, u32)) -> [u8; 3] {
     [pixels.rgba()[at], pixels.rgba()[at + 1], pixels.rgba()[at + 2]]
 }
 
-/// The pixel in the middle of a cell, counted from the lower left, of which each has 334 pixels to
-/// a side.
+/// Returns the pixel in the middle of a cell, counted from the lower left. Each cell has 334 pixels
+/// per side.
 fn middle((column, row): (u32, u32)) -> (u32, u32) {
     (2 * 74 + 334 * column + 167, 2 * 28 + 334 * (1 - row) + 167)
 }
@@ -36,7 +36,7 @@ fn cells_have_the_colours_of_their_values() {
     assert_eq!([at((0, 0)), at((1, 1))], [DARK; 2]);
     assert_eq!([at((2, 0)), at((0, 1))], [YELLOW; 2]);
     assert_eq!(at((2, 1)), WHITE, "not finite");
-    // Half of the way between the powers of ten, which is between the fourth and the fifth of eight
+    // Halfway between the powers of ten, which is between the fourth and the fifth of eight
     // colours.
     assert_eq!(at((1, 0)), [35, 144, 139]);
     let linear = map(Scale::Linear).pixels().expect("draws");
@@ -69,7 +69,7 @@ fn a_document_holds_the_same_cells() {
     let pixels: Vec<&[u8]> = rgba.chunks(4).map(|pixel| &pixel[..3]).collect();
     assert_eq!([pixels[0], pixels[1], pixels[3], pixels[5]], [&YELLOW, &DARK, &DARK, &YELLOW]);
     assert_eq!(rgba[4 * 2 + 3], 0, "not finite");
-    // The white below everything comes first, marks and labels later.
+    // The white background comes first, and marks and labels come later.
     let at = |text: &str| svg.find(text).expect("is there");
     assert!(at("<rect") < at("<image") && at("<image") < at("<polyline"));
     assert!([">time<", ">−1.0<", ">100<"].iter().all(|label| svg.contains(label)), "{svg}");
@@ -108,7 +108,7 @@ fn bands_are_areas_that_darken_in_each_other() {
     let figure = Figure { panels: vec![panel], columns: 1, size: (600, 300) };
     let svg = figure.svg().expect("draws");
     let areas = svg.lines().filter(|line| line.contains("<polygon")).count();
-    // Two pieces of each, one sample of the outer and two of the inner.
+    // Two pieces of each band, one sample of the outer band and two of the inner one.
     assert_eq!(areas, 4 + 3);
     assert!([">90 %<", ">50 %<", ">median<"].iter().all(|label| svg.contains(label)));
     assert!(!svg.contains("NaN"));

@@ -1,4 +1,4 @@
-//! Figures as documents that any viewer reads, whatever things are called.
+//! Figures as documents that every viewer can read, regardless of names.
 
 use roxmltree::Document;
 

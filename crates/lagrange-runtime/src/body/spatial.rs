@@ -1,7 +1,7 @@
 //! The motion of rigid bodies in space.
 //!
-//! The rotation R leads from the body's own axes to the world, ω and α = ω̇ are in world axes, and
-//! ρ = R (own − centroid). The point Q of a body with the centre of mass S then has
+//! The rotation R maps the body's own axes to the world. ω and α = ω̇ are in world axes, and ρ = R
+//! (own − centroid). The point Q of a body with the centre of mass S then has
 //!
 //! ```text
 //! r_Q = r_S + ρ,    v_Q = v_S + ω × ρ,    a_Q = a_S + α × ρ + ω × (ω × ρ).
@@ -18,8 +18,8 @@ type Vector<S> = [S; 3];
 /// The motion of a rigid body in space at one moment.
 ///
 /// Positions are in m, masses in kg, times in s, angles in rad, if the numbers of the declaration
-/// are. Own coordinates are those of the frame that the declaration states centroid and inertia in.
-/// All other vectors are in the axes of the world.
+/// are. Own coordinates refer to the frame in which the declaration states centroid and inertia.
+/// All other vectors are in world axes.
 ///
 /// ```
 /// use lagrange::body::SpatialMotion;
@@ -46,14 +46,13 @@ pub struct SpatialMotion<S> {
     /// The mass.
     pub mass: S,
     /// The tensor of inertia about the centre of mass in the body's own axes, in rows. It is zero
-    /// for a body that never turns and declares none.
+    /// for a body that never rotates and declares none.
     pub inertia: [Vector<S>; 3],
     /// The centre of mass in own coordinates.
     pub centroid: Vector<S>,
     /// The position of the centre of mass.
     pub center: Vector<S>,
-    /// The rotation R from own axes to those of the world, in rows: its columns are the body's
-    /// axes.
+    /// The rotation R from own axes to world axes, in rows: its columns are the body's axes.
     pub rotation: [Vector<S>; 3],
     /// The velocity of the centre of mass.
     pub velocity: Vector<S>,
@@ -67,13 +66,13 @@ pub struct SpatialMotion<S> {
 
 /// Places and directions.
 impl<S: Scalar> SpatialMotion<S> {
-    /// Computes R a: turns a direction from own axes into the world.
+    /// Computes R a: rotates a direction from own axes into the world.
     #[must_use]
     pub fn vector(&self, own: Vector<S>) -> Vector<S> {
         self.rotation.map(|row| inner(row, own))
     }
 
-    /// Computes Rᵀ v, the components in own axes of a vector of the world: the inverse of
+    /// Computes Rᵀ v, the components of a world vector in own axes: the inverse of
     /// [`vector`](SpatialMotion::vector).
     #[must_use]
     pub fn to_body(self, vector: Vector<S>) -> Vector<S> {
@@ -82,13 +81,13 @@ impl<S: Scalar> SpatialMotion<S> {
         sum(sum(along_x, along_y), scaled(vector[2], z))
     }
 
-    /// Returns the place of the point of these own coordinates.
+    /// Returns the place of the point with these own coordinates.
     #[must_use]
     pub fn point(&self, own: Vector<S>) -> Vector<S> {
         sum(self.center, self.arm(own))
     }
 
-    /// ρ from the centre of mass to a point.
+    /// Returns ρ from the centre of mass to a point.
     fn arm(&self, own: Vector<S>) -> Vector<S> {
         self.vector(difference(own, self.centroid))
     }
@@ -96,13 +95,13 @@ impl<S: Scalar> SpatialMotion<S> {
 
 /// Velocities and accelerations of points.
 impl<S: Scalar> SpatialMotion<S> {
-    /// Returns the velocity v_S + ω × ρ of the point of these own coordinates.
+    /// Returns the velocity v_S + ω × ρ of the point with these own coordinates.
     #[must_use]
     pub fn velocity_of(&self, own: Vector<S>) -> Vector<S> {
         sum(self.velocity, cross(self.angular_velocity, self.arm(own)))
     }
 
-    /// Returns the acceleration a_S + α × ρ + ω × (ω × ρ) of the point of these own coordinates.
+    /// Returns the acceleration a_S + α × ρ + ω × (ω × ρ) of the point with these own coordinates.
     #[must_use]
     pub fn acceleration_of(&self, own: Vector<S>) -> Vector<S> {
         let (arm, spin) = (self.arm(own), self.angular_velocity);
@@ -141,7 +140,7 @@ impl<S: Scalar> SpatialMotion<S> {
         S::from_f64(0.5) * twice
     }
 
-    /// ω and J ω in own axes.
+    /// Returns ω and J ω in own axes.
     fn own_spin(&self) -> [Vector<S>; 2] {
         let own = self.to_body(self.angular_velocity);
         [own, self.inertia.map(|row| inner(row, own))]

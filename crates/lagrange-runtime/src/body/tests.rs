@@ -1,16 +1,16 @@
-//! The laws of plane motion on random bodies, each against a way of its own.
+//! The laws of plane motion for random bodies, each verified in an independent way.
 
 use super::{Motion, cross, difference, norm_squared, sum, turned};
 
-/// How many random motions each law is tried on.
+/// Number of random motions for each law.
 const TRIALS: u64 = 200;
 
-/// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random
+/// Knuth's generator of 64 bits with the constants of MMIX. The upper half of its state is random
 /// enough for places.
 struct Random(u64);
 
 impl Random {
-    /// A number in [−2, 2).
+    /// Returns a number in [−2, 2).
     fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 32) as f64 / f64::from(u32::MAX) * 4.0 - 2.0
@@ -35,17 +35,17 @@ impl Random {
     }
 }
 
-/// Random motions, each with a source of more random numbers.
+/// Returns random motions, each with a source of more random numbers.
 fn motions() -> impl Iterator<Item = (Motion<f64>, Random)> {
     (0..TRIALS).map(|seed| {
         let mut random = Random(seed);
-        // The first numbers of neighbouring seeds are alike.
+        // The first numbers of neighbouring seeds are similar.
         random.motion();
         (random.motion(), random)
     })
 }
 
-/// The motion a short while later, if accelerations stay.
+/// Returns the motion a short time later, with constant accelerations.
 fn later(motion: &Motion<f64>, time: f64) -> Motion<f64> {
     let advanced = |x: f64, v: f64, a: f64| x + time * (v + 0.5 * time * a);
     let Motion { center, velocity, acceleration, angle, angular_velocity, angular_acceleration, .. } =
@@ -59,7 +59,7 @@ fn later(motion: &Motion<f64>, time: f64) -> Motion<f64> {
     }
 }
 
-/// The rate of a function of time, by differences of sixth order.
+/// Computes the rate of a function of time, by differences of sixth order.
 fn rate(f: impl Fn(f64) -> f64) -> f64 {
     const STEP: f64 = 1e-3;
     let odd = |k: f64| f(k * STEP) - f(-k * STEP);
@@ -102,7 +102,7 @@ fn velocity_of_a_point_is_the_same_from_any_reference_point() {
     }
 }
 
-/// ω from the velocities of two points of a body alone: (ρ × (v_Q − v_P))_z / ρ².
+/// Computes ω from the velocities of two points of a body alone: (ρ × (v_Q − v_P))_z / ρ².
 fn angular_velocity_between(motion: &Motion<f64>, p: [f64; 2], q: [f64; 2]) -> f64 {
     let rho = difference(motion.point(q), motion.point(p));
     cross(rho, difference(motion.velocity_at(q), motion.velocity_at(p))) / norm_squared(rho)
@@ -145,8 +145,8 @@ fn instantaneous_centre_has_no_velocity() {
     }
 }
 
-/// Where the normals to the velocities of two points meet, by Cramer's rule on (r − r_P)·v_P = 0 =
-/// (r − r_Q)·v_Q.
+/// Returns the intersection of the normals to the velocities of two points, by Cramer's rule on (r
+/// − r_P)·v_P = 0 = (r − r_Q)·v_Q.
 fn meeting_point(motion: &Motion<f64>, p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
     let (v, w) = (motion.velocity_at(p), motion.velocity_at(q));
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
@@ -161,7 +161,7 @@ fn normals_to_two_velocities_meet_in_the_instantaneous_centre() {
     for (motion, mut random) in motions() {
         let (p, q) = (random.vector(), random.vector());
         let angle = cross(motion.velocity_at(p), motion.velocity_at(q));
-        // Points that the centre is nearly in line with do not determine it.
+        // Points that are nearly collinear with the centre do not determine it.
         if angle.abs() > 0.1 {
             assert_vectors_near(meeting_point(&motion, p, q), motion.instant_center().unwrap(), 1e-12);
             compared += 1;
@@ -193,7 +193,7 @@ fn centres_that_are_no_places_are_none() {
     assert_eq!(Motion { angle: f64::NAN, ..motion }.own_instant_center(), None);
 }
 
-/// L_O = m r_P × v_S + m ρ_S × v_P + J_P ω for any point P of the body, O being the origin.
+/// L_O = m r_P × v_S + m ρ_S × v_P + J_P ω for any point P of the body, with the origin O.
 #[test]
 fn angular_momentum_has_three_parts_from_any_reference_point() {
     for (motion, mut random) in motions() {
@@ -206,7 +206,7 @@ fn angular_momentum_has_three_parts_from_any_reference_point() {
     }
 }
 
-/// A body of four points of mass, whose momenta, energy and moment of inertia are sums.
+/// Creates a body of four point masses, with momenta, energy and moment of inertia as sums.
 fn points_of(motion: &mut Motion<f64>, random: &mut Random) -> [(f64, [f64; 2]); 4] {
     let points = [(); 4].map(|()| (2.5 + random.number(), random.vector()));
     motion.mass = points.iter().map(|(mass, _)| mass).sum();
@@ -245,7 +245,7 @@ fn moment_about_the_centre_of_mass_and_a_fixed_point_are_the_two_special_cases()
     for (motion, mut random) in motions() {
         let about_center = motion.moment_about(motion.centroid);
         assert_eq!(about_center, motion.inertia * motion.angular_acceleration);
-        // A body that turns about its point P, which is at rest.
+        // A body that rotates about its point P, which is at rest.
         let p = random.vector();
         let rho = motion.vector(difference(motion.centroid, p));
         let (omega, rate) = (motion.angular_velocity, motion.angular_acceleration);
@@ -267,8 +267,8 @@ fn inertia_is_least_about_the_centre_of_mass() {
     }
 }
 
-/// A step ladder of two halves of length L = 2, hinged at the top, the left foot in the origin, the
-/// right foot on the floor: the right half turns about (2 L cos φ, 2 L sin φ).
+/// A step ladder of two halves of length L = 2, hinged at the top, with the left foot at the origin
+/// and the right foot on the floor. The right half rotates about (2 L cos φ, 2 L sin φ).
 #[test]
 fn instantaneous_centre_of_a_ladder_is_on_a_circle_of_twice_its_length() {
     const LENGTH: f64 = 2.0;

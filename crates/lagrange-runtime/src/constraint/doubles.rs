@@ -1,4 +1,4 @@
-//! Hand-written constrained systems whose motions are known.
+//! Hand-written constrained systems with known motions.
 
 use super::{ConstrainedSystem, admit, correct, redundant_correction, redundant_motion, weighed};
 use crate::system::{
@@ -6,13 +6,13 @@ use crate::system::{
     split,
 };
 
-/// Masses that move as forces and constraints make them: N coordinates, D constraints.
+/// A system of masses under forces and constraints: N coordinates, D constraints.
 pub(crate) trait Mechanism<const N: usize, const D: usize> {
     type State: StateVector<f64>;
 
     const NAMES: &'static [&'static str];
 
-    /// The diagonal mass matrix.
+    /// Returns the diagonal of the mass matrix.
     fn masses(&self) -> [f64; N];
 
     fn potential(&self, _q: &[f64; N]) -> f64 {
@@ -23,18 +23,18 @@ pub(crate) trait Mechanism<const N: usize, const D: usize> {
         [0.0; N]
     }
 
-    /// c of holonomic constraints, zero for the others.
+    /// Computes c of holonomic constraints; zero for the others.
     fn positions(&self, t: f64, q: &[f64; N]) -> [f64; D];
 
-    /// A in rows.
+    /// Computes A in rows.
     fn jacobian(&self, t: f64, q: &[f64; N]) -> [[f64; N]; D];
 
-    /// ∂c/∂t
+    /// Computes ∂c/∂t.
     fn rates(&self, _t: f64, _q: &[f64; N]) -> [f64; D] {
         [0.0; D]
     }
 
-    /// b in A a + b = 0
+    /// Computes b in A a + b = 0.
     fn drift(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; D];
 }
 
@@ -56,7 +56,7 @@ impl<L: Mechanism<N, D>, const N: usize, const D: usize> System<L, N, D> {
         redundant_motion(&self.mass(), &forces, &rows, &self.0.drift(t, q, v))
     }
 
-    /// The largest residual of positions and of velocities.
+    /// Returns the largest residual of positions and velocities.
     pub(crate) fn residual(&self, t: f64, y: &L::State) -> f64 {
         let (q, v) = split::<Self>(y);
         let residuals = [self.position_residuals(t, &q), self.velocity_residuals(t, &q, &v)];
@@ -159,7 +159,7 @@ impl<L: Mechanism<N, D>, const N: usize, const D: usize> ConstrainedSystem for S
     }
 }
 
-/// A point mass on a massless rod of the length one, in Cartesian coordinates.
+/// A point mass on a massless rod of length one, in Cartesian coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pendulum;
 
@@ -230,7 +230,7 @@ impl Mechanism<2, 1> for Bead {
     }
 }
 
-/// A skate on ice, which turns at a constant rate and runs on a circle at constant speed.
+/// A skate on ice that turns at a constant rate and moves on a circle at constant speed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Skate;
 
@@ -258,9 +258,9 @@ impl Mechanism<3, 1> for Skate {
     }
 }
 
-/// Three equal cranks carry a coupler, which one of them does in vain: the coupler at (x, y, φ) is
-/// pinned to cranks at the angles θ₁, θ₂, θ₃ about (−1, 0), (0, 0), (1, 0). The cranks turn
-/// together as a pendulum does, and when they lie along the coupler, all could part.
+/// Three equal cranks carry a coupler; one of the cranks is redundant. The coupler at (x, y, φ) is
+/// pinned to cranks at the angles θ₁, θ₂, θ₃ about (−1, 0), (0, 0), (1, 0). The cranks swing
+/// together like a pendulum. When they are aligned with the coupler, their motions may branch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parallelogram;
 
@@ -268,7 +268,7 @@ impl Parallelogram {
     pub(crate) const CRANK: f64 = 0.2;
     pub(crate) const COUPLER: f64 = 1.5;
 
-    /// The state in which the cranks have this angle and turn at this rate.
+    /// Returns the state in which all cranks have this angle and rate.
     pub(crate) fn state(angle: f64, rate: f64) -> [f64; 12] {
         let (sine, cosine) = angle.sin_cos();
         let (u, v) = (-rate * sine, rate * cosine);
@@ -322,7 +322,7 @@ impl Mechanism<6, 6> for Parallelogram {
     }
 }
 
-/// A spherical pendulum of the length one in Cartesian coordinates; its angular momentum about the
+/// A spherical pendulum of length one in Cartesian coordinates; its angular momentum about the
 /// vertical is constant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spherical;

@@ -1,12 +1,12 @@
-//! Accelerations where a pivot of a regular mass matrix vanishes.
+//! Accelerations for a regular mass matrix with a vanishing pivot.
 
 use crate::constraint::minimum_norm::{equilibration, finite, power_to_one, roundings};
 use crate::linalg::orthogonal::OrthogonalFactors;
 use crate::scalar::Scalar;
 
-/// Computes the accelerations a of M a = f by orthogonal factors, with a symmetric mass matrix M,
-/// in rows, that need not be definite. They are NaN if it is singular or a value is not finite.
-/// Rows and columns are scaled alike before the rank is determined. A common unit does not matter:
+/// Computes the accelerations a of M a = f by orthogonal factors. The mass matrix M, in rows, is
+/// symmetric and need not be definite. They are NaN if it is singular or a value is not finite.
+/// Rows and columns are scaled alike before the rank is determined. The common unit is irrelevant:
 /// multiplying matrix and forces by one power of two leaves the accelerations identical bit by bit.
 ///
 /// ```
@@ -23,7 +23,7 @@ pub fn indefinite_motion<S: Scalar, const N: usize>(mass: &[[S; N]; N], forcing:
     let unit = power_to_one(mass.as_flattened().iter().map(|entry| entry.abs()));
     let (mass, forcing) = (mass.map(|row| row.map(|entry| unit * entry)), forcing.map(|force| unit * force));
     let scales = equilibration(&mass);
-    // Columns are rows: the matrix is symmetric.
+    // Columns equal rows, since the matrix is symmetric.
     let scaled: [[S; N]; N] =
         core::array::from_fn(|j| core::array::from_fn(|i| scales[i] * mass[i][j] * scales[j]));
     let factors = OrthogonalFactors::new(scaled, roundings::<S, N>());

@@ -1,55 +1,55 @@
-//! Multipliers where constraints depend on each other.
+//! Multipliers of dependent constraints.
 //!
 //! Redundant constraints share a force in ways that the motion does not distinguish. A mechanism
 //! may also pass through configurations in which constraints lose their independence for an
-//! instant. Of all multipliers that give the same motion, those with the smallest sum of squares
-//! are taken. Independence is judged by orthogonal factors of the scaled equations, never by
-//! products of matrices with themselves, which would hide half of the digits. Sources: Golub, Van
-//! Loan, *Matrix Computations*, 4th ed., §5.4, §5.5. García de Jalón, Bayo, *Kinematic and Dynamic
-//! Simulation of Multibody Systems*. Ruiz, *A scaling algorithm to equilibrate both rows and
-//! columns norms in matrices*, Rutherford Appleton Laboratory report RAL-TR-2001-034.
+//! instant. Among all multipliers that yield the same motion, the solution is the one with the
+//! smallest sum of squares. Independence is judged by orthogonal factors of the scaled equations,
+//! never by products of matrices with themselves, which would lose half of the digits. Sources:
+//! Golub, Van Loan, *Matrix Computations*, 4th ed., §5.4, §5.5. García de Jalón, Bayo, *Kinematic
+//! and Dynamic Simulation of Multibody Systems*. Ruiz, *A scaling algorithm to equilibrate both
+//! rows and columns norms in matrices*, Rutherford Appleton Laboratory report RAL-TR-2001-034.
 
 use crate::linalg::orthogonal::{OrthogonalFactors, euclidean_norm};
 use crate::scalar::Scalar;
 use crate::tolerance::DEPENDENT_COLUMN;
 
-/// Rounds of scaling; each takes the root of how far magnitudes lie apart.
+/// Number of scaling iterations. Each takes the square root of the ratio of magnitudes.
 const SCALINGS: u32 = 6;
 
-/// Accelerations and multipliers of a system whose constraints may depend on each other: N
-/// coordinates, D constraints.
+/// Accelerations and multipliers of a system whose constraints may be dependent: N coordinates, D
+/// constraints.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RedundantMotion<S, const N: usize, const D: usize> {
     /// The accelerations a.
     pub acceleration: [S; N],
-    /// The multipliers λ, of all that give these accelerations those with the smallest sum of
-    /// squares.
+    /// The multipliers λ with the smallest sum of squares among all that yield these accelerations.
     pub multipliers: [S; D],
     /// Number of independent constraints.
     pub rank: usize,
 }
 
-/// Returns the part of a constraint's gradient below which its remainder beside other constraints
-/// is ignored: ε^(5/16), which is 1.3·10⁻⁵ for `f64`.
+/// Returns the fraction of a constraint's gradient below which the part independent of other
+/// constraints is ignored: ε^(5/16), which is 1.3·10⁻⁵ for `f64`.
 ///
-/// Gradients are measured with the roots of the masses as units and scaled to length one. If a part
-/// σ of one is left, positions are found to ε/σ, and velocities and accelerations to ε/σ². They
-/// become useless long before σ is as small as rounding. Moreover, stages of a method miss the
-/// constraints by their own errors. Constraints that depend on each other along the motion differ
-/// by as much there. A tolerance near rounding would take these differences for constraints.
+/// Gradients are measured with the roots of the masses as units and scaled to length one. If a
+/// fraction σ of one is independent, positions are accurate to ε/σ, and velocities and
+/// accelerations to ε/σ². They become useless long before σ is as small as rounding. Moreover,
+/// stages of a method violate the constraints by the errors of the method. Constraints that are
+/// dependent along the motion differ by the same amount there. With a tolerance near rounding,
+/// these differences would count as constraints.
 pub fn rank_tolerance<S: Scalar>() -> S {
     let root = S::epsilon().sqrt().sqrt();
     root * root.sqrt().sqrt()
 }
 
-/// Returns the vector x with the smallest sum of squares among those that minimise that of `matrix`
-/// x − `right`. The matrix is symmetric and may be singular or indefinite.
+/// Returns the vector x with the smallest sum of squares among those that minimise the norm of
+/// `matrix` x − `right`. The matrix is symmetric and may be singular or indefinite.
 ///
-/// Rows and columns are scaled alike to determine the rank. A column depends on others if they
-/// leave less than 32 D roundings of the largest column. An entry of the matrix that is itself a
-/// rounding error must therefore stand beside the value of which it is the error. A Schur
-/// complement that has vanished altogether cannot be distinguished from a small one. NaN or
-/// infinity anywhere gives NaN everywhere.
+/// Rows and columns are scaled alike to determine the rank. A column depends on others if its
+/// remainder is less than 32 D roundings of the largest column. If an entry of the matrix is itself
+/// a rounding error, the matrix must therefore also contain the value that was rounded. A Schur
+/// complement that vanished entirely cannot be distinguished from a small one. If any entry is NaN
+/// or infinite, all results are NaN.
 ///
 /// ```
 /// use lagrange::constraint::minimum_norm;
@@ -83,19 +83,19 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
 /// ```
 ///
 /// from the symmetric mass matrix M and the matrix A of the constraints, both in rows, the forcing
-/// f and the drift b. The mass matrix may be singular as long as the constraints determine the
-/// rest.
+/// f and the drift b. The mass matrix may be singular if the constraints determine the remaining
+/// accelerations.
 ///
 /// [`rank_tolerance`] decides which constraints depend on each other. All results are NaN if an
 /// argument is not finite, if the accelerations are not determined, or if the constraints
-/// contradict each other. They do if a dependent one is violated by more than a hundred times that
-/// tolerance. The violation is relative to the accelerations with and without constraints and the
-/// drifts.
+/// contradict each other. Constraints contradict each other if a dependent one is violated by more
+/// than a hundred times that tolerance. The violation is relative to the accelerations with and
+/// without constraints and the drifts.
 ///
-/// A table of weight 40 on four legs at (±1, ±1), loaded at (½, 0). Height and two tilts are three
-/// coordinates, and the height of each foot z + y a − x b is a constraint. The four depend on each
-/// other, since one diagonal of legs can be pressed against the other without moving anything. Of
-/// all forces that carry the load, Σ λ = 40, Σ x λ = 20 and Σ y λ = 0, the shortest are 10 + 5 x.
+/// Example: a table of weight 40 on four legs at (±1, ±1), loaded at (½, 0). Height and two tilts
+/// are the three coordinates, and the height of each foot z + y a − x b is a constraint. The four
+/// are dependent, since opposed loads on the two diagonals of legs cause no motion. Among all
+/// forces that carry the load, Σ λ = 40, Σ x λ = 20 and Σ y λ = 0, the shortest are 10 + 5 x.
 ///
 /// ```
 /// use lagrange::constraint::redundant_motion;
@@ -127,11 +127,11 @@ pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
 }
 
 /// Computes the smallest change δ of the coordinates, measured by the mass matrix, with A δ =
-/// −`residuals` for the independent constraints. The others are ignored, since their remaining
-/// residuals are of second order unless they contradict the first.
+/// −`residuals` for the independent constraints. The dependent ones are ignored, since their
+/// remaining residuals are of second order unless they contradict the independent ones.
 ///
-/// NaN if an argument is not finite, if δ is not determined, or if a constraint without a gradient
-/// has a residual.
+/// The result is NaN if an argument is not finite, if δ is not determined, or if a constraint
+/// without a gradient has a residual.
 pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
     mass: &[[S; N]; N],
     jacobian: &[[S; N]; D],
@@ -147,12 +147,12 @@ pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
     change.unwrap_or([S::NAN; N])
 }
 
-/// The matrices in coordinates whose masses are near one, with the gradients of the constraints
-/// scaled to length one.
+/// The equations in coordinates with masses near one, with the gradients of the constraints scaled
+/// to length one.
 ///
-/// No unit matters: if masses or lengths are multiplied by a power of two, all that is scaled keeps
-/// its bits. Masses are brought near one by a power of two first, as their roots would otherwise
-/// take half of an odd one.
+/// The result does not depend on units: if masses or lengths are multiplied by a power of two, all
+/// scaled quantities remain identical bit by bit. Masses are first brought near one by a power of
+/// two, since the root of an odd power of two would not be exact.
 #[derive(Debug)]
 struct ScaledEquations<S, const N: usize, const D: usize> {
     /// Power of two by which masses and forces are multiplied.
@@ -167,7 +167,7 @@ struct ScaledEquations<S, const N: usize, const D: usize> {
 }
 
 impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
-    /// Scales and factorises; nothing if a matrix is not finite.
+    /// Scales and factorises the matrices; `None` if one is not finite.
     fn new(mass: &[[S; N]; N], jacobian: &[[S; N]; D]) -> Option<Self> {
         if !(finite(mass) && finite(jacobian)) {
             return None;
@@ -190,7 +190,8 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         self.factors.rank()
     }
 
-    /// The scaled accelerations, and the multipliers; nothing if accelerations are not determined.
+    /// Computes the scaled accelerations, and the multipliers; `None` if accelerations are not
+    /// determined.
     fn solve(&self, forcing: &[S; N], drift: &[S; D]) -> Option<([S; N], [S; D])> {
         let demanded = core::array::from_fn(|i| -(self.row_scales[i] * drift[i]));
         let mut acceleration = self.factors.shortest(&demanded);
@@ -204,7 +205,7 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         Some((acceleration, multipliers.map(|multiplier| multiplier / self.unit)))
     }
 
-    /// f − M a
+    /// Computes f − M a.
     fn forces_on(&self, acceleration: &[S; N], forcing: &[S; N]) -> [S; N] {
         core::array::from_fn(|i| {
             let row = self.mass[i].iter().zip(acceleration);
@@ -213,7 +214,8 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         })
     }
 
-    /// The acceleration by these forces in the directions that no constraint restricts.
+    /// Computes the acceleration caused by these forces in the directions not restricted by
+    /// constraints.
     fn free_part(&self, forces: [S; N]) -> Option<[S; N]> {
         let (rank, mut right) = (self.rank(), self.factors.inward(forces));
         right[..rank].fill(S::ZERO);
@@ -234,7 +236,7 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         is_determined.then(|| self.factors.outward(factors.combination(right)))
     }
 
-    /// True if the constraints that depend on others hold, too.
+    /// True if the dependent constraints hold, too.
     fn agrees(&self, acceleration: &[S; N], forcing: &[S; N], drift: &[S; D]) -> bool {
         let scaled_forcing: [S; N] = core::array::from_fn(|j| self.scales[j] * (self.unit * forcing[j]));
         let drifts: [S; D] = core::array::from_fn(|i| self.row_scales[i] * drift[i]);
@@ -251,8 +253,8 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
     }
 }
 
-/// Scales of coordinates: reciprocal roots of their masses. A coordinate without one is measured by
-/// what the other coordinates do in constraints that hold it, too.
+/// Computes the scales of coordinates: the reciprocal roots of their masses. The scale of a
+/// massless coordinate is derived from its constraints, relative to the other coordinates in them.
 fn coordinate_scales<S: Scalar, const N: usize, const D: usize>(
     mass: &[[S; N]; N],
     jacobian: &[[S; N]; D],
@@ -275,7 +277,7 @@ fn coordinate_scales<S: Scalar, const N: usize, const D: usize>(
 }
 
 /// Returns the shortest x for which the columns of the factors, in the amounts x / `scales`, add up
-/// to a vector. The vector has these components in the directions of the independent columns.
+/// to a vector. The vector is given by its components in the directions of the independent columns.
 fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
     factors: &OrthogonalFactors<S, ROWS, COLUMNS>,
     components: &[S; ROWS],
@@ -325,8 +327,8 @@ impl<S: Scalar, const D: usize> Ignored<S, D> {
     }
 }
 
-/// Factors that bring the largest entry of each row of a symmetric matrix near one, if columns are
-/// multiplied by them, too.
+/// Returns factors that bring the largest entry of each row of a symmetric matrix near one, if rows
+/// and columns are both multiplied by them.
 pub(super) fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [S; D] {
     let mut scales = [S::ONE; D];
     for _ in 0..SCALINGS {
@@ -341,13 +343,13 @@ pub(super) fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> 
     scales
 }
 
-/// The power of two that brings the first positive value to between one and two; one if there is
-/// none.
+/// Returns the power of two that brings the first positive value between one and two; one if there
+/// is none.
 pub(super) fn power_to_one<S: Scalar>(mut values: impl Iterator<Item = S>) -> S {
     let Some(mut left) = values.find(|value| *value > S::ZERO) else { return S::ONE };
     let mut power = S::ONE;
     for exponent in [512, 256, 128, 64, 32, 16, 8, 4, 2, 1] {
-        // Beyond the range of the number these are infinity and zero, which select nothing.
+        // Beyond the range of the number type these are infinity and zero, which never match.
         let [large, small] = [exponent, -exponent].map(|exponent| S::from_f64(2.0).powi(exponent));
         if left >= large {
             (left, power) = (left * small, power * small);
@@ -358,13 +360,13 @@ pub(super) fn power_to_one<S: Scalar>(mut values: impl Iterator<Item = S>) -> S 
     power
 }
 
-/// The reciprocal; one if that is not finite.
+/// Returns the reciprocal; one if it is not finite.
 fn reciprocal<S: Scalar>(x: S) -> S {
     let reciprocal = S::ONE / x;
     if reciprocal.is_finite() { reciprocal } else { S::ONE }
 }
 
-/// Returns the rounding level of a scaled matrix with K rows.
+/// Returns the relative rounding level of a scaled matrix with K rows.
 pub(super) fn roundings<S: Scalar, const K: usize>() -> S {
     DEPENDENT_COLUMN.times(K).part::<S>()
 }

@@ -1,19 +1,19 @@
-//! Constraints at run time: residuals, and the way back onto them.
+//! Constraints at run time: residuals, and projection onto the constraints.
 //!
 //! Accelerations of a constrained system keep c̈ = 0, so rounding and the errors of a method let c
-//! and ċ drift away from zero. After each accepted step a state is therefore put back, with the
-//! mass matrix as metric. Positions are moved to satisfy c(t, q) = 0, by corrections each of which
-//! is as small as possible. Velocities then become the nearest that satisfy ċ(t, q, v) = 0. From
-//! nearby, these positions are also the nearest; from afar [`project`] continues to the nearest
-//! ones. This is *projection*. [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted
-//! types does it, and all methods of [`integrate`](crate::integrate) call it.
+//! and ċ drift away from zero. After each accepted step the state is therefore corrected, with the
+//! mass matrix as metric. Positions are moved to satisfy c(t, q) = 0, each time by the smallest
+//! possible correction. Velocities then become the nearest ones that satisfy ċ(t, q, v) = 0. From
+//! nearby, these positions are also the nearest ones. From far away, [`project`] continues to the
+//! nearest ones. This is *projection*. [`OdeSystem::correct`](crate::system::OdeSystem::correct) of
+//! emitted types does it, and all methods of [`integrate`](crate::integrate) call it.
 //!
-//! There are two alternatives. One is to leave the residuals to the accelerations alone
-//! ([`Unprojected`]). The other is to let residuals decay by the accelerations, c̈ + 2 κ ċ + κ² c =
-//! 0 (`stabilise = κ;`, after Baumgarte). Projection is the recommended way: no rate has to be
-//! chosen, and constraints hold to rounding. As an example, a point mass on a rod of 1 m in
-//! Cartesian coordinates swings from the level for 1000 s. The methods are `RungeKutta4` in steps
-//! of 0.01 s and `Verner98` at the tolerance 10⁻¹⁰, observed at every step:
+//! There are two alternatives. Residuals can be left to the accelerations alone ([`Unprojected`]).
+//! Or they can decay through a modification of the accelerations, c̈ + 2 κ ċ + κ² c = 0 (`stabilise
+//! = κ;`, after Baumgarte). Projection is recommended: no rate must be chosen, and constraints hold
+//! to rounding. As an example, a point mass on a rod of 1 m in Cartesian coordinates swings from a
+//! horizontal start for 1000 s. The methods are `RungeKutta4` with steps of 0.01 s and `Verner98`
+//! with the tolerance 10⁻¹⁰, observed at every step:
 //!
 //! | | largest c | largest ċ | error of the energy | of the position | evaluations |
 //! |---|---|---|---|---|---|
@@ -30,19 +30,19 @@
 //! | κ = 100/s | 2·10⁻¹⁴ | 3·10⁻¹² | 3·10⁻¹¹ | 1·10⁻⁹ | 4 203 087 |
 //! | neither | 1·10⁻⁶ | 3·10⁻⁹ | 8·10⁻⁶ | 1·10⁻⁴ | 268 161 |
 //!
-//! A large rate makes the equations stiff. An adaptive method takes shorter steps for it, which
-//! makes its rows more accurate, and steps of fixed length do not resolve it.
+//! A large rate makes the equations stiff. An adaptive method then takes shorter steps, which makes
+//! its rows more accurate; steps of fixed length do not resolve it.
 //! (`tests/trajectories/projected.rs` prints the table.)
 //!
-//! A projection takes about as long as three evaluations of the accelerations. The rod, a four-bar
-//! linkage and Andrews' squeezer were measured
-//! (`cargo bench -p lagrange-benches --bench projection`). A step of `RungeKutta4` takes longer by
-//! factors of 1.5, 1.9 and 1.7, one of `Verner98` by 2 %, 18 % and 17 %.
+//! A projection takes about as long as three evaluations of the accelerations. The benchmark `cargo
+//! bench -p lagrange-benches --bench projection` measures the rod, a four-bar linkage and Andrews'
+//! squeezer. A step of `RungeKutta4` takes longer by factors of 1.5, 1.9 and 1.7, and a step of
+//! `Verner98` by 2 %, 18 % and 17 %.
 //!
 //! Projection preserves the order of a method, but not its symplecticity. Energies and the momenta
-//! of symmetries are then conserved as accurately as the method is, with a slow drift.
-//! `Variational` and `StormerVerlet` enforce constraints themselves and are not projected; they are
-//! for long motions at moderate accuracy.
+//! of symmetries are then conserved to the accuracy of the method, with a slow drift. `Variational`
+//! and `StormerVerlet` enforce constraints within their steps and are not projected; they suit long
+//! motions at moderate accuracy.
 //!
 //! Sources: Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., §VII.2; Hairer,
 //! Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §IV.4, §VII.1; Eich-Soellner,
@@ -73,7 +73,7 @@ pub use crate::system::{ConstraintValues, Violated, Violation};
 
 use crate::system::{MechanicalSystem, StateVector};
 
-/// A mechanical system under constraints. Emitted types with `constraint` statements implement it.
+/// A mechanical system with constraints. Emitted types with `constraint` statements implement it.
 pub trait ConstrainedSystem: MechanicalSystem {
     /// A vector with one entry for each constraint: residuals or multipliers.
     type Multipliers: StateVector<Self::Scalar>;
@@ -91,7 +91,7 @@ pub trait ConstrainedSystem: MechanicalSystem {
     /// Computes the multipliers λ in M a = f + Aᵀλ.
     fn multipliers(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Multipliers;
 
-    /// Returns the residuals of positions: c(t, q) of holonomic constraints; zero for the others.
+    /// Returns the residuals of positions: c(t, q) for holonomic constraints; zero for the others.
     fn position_residuals(&self, t: Self::Scalar, q: &Self::Coordinates) -> Self::Multipliers;
 
     /// Returns the residuals of velocities: dc/dt, or c itself if it contains velocities.
@@ -104,7 +104,7 @@ pub trait ConstrainedSystem: MechanicalSystem {
 
     /// Returns the scale of each residual: its maximum change Σⱼ |Aᵢⱼ| byⱼ if positions are
     /// displaced, or velocities change, by `by`. Here A contains the gradients with respect to
-    /// velocities. Tolerances are relative to them; see [`project`].
+    /// velocities. Tolerances are relative to these scales; see [`project`].
     fn residual_scales(
         &self,
         t: Self::Scalar,
@@ -114,8 +114,8 @@ pub trait ConstrainedSystem: MechanicalSystem {
 
     /// Computes the smallest [displacement](MechanicalSystem) of the positions, or change of the
     /// velocities, that removes these residuals to first order. It is measured by the mass matrix:
-    /// δ with M δ = Aᵀμ and A δ = −residuals. The result is not finite if there is none.
-    /// [`redundant_correction`] handles constraints that depend on each other.
+    /// δ with M δ = Aᵀμ and A δ = −residuals. If there is none, the result is not finite.
+    /// [`redundant_correction`] handles dependent constraints.
     fn correction(
         &self,
         t: Self::Scalar,

@@ -1,11 +1,11 @@
-//! From positions on the constraints to the nearest ones.
+//! Search for the nearest positions, from positions on the constraints.
 //!
-//! The distance from q₀ is √(δᵀM δ) with the displacement δ = q − q₀, M being the mass matrix at q.
+//! The distance from q₀ is √(δᵀM δ) with the displacement δ = q − q₀ and the mass matrix M at q.
 //! Its slope along the constraints is minus the *pull*. The pull is the tangential part of q₀ − q,
 //! without its component M-orthogonal to the directions that the constraints allow. Conjugate
-//! gradients follow it, with each step brought back onto the constraints and directions carried
-//! along by projection. Steps end where the slope has nearly vanished rather than where the
-//! distance is least: differences of distances lose half of the digits. Sources: Absil, Mahony,
+//! gradients follow it. Each step is brought back onto the constraints, and directions are
+//! transported by projection. Steps end where the slope nearly vanishes rather than at the least
+//! distance, since differences of distances lose half of the digits. Sources: Absil, Mahony,
 //! Sepulchre, *Optimization Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical
 //! Optimization*, 2nd ed., §§3.5, 5.2.
 
@@ -16,19 +16,19 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{Positions, ScalarOf, StateVector, Velocities, displaced};
 use crate::tolerance::PULL;
 
-/// More steps than this are no use.
+/// Maximum number of steps.
 const MAX_ITERATIONS: u32 = 100;
-/// More lengths of one step are not tried.
+/// Maximum number of trial lengths per step.
 const MAX_LENGTHS: u32 = 20;
-/// A step ends where no more than this part of the slope at its beginning is left.
+/// A step ends when its slope is at most this fraction of its initial value.
 const LEFT: f64 = 0.1;
-/// A length beyond all that were tried is at most so many times the last one.
+/// Factor by which the longest length that is too short is extended.
 const STRETCH: f64 = 4.0;
-/// A length between two others keeps this part of what is between them from both.
+/// Minimum distance of a length from both ends of its bracket, as a fraction of the bracket.
 const MARGIN: f64 = 0.1;
 
-/// A search for the positions on the constraints nearest to `from`. The velocities are those of the
-/// mass matrix.
+/// A search for the positions on the constraints nearest to `from`. The mass matrix is evaluated at
+/// the velocities `v`.
 pub(super) struct NearestSearch<'a, M: ConstrainedSystem + ?Sized> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
@@ -39,14 +39,14 @@ pub(super) struct NearestSearch<'a, M: ConstrainedSystem + ?Sized> {
 /// Positions on the constraints.
 struct SearchPoint<Q, V> {
     q: Q,
-    /// The tangential part of the way to where the search began.
+    /// The tangential part of the displacement to the start of the search.
     pull: V,
 }
 
 /// The end of a step along a direction.
 struct End<S, Q, V> {
     point: SearchPoint<Q, V>,
-    /// The direction, carried there.
+    /// The direction, transported there.
     direction: V,
     length: S,
     /// Slope of the distance.
@@ -57,8 +57,8 @@ type PointOf<M> = SearchPoint<Positions<M>, Velocities<M>>;
 type EndOf<M> = End<ScalarOf<M>, Positions<M>, Velocities<M>>;
 
 impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
-    /// The nearest positions, from `found` on the constraints, to which `onto` brings others if it
-    /// can.
+    /// Finds the nearest positions from the positions `found` on the constraints. The function
+    /// `onto` brings positions onto the constraints and returns true if it succeeds.
     pub(super) fn nearest(
         &self,
         found: Positions<M>,
@@ -71,7 +71,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
             let size = largest(point.q.as_ref()).max(largest(self.from.as_ref()));
             let is_pulled = largest(point.pull.as_ref()) > PULL.part::<ScalarOf<M>>() * size;
             let slope = self.product(&point.q, &point.pull, &direction);
-            // Neither may be something that is not a number.
+            // Both comparisons are false for NaN.
             if !(is_pulled && slope > ScalarOf::<M>::ZERO) {
                 break;
             }
@@ -86,14 +86,14 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         SearchPoint { q, pull: self.tangential(&q, &self.way_back(&q)) }
     }
 
-    /// The displacement that leads to where the search began.
+    /// Returns the displacement to the start of the search.
     fn way_back(&self, q: &Positions<M>) -> Velocities<M> {
         self.system.displacement(self.t, q, self.from)
     }
 
-    /// Returns the step along a direction at whose end the distance hardly falls any more. If the
-    /// way back onto the constraints leads elsewhere, it is the longest known step that leads
-    /// nearer.
+    /// Returns the step along a direction to the point where the distance hardly decreases further.
+    /// If positions there cannot be brought onto nearby constraints, it is the longest known step
+    /// that leads nearer.
     fn step(
         &self,
         start: &PointOf<M>,
@@ -101,8 +101,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         (slope, first): (ScalarOf<M>, ScalarOf<M>),
         onto: impl Fn(&mut Positions<M>) -> bool,
     ) -> Option<EndOf<M>> {
-        // The longest length that is too short and the shortest that is too long, with the slopes
-        // there.
+        // The longest length that is too short and the shortest that is too long, with their
+        // slopes.
         let (mut short, mut long) = ((ScalarOf::<M>::ZERO, slope), None);
         let (mut length, mut nearer) = (first, None);
         for _ in 0..MAX_LENGTHS {
@@ -129,21 +129,21 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         End { point, direction, length, slope }
     }
 
-    /// True if a point is farther away by more than rounding, both measured by the mass matrix of
-    /// one of them.
+    /// True if a point is farther away by more than rounding. Both distances are measured by the
+    /// mass matrix at the start.
     fn is_farther(&self, start: &Positions<M>, end: &Positions<M>) -> bool {
         let [before, after] = [start, end].map(|q| {
             let way = self.way_back(q);
             self.product(start, &way, &way)
         });
         let rounding = PULL.part::<ScalarOf<M>>();
-        // What is not a number is nowhere.
+        // NaN counts as farther.
         let is_near = after <= before + rounding * before;
         !is_near
     }
 
-    /// The direction of the next step, after Polak and Ribière; the pull itself where that would
-    /// lead away.
+    /// Returns the direction of the next step, after Polak and Ribière; the pull itself if that
+    /// would lead away.
     fn conjugate(&self, start: &PointOf<M>, end: &EndOf<M>) -> Velocities<M> {
         let End { point, direction, .. } = end;
         let before = self.product(&start.q, &start.pull, &start.pull);
@@ -168,7 +168,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         difference(change, &system.correction(*t, q, v, &residuals))
     }
 
-    /// aᵀM b
+    /// Computes aᵀM b.
     fn product(&self, q: &Positions<M>, a: &Velocities<M>, b: &Velocities<M>) -> ScalarOf<M> {
         let weighed = self.system.mass_times(self.t, q, self.v, b);
         let products = a.as_ref().iter().zip(weighed.as_ref());
@@ -176,8 +176,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 }
 
-/// Returns the length at which the slope would vanish if it were linear between two known ones. It
-/// lies beyond them if the slope is not negative yet.
+/// Returns the length at which the slope would vanish if it were linear between two known lengths.
+/// It lies beyond the known lengths if the slope is not negative yet.
 fn between<S: Scalar>((short, falls): (S, S), long: Option<(S, S)>) -> S {
     let Some((long, rises)) = long else {
         return S::from_f64(STRETCH) * short;

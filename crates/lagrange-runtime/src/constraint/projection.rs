@@ -1,11 +1,11 @@
-//! The way back onto the constraints.
+//! Projection onto the constraints.
 //!
 //! Newton's method with the gradients of the constraints at the current point. Each correction is
-//! the smallest change by mass that removes the residuals to first order, so that the remainder is
-//! quadratic in it. A correction that overshoots is halved until the next one, by the same
-//! gradients, would be smaller. Constraints are linear in velocities, so one correction suffices
-//! there. Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of
-//! the module above.
+//! the smallest change, measured by the mass matrix, that removes the residuals to first order. The
+//! remainder is quadratic in it. A correction that overshoots is halved until the next one, with
+//! the same gradients, is smaller. Constraints are linear in velocities, so one correction suffices
+//! for velocities. Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the
+//! sources of the module above.
 
 use super::ConstrainedSystem;
 use super::nearest::NearestSearch;
@@ -22,52 +22,55 @@ use crate::system::{
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
 type StepOf<M> = Correction<ScalarOf<M>, Positions<M>, Velocities<M>>;
 
-/// More corrections than this are no use within a motion,
+/// Maximum number of corrections within a motion.
 const MAX_ITERATIONS: u32 = 20;
-/// and more than this from far away.
+/// Maximum number of corrections from far away.
 const MAX_FROM_AFAR: u32 = 200;
-/// The root of a rounding, times this, is the part of the coordinates below which the square of a
-/// correction is left alone.
+/// A correction of at most this times √ε, relative to the coordinates, is the last one: its square
+/// is negligible.
 const NEGLIGIBLE: f64 = 1e-2;
-/// The part of velocities up to which rounding of a correction is lost in theirs.
+/// A correction of velocities of at most this relative size is the last one: its rounding error is
+/// lost in that of the velocities.
 const SLIGHT: f64 = 1e-3;
-/// Corrections that are so many times larger than residuals, as parts of their scales, are
+/// Corrections are skipped if they exceed tiny residuals by more than this factor, both relative to
+/// their scales.
 const MAGNIFIED: f64 = 1e3;
-/// not made if these parts are smaller than this times the root of a rounding.
+/// Residuals are tiny up to this times √ε, relative to their scales.
 const NEXT_TO_NOTHING: f64 = 0.1;
-/// Corrections of velocities by a smaller part of them are not looked at for that.
+/// Corrections of velocities up to this relative size are never skipped.
 const LARGE: f64 = 1e-6;
-/// Velocities may not change by a larger part of them within a motion,
+/// Maximum relative change of velocities by a correction within a motion.
 const LEAP: f64 = 0.1;
-/// unless the change is slower than this part of the coordinates in a unit of time.
+/// Changes of velocities up to this fraction of the coordinates per unit of time are always
+/// accepted.
 const SLOW: f64 = 1e-4;
 /// Error message for dependent constraints.
 pub(crate) const UNDETERMINED: &str = "constraints depend on each other here and do not determine the motion";
-/// Starts are admitted if constraints miss by no more than this part of their scales.
+/// Initial states are admitted if residuals are at most this fraction of their scales.
 const ADMITTED: f64 = 1e-6;
 
-/// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass
-/// matrix measures distances: first positions, then velocities.
+/// Moves positions and velocities to the nearest ones that satisfy the constraints, in the metric
+/// of the mass matrix: first positions, then velocities.
 ///
-/// Near the constraints each correction squares the error. One or two suffice within a motion. Far
-/// away up to 200 are made, and shortened where they overshoot. From there, positions move along
-/// the constraints as long as that brings them nearer to the start. The
-/// [displacement](MechanicalSystem) δ = q − q₀ therefore ends normal to the allowed directions: M δ =
-/// Aᵀμ with the mass matrix and the gradients at q. This is a local minimum of the distance √(δᵀM
-/// δ), and the only one near the constraints. Where constraints on velocities hold the system, too,
-/// it moves along them as it does in motions. Bodies whose orientations are unit quaternions also
-/// end where M δ = Aᵀμ, with δ = 2 Im(q̄₀ ⊗ q) in their axes. That is near the least distance, but
-/// not at it if they are turned far and their moments of inertia differ.
+/// Near the constraints each correction squares the error. One or two corrections suffice within a
+/// motion. From far away, at most 200 corrections are made, and shortened if they overshoot.
+/// Positions then move along the constraints as long as their distance from the start decreases.
+/// The [displacement](MechanicalSystem) δ = q − q₀ therefore ends normal to the allowed directions:
+/// M δ = Aᵀμ with the mass matrix and the gradients at q. This is a local minimum of the distance
+/// √(δᵀM δ), and the only one near the constraints. If there are also constraints on velocities,
+/// positions move along these as they do in motions. Bodies whose orientations are unit quaternions
+/// also end where M δ = Aᵀμ, with δ = 2 Im(q̄₀ ⊗ q) in their axes. This is near the least distance,
+/// but not exactly there if rotations are large and moments of inertia differ.
 ///
-/// Constraints that depend on each other are satisfied together or not at all. The remainder of a
-/// residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
+/// Dependent constraints are either all satisfied or all violated. The remainder of a residual must
+/// be at most a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
 ///
 /// The scale of a residual is its value if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The
 /// size sⱼ of a coordinate is its magnitude, but at least the largest magnitude of all coordinates.
-/// The latter counts as 10⁻⁶ if below and as one if above. A coordinate at zero therefore has a
-/// size, too, and one that is far away does not lend its size to the others. Sizes of velocities
-/// follow from velocities in the same way. Where velocities are not the rates of the positions, the
-/// sizes of positions are converted to displacements. Unit quaternions are normalised first.
+/// The latter is clamped between 10⁻⁶ and one. A coordinate at zero therefore has a size, too, and
+/// a distant one does not affect the sizes of the others. Sizes of velocities are computed in the
+/// same way. If velocities are not the rates of the positions, the sizes of positions are converted
+/// to displacements. Unit quaternions are normalised first.
 ///
 /// # Errors
 /// If the constraints cannot be satisfied, from here or at all. The error names the constraint with
@@ -90,12 +93,12 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Returns the nearest velocities that satisfy the constraints at these positions, which stay
+/// Returns the nearest velocities that satisfy the constraints at these positions, which remain
 /// unchanged.
 ///
 /// # Errors
-/// If there are none, with the constraint that is violated most in proportion to its scale, as in
-/// [`project`].
+/// If there are none. The error names the constraint with the largest violation in proportion to
+/// its scale, as in [`project`].
 pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -109,12 +112,12 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
 }
 
 /// Brings a state of a motion back onto the constraints, as [`project`] does, but without checking
-/// the remainder: the corrections show that it is small.
+/// the remainder: the sizes of the corrections prove that it is small.
 /// [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types calls it.
 ///
 /// # Errors
-/// [`StepFailure::Violated`] if corrections do not converge, [`StepFailure::Stuck`] if they would
-/// lead to another motion; the state is then unchanged.
+/// [`StepFailure::Violated`] if corrections do not converge, and [`StepFailure::Stuck`] if they
+/// would lead to a different motion; the state is then unchanged.
 #[inline]
 pub fn correct<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -136,7 +139,7 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Brings a state that replaced another onto the constraints, as [`project`] does.
+/// Brings a replacement state onto the constraints, as [`project`] does.
 /// [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types calls it.
 ///
 /// # Errors
@@ -154,9 +157,8 @@ pub fn restore<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// True if velocities change so much that what follows is another motion. Errors of a step do not
-/// do that, but the smallest residual does where constraints are on the point of depending on each
-/// other.
+/// True if velocities change so much that a different motion follows. Errors of a step never cause
+/// this, but tiny residuals do if constraints are nearly dependent.
 #[inline]
 fn leaps<S: Scalar, Q: StateVector<S>, V: StateVector<S>>(before: &V, after: &V, q: &Q) -> bool {
     let changes = before.as_ref().iter().zip(after.as_ref()).map(|(before, after)| (*after - *before).abs());
@@ -164,13 +166,13 @@ fn leaps<S: Scalar, Q: StateVector<S>, V: StateVector<S>>(before: &V, after: &V,
     change > S::from_f64(LEAP) * largest(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
 }
 
-/// Brings the initial state of a motion onto the constraints if it nearly satisfies them. That is
-/// the case if every residual is at most 10⁻⁶ of its scale, as [`project`] measures it.
+/// Brings the initial state of a motion onto the constraints if it nearly satisfies them. Every
+/// residual must be at most 10⁻⁶ of its scale, as defined by [`project`].
 /// [`OdeSystem::admit`](crate::system::OdeSystem::admit) of emitted types calls it.
 ///
 /// # Errors
-/// [`StepFailure::Violated`] with the constraint that is violated most in proportion to its scale;
-/// the state is then unchanged.
+/// [`StepFailure::Violated`] with the constraint that has the largest violation in proportion to
+/// its scale; the state is then unchanged.
 pub fn admit<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -187,8 +189,8 @@ pub fn admit<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Brings positions and velocities onto the constraints; whether that succeeded. They are spoilt if
-/// not.
+/// Brings positions and velocities onto the constraints. Returns true if this succeeds; otherwise
+/// their values are arbitrary.
 #[inline]
 fn bring<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -199,8 +201,8 @@ fn bring<M: ConstrainedSystem + ?Sized>(
     bring_positions(system, t, q, v, MAX_ITERATIONS) && bring_velocities(system, t, q, v)
 }
 
-/// Brings positions to the nearest ones on the constraints, if corrections converge. Small
-/// corrections are as short as can be.
+/// Brings positions to the nearest ones on the constraints, if corrections converge. The search for
+/// the nearest ones is omitted if the correction is negligible.
 fn bring_nearest<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -218,7 +220,7 @@ fn bring_nearest<M: ConstrainedSystem + ?Sized>(
     true
 }
 
-/// Brings positions onto the constraints, if that many corrections do.
+/// Brings positions onto the constraints, by at most this number of corrections.
 #[inline]
 fn bring_positions<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -232,7 +234,7 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
         return true;
     }
     let step = Correction::new(*q, system.correction(t, q, v, &residuals));
-    // What is not a number is larger than anything, too.
+    // The comparison is false for NaN.
     if step.length <= negligible(q.as_ref()) {
         *q = end(system, t, &step, M::Scalar::ONE);
         return true;
@@ -244,8 +246,8 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     newton(system, t, v, step, most).map(|found| *q = found).is_some()
 }
 
-/// True if a correction is out of proportion to the residual, which is next to nothing. Constraints
-/// are then about to depend on each other, and the rest is better ignored.
+/// True if a correction is out of proportion to a tiny residual. Constraints are then nearly
+/// dependent, and the rest of the residual is better ignored.
 #[inline]
 fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool {
     let part = part();
@@ -253,7 +255,7 @@ fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool
         && length > S::from_f64(MAGNIFIED) * part * size
 }
 
-/// Newton's method from its first step on.
+/// Runs Newton's method, starting with its first step.
 #[cold]
 fn newton<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -277,8 +279,8 @@ fn newton<M: ConstrainedSystem + ?Sized>(
     None
 }
 
-/// Shortens a step until the next one with the same gradients is smaller; returns its end, the
-/// residuals there, and that next step.
+/// Shortens a step until the next one with the same gradients is smaller. Returns its end, the
+/// residuals there, and the next step.
 fn shortened<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -299,7 +301,7 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
     None
 }
 
-/// A correction and from where.
+/// A correction and its starting point.
 struct Correction<S, Q, V> {
     from: Q,
     change: V,
@@ -324,8 +326,8 @@ fn end<M: MechanicalSystem + ?Sized>(
     displaced(system, t, &step.from, [(part, &step.change)])
 }
 
-/// Brings velocities onto the constraints, if corrections converge. A second one removes what
-/// rounding left of a large first one.
+/// Brings velocities onto the constraints, if corrections converge. A second one removes the
+/// rounding errors of a large first one.
 #[inline]
 fn bring_velocities<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -357,7 +359,7 @@ fn are_zero<S: Scalar>(residuals: &[S]) -> bool {
     residuals.iter().all(|residual| *residual == S::ZERO)
 }
 
-/// Corrections up to this leave nothing behind but rounding.
+/// Returns the size of corrections after which only rounding errors remain.
 #[inline]
 fn negligible<S: Scalar>(q: &[S]) -> S {
     S::from_f64(NEGLIGIBLE) * S::epsilon().sqrt() * size(q)

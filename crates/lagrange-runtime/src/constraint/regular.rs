@@ -1,11 +1,11 @@
-//! Tests if constraints are independent enough for elimination, and bounds on their residuals.
+//! Checks that constraints are independent enough for elimination, and bounds on their residuals.
 
 use crate::constraint::minimum_norm::rank_tolerance;
 use crate::scalar::Scalar;
 
-/// True if all values are finite and the direct computation of them can be trusted. Its growth of
-/// rounding errors, `condition`, must be below the inverse square of [`rank_tolerance`], since
-/// pivots are squares of remainders of gradients.
+/// True if all values are finite and their direct computation is reliable. Its growth of rounding
+/// errors, `condition`, must be below the inverse square of [`rank_tolerance`], since pivots are
+/// squares of remainders of gradients.
 #[inline]
 pub fn are_regular<S: Scalar>(values: &[S], condition: S) -> bool {
     condition * rank_tolerance::<S>() * rank_tolerance::<S>() < S::ONE && are_finite(values)
@@ -17,13 +17,13 @@ pub fn are_finite<S: Scalar>(values: &[S]) -> bool {
     values.iter().all(|value| value.is_finite())
 }
 
-/// Returns Σⱼ |Aᵢⱼ| sⱼ for the rows of a matrix and shares s.
+/// Computes Σⱼ |Aᵢⱼ| sⱼ for the rows of a matrix and weights s.
 #[inline]
 pub fn weighed<S: Scalar, const N: usize, const M: usize>(rows: &[[S; N]; M], shares: &[S; N]) -> [S; M] {
     rows.map(|row| row.iter().zip(shares).fold(S::ZERO, |sum, (entry, &share)| sum + entry.abs() * share))
 }
 
-/// Weighs the nonzero entries `(i, j, Aᵢⱼ)` of a matrix, by rows.
+/// Computes Σⱼ |Aᵢⱼ| sⱼ by rows, from the nonzero entries `(i, j, Aᵢⱼ)` of a matrix.
 ///
 /// # Panics
 /// If an index is too large.

@@ -1,17 +1,17 @@
-//! The sizes of residuals.
+//! Sizes of residuals.
 
 use super::ConstrainedSystem;
 use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, Violated, Violation, reach};
 use crate::tolerance::RESIDUAL;
 
-/// The largest coordinate counts as no smaller than this.
+/// Lower bound on the size of coordinates.
 const SMALLEST: f64 = 1e-6;
 
-/// The constraint that is violated most in proportion to its scale.
+/// The constraint with the largest violation in proportion to its scale.
 pub(super) struct Worst<S> {
     pub(super) violation: Violation<S>,
-    /// The proportion to its scale; infinite if the residual is not a number.
+    /// The ratio of the residual to its scale; infinite if the residual is NaN.
     pub(super) part: S,
 }
 
@@ -37,7 +37,7 @@ pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
     Worst::new(system.constraint_names(), residuals.as_ref(), scales.as_ref(), Violated::Velocities)
 }
 
-/// Returns the largest residual of positions as a part of the largest scale. Near configurations in
+/// Returns the largest residual of positions relative to the largest scale. Near configurations in
 /// which constraints depend on each other, their own scales may vanish.
 #[cold]
 pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
@@ -49,7 +49,7 @@ pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
     largest(system.position_residuals(t, q).as_ref()) / largest(scales.as_ref())
 }
 
-/// Returns the largest violation of the velocities, all taken together.
+/// Returns the largest residual of velocities, relative to the largest scale.
 #[cold]
 pub(super) fn of_velocities_together<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -60,7 +60,7 @@ pub(super) fn of_velocities_together<M: ConstrainedSystem + ?Sized>(
     largest(system.velocity_residuals(t, q, v).as_ref()) / largest(scales.as_ref())
 }
 
-/// The largest magnitude; not a number if one is not.
+/// Returns the largest magnitude; NaN if an entry is NaN.
 #[inline]
 pub(super) fn largest<S: Scalar>(x: &[S]) -> S {
     x.iter().fold(S::ZERO, |most, x| most.max(x.abs()))
@@ -78,7 +78,8 @@ pub(super) fn beyond<M: ConstrainedSystem + ?Sized>(
     too_much(of_positions(system, t, q)).or_else(|| too_much(of_velocities(system, t, (q, v))))
 }
 
-/// Returns the largest violation of a state; of positions, if those violate their constraints.
+/// Returns the largest violation of a state; the one of positions, if they violate their
+/// constraints.
 #[cold]
 pub(super) fn worst<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -112,7 +113,7 @@ impl<S: Scalar> Worst<S> {
     }
 }
 
-/// The part of its scale that a residual is.
+/// Returns the ratio of a residual to its scale.
 fn proportion<S: Scalar>(residual: S, scale: S) -> S {
     let part = if residual == S::ZERO { S::ZERO } else { residual.abs() / scale };
     if part >= S::ZERO { part } else { S::ONE / S::ZERO }
@@ -128,7 +129,7 @@ pub(crate) fn sizes<S: Scalar, Q: StateVector<S>>(x: &Q) -> Q {
     sizes
 }
 
-/// The largest magnitude, but neither less than [`SMALLEST`] nor more than one.
+/// Returns the largest magnitude, clamped between [`SMALLEST`] and one.
 #[inline]
 pub(super) fn size<S: Scalar>(x: &[S]) -> S {
     x.iter().fold(S::from_f64(SMALLEST), |most, x| most.max(x.abs())).min(S::ONE)

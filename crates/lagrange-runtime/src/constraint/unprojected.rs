@@ -3,12 +3,12 @@
 use super::ConstrainedSystem;
 use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem, StateMatrix, VelocityMatrix, Wrapper};
 
-/// A system whose states methods leave as they find them: what its constraints demand of
-/// accelerations is all that holds it.
+/// A system whose states are not corrected by methods: constraints act only through the
+/// accelerations.
 ///
-/// For measurements of the effect of projection, and for systems with another stabilisation.
-/// Initial states are still checked and put onto the constraints. Errors of the method then carry
-/// the motion away from them, and unit quaternions away from length one.
+/// It serves to measure the effect of projection, and for systems with another stabilisation.
+/// Initial states are still checked and brought onto the constraints. Errors of the method then
+/// carry the motion away from them, and unit quaternions away from length one.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Unprojected<M>(
     /// The system.

@@ -5,9 +5,9 @@ use crate::scalar::Scalar;
 /// The rule by which a reaction acts.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Rule<S> {
-    /// Not at all.
+    /// The reaction is zero.
     Absent,
-    /// Its rate stays zero.
+    /// The rate of the reaction stays zero.
     Holds,
     /// r = −c |kinetic limit|, where c is the component of the direction of slipping: 1 forwards,
     /// −1 backwards, and a cosine in a plane.
@@ -16,18 +16,18 @@ pub(super) enum Rule<S> {
     Smooth,
 }
 
-/// The choices of a reaction.
+/// The rules that are possible for a reaction.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Choice<S> {
-    /// Nothing but this.
+    /// Only this rule.
     Only(Rule<S>),
-    /// To press or to part.
+    /// The contact presses or parts.
     Touch,
-    /// To hold or to slip; with [`Across`](Choice::Across) behind it in a plane.
+    /// Friction holds or slips; in a plane [`Across`](Choice::Across) follows it.
     Rest,
-    /// To slip in a plane, in any direction.
+    /// Friction slips in a plane, in any direction.
     GiveWay,
-    /// The choice of the reaction before it, whose second component this is.
+    /// The second component of the reaction before it, whose choice it follows.
     Across,
 }
 
@@ -39,7 +39,7 @@ pub(super) struct Settled<S, const K: usize> {
 }
 
 impl<S: Scalar> Choice<S> {
-    /// The number of rules that it leaves to be tried.
+    /// Returns the number of rules to be tried.
     pub(super) fn count(self) -> usize {
         match self {
             Choice::Only(_) | Choice::GiveWay | Choice::Across => 1,
@@ -48,7 +48,7 @@ impl<S: Scalar> Choice<S> {
         }
     }
 
-    /// The rule to be tried at this place.
+    /// Returns the rule to be tried at this place.
     pub(super) fn rule(self, place: usize) -> Rule<S> {
         match (self, place) {
             (Choice::Only(rule), _) => rule,
@@ -61,7 +61,8 @@ impl<S: Scalar> Choice<S> {
 }
 
 impl<S: Scalar> Rule<S> {
-    /// The rules of friction that slips in this direction, without any if there is none.
+    /// Returns the rules of friction that slips in this direction; without a direction there is
+    /// none.
     pub(super) fn slipping(direction: Option<[S; 2]>) -> [Rule<S>; 2] {
         direction.map_or([Rule::Absent; 2], |direction| direction.map(Rule::Slips))
     }

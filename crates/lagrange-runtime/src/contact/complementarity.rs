@@ -8,7 +8,7 @@
 //! ```
 //!
 //! One rule is changed at a time, that of the first reaction that contradicts its rule. This ends
-//! at the answer if friction does not couple strongly (Murty's least-index pivoting). Otherwise
+//! with the solution if friction does not couple strongly (Murty's least-index pivoting). Otherwise
 //! [Lemke's method](super::lemke) finds rules. It may fail where limits of friction change their
 //! signs; all combinations are then tried if they are few. Friction in a plane slips in any
 //! direction, which [Newton's method](super::cone) finds. With friction that slips and is strong
@@ -37,11 +37,11 @@ use super::slip::{length, present_direction};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED, BALANCED_BY_SEARCH, HELD_TOGETHER, Roundings};
 
-/// Combinations are not tried if there are more.
+/// Maximum number of combinations that are tried.
 const MOST_COMBINATIONS: u64 = 1_296;
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
-    /// Rules out of these choices that fit together, if there are any.
+    /// Finds rules among these choices that fit together; `None` if there are none.
     pub(super) fn settle(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let choices = &self.possible(choices);
         let held = choices.map(|choice| choice.rule(0));
@@ -54,10 +54,10 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         self.pivot(choices, held).or_else(|| self.complement(choices)).or_else(|| self.try_all(choices))
     }
 
-    /// The choices without friction that has no limit, whatever contacts do.
+    /// Removes friction that has no limit in any mode of the contacts from these choices.
     pub(super) fn possible(&self, choices: &[Choice<S>; K]) -> [Choice<S>; K] {
         let mut possible = *choices;
-        // Limits may hold what was declared before.
+        // Limits may include reactions that were declared before.
         for k in 0..K {
             let may_act = |j: usize| j != k && possible[j] != Choice::Only(Rule::Absent);
             if matches!(possible[k], Choice::Rest | Choice::GiveWay) && !self.has_limit(k, may_act) {
@@ -83,7 +83,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         self.pivot(choices, found.rules).or_else(|| is_near().then_some(found))
     }
 
-    /// From these rules on.
+    /// Changes one rule at a time, starting from these rules.
     fn pivot(&self, choices: &[Choice<S>; K], mut rules: [Rule<S>; K]) -> Option<Settled<S, K>> {
         for _ in 0..=8 + 4 * K {
             let settled = self.under(rules)?;
@@ -98,12 +98,13 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         None
     }
 
-    /// Reactions under these rules if they fit together, but for a little more than rounding.
+    /// Computes the reactions under these rules; `None` if they contradict the rules by more than
+    /// the tolerance of searches.
     pub(super) fn confirmed(&self, choices: &[Choice<S>; K], rules: [Rule<S>; K]) -> Option<Settled<S, K>> {
         self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED_BY_SEARCH).is_none())
     }
 
-    /// Reactions under these rules if they fit together.
+    /// Computes the reactions under these rules; `None` if they contradict the rules.
     fn fitting(&self, choices: &[Choice<S>; K], rules: [Rule<S>; K]) -> Option<Settled<S, K>> {
         self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED).is_none())
     }
@@ -136,8 +137,8 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         fits.then_some(Settled { rules, reactions })
     }
 
-    /// The first reaction that contradicts its rule by more than so many roundings, and the rules
-    /// to try instead. The second is for a second component.
+    /// Finds the first reaction that contradicts its rule by more than this many roundings, and the
+    /// rules to try instead. The second rule is for a second component.
     fn contradiction(
         &self,
         choices: &[Choice<S>; K],
@@ -154,7 +155,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         })
     }
 
-    /// A contact that presses by no more than rounding is open.
+    /// Checks a contact. It is open if it presses by no more than rounding.
     fn touch(
         &self,
         k: usize,
@@ -169,7 +170,8 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         }
     }
 
-    /// Friction holds with no more than its static limit, and slips the way it is driven.
+    /// Checks friction. It holds with at most its static limit, and slips in the direction in which
+    /// it is driven.
     fn rest(
         &self,
         k: usize,

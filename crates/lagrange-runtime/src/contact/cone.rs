@@ -1,7 +1,7 @@
 //! The law of contacts and friction as an equation, solved by Newton's method.
 //!
-//! Reactions r and rates are measured so that a reaction changes its own rate by one. Each reaction
-//! of the law is what its *target* makes of d = r − rate:
+//! Reactions r and rates are scaled so that a reaction changes its own rate by one. Each reaction
+//! is to equal its *target*, a function of d = r − rate:
 //!
 //! ```text
 //! contact:   r = max(d, 0)
@@ -17,8 +17,8 @@
 //! their targets, one after the other for some sweeps. Then it starts again. Of undetermined steps
 //! it takes the shortest.
 //!
-//! First it is tried near the shortest forces that hold all rates, with the steps of Levenberg and
-//! Marquardt. These find a solution next to the start where there are many.
+//! The first attempt starts near the shortest forces that hold all rates, with steps of Levenberg
+//! and Marquardt. If there are many solutions, they find one close to the start.
 //!
 //! Sources: Fan, Yuan, "On the quadratic convergence of the Levenberg–Marquardt method without
 //! nonsingularity assumption", *Computing* 74 (2005) 23–39; Alart, Curnier, "A mixed formulation
@@ -48,17 +48,17 @@ use super::slip::length;
 use crate::scalar::Scalar;
 use crate::tolerance::BALANCED_BY_SEARCH;
 
-/// The problem in units in which reactions change their own rates by one. What is absent is left
-/// out: places are those among the reactions that may act.
+/// The problem in units in which reactions change their own rates by one. It contains only the
+/// reactions that may act; a place is an index among them.
 pub(super) struct Cone<'a, S, const N: usize, const K: usize> {
     balance: &'a Balance<'a, S, N, K>,
-    /// The number of reactions that may act, and which these are.
+    /// Number of reactions that may act, and their indices.
     count: usize,
     active: [usize; K],
     choices: [Choice<S>; K],
-    /// Units of rates; those of reactions are the reciprocals.
+    /// Units of rates; the units of reactions are their reciprocals.
     units: [S; K],
-    /// Change of the rates with the reactions.
+    /// Derivatives of the rates with respect to the reactions.
     matrix: [[S; K]; K],
     /// Rates without reactions.
     offsets: [S; K],
@@ -74,11 +74,11 @@ struct ForcePoint<S, const K: usize> {
 /// Reactions, the rules by which they act, and how far they are from the law.
 pub(super) struct Approximation<S, const K: usize> {
     pub(super) settled: Settled<S, K>,
-    /// The largest rate by which a reaction misses its target, and which.
+    /// The largest rate by which a reaction misses its target, and the index of this reaction.
     pub(super) residual: (S, usize),
-    /// True if that is no more than rounding.
+    /// True if the residual is no more than rounding.
     pub(super) is_exact: bool,
-    /// Steps of Newton's method.
+    /// Number of steps of Newton's method.
     pub(super) iterations: u32,
 }
 
@@ -89,21 +89,22 @@ enum TargetPiece<S> {
     Absent,
     /// d
     Holds,
-    /// `radius` along `direction`. `turning` is what the direction changes with d across it, zero
-    /// if the direction is known.
+    /// `radius` along `direction`. `turning` is the derivative of the direction with respect to d
+    /// across it; zero if the direction is known.
     Limited { direction: [S; 2], radius: S, turning: S },
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
-    /// Rules out of these choices that fit together, and the reactions, if Newton's method finds
-    /// some. Of undetermined reactions it finds some next to the shortest that hold all rates.
+    /// Finds rules among these choices that fit together, and the reactions, by Newton's method.
+    /// Undetermined reactions are close to the shortest ones that hold all rates.
     pub(super) fn in_cone(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let cone = Cone::new(self, choices);
         let shortest = self.reactions(&choices.map(|choice| choice.rule(0)));
         Some(cone.settled(&cone.point(cone.solve(cone.scaled(&shortest))?)))
     }
 
-    /// The reactions nearest to the law that are found from these on, as those of the step before.
+    /// Finds the reactions that obey the law best, starting from these, such as those of the step
+    /// before.
     pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
         let cone = Cone::new(self, choices);
         let search = cone.follow(cone.scaled(start));
@@ -125,7 +126,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         for (place, &k) in active[..count].iter().enumerate() {
             (units[place], choices[place]) = (all_units[k], all[k]);
         }
-        // A disk stays one.
+        // Both components have the same unit, so that a disk remains a disk.
         for place in (1..count).filter(|&place| choices[place] == Choice::Across) {
             let half = S::from_f64(0.5);
             let squares = units[place - 1] * units[place - 1] + units[place] * units[place];
@@ -142,7 +143,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         Cone { balance, count, active, choices, units, matrix, offsets }
     }
 
-    /// These reactions in the units of the problem.
+    /// Converts these reactions to the units of the problem.
     fn scaled(&self, reactions: &[S; K]) -> [S; K] {
         let mut forces = [S::ZERO; K];
         for (place, &k) in self.active[..self.count].iter().enumerate() {
@@ -159,7 +160,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         ForcePoint { forces, pulls }
     }
 
-    /// The largest rate by which one of these reactions misses its target, and which.
+    /// Returns the largest rate by which one of these reactions misses its target, and its index.
     fn residual(&self, at: &ForcePoint<S, K>) -> (S, usize) {
         let errors = self.errors(at);
         let mut worst = (S::ZERO, 0);
@@ -172,14 +173,14 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         worst
     }
 
-    /// The rules by which these reactions act.
+    /// Returns the rules by which these reactions act.
     fn settled(&self, at: &ForcePoint<S, K>) -> Settled<S, K> {
         let (mut rules, mut reactions) = ([Rule::Absent; K], [S::ZERO; K]);
         for place in (0..self.count).filter(|&place| self.choices[place] != Choice::Across) {
             let found = match self.piece(at, place) {
                 TargetPiece::Absent => [Rule::Absent; 2],
                 TargetPiece::Holds => [Rule::Holds; 2],
-                // At its limit, yet held by other forces.
+                // At its limit, but other forces hold it as well.
                 _ if self.choices[place] == Choice::Rest && self.is_still(at, place) => [Rule::Holds; 2],
                 TargetPiece::Limited { direction, .. } => direction.map(|component| Rule::Slips(-component)),
             };
@@ -189,7 +190,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
                 rules[k + 1] = found[1];
             }
         }
-        // Rounding of nothing would be a limit.
+        // Reactions that do not act would only have rounding errors as limits.
         for (place, &k) in self.active[..self.count].iter().enumerate() {
             if rules[k] != Rule::Absent {
                 reactions[k] = at.forces[place] / self.units[place];
@@ -202,20 +203,20 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         self.choices.get(k + 1) == Some(&Choice::Across)
     }
 
-    /// The change of rate k with these reactions.
+    /// Computes the change of rate k due to these reactions.
     fn change(&self, k: usize, forces: &[S; K]) -> S {
         let parts = self.matrix[k][..self.count].iter().zip(forces);
         parts.fold(S::ZERO, |sum, (entry, force)| entry.multiply_add(*force, sum))
     }
 
-    /// True if the rates of friction k are zero but for rounding.
+    /// True if the rates of friction k are zero up to rounding.
     fn is_still(&self, at: &ForcePoint<S, K>, k: usize) -> bool {
         let rate = |k: usize| at.forces[k] - at.pulls[k];
         let rates = [rate(k), if self.is_planar(k) { rate(k + 1) } else { S::ZERO }];
         length(&rates) <= BALANCED_BY_SEARCH.part::<S>() * self.scale(&at.forces)
     }
 
-    /// Targets less reactions.
+    /// Computes the targets minus the reactions.
     fn errors(&self, at: &ForcePoint<S, K>) -> [S; K] {
         let mut errors = [S::ZERO; K];
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
@@ -252,7 +253,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         }
     }
 
-    /// The piece of friction that holds or slips.
+    /// Returns the piece of friction that holds or slips.
     fn friction(&self, at: &ForcePoint<S, K>, k: usize) -> TargetPiece<S> {
         let pull = self.pull(at, k);
         let size = length(&pull);
@@ -268,12 +269,12 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         TargetPiece::Limited { direction: pull.map(|component| component / size), radius, turning }
     }
 
-    /// d
+    /// Returns d.
     fn pull(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
         [at.pulls[k], if self.is_planar(k) { at.pulls[k + 1] } else { S::ZERO }]
     }
 
-    /// A limit of friction k, given without reactions and by its slopes.
+    /// Computes a limit of friction k from its value without reactions and its slopes.
     fn limit(&self, at: &ForcePoint<S, K>, k: usize, (free, slopes): (S, &[S; K])) -> S {
         let mut limit = free;
         for (j, slope) in self.active[..self.count].iter().map(|&j| slopes[j]).enumerate() {
@@ -289,18 +290,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         self.units[k] * limit
     }
 
-    /// The kinetic limit of friction k.
+    /// Computes the kinetic limit of friction k.
     fn kinetic(&self, at: &ForcePoint<S, K>, k: usize) -> S {
         self.limit(at, k, self.balance.limit(self.active[k]))
     }
 
-    /// The sign of the kinetic limit, which counts by its size.
+    /// Returns the sign of the kinetic limit, whose absolute value is the radius.
     fn side(&self, at: &ForcePoint<S, K>, k: usize) -> S {
         let is_reversed = self.kinetic(at, k) < S::ZERO;
         if is_reversed { -S::ONE } else { S::ONE }
     }
 
-    /// Derivatives of reactions less targets.
+    /// Computes the derivatives of the reactions minus the targets.
     fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
         let mut slopes = [[S::ZERO; K]; K];
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
@@ -314,7 +315,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         slopes
     }
 
-    /// Derivative of a component of a target.
+    /// Computes the derivative of a component of a target.
     fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; K] {
         match self.piece(at, k) {
             TargetPiece::Absent => [S::ZERO; K],
@@ -332,14 +333,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         }
     }
 
-    /// Derivative of one component of d.
+    /// Computes the derivative of one component of d.
     fn pull_slope(&self, k: usize) -> [S; K] {
         let mut slope = self.matrix[k].map(|entry| -entry);
         slope[k] = slope[k] + S::ONE;
         slope
     }
 
-    /// Derivative of the kinetic limit of friction k, by size where its direction is free.
+    /// Computes the derivative of the kinetic limit of friction k, or of its absolute value if the
+    /// direction is free.
     fn limit_slope(&self, at: &ForcePoint<S, K>, k: usize) -> [S; K] {
         let (_, slopes) = self.balance.limit(self.active[k]);
         let is_free = matches!(self.choices[k], Choice::Rest | Choice::GiveWay);

@@ -1,9 +1,9 @@
 //! Forces in the modes of a motion, their margins, and redundant supports.
 //!
-//! Where held rates leave forces undetermined, the shortest may pull at one point or exceed a limit
-//! of friction. Other forces may hold the same rates within all limits. Those next to the shortest
-//! are then taken. Something gives way only where there are none. Its rate under forces within all
-//! limits is no longer zero.
+//! If held rates leave forces undetermined, the shortest ones may pull at one point or exceed a
+//! limit of friction. Other forces may hold the same rates within all limits; those close to the
+//! shortest are then used. If there are none, something gives way: its rate is nonzero under forces
+//! within all limits.
 //!
 //! # A box on two feet in numbers
 //!
@@ -23,16 +23,17 @@ use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
 
-/// A slip velocity stops by itself if friction slows it down by this part of what it could.
+/// Fraction of the largest possible deceleration by friction above which a slip velocity is
+/// expected to stop by itself.
 const STOPPING: f64 = 0.5;
 
 /// Computes the reactions of a system in these modes. Open contacts have none. The forces of closed
 /// contacts and sticking friction keep gaps closed and slip velocities zero. Slipping friction is
 /// at its kinetic limit against the slip. NaN if there are no such reactions.
 ///
-/// If the motion does not determine reactions, as those of a table on four legs, the shortest are
-/// taken. Each is measured in the unit in which it changes its own rate. Where these pull or exceed
-/// a limit, reactions next to them that do not are taken, if there are some.
+/// If the motion does not determine the reactions, as for a table on four legs, the shortest are
+/// taken. Each is measured in the unit in which it changes its own rate. If the shortest pull or
+/// exceed a limit, close reactions that do not are taken, if there are any.
 pub fn reactions<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -43,7 +44,7 @@ pub fn reactions<S: Scalar, const N: usize, const K: usize>(
 /// The forces of a system in some modes.
 pub(super) struct Forces<'a, S, const N: usize, const K: usize> {
     pub(super) balance: Balance<'a, S, N, K>,
-    /// The forces under which the motion goes on.
+    /// The forces under which the motion continues.
     pub(super) reactions: [S; K],
     /// Forces within all limits, if the shortest exceed one.
     within: Option<[S; K]>,
@@ -69,15 +70,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Forces<'a, S, N, K> {
         if forces.exceeds_limits(modes, &rules) { forces.within_limits(modes, &rules) } else { forces }
     }
 
-    /// True if undetermined forces exceed a limit of theirs.
+    /// True if undetermined forces exceed one of their limits.
     fn exceeds_limits(&self, modes: &[Mode; K], rules: &[Rule<S>; K]) -> bool {
         let is_held = |k: &usize| rules[*k] == Rule::Holds && !matches!(modes[*k], Mode::Across(_));
         let is_exceeded = (0..K).filter(is_held).any(|k| self.margin(modes, k) < S::ZERO);
         is_exceeded && !self.balance.is_determined(rules)
     }
 
-    /// Looks for forces within all limits. Where they do not hold what is held, the motion goes on
-    /// with the shortest forces, to the event that ends it.
+    /// Searches for forces within all limits. If they do not hold all held rates, the motion
+    /// continues with the shortest forces up to the event that ends it.
     fn within_limits(mut self, modes: &[Mode; K], rules: &[Rule<S>; K]) -> Self {
         let choices = array::from_fn(|k| match (modes[k], rules[k]) {
             (Mode::Contact(_), Rule::Holds) => Choice::Touch,
@@ -97,13 +98,13 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Forces<'a, S, N, K> {
         self
     }
 
-    /// Bounds the rounding error of a rate under forces that were searched.
+    /// Bounds the rounding error of a rate under forces found by a search.
     fn noise(&self, k: usize, reactions: &[S; K]) -> S {
         BALANCED_BY_SEARCH.part::<S>() * self.balance.size(k, reactions)
     }
 
-    /// The distance of the force that holds reaction k to its limit, which it may exceed by
-    /// rounding. Where the shortest force exceeds it by more, the margin is positive as long as
+    /// Returns the distance of the force that holds reaction k from its limit, which it may exceed
+    /// by rounding. If the shortest force exceeds it by more, the margin is positive as long as
     /// forces within all limits hold.
     pub(super) fn margin(&self, modes: &[Mode; K], k: usize) -> S {
         let in_force = |rate: S| match self.balance.response(k) {
@@ -118,15 +119,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Forces<'a, S, N, K> {
         })
     }
 
-    /// True if friction k gives way together with what has reached its limit just now.
+    /// True if friction k gives way together with a reaction that has just reached its limit.
     pub(super) fn gives_way(&self, modes: &[Mode; K], k: usize) -> bool {
         let reactions = self.within.as_ref().unwrap_or(&self.reactions);
         let is_held = matches!(modes[k], Mode::Friction(Friction::Sticks));
         is_held && self.left(modes, k, reactions) <= S::epsilon().sqrt() * self.balance.fixed(k, reactions)
     }
 
-    /// True if slip k in a plane goes back by no more than a part of what its friction alone would
-    /// take. It would otherwise soon be zero.
+    /// True if slip k in a plane decreases by no more than a part of what its friction alone would
+    /// cause. Otherwise it would soon be zero.
     pub(super) fn lingers(&self, terms: &Terms<S, N, K>, k: usize) -> bool {
         let (slip, force) = (terms.slip(k, true), [self.reactions[k], self.reactions[k + 1]]);
         let rate = [k, k + 1].map(|k| self.balance.rate(k, &self.reactions));

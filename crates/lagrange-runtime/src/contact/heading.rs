@@ -5,29 +5,29 @@ use core::fmt::{self, Debug, Formatter};
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
-/// Binary digits of a component.
+/// Number of binary digits of a component.
 const DIGITS: u32 = 53;
 
-/// A direction in the plane of two slip velocities. It tells a slip velocity that reaches zero from
-/// one that turns.
+/// A direction in the plane of two slip velocities. It distinguishes a slip velocity that reaches
+/// zero from one that turns.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Heading {
-    /// The bits of both components, so that modes can be compared and hashed.
+    /// The bits of both components, which allow modes to be compared and hashed.
     bits: [u64; 2],
 }
 
 impl Heading {
-    /// The direction of this vector, whose length is about one.
+    /// Returns the direction of this vector, whose length is about one.
     pub fn new<S: Scalar>(components: [S; 2]) -> Self {
         Heading { bits: components.map(|component| rounded(component).to_bits()) }
     }
 
-    /// The components that [`new`](Self::new) takes for the same bits.
+    /// Returns components from which [`new`](Self::new) creates the same bits.
     pub(super) fn numbers<S: Scalar>(self) -> [S; 2] {
         self.bits.map(|bits| S::from_f64(f64::from_bits(bits)))
     }
 
-    /// A vector of length one.
+    /// Returns a vector of length one.
     pub fn components<S: Scalar>(self) -> [S; 2] {
         let components = self.numbers::<S>();
         let length = dot(&components, &components).sqrt();
@@ -41,8 +41,8 @@ impl Debug for Heading {
     }
 }
 
-/// A number between −1 and 1 cut off after so many binary digits; numbers of any type can be
-/// compared, and need not be convertible.
+/// Truncates a number between −1 and 1 after this many binary digits. It needs only comparisons, as
+/// not every number type can be converted.
 fn rounded<S: Scalar>(value: S) -> f64 {
     let is_negative = value < S::ZERO;
     let mut left = if is_negative { -value } else { value };
@@ -53,6 +53,6 @@ fn rounded<S: Scalar>(value: S) -> f64 {
         }
         digit *= 0.5;
     }
-    // Zero has one sign.
+    // Zero has only one sign.
     if is_negative { 0.0 - found } else { found }
 }

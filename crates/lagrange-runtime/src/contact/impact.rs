@@ -1,29 +1,29 @@
 //! Impacts.
 //!
-//! All contacts that touch take part, those that are closed as well: rates of gaps after an impact
-//! and impulses satisfy
+//! All touching contacts take part, including closed ones. Rates of gaps after an impact and
+//! impulses satisfy
 //!
 //! ```text
 //! Λ ≥ 0,  ξ = rate⁺ + e rate⁻ ≥ 0,  Λ ξ = 0,     v⁺ = v⁻ + Σ w Λ,
 //! ```
 //!
-//! which for one contact is v⁺ = v⁻ − (1 + e) W (J W)⁻¹ J v⁻. A contact that would have to pull is
-//! left out. Friction whose limit grows with the reactions of contacts acts by the same law as its
-//! force. It satisfies |Λ| ≤ slope of the limit times the impulses, and acts against the slip that
-//! remains. Limits that do not grow with reactions are finite forces and give no impulse.
+//! which is v⁺ = v⁻ − (1 + e) W (J W)⁻¹ J v⁻ for one contact. A contact that would have to pull is
+//! excluded. Friction whose limit grows with the reactions of contacts obeys the same law as its
+//! force. It satisfies |Λ| ≤ slope of the limit times the impulses, and acts against the remaining
+//! slip. Limits that do not grow with reactions are finite forces and give no impulse.
 //!
 //! With friction, or with several contacts of different restitution, Newton's law of restitution
 //! may create energy (the paradox of Kane and Levinson). There may also be no impulses, as for a
-//! body wedged between more walls than it has freedoms. All coefficients are then reduced in
-//! proportion until impulses exist and no energy is created. Without restitution there always are
-//! impulses ([`lemke`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen
-//! from moving surfaces.
+//! body wedged between more walls than it has degrees of freedom. All coefficients are then reduced
+//! in proportion until impulses exist and no energy is created. Without restitution there are
+//! always impulses ([`lemke`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as
+//! seen from moving surfaces.
 //!
-//! A jam is the limit of such an impact as the approach falls to zero. It has an effect only where
-//! friction is so strong that a contact which slips would be drawn in. Sources: Moreau, "Unilateral
-//! contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and Applications*
-//! (1988). Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory and
-//! Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
+//! A jam is the limit of such an impact as the speed of approach tends to zero. It has an effect
+//! only if friction is so strong that a slipping contact would be pulled in. Sources: Moreau,
+//! "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and
+//! Applications* (1988). Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory
+//! and Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
 //!
 //! # A block on a floor in numbers
 //!
@@ -41,21 +41,21 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 use crate::tolerance::IMPACT_ENERGY;
 
-/// The part of restitution is found to so many binary digits where it must be found.
+/// Number of bisections for the fraction of the restitution.
 const MOST_BISECTIONS: u32 = 40;
 /// Number of bisections if the full impulses do not exist.
 const FEW_BISECTIONS: u32 = 6;
-/// Speeds of approach at which a jam is searched for, as parts of the largest slip velocity. The
-/// smaller ones are for contacts of which one slips much more slowly than another.
+/// Speeds of approach at which a jam is searched for, relative to the largest slip velocity. The
+/// smaller ones are for contacts that slip at very different speeds.
 const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 const NO_IMPULSES: &str = "no impulses of contacts and friction are consistent with the impact";
 
 /// The effect of an impact.
 pub(super) struct Collision<S, const N: usize, const K: usize> {
-    /// The velocities after it.
+    /// The velocities after the impact.
     pub(super) velocities: [S; N],
     pub(super) impulses: [S; K],
-    /// The kinetic energy that all contacts and friction took, by the mean of their rates before
+    /// The kinetic energy lost in all contacts and friction, from the mean of their rates before
     /// and after.
     pub(super) energy_loss: S,
     /// True for each rate that is zero after the impact, up to rounding.
@@ -63,8 +63,8 @@ pub(super) struct Collision<S, const N: usize, const K: usize> {
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// The impact in the contacts that touch, from the velocities `v`; coefficients of restitution
-    /// are zero for friction.
+    /// Computes the impact in the touching contacts from the velocities `v`. Coefficients of
+    /// restitution are zero for friction.
     ///
     /// # Errors
     /// If no impulses fit, or if something is not finite.
@@ -87,8 +87,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         self.reduced(part, creates).ok_or(StepFailure::Stuck(NO_IMPULSES))
     }
 
-    /// Returns the impact with the largest part of the restitution for which there are impulses and
-    /// no energy is created. Both hold without any restitution.
+    /// Returns the impact with the largest fraction of the restitution for which impulses exist and
+    /// no energy is created. Without restitution, both conditions hold.
     fn reduced(
         &self,
         part: impl Fn(S) -> Option<Collision<S, N, K>>,
@@ -102,8 +102,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             match part(middle) {
                 Some(collision) if creates(&collision) => above = middle,
                 Some(_) => below = middle,
-                // Impulses grow without bound towards where there are none: half of the way there
-                // is kept, and is not worth many rounds.
+                // Impulses grow without bound towards the largest fraction. Half of the interval is
+                // kept, which needs few bisections.
                 None => (below, above, most) = (below.min(half * middle), half * middle, FEW_BISECTIONS),
             }
             round += 1;
@@ -111,9 +111,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO))
     }
 
-    /// Returns the impact without approach by which contacts that are `pressed` jam, if there is
-    /// one. It is the limit of impacts as the speed of approach falls to zero, and leaves another
-    /// motion.
+    /// Returns the impact without approach by which `pressed` contacts jam, if there is one. It is
+    /// the limit of impacts as the speed of approach tends to zero, and changes the motion.
     pub(super) fn jam(
         &self,
         v: &[S; N],
@@ -145,7 +144,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         })
     }
 
-    /// The impact with these coefficients of restitution, if impulses fit.
+    /// Computes the impact with these coefficients of restitution; `None` if there are no impulses.
     fn collide(
         &self,
         v: &[S; N],

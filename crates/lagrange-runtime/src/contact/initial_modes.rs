@@ -20,10 +20,10 @@ const NO_FORCES: &str = "no forces of contacts and friction are consistent with 
 strong for rigid bodies that slip this way (Painlevé paradox)";
 
 /// Returns the system for a motion that starts from this state. Contacts that touch and press are
-/// closed. Friction at rest sticks if it can, and otherwise slips the way it is driven. `None` if
-/// it is in these modes already.
+/// closed. Friction at rest sticks if it can, and otherwise slips in the direction of the load.
+/// `None` if the system already has these modes.
 ///
-/// A contact that touches and approaches stays open: its event is the impact, at once.
+/// A contact that touches and approaches stays open: its impact follows immediately.
 ///
 /// # Errors
 /// If any of these holds:
@@ -65,13 +65,13 @@ pub(super) struct Position<const K: usize> {
     /// True for each gap at which bodies overlap by more than rounding.
     is_beyond: [bool; K],
     pub(super) is_still: [bool; K],
-    /// Speeds from which friction in a plane that gives way here has a direction.
+    /// Speeds from which friction in a plane that gives way in this state has a direction.
     paces: [Pace; K],
 }
 
 impl<const K: usize> Position<K> {
-    /// Judged by rounding, after the time `elapsed` in a run; contacts and friction that already
-    /// hold are given half of all digits.
+    /// Judges the state by rounding, after the time `elapsed` in a run. For contacts and friction
+    /// that already hold, half of the digits must agree.
     pub(super) fn of<M: ContactSystem<N, K>, const N: usize>(
         system: &M,
         terms: &Terms<M::Scalar, N, K>,
@@ -135,8 +135,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         self.size_of(k, v) + (self.rates[k] - own).abs()
     }
 
-    /// Modes that fit together where gaps and rates that are zero are known. The mode that reaction
-    /// `ended` had has just come to its end, which leaves it these choices.
+    /// Finds modes that fit together if the gaps and rates that are zero are known. The mode of
+    /// reaction `ended` has just ended, which leaves these choices for it.
     ///
     /// # Errors
     /// If there are none, or if something is not finite.
@@ -202,7 +202,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 }
 
-/// The mode of a second component.
+/// Returns the mode of a second component.
 fn across(first: Option<&Mode>) -> Mode {
     match first {
         Some(Mode::Friction(first)) => Mode::Across(*first),
@@ -210,7 +210,7 @@ fn across(first: Option<&Mode>) -> Mode {
     }
 }
 
-/// The mode with this rule. Friction without a limit just slips.
+/// Returns the mode with this rule. Friction without a limit slips.
 fn mode<S: Scalar>(kind: Mode, rule: Rule<S>, is_limited: bool) -> Mode {
     match (kind, rule) {
         (Mode::Smooth | Mode::Across(_), _) => kind,

@@ -13,17 +13,16 @@
 //!
 //! Rates and limits are affine in the reactions, so that w = q + M z. Friction that is known to
 //! slip is an equation for a reaction without a sign. All w become possible by a multiple z₀ of the
-//! vector of ones. Then z₀ is driven out: whenever a variable leaves the basis its complement
+//! vector of ones. Then z₀ is reduced to zero: whenever a variable leaves the basis its complement
 //! enters.
 //!
 //! If G is positive semidefinite and limits do not fall where contacts press, M is copositive. Then
 //! Lemke's method ends at a solution if no friction is known to slip, and no reactions without
-//! effect on the rates work against q. There are therefore impulses at every impact without
-//! restitution. Friction that is known to slip may leave no solution: the paradox of Painlevé.
+//! effect on the rates work against q. Every impact without restitution therefore has impulses.
+//! Friction that is known to slip may leave no solution: the paradox of Painlevé.
 //!
-//! q is moved by a little more than rounding, by another amount in each row, which keeps the method
-//! from going round in circles. Rules are read from the last basis, and the reactions follow from
-//! the rules.
+//! q is increased by a little more than rounding, by a different amount in each row, which prevents
+//! cycles. The last basis gives the rules, and the rules give the reactions.
 //!
 //! Sources: Stewart, Trinkle, "An implicit time-stepping scheme for rigid body dynamics with
 //! inelastic collisions and Coulomb friction", *Int. J. Numer. Methods Eng.* 39 (1996) 2673–2691;
@@ -36,9 +35,9 @@ use super::reaction_forces::Balance;
 use crate::linalg::singular::negligible;
 use crate::scalar::Scalar;
 
-/// Pairs of each reaction.
+/// Number of pairs of each reaction.
 const PAIRS: usize = 3;
-/// The method is given up after this many exchanges for each pair.
+/// Maximum number of exchanges for each pair.
 const MOST_EXCHANGES: usize = 16;
 
 /// An entry for each pair, reaction by reaction.
@@ -52,7 +51,8 @@ enum Variable {
     Cover,
 }
 
-/// A variable by the others: its value if those are zero, and how it grows with each.
+/// A variable as a function of the others: its value if they are zero, and its slope with respect
+/// to each.
 #[derive(Clone, Copy, Debug)]
 struct Row<S, const K: usize> {
     variable: Variable,
@@ -60,12 +60,12 @@ struct Row<S, const K: usize> {
     slopes: Pairs<S, K>,
     /// Slope with respect to the variable of the initial column of z₀.
     cover: S,
-    /// True if it must not be negative; rows of pairs that take no part, and of reactions without a
-    /// sign, may.
+    /// True if it must not be negative. Rows of excluded pairs, and of reactions without a sign,
+    /// may be negative.
     has_sign: bool,
 }
 
-/// Variables that are in the basis, by those that are not and are zero.
+/// The variables in the basis as functions of the others, which are zero.
 struct PivotTableau<S, const K: usize> {
     rows: Pairs<Row<S, K>, K>,
     /// The variables of the columns.
@@ -73,11 +73,11 @@ struct PivotTableau<S, const K: usize> {
     cover: Variable,
 }
 
-/// The column of a pair, or the last one.
+/// Returns the column of a pair, or the last one.
 type Column = Option<usize>;
 
 impl Variable {
-    /// The other one of its pair.
+    /// Returns the other variable of its pair.
     fn complement(self) -> Variable {
         match self {
             Variable::W(pair) => Variable::Z(pair),
@@ -99,7 +99,7 @@ impl<S: Scalar, const K: usize> Row<S, K> {
         }
     }
 
-    /// Adds a multiple of another row, except in that column, which it replaces.
+    /// Adds a multiple of another row, and replaces the entry of that column.
     fn add(&mut self, factor: S, other: &Row<S, K>, column: Column) {
         let kept = factor * other.slope(column);
         self.value = factor.multiply_add(other.value, self.value);
@@ -114,7 +114,7 @@ impl<S: Scalar, const K: usize> Row<S, K> {
 }
 
 impl<S: Scalar, const K: usize> PivotTableau<S, K> {
-    /// Lets the variable of a column enter the basis, and that of a row leave it.
+    /// Exchanges the variable of a column, which enters the basis, and the variable of a row.
     fn exchange(&mut self, pair: usize, column: Column) -> Variable {
         let mut row = self.rows[pair / PAIRS][pair % PAIRS];
         let pivot = row.slope(column);
@@ -143,7 +143,7 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
         left
     }
 
-    /// The column of a variable that is not in the basis.
+    /// Returns the column of a variable that is not in the basis.
     fn column_of(&self, variable: Variable) -> Option<Column> {
         if self.cover == variable {
             return Some(None);
@@ -151,8 +151,8 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
         self.columns.iter().flatten().position(|column| *column == variable).map(Some)
     }
 
-    /// The row that is the first to become negative as the variable of a column grows; that of z₀
-    /// if several are.
+    /// Returns the first row that becomes negative as the variable of a column grows. If there are
+    /// several, the row of z₀ is preferred.
     fn first_to_vanish(&self, column: Column) -> Option<usize> {
         let mut first: Option<(usize, S)> = None;
         for (pair, row) in self.rows.iter().flatten().enumerate() {
@@ -171,7 +171,7 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
         first.map(|(pair, _)| pair)
     }
 
-    /// The row whose value is the most negative.
+    /// Returns the row with the most negative value.
     fn lowest(&self) -> Option<usize> {
         let mut lowest: Option<(usize, S)> = None;
         for (pair, row) in self.rows.iter().flatten().enumerate() {
@@ -182,7 +182,7 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
         lowest.map(|(pair, _)| pair)
     }
 
-    /// Lemke's method; whether it ended at a solution.
+    /// Runs Lemke's method; returns true if it ended at a solution.
     fn solve(&mut self) -> bool {
         let Some(lowest) = self.lowest() else { return true };
         let mut left = self.exchange(lowest, None);
@@ -197,7 +197,7 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
         false
     }
 
-    /// The value of a variable.
+    /// Returns the value of a variable.
     fn value(&self, variable: Variable) -> S {
         let row = self.rows.iter().flatten().find(|row| row.variable == variable);
         row.map_or(S::ZERO, |row| row.value)
@@ -205,8 +205,8 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
-    /// Rules out of these choices that fit together but for a little more than rounding, if the
-    /// method finds some.
+    /// Finds rules among these choices that fit together within the tolerance of searches; `None`
+    /// if the method fails.
     pub(super) fn complementary(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let mut tableau = self.tableau(choices)?;
         if !tableau.solve() {
@@ -226,7 +226,8 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         Some(Settled { rules, reactions })
     }
 
-    /// The problem of these choices; none if an equation cannot be solved for its reaction.
+    /// Builds the problem of these choices; `None` if an equation cannot be solved for its
+    /// reaction.
     fn tableau(&self, choices: &[Choice<S>; K]) -> Option<PivotTableau<S, K>> {
         let problem = Problem::new(self, choices);
         let pair = |k: usize, pair: usize| PAIRS * k + pair;
@@ -246,7 +247,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
 }
 
 impl<S: Scalar, const K: usize> PivotTableau<S, K> {
-    /// Moves the values of the rows by a little, upwards, where they have a sign.
+    /// Increases the values of rows with a sign by a small amount.
     fn perturb(&mut self) {
         let rows = self.rows.iter().flatten();
         let size = rows.fold(S::ZERO, |size, row| size.max(row.value.abs()));
@@ -260,7 +261,7 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
     }
 }
 
-/// The rows of the problem as it is given.
+/// Builds the rows of the original problem.
 struct Problem<'a, S, const N: usize, const K: usize> {
     balance: &'a Balance<'a, S, N, K>,
     choices: &'a [Choice<S>; K],
@@ -277,7 +278,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
         matches!(self.choices[k], Choice::Only(Rule::Slips(_) | Rule::Smooth))
     }
 
-    /// w of a pair, by all z.
+    /// Returns w of a pair as a function of all z.
     fn row(&self, k: usize, pair: usize) -> Row<S, K> {
         let zero = Row {
             variable: Variable::W(PAIRS * k + pair),
@@ -306,14 +307,14 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
         }
     }
 
-    /// 0 = r + sign·limit
+    /// Returns the row of 0 = r + sign·limit.
     fn slipping(&self, row: Row<S, K>, k: usize, sign: S) -> Row<S, K> {
         let mut row = self.limit(row, k, sign);
         row.slopes[k][0] = row.slopes[k][0] + S::ONE;
         row
     }
 
-    /// sign·rate
+    /// Returns the row of sign·rate.
     fn rate(&self, row: Row<S, K>, k: usize, sign: S) -> Row<S, K> {
         let mut row = Row {
             value: sign * self.balance.offset(k) / self.units[k],
@@ -328,7 +329,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
         row
     }
 
-    /// A row and sign·limit, counted positive where it is without reactions.
+    /// Returns a row and sign·limit, with the sign changed if it is negative without reactions.
     fn limit(&self, mut row: Row<S, K>, k: usize, sign: S) -> Row<S, K> {
         let (free, slopes) = self.balance.limit(k);
         let is_reversed = free < S::ZERO && self.choices[k] != Choice::Only(Rule::Smooth);
@@ -340,7 +341,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
         row
     }
 
-    /// Lets a row grow with reaction j.
+    /// Adds a dependence on reaction j to a row.
     fn add(&self, row: &mut Row<S, K>, j: usize, slope: S) {
         match self.choices[j] {
             Choice::Only(Rule::Absent | Rule::Holds) | Choice::GiveWay | Choice::Across => {}

@@ -5,13 +5,13 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Checks limits of friction that do not hold forces of constraints.
+    /// Checks limits of friction that contain no constraint forces.
     ///
-    /// A limit may be negative if it is small beside the forces at its friction. Where v changes
-    /// its sign, `abs(v)` continues as v up to the event.
+    /// A limit may be negative if it is small relative to the forces at its friction. Where v
+    /// changes its sign, `abs(v)` continues as v up to the event.
     ///
     /// # Errors
-    /// If one is negative whatever contacts press with.
+    /// If a limit is negative for all forces of the contacts.
     pub(super) fn check_limits<M>(&self, modes: &[Mode; K]) -> Result<(), StepFailure<S>>
     where
         M: ContactSystem<N, K>,
@@ -33,8 +33,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         Ok(())
     }
 
-    /// True if this limit is more than rounding beside the forces that friction k would have to
-    /// hold. It may be the growth of a limit with the force of a contact.
+    /// True if this value is more than rounding relative to the forces that friction k would have
+    /// to hold. It may be a limit, or the growth of a limit with the force of a contact.
     fn is_felt(&self, k: usize, limit: S) -> bool {
         let response = self.size_of(k, &self.responses[k]);
         let force = if response > S::ZERO { self.acceleration_of(k) / response } else { S::ZERO };
@@ -42,8 +42,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 }
 
-/// Returns the part of a limit on this side that makes it negative, if no part can make up for it:
-/// contacts only press.
+/// Returns the part of a limit on this side that makes it negative, if no other part can compensate
+/// for it: contacts only press.
 fn negative<S: Scalar, const K: usize>(side: S, free: S, slopes: &[S; K], modes: &[Mode; K]) -> Option<S> {
     let mut least = side * free;
     for (&slope, mode) in slopes.iter().zip(modes).filter(|(slope, _)| **slope != S::ZERO) {

@@ -6,13 +6,14 @@ use crate::scalar::Scalar;
 const CONTACTS: [Contact; 2] = [Contact::Open, Contact::Closed];
 const FRICTIONS: [Friction; 4] =
     [Friction::Slips, Friction::SlipsForwards, Friction::SlipsBackwards, Friction::Sticks];
-/// The numbers of the first friction, of the first second component, and of their headings.
+/// The numbers of the first mode of friction, the first mode of a second component, and smooth
+/// friction.
 const FIRST: usize = CONTACTS.len();
 const ACROSS: usize = FIRST + FRICTIONS.len() + 1;
 const SMOOTH: usize = ACROSS + FRICTIONS.len() + 1;
 
 impl Mode {
-    /// The mode as its number and a heading. Steps give no pace to a slip velocity.
+    /// Converts the mode to its number and a heading. Steps give no pace to a slip velocity.
     pub(super) fn numbers<S: Scalar>(self) -> [S; 3] {
         let (kind, heading) = match self {
             Mode::Contact(contact) => (usize::from(contact == Contact::Closed), None),
@@ -24,7 +25,7 @@ impl Mode {
         [S::from_f64(kind as f64), x, y]
     }
 
-    /// The mode of such numbers; others count as smooth.
+    /// Converts such numbers to the mode; other numbers give a smooth one.
     pub(super) fn of_numbers<S: Scalar>([kind, x, y]: [S; 3]) -> Self {
         let heading = Heading::new([x, y]);
         let kind = (0..SMOOTH).find(|number| kind == S::from_f64(*number as f64)).unwrap_or(SMOOTH);

@@ -3,17 +3,17 @@
 use crate::scalar::Scalar;
 use crate::tolerance::BOUND;
 
-/// Slip velocities in a plane have a direction from this fraction of their terms on.
+/// Slip speed in a plane from which there is a direction, relative to its terms.
 const SLOW: f64 = 1e-6;
-/// They have none up to so many times their rounding error.
+/// Slip speed up to which there is no direction, as a multiple of its rounding error.
 const ABOVE_NOISE: f64 = 8.0;
-/// Roundings of its terms that a slip velocity may consist of.
+/// Bound of the rounding error of a slip velocity, in roundings of its terms.
 const ROUNDINGS: f64 = 8.0;
 
 /// A speed, rounded down to a power of two so that modes can be compared and hashed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Pace {
-    /// None of zero.
+    /// `None` for zero.
     exponent: Option<i16>,
 }
 
@@ -21,7 +21,7 @@ impl Pace {
     /// The speed zero.
     pub const ZERO: Self = Pace { exponent: None };
 
-    /// Rounds this speed down. A speed that is not a positive number counts as zero.
+    /// Rounds this speed down. A value that is not a positive number gives zero.
     pub fn new<S: Scalar>(speed: S) -> Self {
         if !(speed > S::ZERO && speed.is_finite()) {
             return Pace::ZERO;
@@ -36,19 +36,19 @@ impl Pace {
         Pace { exponent: Some(exponent) }
     }
 
-    /// The speed from which slip velocities of these terms, with this rounding error, have a
+    /// Returns the speed from which slip velocities with these terms and this rounding error have a
     /// direction.
     pub(super) fn of_slip<S: Scalar>(terms: S, noise: S) -> Self {
         Pace::new((S::from_f64(SLOW) * terms).max(S::from_f64(ABOVE_NOISE) * noise))
     }
 
-    /// The size below which slip velocities with this pace are rounding.
+    /// Returns the size below which slip velocities with this pace are rounding.
     pub(super) fn rounding<S: Scalar>(self) -> S {
         let part = S::from_f64(SLOW).max(S::from_f64(ABOVE_NOISE) * BOUND.part::<S>());
         S::from_f64(ROUNDINGS) * S::epsilon() * self.value::<S>() / part
     }
 
-    /// The speed.
+    /// Returns the speed.
     pub fn value<S: Scalar>(self) -> S {
         let base = |exponent: i16| S::from_f64(if exponent < 0 { 0.5 } else { 2.0 });
         self.exponent.map_or(S::ZERO, |exponent| base(exponent).powi(i32::from(exponent).abs()))

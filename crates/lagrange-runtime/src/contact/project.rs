@@ -1,5 +1,5 @@
-//! Back onto closed contacts: gaps to zero, and the velocities that contacts and sticking friction
-//! hold.
+//! Projection onto closed contacts: it makes gaps zero, and the velocities held by contacts and
+//! sticking friction.
 
 use core::array;
 
@@ -13,16 +13,18 @@ use crate::system::{
 };
 use crate::tolerance::{BALANCED, CLOSED_GAP, SLIT};
 
-/// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
+/// Maximum number of rounds in which gaps are made zero. Each round squares the errors.
 const MOST_ROUNDS: u32 = 12;
 
-/// Brings a state onto the closed contacts and sticking friction. Gaps become zero by the smallest
-/// change of the coordinates that the mechanism allows, measured by the mass matrix. Then their
-/// rates and slip velocities become zero by the smallest change of the velocities. Constraints keep
-/// holding to first order in the change. Unit quaternions are normalised first.
+/// Projects a state onto the closed contacts and sticking friction. Gaps become zero by the
+/// smallest change of the coordinates that the mechanism allows, measured by the mass matrix. Then
+/// their rates and slip velocities become zero by the smallest change of the velocities.
+/// Constraints remain satisfied to first order in the change. Unit quaternions are normalised
+/// first.
 ///
 /// # Errors
-/// If a gap cannot be closed, with its name and what is left of it; the state is then what it was.
+/// If a gap cannot be closed; the error contains its name and the remaining gap. The state is then
+/// unchanged.
 pub fn correct<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -49,7 +51,7 @@ where
     Ok(())
 }
 
-/// Brings these gaps to zero.
+/// Makes these gaps zero.
 pub(super) fn close<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -75,8 +77,8 @@ where
             return Ok(());
         }
     }
-    // Gaps that are coordinates have no terms beside which they could be small: what counts is then
-    // the size of the coordinates.
+    // Gaps that are coordinates have no terms to which they could be compared. They are compared to
+    // the coordinates instead.
     let lengths = reach(system, t, q, &lengths(q));
     if widest(&system.terms(t, &closed, v), &lengths, is_closed).is_none() {
         *q = closed;
@@ -87,16 +89,15 @@ where
     Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])))
 }
 
-/// True if two vectors differ by no more than the rounding of a third. One that is not a number
-/// differs from every other.
+/// True if two vectors differ by no more than the rounding of a third. NaN differs from everything.
 fn is_same<S: Scalar, Q: StateVector<S>>(one: &Q, other: &Q, scale: &Q) -> bool {
     let rounding = CLOSED_GAP.part::<S>();
     let differences = one.as_ref().iter().zip(other.as_ref()).zip(scale.as_ref());
     differences.into_iter().all(|((a, b), scale)| a == b || (*a - *b).abs() <= rounding * scale.abs())
 }
 
-/// The widest of these gaps that is not closed but for the rounding of these coordinates; one that
-/// is not a number is not.
+/// Finds the widest of these gaps that is not closed up to the rounding of these coordinates. NaN
+/// is not closed.
 fn widest<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     scale: &[S; N],
@@ -114,8 +115,8 @@ fn widest<S: Scalar, const N: usize, const K: usize>(
     widest
 }
 
-/// Brings these rates to zero. What rounding leaves of a velocity becomes zero, too, since events
-/// of it would otherwise happen at every change of its sign.
+/// Makes these rates zero. Velocities that are only rounding become zero as well, since each change
+/// of their signs would be an event.
 pub(super) fn halt<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     v: &mut [S; N],
@@ -133,7 +134,7 @@ pub(super) fn halt<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
-/// The energy that it takes at least to give these contacts the rates that they have.
+/// Computes the minimum energy needed to give these contacts their present rates.
 pub(super) fn energy<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     is_held: [bool; K],
@@ -144,9 +145,9 @@ pub(super) fn energy<S: Scalar, const N: usize, const K: usize>(
     S::from_f64(0.5) * twice.abs()
 }
 
-/// Opens gaps that are zero except for rounding by a few roundings, so that they are not found
-/// closed again at once. All are opened together, and with the closed ones, since opening one may
-/// close another.
+/// Opens gaps that are zero up to rounding by a few roundings, so that their events do not recur at
+/// once. All are opened in one step while the closed ones are held, since opening one may close
+/// another.
 pub(super) fn part<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -166,7 +167,7 @@ pub(super) fn part<M, const N: usize, const K: usize>(
     }
 }
 
-/// Displaces positions by responses so that these gaps are taken away where they are held.
+/// Displaces positions along responses so that these gaps vanish where they are held.
 fn displace<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,

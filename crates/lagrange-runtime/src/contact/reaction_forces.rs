@@ -5,9 +5,9 @@
 //! reaction is that it is absent, that it holds its rate at zero, or that it is friction at its
 //! limit.
 //!
-//! Reactions are measured in √G_kk, which makes them comparable whatever their units. Where held
-//! rates leave reactions undetermined, as those of a table on four legs, the shortest are taken in
-//! this measure. The motion does not depend on this choice.
+//! Reactions are scaled by √G_kk, which makes them comparable in any units. If held rates leave
+//! reactions undetermined, as for a table on four legs, the shortest in this scale are taken. The
+//! motion does not depend on this choice.
 
 use core::array;
 
@@ -17,7 +17,7 @@ use crate::linalg::singular::{is_singular, nearest, solve};
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
 
-/// Rates as they are without reactions, and how reactions change them.
+/// Rates without reactions, and their changes with the reactions.
 #[derive(Clone, Copy)]
 pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     terms: &'a Terms<S, N, K>,
@@ -27,11 +27,11 @@ pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     offsets: [S; K],
     /// Magnitude of the terms in the offsets, the scale for rounding tests.
     sizes: [S; K],
-    /// One if limits hold what is there without reactions; zero for impulses, to which finite
+    /// One if limits include their values without reactions; zero for impulses, to which finite
     /// forces do not contribute.
     presence: S,
-    /// True if rates that cannot be held together are an error; else they are held as nearly as
-    /// they can be.
+    /// True if rates that cannot be held together are an error; otherwise they are held as closely
+    /// as possible.
     is_exact: bool,
 }
 
@@ -41,8 +41,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         Balance { matrix: terms.matrix(), ..Self::without_responses(terms) }
     }
 
-    /// Builds the problem for forces under known rules: rates of absent reactions, and what these
-    /// would change, are left out.
+    /// Builds the problem for forces under known rules. Absent reactions are excluded, with their
+    /// rates and effects.
     pub(super) fn of_active(terms: &'a Terms<S, N, K>, rules: &[Rule<S>; K]) -> Self {
         let mut balance = Self::without_responses(terms);
         let acts = |k: &usize| rules[*k] != Rule::Absent;
@@ -113,7 +113,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: false }
     }
 
-    /// True if rates without reactions, and what reactions change, are numbers.
+    /// True if the rates without reactions, and their changes with reactions, are finite.
     pub(super) fn is_finite(&self) -> bool {
         self.matrix.iter().chain([&self.offsets]).flatten().all(|entry| entry.is_finite())
     }
@@ -144,22 +144,24 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         self.matrix[k][k]
     }
 
-    /// G in row k and column j.
+    /// Returns G in row k and column j.
     pub(super) fn entry(&self, k: usize, j: usize) -> S {
         self.matrix[k][j]
     }
 
-    /// Rate k without reactions.
+    /// Returns rate k without reactions.
     pub(super) fn offset(&self, k: usize) -> S {
         self.offsets[k]
     }
 
-    /// The kinetic limit of friction k without reactions, and how it grows with each.
+    /// Returns the kinetic limit of friction k without reactions, and its slope with respect to
+    /// each reaction.
     pub(super) fn limit(&self, k: usize) -> (S, &[S; K]) {
         (self.presence * self.terms.kinetic[k], &self.terms.kinetic_slopes[k])
     }
 
-    /// The static limit of friction k without reactions, and how it grows with each.
+    /// Returns the static limit of friction k without reactions, and its slope with respect to each
+    /// reaction.
     pub(super) fn static_limit(&self, k: usize) -> (S, &[S; K]) {
         (self.presence * self.terms.fixed[k], &self.terms.static_slopes[k])
     }
@@ -191,10 +193,10 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         fixed.abs().max(self.kinetic(k, reactions).abs())
     }
 
-    /// The reactions under these rules; NaN if there are none.
+    /// Computes the reactions under these rules; NaN if there are none.
     ///
-    /// A limit that comes out negative, as that of a guide pressed from its other side, counts by
-    /// its magnitude. The system is then solved again with its sign changed.
+    /// A limit that becomes negative, such as that of a guide pressed from its other side, counts
+    /// by its magnitude. The system is then solved again with the opposite sign.
     pub(super) fn reactions(&self, rules: &[Rule<S>; K]) -> [S; K] {
         let is_reversed = |k: usize| rules[k] == Rule::Smooth && self.terms.rates[k] < S::ZERO;
         let expected = array::from_fn(|k| if is_reversed(k) { -S::ONE } else { S::ONE });
@@ -217,16 +219,16 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         [S::NAN; K]
     }
 
-    /// True if the limit of friction k is that of a contact which pulls. Such states lie beyond the
-    /// event by which the contact opens. Methods evaluate them on their way there, and need a
-    /// smooth continuation of the motion.
+    /// True if the limit of friction k belongs to a contact that pulls. Such states are beyond the
+    /// event by which the contact opens. Methods evaluate them before they find the event, and need
+    /// a smooth continuation of the motion.
     fn is_beyond(&self, k: usize, rules: &[Rule<S>; K], reactions: &[S; K]) -> bool {
         let slopes = &self.terms.kinetic_slopes[k];
         (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
     }
 
-    /// Returns the limits of the friction that holds, beside which forces are rounding. Without
-    /// other forces, several points of a body at rest would only have to hold the rounding of its
+    /// Returns the limits of the holding friction, relative to which forces count as rounding.
+    /// Without other forces, several points of a body at rest hold only the rounding of its
     /// velocity.
     fn held_limits(&self, rules: &[Rule<S>; K], units: &[S; K]) -> S {
         let Terms { kinetic, fixed, .. } = self.terms;
@@ -248,15 +250,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         !is_singular(&matrix)
     }
 
-    /// The reactions under these rules if the limits have these signs.
+    /// Computes the reactions under these rules if the limits have these signs.
     fn solve(&self, rules: &[Rule<S>; K], signs: &[S; K], expected: &[S; K]) -> [S; K] {
         let units = self.units();
         let factor = |k: usize| match rules[k] {
             Rule::Slips(component) => component * signs[k] * expected[k],
             _ => signs[k] * expected[k],
         };
-        // What is absent takes no part: rounding of nothing would have a sign, by which limits are
-        // judged.
+        // Absent reactions are excluded: their rounding errors would have signs, by which limits
+        // are judged.
         let (mut active, mut count) = ([0; K], 0);
         for k in (0..K).filter(|k| rules[*k] != Rule::Absent) {
             active[count] = k;
@@ -293,7 +295,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// G: in row k how rate k changes with each reaction.
+    /// Computes G, whose row k contains the change of rate k with each reaction.
     fn matrix(&self) -> [[S; K]; K] {
         array::from_fn(|k| array::from_fn(|j| dot(&self.rows[k], &self.responses[j])))
     }

@@ -1,14 +1,15 @@
-//! Accelerations, and those that reactions add, by one factorisation of the mass matrix.
+//! Accelerations, and the accelerations that reactions add, from one factorisation of the mass
+//! matrix.
 //!
 //! Accelerations without reactions are a₀ = M⁻¹ f. A unit of reaction k acts along the gradient d_k
-//! of its rate, and adds w_k = M⁻¹ d_k. With M = Lᵀ D L each takes two triangular solutions.
-//! Freedoms farther from the ground come later, and are eliminated first: other branches of a tree
-//! then keep their zeros.
+//! of its rate, and adds w_k = M⁻¹ d_k. With M = Lᵀ D L, each needs two triangular solutions.
+//! Degrees of freedom farther from the ground come later, and are eliminated first: this preserves
+//! the zeros between branches of a tree.
 //!
-//! In a step of the length h, dampers act by the velocities at its end. With f at its beginning, M
-//! Δv = h (f − C Δv) + Σ d_k r_k. That is the same with M + h C in place of M, and no step is too
-//! long for a damper. Sources: Featherstone, *Rigid Body Dynamics Algorithms*, §6.5; Baraff,
-//! Witkin, "Large steps in cloth simulation", *SIGGRAPH* (1998) 43–54.
+//! In a step of length h, dampers act by the velocities at its end. With f at its beginning, M Δv =
+//! h (f − C Δv) + Σ d_k r_k. This equals a step with M + h C in place of M, and is stable for any
+//! damper. Sources: Featherstone, *Rigid Body Dynamics Algorithms*, §6.5; Baraff, Witkin, "Large
+//! steps in cloth simulation", *SIGGRAPH* (1998) 43–54.
 //!
 //! # A damped mass in numbers
 //!
@@ -23,8 +24,8 @@ use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Returns the terms under this mass matrix, given generalised forces in place of the free
-    /// accelerations. Where it is singular they are not finite.
+    /// Returns the terms under this mass matrix. They contain the generalised forces in place of
+    /// the free accelerations. If the matrix is singular, the result is not finite.
     #[must_use]
     pub fn accelerated(mut self, mass: &[[S; N]; N]) -> Self {
         let factors = MassFactors::new(*mass);
@@ -33,8 +34,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         self
     }
 
-    /// Returns the terms for a step of the length `h`, those of an instant if it is zero. `damping`
-    /// holds the second derivatives of the dissipation function.
+    /// Returns the terms for a step of length `h`, or for an instant if it is zero. `damping` holds
+    /// the second derivatives of the dissipation function.
     #[must_use]
     pub fn damped(self, mass: &[[S; N]; N], damping: &[[S; N]; N], h: S) -> Self {
         let mut inertia = *mass;
@@ -49,9 +50,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
 
 /// The factors of a symmetric matrix.
 enum MassFactors<S, const N: usize> {
-    /// L below the diagonal, and the reciprocals of D in it, all of which are positive.
+    /// L below the diagonal, and the reciprocals of D on it, all positive.
     Definite([[S; N]; N]),
-    /// The matrix itself, of which not all pivots are positive.
+    /// The matrix itself, if not all pivots are positive.
     Indefinite([[S; N]; N]),
 }
 
@@ -76,13 +77,13 @@ impl<S: Scalar, const N: usize> MassFactors<S, N> {
         MassFactors::Definite(factors)
     }
 
-    /// The solutions for these right-hand sides.
+    /// Returns the solutions for these right-hand sides.
     fn solve<const C: usize>(&self, rights: &[[S; N]; C]) -> [[S; N]; C] {
         let factors = match self {
             MassFactors::Definite(factors) => factors,
             MassFactors::Indefinite(matrix) => return rights.map(|right| regular(matrix, &right, N)),
         };
-        // Side by side, so that one pass over the factors serves all.
+        // All sides are solved in one pass over the factors.
         let mut x: [[S; C]; N] = transposed(rights);
         for k in (0..N).rev() {
             let (before, own) = x.split_at_mut(k);

@@ -5,10 +5,10 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Coefficients of restitution of contacts; zero for friction.
+    /// Returns the coefficients of restitution of contacts; zero for friction.
     ///
     /// # Errors
-    /// If one that is `judged` is not from 0 to 1.
+    /// If a `judged` coefficient is not from 0 to 1.
     pub(super) fn restitutions<M>(
         &self,
         modes: &[Mode; K],

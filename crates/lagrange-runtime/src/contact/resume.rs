@@ -1,16 +1,16 @@
-//! With which velocities and in which modes a motion goes on where a mode has ended.
+//! Velocities and modes with which a motion continues after a mode has ended.
 //!
-//! Impacts that follow each other ever faster end after a finite time. A contact that is thrown up
-//! with speed s and pulled back with acceleration a returns after τ = 2 s/a. Where contacts hit in
-//! turn, as the corners of a box that rocks to rest, another one threw it up. The contacts of such
-//! a group approach each other with the energy E = ½ ṡᵀ G⁻¹ ṡ, of which the impact leaves the part
-//! r². The hops to come therefore last about τ/(1 − r). That is exact for one contact, where r is
-//! the coefficient of restitution. Once that is too short to be resolved, the rates of all contacts
-//! of the group are halted together. This is done by the smallest change of the velocities in the
-//! measure of the mass matrix, which takes energy and never gives any.
+//! Impacts that follow each other ever faster end after a finite time. A contact that rises with
+//! speed s under the downward acceleration a returns after τ = 2 s/a. If several contacts hit in
+//! turn, such as the corners of a box that rocks to rest, another contact caused its rise. The
+//! contacts of such a group approach each other with the energy E = ½ ṡᵀ G⁻¹ ṡ, of which the
+//! fraction r² remains after the impact. The remaining hops therefore last about τ/(1 − r). This is
+//! exact for one contact, where r is the coefficient of restitution. Once this time is too short to
+//! be resolved, the rates of all contacts of the group become zero together. This is done by the
+//! smallest change of the velocities in the measure of the mass matrix, which never adds energy.
 //!
-//! Where no forces fit, since friction is too strong for the way in which a contact slips, the
-//! contact jams. A jam is an impact without approach, after which friction holds.
+//! If friction is too strong for the direction in which a contact slips, no forces are consistent,
+//! and the contact jams. A jam is an impact without approach, after which friction holds.
 //!
 //! Sources: Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5, §7; Génot, Brogliato, "New results on
 //! Painlevé paradoxes", *European Journal of Mechanics A* 18 (1999) 653–677; Champneys, Várkonyi,
@@ -29,14 +29,14 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{StepFailure, reach};
 use crate::tolerance::{HOP, HOP_TIME};
 
-/// A part of the time since the run started: what bounces take less than is not resolved.
+/// Shortest duration of bounces that is resolved, relative to the time since the run started.
 pub(super) const SHORT: f64 = 1e-9;
 
 /// A system at a state.
 pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
-    /// Since the run started.
+    /// Time since the run started.
     pub(super) elapsed: M::Scalar,
     pub(super) q: M::Coordinates,
     pub(super) v: [M::Scalar; N],
@@ -46,7 +46,7 @@ pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: u
 pub(super) struct Resumed<S, const N: usize, const K: usize> {
     pub(super) velocities: [S; N],
     pub(super) modes: [Mode; K],
-    /// Duration of bounces that were summed.
+    /// Duration of the bounces that were summed.
     pub(super) rest: [S; K],
 }
 
@@ -60,8 +60,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Position::of(self.system, terms, [self.t, self.elapsed], (&self.q, v))
     }
 
-    /// From these velocities on, which an impact has left that made the rates `is_still` zero.
-    /// `before` is known of the velocities that it found.
+    /// Returns the continuation from these velocities after an impact that made the rates
+    /// `is_still` zero. `before` describes the velocities before the impact.
     pub(super) fn resume(
         &self,
         before: &Terms<M::Scalar, N, K>,
@@ -92,7 +92,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         }
     }
 
-    /// Contacts that leave but will have come to rest soon, and when.
+    /// Finds the contacts that leave but will soon be at rest, and the time until then.
     fn ending(
         &self,
         before: &Terms<M::Scalar, N, K>,
@@ -125,8 +125,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         })
     }
 
-    /// Modes that fit together, after a jam if none do. The mode that reaction `ended` had has just
-    /// come to its end.
+    /// Finds modes that fit together, after a jam if there are none. The mode of reaction `ended`
+    /// has just ended.
     pub(super) fn settle(
         &self,
         v: &mut [M::Scalar; N],
@@ -152,7 +152,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
     }
 }
 
-/// True if a contact that has opened would close again at once.
+/// True if a contact that has opened would immediately close again.
 fn is_drawn_in<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -162,7 +162,8 @@ fn is_drawn_in<S: Scalar, const N: usize, const K: usize>(
     balance.rate(k, &forces) < -S::epsilon().sqrt() * balance.size(k, &forces)
 }
 
-/// The square root of the part of the energy of approach in these contacts that an impact has left.
+/// Returns the square root of the fraction of the energy of approach in these contacts that remains
+/// after an impact.
 fn part_left<S: Scalar, const N: usize, const K: usize>(
     before: &Terms<S, N, K>,
     after: &Terms<S, N, K>,
@@ -172,7 +173,7 @@ fn part_left<S: Scalar, const N: usize, const K: usize>(
     if all > S::ZERO { (left / all).sqrt() } else { S::ONE }
 }
 
-/// A hop of a body that is pulled back evenly.
+/// A hop of a body under a constant downward acceleration.
 struct Hop<S> {
     speed: S,
     pull: S,

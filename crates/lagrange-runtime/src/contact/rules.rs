@@ -10,15 +10,15 @@ use crate::scalar::Scalar;
 
 /// The rules of modes.
 pub(super) enum Rules<S, const K: usize> {
-    /// They follow from the modes.
+    /// The rules follow from the modes.
     Known([Rule<S>; K]),
-    /// Friction gives way in a plane, in directions that are found together with the forces.
+    /// Friction in a plane gives way, in directions that are found together with the forces.
     Found(Settled<S, K>),
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// The rules of these modes. None if a rate is not finite, or if no forces fit friction that
-    /// gives way in a plane.
+    /// Returns the rules of these modes. `None` if a rate is not finite, or if no forces fit
+    /// friction that gives way in a plane.
     pub(super) fn rules(&self, modes: &[Mode; K]) -> Option<Rules<S, K>> {
         if !self.rates.iter().all(|rate| rate.is_finite()) {
             return None;

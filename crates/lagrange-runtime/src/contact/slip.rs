@@ -7,12 +7,12 @@ use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// The direction in which friction k slips, if it has one.
+    /// Returns the direction in which friction k slips, if there is one.
     ///
-    /// In a plane it is that of the slip velocity, and beyond zero its opposite. A slip velocity
-    /// that falls through zero then continues smoothly up to the event that ends it there. Where it
-    /// is rounding, it counts as going the way it went before. Any other direction would jump
-    /// between the stages of a step, however short the step is.
+    /// In a plane this is the direction of the slip velocity, or its opposite after the velocity
+    /// has passed zero. Such a slip velocity then continues smoothly up to the event at zero. If it
+    /// is only rounding, the previous direction is kept. Any other direction would jump between the
+    /// stages of a step, however short the step is.
     pub(super) fn direction(&self, k: usize, is_planar: bool, friction: Friction) -> Option<[S; 2]> {
         let (heading, rounding) = match friction {
             Friction::Slips => return present_direction(self.slip(k, is_planar)),
@@ -31,24 +31,25 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         present_direction(ahead).or(Some(heading))
     }
 
-    /// The slip velocity of friction k; its second component is zero unless it acts in a plane.
+    /// Returns the slip velocity of friction k; its second component is zero unless it acts in a
+    /// plane.
     pub(super) fn slip(&self, k: usize, is_planar: bool) -> [S; 2] {
         [self.rates[k], if is_planar { self.rates[k + 1] } else { S::ZERO }]
     }
 }
 
-/// True if friction k acts in a plane: the reaction behind it is its second component.
+/// True if friction k acts in a plane: the next reaction is its second component.
 pub(super) fn is_planar<const K: usize>(modes: &[Mode; K], k: usize) -> bool {
     matches!(modes.get(k + 1), Some(Mode::Across(_)))
 }
 
-/// The direction of a slip velocity, unless it is zero.
+/// Returns the direction of a slip velocity, unless it is zero.
 pub(super) fn present_direction<S: Scalar>(slip: [S; 2]) -> Option<[S; 2]> {
     let length = length(&slip);
     (length > S::ZERO).then(|| slip.map(|component| component / length))
 }
 
-/// √(x² + y²), which does not overflow.
+/// Computes √(x² + y²) without overflow.
 pub(super) fn length<S: Scalar>(vector: &[S; 2]) -> S {
     let [x, y] = vector.map(Number::abs);
     let (larger, smaller) = if y > x { (y, x) } else { (x, y) };

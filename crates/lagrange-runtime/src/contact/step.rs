@@ -8,21 +8,21 @@
 //! ```
 //!
 //! Impulses and rates u⁺ at the end of the step satisfy the law of [`cone`](super::cone). A contact
-//! with the gap g may close with u⁺ ≥ −g/h in the step, and then touches at its end. One that is
-//! hit is thrown back by Newton's law instead, u⁺ ≥ −e u. It is hit if it approaches faster than
-//! twice what the other forces change its rate by in a step, or else it rests. A rate that falls to
-//! zero in steps would otherwise bounce for ever.
+//! with the gap g may close with u⁺ ≥ −g/h in the step, and touches at its end. A contact that is
+//! hit rebounds by Newton's law instead, u⁺ ≥ −e u. It is hit if its speed of approach exceeds
+//! twice the change of its rate by the other forces in a step. Otherwise it comes to rest; it would
+//! bounce forever if slow contacts were hit as well.
 //!
-//! Overlaps are taken out as positions, half of them in a step, and never become velocities.
-//! Sources: Moreau, "Numerical aspects of the sweeping process", *Comput. Methods Appl. Mech.
-//! Eng.* 177 (1999) 329–349; Anitescu, "Optimization-based simulation of nonsmooth rigid multibody
-//! dynamics", *Mathematical Programming* 105 (2006) 113–143.
+//! Overlaps are removed by displacements, half of the overlap in each step, and never become
+//! velocities. Sources: Moreau, "Numerical aspects of the sweeping process", *Comput. Methods Appl.
+//! Mech. Eng.* 177 (1999) 329–349; Anitescu, "Optimization-based simulation of nonsmooth rigid
+//! multibody dynamics", *Mathematical Programming* 105 (2006) 113–143.
 //!
 //! # A ball in numbers
 //!
-//! It falls with 2 at a height of 0.01, with g = 10 and h = 0.01. At the end of the step it would
-//! be 0.011 below the floor. With e = 0 it gets the velocity −1 and touches. With e = ½ it is hit,
-//! since 2 is more than twice 0.1, and leaves with 1.
+//! It falls at the speed 2 from a height of 0.01, with g = 10 and h = 0.01. At the end of the step
+//! it would be 0.011 below the floor. With e = 0 it gets the velocity −1 and touches. With e = ½ it
+//! is hit, since 2 is more than twice 0.1, and leaves with 1.
 
 use core::array;
 
@@ -37,24 +37,24 @@ use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 use crate::tolerance::IMPACT_ENERGY;
 
-/// A contact is hit if it approaches faster than so many times what other forces change.
+/// Speed of approach from which a contact is hit, as a multiple of the change by other forces.
 const HIT: f64 = 2.0;
-/// The part of an overlap that a step takes out.
+/// Fraction of an overlap that a step removes.
 const SHARE: f64 = 0.5;
-/// The part of restitution is found to so many binary digits where it must be reduced.
+/// Number of bisections for the fraction of the restitution.
 const BISECTIONS: u32 = 20;
 
 /// Impulses over a step.
 pub(super) struct Impulses<S, const K: usize> {
     pub(super) impulses: [S; K],
     pub(super) modes: [Mode; K],
-    /// The largest rate by which an impulse misses the law, and which.
+    /// The largest rate by which an impulse misses the law, and the index of this impulse.
     pub(super) residual: (S, usize),
     pub(super) is_exact: bool,
     pub(super) iterations: u32,
 }
 
-/// A step of the length h from these terms.
+/// The terms of a step of length h.
 pub(super) struct ContactStep<'a, S, const N: usize, const K: usize> {
     terms: &'a Terms<S, N, K>,
     modes: &'a [Mode; K],
@@ -80,8 +80,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         { values }.all(|value| value.is_finite())
     }
 
-    /// The impulses, searched from these on. Contacts that others push together take part as well,
-    /// once they would overlap.
+    /// Searches for the impulses, starting from these. Contacts that are pushed together by others
+    /// take part as well, once they would overlap.
     pub(super) fn solve(&self, restitutions: &[S; K], start: &[S; K]) -> Impulses<S, K> {
         let mut acts: [bool; K] = array::from_fn(|k| self.closes(k, self.free[k]));
         let (mut start, mut iterations) = (*start, 0);
@@ -100,7 +100,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         }
     }
 
-    /// The impulses by which displacements take out overlaps; `None` without any.
+    /// Computes the impulses whose displacements remove overlaps; `None` without overlaps.
     pub(super) fn separation(&self, slits: &[S; K]) -> Option<[S; K]> {
         let is_beyond = |k: usize| self.is_contact(k) && self.terms.gaps[k] < -slits[k];
         if !(0..K).any(is_beyond) {
@@ -125,7 +125,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         self.is_contact(k) && self.h.multiply_add(rate, gap.max(S::ZERO)) < -noise
     }
 
-    /// The impulses with as much of the restitution as creates no energy.
+    /// Computes the impulses with the largest fraction of the restitution that creates no energy.
     fn without_gain(&self, restitutions: &[S; K], acts: &[bool; K], start: &[S; K]) -> Approximation<S, K> {
         let with = |part: S| self.approximate(&restitutions.map(|e| part * e), acts, start);
         let whole = with(S::ONE);
@@ -134,7 +134,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
             return whole;
         }
         if !whole.is_exact {
-            // Only without restitution there always are impulses.
+            // Only without restitution do impulses always exist.
             let plastic = with(S::ZERO);
             return if plastic.residual.0 < whole.residual.0 { plastic } else { whole };
         }
@@ -190,20 +190,20 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         choices
     }
 
-    /// True if contact k hits, rather than to come to rest.
+    /// True if contact k is hit, instead of coming to rest.
     fn is_hit(&self, k: usize, restitution: S) -> bool {
         let approach = self.terms.rates[k];
         let change = (self.free[k] - approach).abs();
         restitution > S::ZERO && approach < -(S::from_f64(HIT) * change)
     }
 
-    /// The rates after these impulses.
+    /// Returns the rates after these impulses.
     fn rates(&self, impulses: &[S; K]) -> [S; K] {
         let change = self.terms.change(impulses);
         array::from_fn(|k| self.free[k] + dot(&self.terms.rows[k], &change))
     }
 
-    /// True if these impulses do more work than they take, beside rounding.
+    /// True if these impulses add more energy than rounding.
     fn creates_energy(&self, impulses: &[S; K]) -> bool {
         let (mut work, mut exchanged) = (S::ZERO, S::ZERO);
         for ((impulse, before), after) in impulses.iter().zip(&self.free).zip(self.rates(impulses)) {
@@ -213,7 +213,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         work > IMPACT_ENERGY.part::<S>() * exchanged
     }
 
-    /// The modes in which a step ends.
+    /// Returns the modes in which a step ends.
     fn modes_after(&self, settled: &Settled<S, K>, rates: &[S; K]) -> [Mode; K] {
         let mut modes = *self.modes;
         for k in 0..K {
@@ -241,7 +241,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     }
 }
 
-/// The mode of friction in a plane with this slip velocity, against which this force acts.
+/// Returns the mode of friction in a plane with this slip velocity, opposite to which this force
+/// acts.
 fn heading<S: Scalar>(slip: [S; 2], force: [S; 2]) -> Friction {
     let against = present_direction(force).map(|direction| direction.map(|component| -component));
     let direction = if length(&slip) > S::ZERO { present_direction(slip) } else { against };

@@ -9,19 +9,19 @@ use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, SettingError, StepFailure, displaced, join, reach, split};
 
-/// Steps are refused from this residual of the law on, in units of the rates.
+/// Residual of the law from which steps are rejected, relative to the rates.
 const LARGEST_RESIDUAL: f64 = 1e-3;
 const FORWARDS: &str = "contacts and dry friction run forwards in time only";
 const POSITIVE: &str = "the step size must be positive and finite";
 const RESIDUAL: &str = "the largest residual must be positive and finite";
 
-/// Steps of equal length in which contacts and friction act by impulses, for many contacts and in
-/// real time.
+/// Steps of equal length in which contacts and friction act by impulses, for systems with many
+/// contacts and for real time.
 ///
-/// Nothing is searched for between the steps. All that touches, slips, sticks and is hit within a
-/// step is one problem with Coulomb's law, from which the velocities at its end follow. The error
-/// falls with the first power of the step, and contacts change their modes at the ends of steps
-/// only. N velocities and K reactions follow from the system.
+/// There is no search for events within the steps. All contacts that touch or are hit within a step
+/// form one problem with the friction, by Coulomb's law. Its solution gives the velocities at the
+/// end of the step. The error is proportional to the step, and contacts change their modes only at
+/// the ends of steps. N velocities and K reactions follow from the system.
 ///
 /// ```
 /// use lagrange::Simulate;
@@ -44,7 +44,8 @@ const RESIDUAL: &str = "the largest residual must be positive and finite";
 pub struct Stepped<S, const N: usize, const K: usize> {
     /// Length of a step.
     pub step: S,
-    /// The largest rate by which impulses may miss the law; beyond it a run ends with an error.
+    /// The largest rate by which impulses may miss the law; a larger one ends the run with an
+    /// error.
     pub largest_residual: S,
 }
 
@@ -54,7 +55,7 @@ impl<S: Scalar, const N: usize, const K: usize> Stepped<S, N, K> {
         Stepped { step, largest_residual: S::from_f64(LARGEST_RESIDUAL) }
     }
 
-    /// Ends a run with an error where impulses miss the law by a larger rate.
+    /// Ends a run with an error if impulses miss the law by a larger rate.
     #[must_use]
     pub fn largest_residual(self, largest_residual: S) -> Self {
         Stepped { largest_residual, ..self }
@@ -121,7 +122,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> SteppedStepper<M, N
         self.fixed.save(note);
     }
 
-    /// Restores a motion from [saved](Self::save) numbers. It continues with the bits of the saved
+    /// Restores a motion from [saved](Self::save) numbers. It continues bit for bit as the saved
     /// one. Method and settings must be the same.
     ///
     /// # Errors
@@ -182,13 +183,13 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Stepper<M> for Step
     }
 }
 
-/// The system in which nothing touches, sticks or slips in a known direction: between its steps the
-/// method needs no modes.
+/// Returns the system in which nothing touches, sticks or slips in a known direction, as the method
+/// needs no modes between its steps.
 fn freed<M: ContactSystem<N, K>, const N: usize, const K: usize>(system: &M) -> M {
     system.in_modes(free(system.modes()))
 }
 
-/// The modes of these reactions in which none acts.
+/// Returns the modes of these reactions in which none acts.
 fn free<const K: usize>(modes: [Mode; K]) -> [Mode; K] {
     modes.map(|mode| match mode {
         Mode::Contact(_) => Mode::Contact(Contact::Open),
@@ -203,7 +204,7 @@ fn free<const K: usize>(modes: [Mode; K]) -> [Mode; K] {
 pub struct ImpulseFormula<S, const N: usize, const K: usize> {
     largest_residual: S,
     worst: S,
-    /// Impulses over the last step, the length of that, and the modes at its end.
+    /// Impulses over the last step, its length, and the modes at its end.
     impulses: [S; K],
     length: S,
     modes: Option<[Mode; K]>,
@@ -215,7 +216,7 @@ impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
         ImpulseFormula { largest_residual, worst: zero, impulses, length: zero, modes: None }
     }
 
-    /// The impulses over a step of the length h, if they stay as they are.
+    /// Returns the impulses over a step of length h, if the forces do not change.
     fn expected(&self, h: S) -> [S; K] {
         match self.length > S::ZERO {
             true => self.impulses.map(|impulse| impulse * (h / self.length)),
@@ -223,7 +224,7 @@ impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
         }
     }
 
-    /// Keeps impulses that are near enough to the law.
+    /// Keeps impulses that satisfy the law accurately enough.
     fn keep(
         &mut self,
         found: &Impulses<S, K>,

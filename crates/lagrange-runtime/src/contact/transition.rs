@@ -17,16 +17,16 @@ use crate::tolerance::HOP_TIME;
 /// Friction without a limit.
 const FREE: Mode = Mode::Friction(Friction::Slips);
 
-/// Applies the declared event of this index to its state: an impact, a contact that opens, or
-/// friction that starts to stick or slips. `None` if the event does not belong to a reaction.
+/// Applies the declared event with this index to its state: an impact, a contact that opens, or
+/// friction that starts to stick or slip. `None` if the event does not belong to a reaction.
 ///
-/// Bounces are taken together if their series would end within 10⁻⁹ of the time `elapsed` since the
-/// run started. So are those whose height or duration is near the rounding of the gap or of time.
-/// The contact closes, and the time at which the series ends is reported.
+/// Bounces are summed if their series would end within 10⁻⁹ of the time `elapsed` since the run
+/// started. They are also summed if their height or duration is close to the rounding of the gap or
+/// of time. The contact closes, and the time at which the series ends is reported.
 ///
 /// # Errors
-/// If no impulses fit, or no forces after them. Also if a coefficient of restitution is not from 0
-/// to 1, or a limit of friction is negative.
+/// If there are no impulses, or no forces after them. Also if a coefficient of restitution is not
+/// from 0 to 1, or a limit of friction is negative.
 pub fn react<M, const N: usize, const K: usize>(
     system: &M,
     event: usize,
@@ -56,7 +56,7 @@ where
 }
 
 impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K> {
-    /// The contact of this index touches.
+    /// Handles the contact of this index, which touches.
     fn hit(mut self, k: usize) -> Reacted<M> {
         let modes = self.system.modes();
         let mut is_closed = modes.map(|mode| mode == Mode::Contact(Contact::Closed));
@@ -84,13 +84,13 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Ok(self.answer(resumed.modes, &resumed.velocities, kind))
     }
 
-    /// A contact that touches and does not approach: it closes if it is pressed. Else nothing
-    /// happens, but that the body is put onto the side on which it was.
+    /// Handles a contact that touches and does not approach. It closes if it is pressed. Otherwise
+    /// the body is only moved to the side on which it was.
     fn graze(&self, k: usize, terms: &Terms<M::Scalar, N, K>, position: &Position<K>) -> Reacted<M> {
         let modes = self.system.modes();
         let is_still = core::array::from_fn(|j| position.is_still[j] && (j == k || holds(modes[j])));
         let resumed = self.resume(terms, self.v, position.is_touching, is_still)?;
-        // Directions of other friction may be new, which is no event.
+        // Directions of other friction may be new, but this is no event.
         if resumed.modes[k] == modes[k] {
             let mut q = self.q;
             let is_open = |j: usize| resumed.modes[j] == Mode::Contact(Contact::Open);
@@ -106,7 +106,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Ok(self.answer(resumed.modes, &resumed.velocities, EventKind::Closed { at, impact: none }))
     }
 
-    /// The force of a closed contact has fallen to zero, or friction gives way.
+    /// Handles a force of a closed contact that has become zero, or friction that gives way.
     fn end(&self, k: usize, choice: Choice<M::Scalar>) -> Reacted<M> {
         let (mut v, terms) = (self.v, self.terms(&self.v));
         let settled = self.settle(&mut v, &mut self.held(&terms), Some((k, choice)))?;
@@ -114,7 +114,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Ok(self.answer(settled, &v, kind))
     }
 
-    /// Friction that held has reached its limit: it slips against its force.
+    /// Handles sticking friction at its limit: it slips opposite to its force.
     fn give_way(&self, k: usize) -> Reacted<M> {
         let (terms, modes, one) = (self.terms(&self.v), self.system.modes(), M::Scalar::ONE);
         if is_planar(&modes, k) {
@@ -124,7 +124,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         self.end(k, Choice::Only(Rule::Slips(if is_forwards { one } else { -one })))
     }
 
-    /// Slipping has come to its end, or friction has got a limit.
+    /// Handles slipping that has ended, or friction that has obtained a limit.
     fn stop(mut self, k: usize) -> Reacted<M> {
         let modes = self.system.modes();
         let terms = self.terms(&self.v);
@@ -140,8 +140,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             is_held[j + 1] |= is_held[j];
         }
         halt(&terms, &mut self.v, is_held);
-        // What is held may leave nothing else that moves, and may not have come to rest. Where
-        // rates all but depend on each other, no small change of the velocities stops it.
+        // The held rates may determine all velocities, and may not be zero yet. If rates are nearly
+        // dependent, no small change of the velocities makes them zero.
         let halted = self.terms(&self.v);
         let mut position = self.held(&halted);
         for j in (0..K).filter(|&j| is_held[j] && !matches!(modes[j], Mode::Contact(_))) {
@@ -151,15 +151,15 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         let settled = self.settle(&mut v, &mut position, None)?;
         let kind = match (modes[k], settled[k]) {
             (_, Mode::Friction(Friction::Sticks)) => EventKind::Stuck,
-            // What slips without friction and what slips with it pass into each other smoothly.
+            // Slipping without and with friction pass smoothly into each other.
             (Mode::Friction(Friction::Slips), _) | (_, Mode::Friction(Friction::Slips)) => EventKind::Zero,
             _ => EventKind::Slipped,
         };
         Ok(self.answer(settled, &v, kind))
     }
 
-    /// True if friction k, which is without a limit up to now, has one where its slip velocity is
-    /// zero. It would otherwise be halted again and again.
+    /// True if friction k, which had no limit so far, has one where its slip velocity is zero.
+    /// Otherwise it would be stopped again and again.
     fn would_stick(&self, k: usize, terms: &Terms<M::Scalar, N, K>) -> bool {
         let (mut v, modes) = (self.v, self.system.modes());
         halt(terms, &mut v, core::array::from_fn(|j| j == k || j == k + 1 && is_planar(&modes, k)));
@@ -167,8 +167,9 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Balance::of_forces(&halted).fixed(k, &reactions(&halted, &modes)) > nothing()
     }
 
-    /// The modes with friction k in its present direction, if it acts in a plane and is not about
-    /// to stop. What gives way with it gets its direction when it is half as fast as it must be.
+    /// Returns the modes with friction k in its present direction, if it acts in a plane and is not
+    /// about to stop. Friction that gives way with it gets its direction at half of the required
+    /// speed.
     fn turn(&self, k: usize, terms: &Terms<M::Scalar, N, K>) -> Option<[Mode; K]> {
         let modes = self.system.modes();
         if !is_planar(&modes, k) || modes[k] == FREE || self.is_stopping(k, terms) {

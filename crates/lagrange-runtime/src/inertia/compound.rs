@@ -1,13 +1,13 @@
-//! Bodies of several parts.
+//! Bodies composed of several parts.
 
 use super::{polygon, polygon_center, steiner};
 use crate::scalar::Scalar;
 
-/// A plane body as far as its motion is concerned: how much it is, where, and how spread out.
+/// The mass properties of a plane body: mass, centre of mass and moment of inertia.
 ///
-/// Bodies are put together with [`with`](MassGeometry::with) and
-/// [`without`](MassGeometry::without), parts brought to their places with
-/// [`moved`](MassGeometry::moved) and [`turned`](MassGeometry::turned).
+/// Bodies are composed by [`with`](MassGeometry::with) and [`without`](MassGeometry::without).
+/// Parts are brought to their places by [`moved`](MassGeometry::moved) and
+/// [`turned`](MassGeometry::turned).
 ///
 /// ```
 /// use lagrange::inertia::{MassGeometry, disk, semicircular_disk, semicircular_disk_center};
@@ -29,19 +29,20 @@ pub struct MassGeometry<S> {
 }
 
 impl<S: Scalar> MassGeometry<S> {
-    /// Creates a body of this mass and centre of mass, with its moment of inertia about the latter.
+    /// Creates a body with this mass, this centre of mass, and this moment of inertia about the
+    /// centre of mass.
     pub fn new(mass: S, center: [S; 2], inertia: S) -> MassGeometry<S> {
         MassGeometry { mass, center, inertia }
     }
 
-    /// Creates a homogeneous polygon from its corners in either orientation; NaN where [`polygon`]
-    /// is.
+    /// Creates a homogeneous polygon from its corners in either orientation; NaN whenever
+    /// [`polygon`] returns NaN.
     pub fn polygon(mass: S, corners: &[[S; 2]]) -> MassGeometry<S> {
         MassGeometry { mass, center: polygon_center(corners), inertia: polygon(mass, corners) }
     }
 
-    /// Combines both: by Steiner's theorem J₁ + J₂ + m₁ m₂/(m₁ + m₂) d², where d is the distance of
-    /// their centres of mass.
+    /// Combines both by Steiner's theorem. The moment of inertia is J₁ + J₂ + m₁ m₂/(m₁ + m₂) d²,
+    /// where d is the distance of the centres of mass.
     ///
     /// The centre of mass is not finite if the masses add up to zero.
     #[must_use]

@@ -1,17 +1,17 @@
-//! Polygons from their corners, as fans of triangles about the first one.
+//! Polygons given by their corners, as fans of triangles about the first one.
 //!
 //! A triangle (0, u, w) has twice the area D = u × w and its centroid at (u + w)/3. Its second
-//! moment of area about the origin is D (u·u + u·w + w·w)/12. Summed over the edges of a polygon,
-//! with signed areas, this holds about any origin.
+//! moment of area about the origin is D (u·u + u·w + w·w)/12. The sum over the edges of a polygon,
+//! with signed areas, holds for any origin.
 
 use crate::scalar::Scalar;
 
 /// Returns the moment of inertia of a polygon about its centre of mass, from its corners in either
 /// orientation.
 ///
-/// D = u × w for the corners u, w at the ends of an edge seen from the centre of mass. The moment
-/// is m Σ D (u·u + u·w + w·w) / 6 Σ D, with the sums over all edges. Edges must not cross each
-/// other. NaN for fewer than three corners and for corners that enclose no area.
+/// D = u × w for the corners u, w at the ends of an edge, relative to the centre of mass. The
+/// moment is m Σ D (u·u + u·w + w·w) / 6 Σ D, with the sums over all edges. Edges must not cross
+/// each other. NaN for fewer than three corners and for corners that enclose no area.
 ///
 /// ```
 /// use lagrange::inertia::{polygon, rectangle};
@@ -25,7 +25,7 @@ pub fn polygon<S: Scalar>(mass: S, corners: &[[S; 2]]) -> S {
     mass * total(moment) / (S::from_f64(6.0) * double_area(corners, center))
 }
 
-/// Returns the centre of mass of a polygon, from its corners in either orientation. Seen from the
+/// Returns the centre of mass of a polygon, from its corners in either orientation. Relative to the
 /// first one, it is Σ D (u + w) / 3 Σ D.
 ///
 /// Edges must not cross each other. NaN for fewer than three corners and for corners that enclose
@@ -39,13 +39,13 @@ pub fn polygon_center<S: Scalar>(corners: &[[S; 2]]) -> [S; 2] {
     })
 }
 
-/// Twice the area, positive for corners in counterclockwise order; NaN if it is zero.
+/// Computes twice the area, positive for corners in counterclockwise order; NaN if it is zero.
 fn double_area<S: Scalar>(corners: &[[S; 2]], from: [S; 2]) -> S {
     let area = total(edges(corners, from).map(|(u, w)| cross(u, w)));
     if area == S::ZERO { S::NAN } else { area }
 }
 
-/// The ends of the edges as they are seen from a point.
+/// Returns the ends of the edges, relative to a point.
 fn edges<S: Scalar>(corners: &[[S; 2]], from: [S; 2]) -> impl Iterator<Item = ([S; 2], [S; 2])> {
     let seen = move |corner: &[S; 2]| [corner[0] - from[0], corner[1] - from[1]];
     let following = corners.iter().cycle().skip(1);

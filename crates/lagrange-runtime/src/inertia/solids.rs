@@ -1,4 +1,4 @@
-//! Bodies with a formula each.
+//! Bodies with closed formulas.
 
 use crate::scalar::Scalar;
 
@@ -10,7 +10,7 @@ fn pi<S: Scalar>() -> S {
     (-S::ONE).acos()
 }
 
-/// Σ lengths² · numerator / denominator for a mass of one.
+/// Computes Σ lengths² · numerator / denominator, for a mass of one.
 fn squares<S: Scalar, const N: usize>(lengths: [S; N], numerator: f64, denominator: f64) -> S {
     let sum = lengths.into_iter().fold(S::ZERO, |sum, length| sum + length * length);
     sum * number(numerator) / number(denominator)
@@ -19,8 +19,8 @@ fn squares<S: Scalar, const N: usize>(lengths: [S; N], numerator: f64, denominat
 /// Returns the moment of inertia about an axis at `distance` from the centre of mass: J + m r², the
 /// theorem of Steiner or Huygens.
 ///
-/// `inertia` is the one about the parallel axis through the centre of mass, which is the smallest
-/// of all.
+/// `inertia` is the moment about the parallel axis through the centre of mass, which is the
+/// smallest of all.
 ///
 /// ```
 /// use lagrange::inertia::{slender_rod, slender_rod_end, steiner};
@@ -32,18 +32,18 @@ pub fn steiner<S: Scalar>(inertia: S, mass: S, distance: S) -> S {
     inertia + mass * distance * distance
 }
 
-/// Returns the moment of inertia of a mass without extent: zero.
+/// Returns the moment of inertia of a point mass: zero.
 pub fn point_mass<S: Scalar>(mass: S) -> S {
     mass * S::ZERO
 }
 
-/// Returns the moment of inertia of a thin rod of length l, or a thin plate seen edge-on: m l²/12,
-/// about its middle.
+/// Returns the moment of inertia of a thin rod of length l, or of a thin plate seen edge-on, about
+/// its middle: m l²/12.
 pub fn slender_rod<S: Scalar>(mass: S, length: S) -> S {
     mass * squares([length], 1.0, 12.0)
 }
 
-/// Same as [`slender_rod`].
+/// Returns the same as [`slender_rod`].
 pub fn rod<S: Scalar>(mass: S, length: S) -> S {
     slender_rod(mass, length)
 }
@@ -58,8 +58,8 @@ pub fn solid_cylinder<S: Scalar>(mass: S, radius: S) -> S {
     mass * squares([radius], 1.0, 2.0)
 }
 
-/// Returns the moment of inertia of a disk: that of [`solid_cylinder`], since the height does not
-/// matter.
+/// Returns the moment of inertia of a disk. It equals [`solid_cylinder`], since the height is
+/// irrelevant.
 pub fn disk<S: Scalar>(mass: S, radius: S) -> S {
     solid_cylinder(mass, radius)
 }
@@ -67,7 +67,7 @@ pub fn disk<S: Scalar>(mass: S, radius: S) -> S {
 /// Returns the moment of inertia of a tube of inner radius r and outer radius R about its axis: m
 /// (r² + R²)/2.
 ///
-/// NaN if the inner radius is the larger.
+/// NaN if the inner radius is larger than the outer one.
 pub fn hollow_cylinder<S: Scalar>(mass: S, inner: S, outer: S) -> S {
     if inner.abs() <= outer.abs() { mass * squares([inner, outer], 1.0, 2.0) } else { S::NAN }
 }
@@ -82,8 +82,8 @@ pub fn rectangle<S: Scalar>(mass: S, a: S, b: S) -> S {
     mass * squares([a, b], 1.0, 12.0)
 }
 
-/// Returns the moment of inertia of a cuboid that shows its edges a and b: that of [`rectangle`],
-/// since the depth does not matter.
+/// Returns the moment of inertia of a cuboid with edges a and b in the plane of motion. It equals
+/// [`rectangle`], since the depth is irrelevant.
 pub fn cuboid<S: Scalar>(mass: S, a: S, b: S) -> S {
     rectangle(mass, a, b)
 }
@@ -117,9 +117,9 @@ pub fn circular_sector<S: Scalar>(mass: S, radius: S, angle: S) -> S {
 /// Returns the centre of mass of a sector of a disk with radius r and opening angle α in rad. It is
 /// (s, 0) with s = 4 r sin(α/2)/(3 α).
 ///
-/// The apex is the origin, and the X axis halves the angle. NaN unless 0 < α ≤ 2π.
+/// The apex is at the origin, and the X axis bisects the angle. NaN unless 0 < α ≤ 2π.
 pub fn circular_sector_center<S: Scalar>(radius: S, angle: S) -> [S; 2] {
-    // A full turn may have been rounded up, in whatever way it was computed.
+    // Allow for a full turn that was rounded up.
     let full = number::<S>(2.0) * pi() * (S::ONE + number::<S>(8.0) * S::epsilon());
     if !(angle > S::ZERO && angle <= full) {
         return [S::NAN; 2];
@@ -134,7 +134,7 @@ pub fn right_triangle<S: Scalar>(mass: S, a: S, b: S) -> S {
     mass * squares([a, b], 1.0, 18.0)
 }
 
-/// Returns the centre of mass of a right triangle: (a/3, b/3), with the right angle in the origin
+/// Returns the centre of mass of a right triangle: (a/3, b/3), with the right angle at the origin
 /// and the legs along X and Y.
 pub fn right_triangle_center<S: Scalar>(a: S, b: S) -> [S; 2] {
     [a / number(3.0), b / number(3.0)]
@@ -150,10 +150,10 @@ pub fn triangle<S: Scalar>(mass: S, a: S, b: S, c: S) -> S {
 
 /// Returns the centre of mass of a triangle with sides a, b, c.
 ///
-/// Side a goes from the origin along X, b on from there and c back; Y is positive inside. The third
-/// corner is (p, q) with p = (a² − b² + c²)/(2 a), and q = √((a+b+c)(−a+b+c)(a−b+c)(a+b−c))/(2 a)
-/// by Heron's formula. The centre of mass is ((a + p)/3, q/3). NaN if there is no such triangle, or
-/// a is zero or any side negative.
+/// Side a extends from the origin along X, b continues from its end, and c returns; Y is positive
+/// inside. The third corner is (p, q) with p = (a² − b² + c²)/(2 a), and q =
+/// √((a+b+c)(−a+b+c)(a−b+c)(a+b−c))/(2 a) by Heron's formula. The centre of mass is ((a + p)/3,
+/// q/3). NaN if there is no such triangle, or a is zero or any side negative.
 pub fn triangle_center<S: Scalar>(a: S, b: S, c: S) -> [S; 2] {
     let factors = [a + b + c, b + c - a, a - b + c, a + b - c];
     if !factors.into_iter().all(|factor| factor >= S::ZERO) {
@@ -187,10 +187,11 @@ pub fn solid_sphere<S: Scalar>(mass: S, radius: S) -> S {
     mass * squares([radius], 2.0, 5.0)
 }
 
-/// Returns the moment of inertia of a ball of radius R without the ball of radius r in its middle:
-/// 2/5 m (R⁵ − r⁵)/(R³ − r³).
+/// Returns the moment of inertia of a ball of radius R with a concentric cavity of radius r: 2/5 m
+/// (R⁵ − r⁵)/(R³ − r³).
 ///
-/// R − r is cancelled, so that thin shells are accurate, too. NaN unless 0 ≤ r ≤ R and 0 < R.
+/// R − r is cancelled, so the result is also accurate for thin shells. NaN unless 0 ≤ r ≤ R and 0 <
+/// R.
 pub fn hollow_sphere<S: Scalar>(mass: S, inner: S, outer: S) -> S {
     if !(inner >= S::ZERO && inner <= outer && outer > S::ZERO) {
         return S::NAN;

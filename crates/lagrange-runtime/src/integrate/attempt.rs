@@ -13,8 +13,8 @@ pub(super) struct Attempt<S> {
 }
 
 impl<S: Scalar> Attempt<S> {
-    /// A step of this length towards `limit`, or that it is lost in rounding. Only a step that
-    /// reaches the limit is shorter than the least that counts in the rounding of time.
+    /// Creates a step of this length towards `limit`; an error if it is lost in rounding. Steps
+    /// shorter than the least step at this time are only used to reach the limit.
     #[inline]
     pub(super) fn new(
         clock: &Clock<S>,
@@ -37,7 +37,8 @@ impl<S: Scalar> Attempt<S> {
     }
 }
 
-/// The least step instead of a shorter one, unless it was thrown away or is longer than may be.
+/// Returns the least step instead of a shorter one, unless the latter follows a rejection or the
+/// least step exceeds the maximum.
 #[cold]
 fn raised<S: Scalar>(
     length: S,
@@ -59,22 +60,21 @@ pub(super) enum Judgement<S> {
     Taken,
     /// Its error was too large.
     Inaccurate,
-    /// It could not be computed, or led where the system is not defined, or where constraints
+    /// It could not be computed, or it led to a state where the system is undefined or constraints
     /// cannot be satisfied.
     Lost(StepFailure<S>),
 }
 
-/// Number of consecutive negligible steps after which constraints that are about to become
-/// dependent count as blocking the motion.
+/// Number of consecutive negligible steps after which nearly dependent constraints count as
+/// blocking the motion.
 const MOST_CRAWLING: u32 = 1000;
 
-/// Watches for steps below ε^(3/4) of the time that has passed under constraints. Nothing moves
-/// that fast; what asks for such steps is noise, which constraints magnify where they are about to
-/// depend on each other.
+/// Monitors steps below ε^(3/4) of the elapsed time under constraints. No motion is that fast:
+/// noise causes such steps, magnified by nearly dependent constraints.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Crawling<S> {
     start: S,
-    /// Number of consecutive steps that are negligible beside the time.
+    /// Number of consecutive steps that are negligible relative to the elapsed time.
     steps: u32,
 }
 
@@ -84,7 +84,7 @@ impl<S: Scalar> Crawling<S> {
         Crawling { start, steps: 0 }
     }
 
-    /// Counts a step of the length `h` to this time.
+    /// Counts a step of length `h` that ends at this time.
     #[inline]
     pub(super) fn look(&mut self, h: S, time: S, is_constrained: bool) {
         let root = S::epsilon().sqrt();
@@ -93,7 +93,7 @@ impl<S: Scalar> Crawling<S> {
         self.steps = if is_crawling { self.steps + 1 } else { 0 };
     }
 
-    /// Checks that the motion goes on.
+    /// Checks that the motion makes progress.
     ///
     /// # Errors
     /// If it does not.

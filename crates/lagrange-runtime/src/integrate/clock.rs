@@ -1,16 +1,16 @@
 //! Time in equal steps without accumulation of rounding errors.
 //!
 //! A time and its remainder are the exact sum of all steps except for the rounding of the
-//! remainder. That is at most half the distance between neighbouring times. The state of a step
-//! therefore belongs to the time of its end, to within the spacing of times. Steps that are shorter
-//! than that distance may leave the time unchanged: [`Clock::is_stopped`] finds such steps, and
-//! methods refuse them.
+//! remainder. That is at most half the distance between neighbouring times. The state after a step
+//! therefore matches the time of its end, to within the spacing of times. Steps shorter than this
+//! distance may leave the time unchanged: [`Clock::is_stopped`] detects such steps, and methods
+//! reject them.
 
 use super::lane_wise::{is_equal, take};
 use crate::scalar::{Number, Scalar, spacing_at_one};
 use crate::system::{SideBySide, StepFailure};
 
-/// A time and the part of it that rounding cut off.
+/// A time and its rounding remainder.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clock<S> {
     time: S,
@@ -18,47 +18,47 @@ pub(super) struct Clock<S> {
     step: S,
 }
 
-/// A step is stretched by up to this part of itself to end at its limit.
+/// Maximum relative extension of a step so that it ends at its limit.
 const STRETCH: f64 = 1e-9;
 
 impl<S: Number> Clock<S> {
-    /// Starts at `time` with steps of the length `step`, negative for backward time.
+    /// Starts at `time` with steps of length `step`, negative for backward time.
     pub(super) fn new(time: S, step: S) -> Self {
         Clock { time, remainder: S::ZERO, step }
     }
 
-    /// Starts the same steps at another time.
+    /// Returns a clock with the same steps that starts at another time.
     pub(super) fn at(&self, time: S) -> Self {
         Clock::new(time, self.step)
     }
 
-    /// The time and its remainder.
+    /// Returns the time and its remainder.
     pub(super) fn parts(&self) -> [S; 2] {
         [self.time, self.remainder]
     }
 
-    /// Goes on in equal steps from a time with its remainder.
+    /// Continues in equal steps from a time with its remainder.
     pub(super) fn with_parts(&self, [time, remainder]: [S; 2]) -> Self {
         Clock { time, remainder, step: self.step }
     }
 
-    /// Keeps the time and changes the step.
+    /// Returns a clock with the same time and another step.
     pub(super) fn with_step(&self, step: S) -> Self {
         Clock { step, ..*self }
     }
 
-    /// The time now.
+    /// Returns the present time.
     #[inline]
     pub(super) fn time(&self) -> S {
         self.time
     }
 
-    /// Goes on by one step, or to `limit` if that is not farther, as well as times are spaced;
-    /// returns how far that is.
+    /// Advances by one step, or to `limit` if it is not farther, to within the spacing of times.
+    /// Returns the advance.
     ///
-    /// If less than a rounding of the limit would remain behind it, a step ends there. Otherwise
-    /// its end might be rounded to the limit too early, or a step might remain that is nothing but
-    /// rounding.
+    /// A step ends at the limit if the rest would be less than a rounding error of the limit.
+    /// Otherwise its end could be rounded to the limit too early, or the remaining step would
+    /// consist of rounding errors.
     #[inline(always)]
     pub(super) fn advance(&mut self, limit: S) -> S {
         let (left, length) = ((limit - self.time) - self.remainder, self.step.abs());
@@ -80,7 +80,7 @@ impl<S: Number> Clock<S> {
         is_equal(self.time, after.time)
     }
 
-    /// The first clock where the mask is true, the second elsewhere.
+    /// Selects the first clock if the mask is true, otherwise the second.
     #[inline(always)]
     pub(super) fn select(mask: S::Mask, then: &Self, otherwise: &Self) -> Self {
         Clock {
@@ -91,19 +91,19 @@ impl<S: Number> Clock<S> {
     }
 }
 
-/// The length of the shortest steps that count in the rounding of this time, whatever the remainder
-/// is.
+/// Returns the length of the shortest steps that advance this time despite rounding, for any
+/// remainder.
 #[inline(always)]
 pub(super) fn least_step<S: Number>(time: S) -> S {
     let epsilon = spacing_at_one::<S>();
     (epsilon + epsilon) * time.abs()
 }
 
-/// Checks that steps of the length `h` lead on from both ends of a run, and so from everywhere in
-/// between.
+/// Checks that steps of length `h` advance the time at both ends of a run, and therefore everywhere
+/// in between.
 ///
 /// # Errors
-/// If times there are farther apart.
+/// If times there are spaced more widely.
 pub(super) fn check_step<S: Scalar>(h: S, start: S, end: S) -> Result<(), StepFailure<S>> {
     let lost = [start, end].into_iter().find(|time| is_lost(h, *time));
     lost.map_or(Ok(()), |time| Err(StepFailure::StepLost { step: h, time }))
@@ -115,13 +115,13 @@ pub(super) fn is_lost<S: Scalar>(h: S, time: S) -> bool {
 }
 
 impl<S: SideBySide> Clock<S> {
-    /// Puts another time into a lane, without a remainder of its own: NaN, that is.
+    /// Sets the time of a lane, without changing the remainder; used for NaN only.
     #[inline(always)]
     pub(super) fn set_time(&mut self, lane: usize, time: S::Element) {
         self.time.set_lane(lane, time);
     }
 
-    /// Puts what is in the lane `from` of another clock into a lane of this one.
+    /// Copies the lane `from` of another clock into a lane of this one.
     #[inline(always)]
     pub(super) fn take<O>(&mut self, lane: usize, other: &Clock<O>, from: usize)
     where

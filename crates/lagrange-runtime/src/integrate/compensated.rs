@@ -1,14 +1,14 @@
 //! Sums of many small increments without accumulation of rounding errors.
 //!
-//! Compensated summation after Kahan and Møller: the part of each increment that rounding cuts off
-//! is kept and added to the next one. Source: Hairer, Lubich, Wanner, *Geometric Numerical
-//! Integration*, §VIII.5, algorithm 5.1.
+//! Compensated summation after Kahan and Møller: the rounding remainder of each increment is stored
+//! and added to the next one. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
+//! §VIII.5, algorithm 5.1.
 
 use super::lane_wise::{chosen, take};
 use crate::scalar::Number;
 use crate::system::{SideBySide, StateVector};
 
-/// A state and the part of its increments that did not fit into it.
+/// A state and the rounding remainder of its increments.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Compensated<Y> {
     value: Y,
@@ -16,7 +16,7 @@ pub(super) struct Compensated<Y> {
 }
 
 impl<Y> Compensated<Y> {
-    /// Starts at `value`, taken as exact.
+    /// Starts at `value`, which counts as exact.
     pub(super) fn new<S: Number>(value: Y) -> Self
     where
         Y: StateVector<S>,
@@ -26,29 +26,29 @@ impl<Y> Compensated<Y> {
         Compensated { value, remainder }
     }
 
-    /// Goes on from a sum with the part of its increments that did not fit into it.
+    /// Continues from a sum with the rounding remainder of its increments.
     pub(super) fn with_remainder(value: Y, remainder: Y) -> Self {
         Compensated { value, remainder }
     }
 
-    /// The part of the increments that did not fit into the sum.
+    /// Returns the rounding remainder of the increments.
     pub(super) fn remainder(&self) -> &Y {
         &self.remainder
     }
 
-    /// The sum so far.
+    /// Returns the sum so far.
     #[inline]
     pub(super) fn value(&self) -> &Y {
         &self.value
     }
 
-    /// Replaces the sum by another value, and keeps the part that did not fit into it.
+    /// Replaces the sum with another value, and keeps the remainder.
     #[inline]
     pub(super) fn replace(&mut self, value: Y) {
         self.value = value;
     }
 
-    /// The first sum where the mask is true, the second elsewhere.
+    /// Selects the first sum if the mask is true, otherwise the second.
     #[inline(always)]
     pub(super) fn select<S: Number>(mask: S::Mask, then: &Self, otherwise: &Self) -> Self
     where
@@ -60,7 +60,7 @@ impl<Y> Compensated<Y> {
         }
     }
 
-    /// Puts what is in the lane `from` of another sum into a lane of this one.
+    /// Copies the lane `from` of another sum into a lane of this one.
     #[inline(always)]
     pub(super) fn take<S, O, Z>(&mut self, lane: usize, other: &Compensated<Z>, from: usize)
     where

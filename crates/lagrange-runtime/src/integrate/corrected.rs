@@ -13,18 +13,18 @@ pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<
     Err(StepFailure::NotFinite)
 }
 
-/// True if this is neither NaN nor infinite, for numbers side by side as well.
+/// True, in each lane, if this is neither NaN nor infinite.
 #[inline(always)]
 pub(super) fn is_finite<S: Number>(value: S) -> S::Mask {
-    // Infinity by zero is NaN.
+    // Infinity times zero is NaN.
     (value * S::ZERO).less_equal(S::ZERO)
 }
 
 const NOISE: &str = "the system has white noise, which only `EulerMaruyama` and `StochasticRungeKutta4` integrate, \
      `maruyama` and `stochastic` in the command and in Python";
 
-/// A state to start from, brought onto the constraints if it nearly satisfies them, of a system
-/// without noise.
+/// Returns an initial state of a system without noise, projected onto the constraints if it nearly
+/// satisfies them.
 pub(super) fn admitted<M: OdeSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -36,7 +36,7 @@ pub(super) fn admitted<M: OdeSystem + ?Sized>(
     admitted_with_noise(system, t, y)
 }
 
-/// A state to start from, as [`admitted`], of any system.
+/// Returns an initial state of any system, as [`admitted`].
 pub(super) fn admitted_with_noise<M: OdeSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -49,7 +49,7 @@ pub(super) fn admitted_with_noise<M: OdeSystem + ?Sized>(
     Ok(admitted)
 }
 
-/// Brings the end of a step onto the constraints.
+/// Projects the end of a step onto the constraints.
 #[inline]
 pub(super) fn correct<M: OdeSystem + ?Sized>(
     system: &M,
@@ -66,8 +66,8 @@ pub(super) fn correct<M: OdeSystem + ?Sized>(
     Ok(())
 }
 
-/// A state within a step, on the constraints if it can be brought there. It lies as near to them as
-/// the method is accurate, and between two states that could be brought there.
+/// Returns a state within a step, projected onto the constraints if possible. It is as close to
+/// them as the method is accurate, and lies between two projected states.
 #[inline]
 pub(super) fn corrected<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: M::State) -> M::State {
     if !system.is_constrained() {
@@ -80,7 +80,7 @@ pub(super) fn corrected<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: M::S
     }
 }
 
-/// True if nothing moved.
+/// True if both states are equal.
 #[inline]
 pub(super) fn is_same<S: Scalar, Y: StateVector<S>>(from: &Y, to: &Y) -> bool {
     from.as_ref() == to.as_ref()

@@ -1,4 +1,4 @@
-//! Why an integration stopped early.
+//! Reasons why an integration stopped early.
 
 use core::error::Error;
 use core::fmt::{Debug, Display, Formatter};
@@ -8,14 +8,14 @@ use crate::system::{OdeSystem, StepFailure};
 /// The result of an integration of the system M.
 pub type Outcome<M, T> = Result<T, IntegrationError<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
 
-/// An integration stopped before its end; S is the scalar and Y the state.
+/// The error of an integration that stopped before its end; S is the scalar and Y the state.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct IntegrationError<S, Y> {
-    /// Why.
+    /// The reason.
     pub cause: StepFailure<S>,
     /// Time of `state`.
     pub time: S,
-    /// The last good state that was reached; finite unless it is the initial one.
+    /// The last valid state; finite unless it is the initial one.
     pub state: Y,
 }
 

@@ -1,26 +1,26 @@
-//! Explicit Runge–Kutta methods by their tableaus, and the adjoint of their steps.
+//! Explicit Runge–Kutta methods given by their tableaus, and the adjoint of their steps.
 //!
 //! A step has the rates kᵢ = f(t + cᵢ h, Yᵢ) at the points Yᵢ = y + h Σ aᵢⱼ kⱼ. It ends at y⁺ = y +
-//! h Σ bᵢ kᵢ. Let λ⁺ be the slope of a cost by y⁺. Backwards through the stages,
+//! h Σ bᵢ kᵢ. Let λ⁺ be the derivative of a cost with respect to y⁺. Backwards through the stages,
 //!
 //! > k̄ᵢ = h (bᵢ λ⁺ + Σ aⱼᵢ Ȳⱼ),  Ȳᵢ = (∂f/∂y)ᵀ k̄ᵢ,  λ = λ⁺ + Σ Ȳᵢ,
 //!
-//! and a parameter p adds Σ k̄ᵢ · ∂f/∂p to the slope by it. That is exact for the step as computed,
-//! with its length held. Source: Hager, "Runge-Kutta methods in optimal control and the transformed
-//! adjoint system", Numer. Math. 87 (2000), §2.
+//! and a parameter p adds Σ k̄ᵢ · ∂f/∂p to the derivative with respect to p. This is exact for the
+//! computed step, with its length held constant. Source: Hager, "Runge-Kutta methods in optimal
+//! control and the transformed adjoint system", Numer. Math. 87 (2000), §2.
 
 use crate::scalar::Number;
 use crate::system::StateVector;
 
 /// A method whose steps are explicit Runge–Kutta steps of one tableau.
 ///
-/// [`Simulation::gradient`](crate::simulate::Simulation::gradient) goes backwards along such steps.
+/// [`Simulation::gradient`](crate::simulate::Simulation::gradient) traverses such steps backwards.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no explicit Runge–Kutta method",
     note = "gradients go backwards along steps of `Verner98`, the default, and of `RungeKutta4`"
 )]
 pub trait ExplicitRungeKutta {
-    /// Rows of the stages, of which the first has no weights.
+    /// Rows of the stages; the first one has no weights.
     #[doc(hidden)]
     const STAGES: &'static [TableauRow];
     /// The row of the step.
@@ -28,30 +28,30 @@ pub trait ExplicitRungeKutta {
     const ADVANCE: TableauRow;
 }
 
-/// A stage whose number of weights is not part of its type. All stages of numbers in lanes use the
-/// same instructions, of which there are many enough without a copy for each stage.
+/// A stage whose number of weights is not part of its type. All stages of numbers in lanes share
+/// the same instructions; a copy for each stage would be too large.
 #[derive(Clone, Copy, Debug)]
 pub struct TableauRow {
-    /// The part of the step that is past.
+    /// The fraction of the step at which the stage is evaluated.
     pub(super) node: f64,
-    /// Indices of rates with their weights; others have none.
+    /// Indices of rates with their weights; other rates have zero weight.
     pub(super) weights: &'static [(usize, f64)],
 }
 
 impl TableauRow {
-    /// Returns the time of the stage in a step of the length `h` from `t`.
+    /// Returns the time of the stage in a step of length `h` from `t`.
     #[inline(always)]
     pub(crate) fn time<S: Number>(&self, t: S, h: S) -> S {
         S::from_f64(self.node).multiply_add(h, t)
     }
 
-    /// y + h Σ wⱼ kⱼ
+    /// Computes y + h Σ wⱼ kⱼ.
     #[inline(always)]
     pub(crate) fn point<S: Number, Y: StateVector<S>>(&self, y: &Y, h: S, rates: &[Y]) -> Y {
         moved(weighted_in_blocks(rates, self.weights), y, h)
     }
 
-    /// Adds h wⱼ x to what belongs to each rate.
+    /// Adds h wⱼ x to the sum of each rate.
     #[cfg(feature = "std")]
     pub(crate) fn spread<S: Number, Y: StateVector<S>>(&self, h: S, x: &Y, sums: &mut [Y]) {
         for &(rate, weight) in self.weights {
@@ -63,7 +63,7 @@ impl TableauRow {
     }
 }
 
-/// y + h · rate
+/// Computes y + h · rate.
 #[inline(always)]
 pub(super) fn moved<S: Number, Y: StateVector<S>>(rate: Y, y: &Y, h: S) -> Y {
     let mut point = rate;
@@ -73,11 +73,11 @@ pub(super) fn moved<S: Number, Y: StateVector<S>>(rate: Y, y: &Y, h: S) -> Y {
     point
 }
 
-/// Components of a state whose sums are added up together: each sum waits for its last product, and
-/// registers hold no more of them.
+/// Number of state components that are summed together. Each sum waits for its last product, and
+/// registers cannot hold more sums.
 const BLOCK: usize = 4;
 
-/// Σ wⱼ kⱼ
+/// Computes Σ wⱼ kⱼ.
 #[inline(always)]
 pub(super) fn weighted_in_blocks<S: Number, Y: StateVector<S>>(rates: &[Y], weights: &[(usize, f64)]) -> Y {
     let mut sum = rates[0].zeros();
@@ -94,7 +94,7 @@ pub(super) fn weighted_in_blocks<S: Number, Y: StateVector<S>>(rates: &[Y], weig
     sum
 }
 
-/// Components of Σ wⱼ kⱼ from `first` on.
+/// Computes the components of Σ wⱼ kⱼ that start at `first`.
 #[inline(always)]
 fn block_of<S: Number, Y: StateVector<S>, const B: usize>(
     rates: &[Y],

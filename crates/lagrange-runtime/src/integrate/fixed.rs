@@ -19,12 +19,11 @@ pub use self::saved::Memory;
 /// are summed with compensation, so that conserved quantities of the formula are conserved to
 /// rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
-    /// True if steps end on the constraints of the system anyway, so that states need no
-    /// correction.
+    /// True if steps end on the constraints of the system without a correction of states.
     const KEEPS_CONSTRAINTS: bool = false;
 
     /// Returns the variables of the state `y`, from which the integration starts or continues.
-    /// Earlier results are no longer valid.
+    /// Earlier results become invalid.
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         *y
     }
@@ -32,7 +31,7 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     /// Returns the state of these variables.
     ///
     /// # Errors
-    /// If it could not be found.
+    /// If it could not be computed.
     fn state(
         &mut self,
         _system: &M,
@@ -57,8 +56,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>>;
 
-    /// Follows a state at time `t` that was brought onto constraints, `from` the end of the last
-    /// increment `to` here.
+    /// Follows a correction of the state onto constraints at time `t`. Here `from` is the state at
+    /// the end of the last increment, and `to` the corrected one.
     fn follow(
         &mut self,
         _system: &M,
@@ -70,11 +69,11 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     }
 
     /// Accepts the step of the last increment. It ended at time `t`, which may differ from the sum
-    /// of its start and its length by rounding. Results at its end may be kept for the next step.
+    /// of its start and its length by rounding. Results at its end may be reused by the next step.
     fn accept(&mut self, _t: M::Scalar) {}
 
-    /// Returns about the longest step that is stable from here on, if the method knows it and a
-    /// component is fast.
+    /// Returns the approximate length of the longest stable step from here. `None` if the method
+    /// cannot estimate it, or if no component is fast.
     fn longest_stable(
         &self,
         _system: &M,
@@ -85,8 +84,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         None
     }
 
-    /// Returns the state between `from` and `to`, the ends of the last accepted step with their
-    /// times.
+    /// Returns the state at time `t` between `from` and `to`, the ends of the last accepted step
+    /// with their times.
     fn interpolate(
         &mut self,
         system: &M,
@@ -99,7 +98,7 @@ pub trait Formula<M: OdeSystem + ?Sized> {
 
 /// Implements [`Method`](super::Method) for a method whose steps have the length of its field
 /// `step`. The arguments are its name, its order, its formula and an expression that creates one,
-/// and `lanes` if it can take several motions at once.
+/// and `lanes` if it can advance several motions at once.
 macro_rules! fixed_steps {
     ($name:expr, $order:expr, $Formula:ty = $formula:expr $(, $lanes:ident)?) => {
         type Stepper = $crate::integrate::FixedStepper<M, $Formula>;
@@ -150,7 +149,7 @@ pub(super) fn check_length<S: Scalar>(step: S) -> Result<(), SettingError<S>> {
     Err(SettingError::Invalid("the step size must be positive and finite"))
 }
 
-/// An integration in steps of equal length; only one that reaches its limit may be shorter.
+/// An integration in steps of equal length; only a step to its limit may be shorter.
 #[derive(Debug)]
 pub struct FixedStepper<M: OdeSystem + ?Sized, F> {
     formula: F,
@@ -168,7 +167,7 @@ impl<M: OdeSystem + ?Sized, F: Clone> Clone for FixedStepper<M, F> {
 }
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
-    /// Starts at `y` at time `t`, with steps of the length `h` towards `end`.
+    /// Starts at `y` at time `t`, with steps of length `h` towards `end`.
     ///
     /// # Errors
     /// If `h` is not positive and finite or is lost in the rounding of time. Also if another
@@ -190,7 +189,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         Ok(FixedStepper { formula, clock, variables, state, last: (t, state), work: Work::default() })
     }
 
-    /// Returns the formula as the last step left it.
+    /// Returns the formula in its state after the last step.
     pub fn formula(&self) -> &F {
         &self.formula
     }
@@ -268,7 +267,8 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         Ok(())
     }
 
-    /// Why a step of the length `h` from here led nowhere, if it is longer than stability allows.
+    /// Returns the stability failure of a step of length `h` from here, if it is longer than
+    /// stability allows.
     #[cold]
     fn too_long(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Option<StepFailure<M::Scalar>> {
         let limit = self.formula.longest_stable(system, t, self.variables.value(), &mut self.work)?;

@@ -1,20 +1,20 @@
 //! States within a step, from states and rates at its ends.
 //!
-//! The polynomials are written in changes over the step, so that short steps lose no digits.
+//! The polynomials are expressed in changes over the step, so that short steps lose no digits.
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6.
 
 use crate::scalar::Number;
 use crate::system::StateVector;
 
-/// A step of the length `h`, and the part `s` of it after which the state is asked for.
+/// A step of length `h`, and the fraction `s` of it at which the state is requested.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<S> {
     pub(super) h: S,
     pub(super) s: S,
 }
 
-/// Cubic Hermite interpolation between the states `y0` and `y1` with the rates `f0` and `f1`. The
-/// error is O(h⁴).
+/// Computes cubic Hermite interpolation between the states `y0` and `y1` with the rates `f0` and
+/// `f1`. The error is O(h⁴).
 #[inline(always)]
 pub(super) fn cubic<S: Number, Y: StateVector<S>>(
     Place { h, s }: Place<S>,
@@ -46,8 +46,8 @@ pub(super) struct Motion<Q> {
 /// Interpolates the change of coordinates, and the velocities, by quintic Hermite polynomials. The
 /// errors are O(h⁶) and O(h⁵).
 ///
-/// The velocity is the cubic with the right values and rates at the ends, plus κ s² (1 − s)². The
-/// latter makes its integral the change of the coordinates.
+/// The velocity is the cubic with the right values and rates at the ends, plus κ s² (1 − s)². This
+/// term makes its integral equal to the change of the coordinates.
 #[inline(always)]
 pub(super) fn quintic<S: Number, Q: StateVector<S>>(Place { h, s }: Place<S>, motion: &Motion<Q>) -> (Q, Q) {
     let number = S::from_f64;

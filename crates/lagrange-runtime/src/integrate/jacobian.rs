@@ -1,4 +1,4 @@
-//! Jacobians for implicit methods: those that systems know, and difference quotients of others.
+//! Jacobians for implicit methods: those provided by systems, and difference quotients otherwise.
 
 use crate::integrate::method::Work;
 use crate::integrate::newton::finite;
@@ -9,14 +9,15 @@ use crate::system::{OdeSystem, StateVector};
 /// The source of the Jacobian for methods of equal steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Source {
-    /// The system, if it knows one; fixed points do without in short steps.
+    /// The system, if it provides a Jacobian. Fixed-point iteration needs none for short steps.
     System,
-    /// Difference quotients, if the system knows none: where fixed points do not converge.
+    /// Difference quotients if the system provides none, for steps in which fixed-point iteration
+    /// does not converge.
     Differences,
 }
 
 impl Source {
-    /// ∂f/∂y at this time and state, for a step of the length `h`, if it is finite.
+    /// Returns ∂f/∂y at this time and state, for a step of length `h`, if it is finite.
     pub(super) fn jacobian<M>(
         self,
         system: &M,
@@ -41,19 +42,19 @@ impl Source {
 /// The matrix of derivatives of a system's right-hand side.
 type Jacobian<M> = Matrix<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
-/// ∂f/∂y as the system knows it, if that is finite.
+/// Returns ∂f/∂y from the system, if it is available and finite.
 pub(super) fn known<M>(system: &M, t: M::Scalar, y: &M::State, work: &mut Work) -> Option<Jacobian<M>>
 where
     M: OdeSystem + ?Sized,
 {
     let jacobian = system.jacobian(t, y)?;
     work.jacobians += 1;
-    // The rates may be smooth enough where their slopes are not defined.
+    // The rates may be smooth enough even if their slopes are undefined.
     finite(jacobian.as_ref()).then_some(Matrix(jacobian))
 }
 
-/// ∂f/∂y by difference quotients at the state `y`, whose rate this is, over changes of the
-/// components by half of the digits of their `sizes`.
+/// Computes ∂f/∂y by difference quotients at the state `y` with this rate. Components change by √ε
+/// times their `sizes`.
 pub(super) fn differences<M>(
     system: &M,
     (t, y): (M::Scalar, &M::State),
@@ -82,7 +83,7 @@ where
     jacobian
 }
 
-/// The derivatives by one component.
+/// Computes the derivatives with respect to one component.
 fn quotients<M>(
     system: &M,
     (t, y): (M::Scalar, &M::State),
@@ -94,7 +95,7 @@ where
 {
     let mut moved = *y;
     moved.as_mut()[component] = y.as_ref()[component] + width;
-    // As far as the component moved, rounded.
+    // The rounded change of the component.
     let width = moved.as_ref()[component] - y.as_ref()[component];
     let mut quotients = system.rhs(t, &moved);
     for (quotient, rate) in quotients.as_mut().iter_mut().zip(rate.as_ref()) {
@@ -103,8 +104,8 @@ where
     quotients
 }
 
-/// Sizes of the components of a state that changes at this rate over a step of the length `h`, with
-/// a least size.
+/// Returns the sizes of the components of a state that changes at this rate over a step of length
+/// `h`, with a minimum size.
 pub(super) fn sizes<S: Scalar, Y: StateVector<S>>(y: &Y, h: S, rate: &Y, least: S) -> Y {
     let mut sizes = *y;
     for (size, rate) in sizes.as_mut().iter_mut().zip(rate.as_ref()) {

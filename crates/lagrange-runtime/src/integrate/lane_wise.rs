@@ -4,19 +4,19 @@ use super::method::MOST_LANES;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{SideBySide, StateVector};
 
-/// The larger of two numbers, the second if the first is NaN.
+/// Returns the larger of two numbers; the second if the first is NaN.
 #[inline(always)]
 pub(super) fn larger<S: SideBySide<Element: Scalar>>(one: S, other: S) -> S {
     one.zip(other, |one, other| if other < one { one } else { other })
 }
 
-/// The smaller of two numbers, the second if the first is NaN.
+/// Returns the smaller of two numbers, the second if the first is NaN.
 #[inline(always)]
 pub(super) fn smaller<S: SideBySide<Element: Scalar>>(one: S, other: S) -> S {
     one.zip(other, |one, other| if one < other { one } else { other })
 }
 
-/// True if two numbers are the same.
+/// True if two numbers are equal.
 #[inline(always)]
 pub(super) fn is_equal<S: Number>(one: S, other: S) -> S::Mask {
     one.less_equal(other) & other.less_equal(one)
@@ -29,7 +29,7 @@ pub(super) fn are_finite<S: Number, Y: StateVector<S>>(y: &Y) -> S::Mask {
     zero.less_equal(S::ZERO)
 }
 
-/// The first state where the mask is true, the second elsewhere.
+/// Selects the first state if the mask is true, otherwise the second.
 #[inline(always)]
 pub(super) fn chosen<S: Number, Y: StateVector<S>>(mask: S::Mask, then: &Y, otherwise: &Y) -> Y {
     let mut chosen = *otherwise;
@@ -39,7 +39,7 @@ pub(super) fn chosen<S: Number, Y: StateVector<S>>(mask: S::Mask, then: &Y, othe
     chosen
 }
 
-/// Puts what is in the lane `from` of other numbers into a lane of these.
+/// Copies the lane `from` of other numbers into a lane of these.
 #[inline(always)]
 pub(super) fn take<S, O>(numbers: &mut [S], lane: usize, others: &[O], from: usize)
 where
@@ -51,7 +51,7 @@ where
     }
 }
 
-/// Steps in each lane.
+/// Numbers of steps in each lane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counts {
     tried: [u64; MOST_LANES],
@@ -63,7 +63,8 @@ impl Counts {
         Counts { tried: [0; MOST_LANES], taken: [0; MOST_LANES] }
     }
 
-    /// Counts a step in every lane; whether more than `most` were tried in one of them.
+    /// Counts a step in every lane. Returns true if the number of tries exceeds `most` in one of
+    /// them.
     #[inline(always)]
     pub(super) fn count<S: SideBySide>(&mut self, is_taken: S::Mask, most: u64) -> bool {
         let mut are_spent = false;
@@ -75,7 +76,7 @@ impl Counts {
         are_spent
     }
 
-    /// A step that was taken in this lane was taken back.
+    /// Reverts the count of an accepted step in this lane.
     pub(super) fn take_back(&mut self, lane: usize) {
         self.taken[lane] -= 1;
     }

@@ -1,13 +1,13 @@
-//! Integration methods as seen by their callers.
+//! Integration methods as used by their callers.
 //!
-//! A [`Method`] holds settings and can be kept and compared. It starts a [`Stepper`], which holds
-//! all that changes from step to step and needs no heap.
+//! A [`Method`] contains settings and can be stored and compared. It starts a [`Stepper`], which
+//! contains all data that change from step to step and needs no heap.
 //!
-//! Some methods also take several motions at once, as a [`LanesMethod`]. Every lane has its own
-//! time and its own step. No motion sees its neighbours, so the result of a lane has the same bits
-//! whatever the others contain. A lane does the work of every step of an ordinary motion. In all
-//! other cases, such as NaN, steps that are lost in rounding, or too many steps, it gives the
-//! motion up. A single run then reports the cause.
+//! Some methods can also advance several motions at once, as a [`LanesMethod`]. Every lane has its
+//! own time and its own step. Motions do not interact, so the result of a lane has the same bits
+//! regardless of the other lanes. A lane handles the steps of ordinary motions. In all other cases,
+//! such as NaN, steps that are lost in rounding, or too many steps, it abandons the motion. A
+//! single run then reports the cause.
 
 use crate::scalar::Scalar;
 use crate::system::{Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};
@@ -20,21 +20,21 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// Returns the name of the method for tables.
     fn name(&self) -> &'static str;
 
-    /// Returns the power of the step with which the global error falls.
+    /// Returns the power of the step length with which the global error decreases.
     fn order(&self) -> u32;
 
     /// Checks the settings.
     ///
     /// # Errors
-    /// If a setting makes no sense whatever the system and its state.
+    /// If a setting is invalid for any system and state.
     fn check(&self) -> Result<(), SettingError<M::Scalar>> {
         Ok(())
     }
 
-    /// Starts at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
+    /// Starts at the state `y` at time `t`, with steps towards `end`, which may precede `t`.
     ///
     /// # Errors
-    /// If a setting is invalid, or `t`, `y`, `end` or, where the method needs it, the rate at the
+    /// If a setting is invalid, or `t`, `y`, `end` or, if the method needs it, the rate at the
     /// start is not finite.
     fn start(
         &self,
@@ -44,11 +44,10 @@ pub trait Method<M: OdeSystem + ?Sized> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>>;
 
-    /// Returns the method with a maximum step length, which [`check`](Method::check) has yet to
-    /// check.
+    /// Returns the method with a maximum step length, to be checked by [`check`](Method::check).
     ///
     /// # Errors
-    /// If the lengths of its steps are a setting already.
+    /// If its step length is already a setting.
     fn with_longest_step(self, _longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>>
     where
         Self: Sized,
@@ -57,7 +56,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
     }
 
     /// Returns the method for the motion of an ensemble with this index. It differs from the method
-    /// itself only if that draws random numbers.
+    /// itself only if the method draws random numbers.
     #[must_use]
     fn of_motion(self, _index: usize) -> Self
     where
@@ -66,7 +65,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
         self
     }
 
-    /// Calls a visitor if the method can take several motions in lanes.
+    /// Calls a visitor if the method can advance several motions in lanes.
     ///
     /// # Errors
     /// Returns the visitor if this method cannot.
@@ -80,62 +79,62 @@ pub trait Method<M: OdeSystem + ?Sized> {
 
 /// An integration in progress.
 pub trait Stepper<M: OdeSystem + ?Sized> {
-    /// True if steps find the modes of contacts and friction, which [`in_modes`](Self::in_modes)
-    /// returns. Runs do not look for the events by which these change then, nor for the modes in
-    /// which a motion starts.
+    /// True if steps determine the modes of contacts and friction, which
+    /// [`in_modes`](Self::in_modes) returns. Runs then locate neither the events that change modes
+    /// nor the modes at the start of a motion.
     const FINDS_MODES: bool = false;
 
-    /// Returns the time that was reached.
+    /// Returns the present time.
     fn time(&self) -> M::Scalar;
 
-    /// Returns the state that was reached; always finite.
+    /// Returns the present state, which is always finite.
     fn state(&self) -> &M::State;
 
-    /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends
-    /// there.
+    /// Takes one step towards `limit` and not beyond; a step that would end slightly before the
+    /// limit ends there.
     ///
-    /// Values found at the end of the last step may be used again. After a change of `system`, such
-    /// as another input, continue with [`restart`](Stepper::restart) from the state that was
-    /// reached.
+    /// Values computed at the end of the last step may be reused. After a change of `system`, such
+    /// as another input, continue with [`restart`](Stepper::restart) from the present state.
     ///
     /// # Errors
     /// If no step can be taken. Time and state are then unchanged.
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>>;
 
-    /// Returns the time at which the last step began; the present time if none was taken since the
+    /// Returns the time at which the last step began; the present time if there was none since the
     /// start.
     fn last_time(&self) -> M::Scalar;
 
-    /// Returns the state at a time within the last step. At both ends it is what the method itself
-    /// found there.
+    /// Returns the state at a time within the last step. At both ends it equals the result of the
+    /// method.
     ///
-    /// The error is of the order of the method. A method that needs further evaluations makes them
-    /// at the first call after a step.
+    /// The error has the order of the method. Methods that need further evaluations perform them at
+    /// the first call after a step.
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
 
-    /// True if [`interpolate`](Stepper::interpolate) is as accurate within the last step as the
-    /// step itself, to the knowledge of the method. If not, the step is taken back: time and state
-    /// are those before it, and the next attempt is shorter.
+    /// True if the method estimates that [`interpolate`](Stepper::interpolate) is as accurate as
+    /// the last step. Otherwise the step is reverted: time and state are those before it, and the
+    /// next attempt is shorter.
     ///
-    /// To be asked once after a step, before anything within it is, and before the step is made use
-    /// of.
+    /// It must be called once after a step, before interpolation within the step and before the
+    /// step is used.
     fn confirm(&mut self, _system: &M) -> bool {
         true
     }
 
-    /// Lets no more steps than this be tried from the first start on, rejected ones included.
-    /// Methods that reject no steps leave the counting to those who drive them.
+    /// Limits the number of attempted steps since the first start, including rejected ones. Methods
+    /// that reject no steps leave the counting to their callers.
     fn limit_steps(&mut self, _most: u64) {}
 
-    /// Goes on from another state at another time, as after an impact. The work done so far still
-    /// counts. What a method keeps between steps is forgotten: a motion goes on with the same bits
-    /// from a clone, or from what [`FixedStepper::save`](super::FixedStepper::save) passes on.
+    /// Continues from another state at another time, as after an impact. The work done so far still
+    /// counts. The method discards everything it stores between steps. To continue with the same
+    /// bits, use a clone, or the numbers passed on by
+    /// [`FixedStepper::save`](super::FixedStepper::save).
     ///
     /// # Errors
-    /// If the state or, where the method needs it, its rate is not finite.
+    /// If the state or, if the method needs it, its rate is not finite.
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>>;
 
-    /// Returns the system in the modes of the last step, if steps find them.
+    /// Returns the system in the modes of the last step, if steps determine them.
     fn in_modes(&self, _system: &M) -> Option<M>
     where
         M: Sized,
@@ -151,46 +150,48 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[non_exhaustive]
 pub struct Work {
-    /// Steps taken.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Steps tried and thrown away because their error was too large.
+    /// Number of steps rejected because of their errors.
     pub rejections: u64,
-    /// Evaluations of the right-hand side, or of momenta and their rates.
+    /// Number of evaluations of the right-hand side, or of momenta and their rates.
     pub evaluations: u64,
-    /// Evaluations of the Jacobian, by difference quotients as well.
+    /// Number of evaluations of the Jacobian, including difference quotients.
     pub jacobians: u64,
-    /// Factorisations of the matrices of adaptive implicit methods; those of one step count once.
+    /// Number of factorisations of matrices by adaptive implicit methods; those of one step count
+    /// once.
     pub factorisations: u64,
-    /// Iterations of implicit methods, and of those that find impulses of contacts.
+    /// Number of iterations of implicit methods, and of methods that compute impulses of contacts.
     pub iterations: u64,
-    /// Steps whose impulses of contacts and friction miss their law by more than rounding.
+    /// Number of steps whose impulses of contacts and friction violate their law by more than
+    /// rounding.
     pub inexact: u64,
 }
 
-/// Most lanes that a [`LanesStepper`] may have.
+/// Maximum number of lanes of a [`LanesStepper`].
 pub const MOST_LANES: usize = 16;
 
-/// A method of integration that takes several motions in lanes.
+/// A method of integration that advances several motions in lanes.
 pub trait LanesMethod<T: Scalar>: Copy {
     /// Motions in progress.
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
 
-    /// Lanes that [`take`](LanesMethod::take) is to fill with motions which start at time `t`, with
-    /// steps towards `end`, which may lie before `t`.
+    /// Creates lanes to be filled by [`take`](LanesMethod::take) with motions that start at time
+    /// `t`, with steps towards `end`, which may precede `t`.
     fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;
 
     /// Starts a motion in every lane at the state `y` at time `t`, with steps towards `end`, which
-    /// may lie before `t`.
+    /// may precede `t`.
     fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;
 
-    /// Puts the motion that is in the lane `from` of another stepper, started for the same end,
-    /// into a lane of this one.
+    /// Copies the motion in the lane `from` of another stepper, started for the same end, into a
+    /// lane of this one.
     fn take<S, E, O, F>(
         stepper: &mut Self::Stepper<S, E>,
         lane: usize,
@@ -202,24 +203,24 @@ pub trait LanesMethod<T: Scalar>: Copy {
         O: SideBySide<Element = T>,
         F: Equations<O>;
 
-    /// True if a motion of this system, which is under [suspicion](LanesStepper::suspicion) for
-    /// this step, may continue in its lane.
+    /// True if a motion of this system under [suspicion](LanesStepper::suspicion) for this step may
+    /// continue in its lane.
     fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _step: &SuspectStep<T, M::State>) -> bool {
         false
     }
 }
 
-/// A step that may have been too long for its method, and the direction in which to look for fast
+/// A step that may have been too long for its method, and the direction in which to search for fast
 /// components.
 #[derive(Clone, Copy, Debug)]
 pub struct SuspectStep<S, Y> {
-    /// The time at which it began.
+    /// The time at which the step began.
     pub t: S,
-    /// The state there.
+    /// The state at which the step began.
     pub y: Y,
-    /// Its length, negative backwards in time.
+    /// The length of the step, negative backwards in time.
     pub h: S,
-    /// Differences of rates within it, in place of the corresponding components.
+    /// Differences of rates within the step, in place of the corresponding components.
     pub direction: Y,
     /// Length of the change, as a sum of magnitudes.
     pub change: S,
@@ -243,55 +244,54 @@ impl<S: SideBySide, Y: AsRef<[S]>> SuspectStep<S, Y> {
 
 /// Motions in progress, one in each lane.
 pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
-    /// Data of the last step in every lane for states within it; empty unless requested.
+    /// Data of the last step in every lane for interpolation; empty unless requested.
     type LastStep: Copy;
 
     /// Returns the data before any step.
     fn last_step(&self) -> Self::LastStep;
 
-    /// Remembers where a step begins that is about to be tried.
+    /// Stores the start of the next step.
     fn begin(&self, last: &mut Self::LastStep);
 
     /// Tries a step in every lane, towards the end and not beyond.
     fn step(&mut self, equations: &E);
 
     /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have
-    /// just taken a step. If states within it are less accurate than its end, to the knowledge of
-    /// the method, the step is taken back, as by [`Stepper::confirm`].
+    /// just taken a step. If the method estimates that interpolation is less accurate than the end
+    /// of the step, the step is reverted, as by [`Stepper::confirm`].
     fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask);
 
-    /// Returns the states at times within the last steps, in lanes that were prepared, or at their
-    /// ends. Other times give any value.
+    /// Returns the states at times within the last steps, in prepared lanes, or at their ends. For
+    /// other times, the result is arbitrary.
     fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State;
 
-    /// Returns the times that were reached: the end exactly where a motion has ended, NaN where it
-    /// was given up.
+    /// Returns the present times: exactly the end if a motion has ended, NaN if it was abandoned.
     fn time(&self) -> S;
 
-    /// Returns the states that were reached.
+    /// Returns the present states.
     fn state(&self) -> &E::State;
 
-    /// Returns the lanes whose last step suggested that the method does not suit the motion.
+    /// Returns the lanes whose last step indicated that the method is unsuitable for the motion.
     fn suspicion(&self) -> S::Mask;
 
-    /// Returns the suspect steps, in the lanes that have one.
+    /// Returns the suspect steps, for the lanes under suspicion.
     fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
         None
     }
 
-    /// Lets no more steps than this be tried of a motion, rejected ones included: it is given up
-    /// then.
+    /// Limits the number of attempted steps of a motion, including rejected ones; beyond it, the
+    /// motion is abandoned.
     fn limit_steps(&mut self, most: u64);
 
     /// Returns the work of the motion in a lane so far.
     fn work(&self, lane: usize) -> Work;
 }
 
-/// A visitor of methods that can take motions in lanes.
+/// A visitor of methods that can advance motions in lanes.
 pub trait LanesMethodVisitor<T: Scalar> {
     /// The result.
     type Output;
 
-    /// Does it.
+    /// Visits the method.
     fn visit(self, method: impl LanesMethod<T>) -> Self::Output;
 }

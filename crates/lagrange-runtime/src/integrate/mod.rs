@@ -1,9 +1,9 @@
 //! Methods that advance a system ẏ = f(t, y) in time.
 //!
-//! One file per family of methods, each citing its source. A [`Method`] holds settings and starts a
-//! [`Stepper`], which needs no heap. Steps end with a [`StepFailure`] instead of passing on NaN or
-//! infinity. States and times are summed with compensation, so that rounding errors do not grow
-//! with the number of steps unless the method itself lets them.
+//! Each family of methods has its own file, which cites its source. A [`Method`] holds settings and
+//! starts a [`Stepper`], which needs no heap. Steps end with a [`StepFailure`] instead of returning
+//! NaN or infinity. States and times are summed with compensation, so rounding errors do not grow
+//! with the number of steps unless the method itself amplifies them.
 
 mod attempt;
 mod canonical;

@@ -1,9 +1,9 @@
 //! Iteration of the equations of an implicit step down to rounding.
 //!
-//! A symplectic method loses its invariants to the residuals of its equations. Iterations therefore
-//! continue until corrections stop falling, not until they fall below a tolerance. Unknowns may
-//! differ in units and scale: each is judged by its own corrections. Source: Hairer, Lubich,
-//! Wanner, *Geometric Numerical Integration*, §VIII.6.2.
+//! The invariants of a symplectic method are violated by the residuals of its equations. Iterations
+//! therefore continue until corrections stop decreasing, rather than until they are below a
+//! tolerance. Unknowns may differ in units and scale: each is judged by its own corrections.
+//! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VIII.6.2.
 
 use crate::integrate::method::Work;
 use crate::scalar::Scalar;
@@ -17,25 +17,26 @@ pub(super) trait Equations<S: Scalar, Y: StateVector<S>, const K: usize> {
     /// Returns the first-order correction of the unknowns for a residual.
     fn correction(&self, residual: &[Y; K]) -> [Y; K];
 
-    /// The magnitude of the terms that make up each residual, of which rounding errors are a small
-    /// part.
+    /// Returns the magnitude of the terms of each residual; rounding errors are a small fraction of
+    /// it.
     fn magnitude(&self, unknowns: &[Y; K]) -> Y;
 }
 
-/// More iterations than this are no use: those that converge so slowly should take shorter steps.
+/// Maximum number of iterations; if convergence is so slow, steps should be shorter.
 const LIMIT: u32 = 100;
 
-/// Unknowns that depend on each other in turns may pause for one iteration on their way.
+/// Number of iterations without decrease before rounding is suspected, since mutually dependent
+/// unknowns may pause for one iteration.
 const PAUSE: u32 = 2;
 
-/// Corrections that stall for more iterations than this stall for good.
+/// Maximum number of iterations without decrease.
 const PATIENCE: u32 = 3;
 
-/// Corrections that fall by less than this factor do not fall.
+/// Factor by which corrections must decrease.
 const FALL: f64 = 0.7;
 
-/// Solves `equations` from the starting values in `unknowns`. The last evaluation was at what is
-/// left there.
+/// Solves `equations` from the starting values in `unknowns`. The last evaluation is at the values
+/// that remain there.
 pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
     equations: &mut impl Equations<S, Y, K>,
     unknowns: &mut [Y; K],
@@ -72,7 +73,7 @@ pub(super) fn finite<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> bool {
     vectors.iter().all(|vector| vector.as_ref().iter().all(|entry| entry.is_finite()))
 }
 
-/// The largest magnitude of each unknown over all vectors.
+/// Returns the largest magnitude of each unknown over all vectors.
 #[inline]
 pub(super) fn largest<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> Y {
     let mut largest = vectors.first().map_or(Y::ZERO, Y::zeros);
@@ -84,11 +85,11 @@ pub(super) fn largest<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> Y {
     largest
 }
 
-/// The corrections of each unknown so far.
+/// The history of corrections of each unknown.
 struct Convergence<S, Y> {
     rounding: S,
-    /// The smallest and the last, and the best of the ratios of one to the one before; nothing is
-    /// known at first.
+    /// The smallest correction, the last one, and the best ratio of consecutive ones; `None` at
+    /// first.
     seen: Option<(Y, Y, Y)>,
 }
 
@@ -109,8 +110,8 @@ impl<S: Scalar, Y: StateVector<S>> Convergence<S, Y> {
                 settled = false;
                 falls |= *now < S::from_f64(FALL) * *smallest;
             }
-            // Zero is a pause of what depends on others in turns, and says nothing about how fast
-            // it settles.
+            // A zero correction is a pause of an unknown that depends on others in turn, and does
+            // not indicate the rate of convergence.
             if *now == S::ZERO {
                 continue;
             }
@@ -131,38 +132,34 @@ impl<S: Scalar, Y: StateVector<S>> Convergence<S, Y> {
 /// The trend of corrections.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Trend {
-    /// Some still fall.
+    /// Some corrections still decrease.
     Falls,
-    /// They are zero, or rounding errors and nothing else.
+    /// All corrections are zero or rounding errors.
     Settled,
-    /// They do not fall.
+    /// No correction decreases.
     Stalls,
 }
 
-/// More than any correction.
+/// Returns a number larger than any correction.
 fn infinity<S: Scalar>() -> S {
     S::ONE / S::ZERO
 }
 
-/// Entries larger than any correction.
+/// Returns entries larger than any correction.
 fn infinite<S: Scalar, Y: StateVector<S>>() -> Y {
     let mut vector = Y::ZERO;
     vector.as_mut().fill(infinity());
     vector
 }
 
-/// True if the correction `now` is the rounding of an unknown, on which a change by `unseen` is
+/// True if the correction `now` is a rounding error of an unknown for which a change by `unseen` is
 /// lost.
-///
-/// Without rounding it would be no larger than `expected`, what the best rate of convergence so far
-/// makes of the one before. Small is not enough: what slow convergence leaves has the same sign in
-/// every step.
 #[inline(always)]
 fn is_settled<S: Scalar>(now: S, expected: S, unseen: S) -> bool {
     now == S::ZERO || (now <= S::from_f64(100.0) * unseen && S::from_f64(8.0) * expected <= unseen)
 }
 
-/// True if residuals are a small part of the terms they are made of.
+/// True if residuals are a small fraction of their terms.
 fn is_rounding<S: Scalar, Y: StateVector<S>>(residuals: &[Y], magnitude: &Y, rounding: S) -> bool {
     let root = rounding.sqrt();
     let part = root * root.sqrt();

@@ -1,29 +1,30 @@
-//! Starting values for the iterations of an implicit step: the polynomial of the last step,
-//! continued.
+//! Starting values for the iterations of an implicit step, by extrapolation of the last step's
+//! polynomial.
 //!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VIII.6.1.
 
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// The weights of the values at the nodes and of one further value.
+/// The weights of the values at the nodes and of one additional value.
 type Weights<S, const K: usize> = ([S; K], S);
 
-/// Slopes at the nodes of the last step and at its end, and how they continue into the next.
+/// Slopes at the nodes of the last step and at its end, with their extrapolation into the next
+/// step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Prediction<S, Y, const K: usize> {
     nodes: [S; K],
     targets: [S; K],
-    /// Slopes of the last step and its length.
+    /// Slopes and length of the last step.
     last: Option<([Y; K], S)>,
-    /// For a ratio of the lengths of two steps: how much of each slope and of that at the end makes
-    /// up each starting value.
+    /// For a ratio of the lengths of two steps: weights of the slopes and of the end slope in each
+    /// starting value.
     weights: Option<(S, [Weights<S, K>; K])>,
 }
 
 impl<S: Scalar, Y: StateVector<S>, const K: usize> Prediction<S, Y, K> {
-    /// Knows of no step yet. Slopes will be learnt at the nodes and asked for at the targets, parts
-    /// of a step.
+    /// Creates a prediction without a step. Slopes will be learnt at the nodes and requested at the
+    /// targets, both as fractions of a step.
     pub(super) fn new(nodes: [S; K], targets: [S; K]) -> Self {
         Prediction { nodes, targets, last: None, weights: None }
     }
@@ -33,12 +34,12 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Prediction<S, Y, K> {
         self.last = None;
     }
 
-    /// Learns the slopes of a step of the length `h`.
+    /// Stores the slopes of a step of length `h`.
     pub(super) fn learn(&mut self, slopes: [Y; K], h: S) {
         self.last = Some((slopes, h));
     }
 
-    /// The slopes of a step of the length `h` that begins with the slope `start`.
+    /// Predicts the slopes of a step of length `h` that begins with the slope `start`.
     #[inline]
     pub(super) fn slopes(&mut self, start: &Y, h: S) -> [Y; K] {
         let Some((slopes, before)) = self.last else {
@@ -60,10 +61,10 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Prediction<S, Y, K> {
     }
 }
 
-/// Returns the weights of the values at the nodes, and at one further node, in the value of their
-/// polynomial at x.
+/// Returns the weights of the values at the nodes, and of the value at one additional node, in
+/// their polynomial at x.
 ///
-/// Lagrange's formula.
+/// They follow from Lagrange's formula.
 pub(super) fn weights<S: Scalar, const K: usize>(nodes: &[S; K], last: S, x: S) -> Weights<S, K> {
     let mut parts = [S::ONE; K];
     for (i, part) in parts.iter_mut().enumerate() {
@@ -78,7 +79,7 @@ pub(super) fn weights<S: Scalar, const K: usize>(nodes: &[S; K], last: S, x: S) 
     (parts, end)
 }
 
-/// Σ part slope + end slope
+/// Computes Σ part slope + end slope.
 #[inline]
 pub(super) fn sum<S: Scalar, Y: StateVector<S>, const K: usize>(
     parts: &[S; K],

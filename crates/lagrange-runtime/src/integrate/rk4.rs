@@ -28,8 +28,8 @@ use crate::system::{OdeSystem, StateVector, StepFailure};
 /// Computes the state after one step of length `h` from `y` at time `t`, by the classical
 /// Runge–Kutta method.
 ///
-/// Evaluates the right-hand side four times; the error of a step is O(h⁵). A negative `h` steps
-/// backwards in time. Nothing is checked: values that are not finite are returned.
+/// It evaluates the right-hand side four times; the error of a step is O(h⁵). A negative `h` steps
+/// backwards in time. Values are not checked and may be NaN or infinite.
 #[inline]
 pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::State
 where
@@ -38,14 +38,14 @@ where
     combined(y, M::Scalar::ONE, &RungeKuttaStages::new(system, t, y, h, system.rhs(t, y)).increment(h))
 }
 
-/// The method is stable up to this |h λ| on the negative real axis, and a little farther on the
-/// imaginary one.
+/// Maximum |h λ| of stable steps on the negative real axis; the limit on the imaginary axis is
+/// slightly larger.
 const STABLE: f64 = 2.785;
 
 /// The classical Runge–Kutta method of order four in equal steps, for any system.
 ///
-/// Four evaluations a step; not symplectic: the energy drifts in proportion to time and h⁵. Steps
-/// longer than about 2.8 times the shortest time constant are refused as unstable.
+/// It uses four evaluations per step and is not symplectic: the energy drifts in proportion to time
+/// and h⁵. Steps longer than about 2.8 times the shortest time constant are rejected as unstable.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RungeKutta4<S> {
     /// Length of a step.
@@ -74,7 +74,7 @@ pub struct Classical<Y> {
     trial: Y,
     /// The rate at the start of the last accepted step.
     start: Y,
-    /// The rate at its end, if it was asked for.
+    /// The rate at the end of the last accepted step, if it was requested.
     end: Option<Y>,
     watch: Watch,
 }
@@ -133,7 +133,7 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
 }
 
 impl<S, Y> Memory<S> for Classical<Y> {
-    /// Rates are computed again, from the same state.
+    /// Resets the rate at the end, which is recomputed from the same state.
     fn visit(&mut self, _t: S, _each: &mut impl FnMut(&mut S)) {
         self.end = None;
     }
@@ -147,7 +147,7 @@ impl<Y> Classical<Y> {
         Classical { trial: Y::ZERO, start: Y::ZERO, end: None, watch: Watch::default() }
     }
 
-    /// Refuses the step if something is too fast for it.
+    /// Rejects the step if a component is too fast for it.
     #[inline]
     fn check<M>(
         &mut self,
@@ -171,8 +171,8 @@ impl<Y> Classical<Y> {
     }
 }
 
-/// About the longest step that is stable where this one was tried; not a number if that cannot be
-/// told.
+/// Returns the approximate length of the longest stable step where this one was tried; NaN if it
+/// cannot be determined.
 #[cold]
 fn longest_bearable<M: OdeSystem + ?Sized>(
     system: &M,
@@ -189,7 +189,7 @@ fn hints_at_instability<S: Number, Y: StateVector<S>>(stages: &RungeKuttaStages<
     hint.less(l1_distance(&stages.k2, &stages.k3))
 }
 
-/// About the longest step that is stable from here on; `None` if nothing moves.
+/// Returns the approximate length of the longest stable step from here; `None` if nothing moves.
 #[cold]
 fn longest_stable<M: OdeSystem + ?Sized>(
     system: &M,
@@ -228,7 +228,7 @@ impl<Y> RungeKuttaStages<Y> {
         RungeKuttaStages { k1, k2, k3, k4 }
     }
 
-    /// The step of the length h from `y` at time t.
+    /// Returns the step of length h from `y` at time t as a suspect step.
     #[inline]
     fn suspect<S: Number>(&self, (t, y): (S, &Y), h: S) -> SuspectStep<S, Y>
     where
@@ -238,7 +238,7 @@ impl<Y> RungeKuttaStages<Y> {
         SuspectStep { t, y: *y, h, direction, change: h.abs() * l1_norm(&self.k1) }
     }
 
-    /// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6
+    /// Computes h (k₁ + 2 k₂ + 2 k₃ + k₄)/6.
     #[inline(always)]
     fn increment<S: Number>(&self, h: S) -> Y
     where

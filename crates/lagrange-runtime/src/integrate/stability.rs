@@ -1,41 +1,40 @@
 //! The stability limit of explicit steps.
 //!
-//! An explicit method grows without bound along an eigenvector of the Jacobian whose eigenvalue λ
-//! has h |λ| beyond a limit of the method. The difference of rates between two stages hints at it
-//! without extra evaluations, but mistakes differences of scale between the components for
-//! stiffness. Only after a hint is the largest eigenvalue computed, by power iteration with
-//! differences of rates. Its last powers give the two eigenvalues of an oscillation together.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van Loan, *Matrix
+//! The result of an explicit method grows without bound along an eigenvector of the Jacobian if h
+//! |λ| exceeds a limit of the method. The difference of rates between two stages indicates this
+//! without extra evaluations, but may confuse differences of scale between components with
+//! stiffness. Only after such a hint is the largest eigenvalue computed, by power iteration with
+//! differences of rates. The last powers yield both eigenvalues of an oscillation. Source: Hairer,
+//! Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van Loan, *Matrix
 //! Computations*, §7.3.
 
 use crate::linalg::vector::{combined, l1_norm, scaled};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// Multiplications with the Jacobian: the estimate errs by some per cent where more than two
-/// eigenvalues are close.
+/// Number of multiplications by the Jacobian. The estimate is inaccurate by a few per cent if more
+/// than two eigenvalues are close.
 const MULTIPLICATIONS: u32 = 8;
-/// The differences of states from which the Jacobian is found are this part of the change of a
-/// step.
+/// Size of the differences of states for the Jacobian, relative to the change in a step.
 const PART: f64 = 1e-3;
-/// A second eigenvalue that shows in the powers by less than this does not count beside the first.
+/// Relative contribution to the powers below which a second eigenvalue is ignored.
 const SINGLE: f64 = 1e-4;
 /// Number of evaluations per check.
 pub(super) const EVALUATIONS: u64 = 1 + MULTIPLICATIONS as u64;
-/// After hints that came to nothing, no more steps than this pass without another look.
+/// Maximum number of steps without another check after hints that were not confirmed.
 const LONGEST_WAIT: u32 = 31;
 
-/// Decides when hints are followed.
+/// Decides whether hints are followed up.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Watch {
-    /// Steps until hints count again.
+    /// Number of steps until hints count again.
     wait: u32,
     /// Length of the last wait.
     waited: u32,
 }
 
 impl Watch {
-    /// True if to look, given this hint.
+    /// True if a check is due, given this hint.
     #[inline]
     pub(super) fn follows(&mut self, is_hint: bool) -> bool {
         if self.wait > 0 {
@@ -51,7 +50,7 @@ impl Watch {
         is_hint
     }
 
-    /// True if it remembers hints.
+    /// True if there were recent hints.
     #[inline]
     pub(super) fn is_awake(&self) -> bool {
         self.wait > 0 || self.waited > 0
@@ -59,11 +58,11 @@ impl Watch {
 }
 
 /// Computes the magnitude of the largest eigenvalue of ∂`rates`/∂y at `y`. It is ignored if the
-/// motion grows along it, as that of an upright pendulum does, independent of the method. NaN if it
+/// motion itself grows along it, as for an upright pendulum, independent of the method. NaN if it
 /// cannot be determined.
 ///
-/// The iteration starts in `direction`. Its differences are a small part of `change`, the change of
-/// a step, so that they reach as far as the step and no farther.
+/// The iteration starts in `direction`. Its differences are a small fraction of `change`, the
+/// change in a step, so that they do not extend beyond the step.
 #[cold]
 pub(super) fn largest_eigenvalue<S: Scalar, Y: StateVector<S>>(
     mut rates: impl FnMut(&Y) -> Y,
@@ -101,15 +100,14 @@ pub(super) fn eigenvalue_at<S: Scalar, Y: StateVector<S>>(
     (found > S::ZERO).then_some(found)
 }
 
-/// The direction of a vector that was multiplied by the Jacobian, and by how much that made it
-/// longer.
+/// The direction of a vector after multiplication by the Jacobian, and the ratio of its lengths.
 #[derive(Clone, Copy, Debug)]
 struct Power<S, Y> {
     vector: Y,
     factor: S,
 }
 
-/// An eigenvalue of the largest magnitude.
+/// An eigenvalue with the largest magnitude.
 #[derive(Clone, Copy, Debug)]
 struct Dominant<S> {
     magnitude: S,
@@ -117,15 +115,15 @@ struct Dominant<S> {
     grows: bool,
 }
 
-/// The dominant eigenvalue, given successive powers of the Jacobian on a vector and what it makes
-/// of the last of these.
+/// Computes the dominant eigenvalue from successive powers of the Jacobian applied to a vector, and
+/// from the product of the Jacobian and the last power.
 ///
-/// A conjugate pair turns vectors in a plane and stretches them differently there, according to the
-/// units of the components. However, any component z of the powers follows zₖ₊₂ = 2a zₖ₊₁ − b zₖ,
-/// where a ± √(a² − b) are the two dominant eigenvalues. Four values determine a and b; the largest
-/// component is used. The determinant z₁² − z₀z₂ is the same in every phase of an oscillation and
-/// vanishes if there is a single eigenvalue, z₃/z₂. Source: Wilkinson, *The Algebraic Eigenvalue
-/// Problem*, ch. 9, §§ 12–14.
+/// A conjugate pair rotates vectors in a plane and stretches them differently there, depending on
+/// the units of the components. However, any component z of the powers follows zₖ₊₂ = 2a zₖ₊₁ − b
+/// zₖ, where a ± √(a² − b) are the two dominant eigenvalues. Four values determine a and b; the
+/// largest component is used. The determinant z₁² − z₀z₂ is the same in every phase of an
+/// oscillation and vanishes if there is a single eigenvalue, z₃/z₂. Source: Wilkinson, *The
+/// Algebraic Eigenvalue Problem*, ch. 9, §§ 12–14.
 fn dominant<S: Scalar, Y: StateVector<S>>(
     [first, second, third]: &[Power<S, Y>; 3],
     last: &Y,

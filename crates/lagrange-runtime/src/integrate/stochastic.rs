@@ -1,9 +1,9 @@
 //! Methods for systems with white noise, in equal steps.
 //!
 //! Steps end at the multiples of their length, counted from time zero, as do the cells of the
-//! [path](crate::integrate::WienerPath). Events, clocks and the end of a run cut steps short.
-//! These, and a first step that begins between multiples, take their part of the path in the cell.
-//! What follows them ends at multiples again, so that an interrupted motion stays on the path.
+//! [path](crate::integrate::WienerPath). Events, clocks and the end of a run shorten steps. Such
+//! steps, and a first step that begins between multiples, use their part of the path in the cell.
+//! The steps after them end at multiples again, so that an interrupted motion stays on the path.
 
 mod euler_maruyama;
 mod runge_kutta;
@@ -24,7 +24,7 @@ use crate::system::{MOST_NOISES, NoiseKind, OdeSystem, SettingError, StepFailure
 pub use self::euler_maruyama::EulerMaruyama;
 pub use self::runge_kutta::StochasticRungeKutta4;
 
-/// A time this part of a step away from one of their ends is there.
+/// Times that differ from an end of a step by this fraction of the step count as this end.
 const SNAP: f64 = 1e-9;
 
 const NO_NOISE: &str = "the system has no noise: take a method for ordinary equations, such as `Verner98`";
@@ -36,16 +36,16 @@ const NO_DIFFUSION: &str = "the diffusion is not a number: is the density of a n
 
 /// A formula for steps with noise.
 pub trait Scheme<M: OdeSystem + ?Sized> {
-    /// Checks that the formula is one for noise of this kind.
+    /// Checks that the formula supports noise of this kind.
     ///
     /// # Errors
-    /// If it is not.
+    /// If it does not.
     fn check(kind: NoiseKind) -> Result<(), SettingError<M::Scalar>>;
 
     /// True if the formula uses the area between the path and its chord for noise of this kind.
     fn uses_area(kind: NoiseKind) -> bool;
 
-    /// Returns the change of the state `y` in a step of the length `h` from time `t`.
+    /// Returns the change of the state `y` in a step of length `h` from time `t`.
     fn increment(
         system: &M,
         t: M::Scalar,
@@ -60,7 +60,7 @@ pub trait Scheme<M: OdeSystem + ?Sized> {
 #[derive(Clone, Copy, Debug)]
 pub struct StepPath<S> {
     count: usize,
-    /// W and H of each.
+    /// W and H of each noise.
     parts: [[S; 2]; MOST_NOISES],
 }
 
@@ -75,23 +75,23 @@ impl<S: Scalar> StepPath<S> {
         then(&values[..self.count])
     }
 
-    /// Calls a function with the values of the path after part `s` of the step.
+    /// Calls a function with the values of the path after the fraction `s` of the step.
     fn at<R>(&self, s: S, then: impl FnOnce(&[S]) -> R) -> R {
         self.weighted([s, S::from_f64(6.0) * s * (S::ONE - s)], then)
     }
 }
 
-/// A place among steps of equal length.
+/// A position among steps of equal length.
 #[derive(Clone, Copy, Debug)]
 struct Location<S> {
     /// Number of the step.
     index: i64,
-    /// The part of it that is past.
+    /// The fraction of the step that has passed.
     share: S,
 }
 
 impl<S: Scalar> Location<S> {
-    /// The place of a time; at the end of a step, of the one that begins there.
+    /// Returns the position of a time. The end of a step counts as the beginning of the next one.
     fn of(t: S, step: S) -> Option<Self> {
         let (passed, is_negative) = ((t / step).abs(), t < S::ZERO);
         let near = (passed + S::from_f64(0.5)).floor_below(usize::MAX)?;
@@ -107,13 +107,13 @@ impl<S: Scalar> Location<S> {
         })
     }
 
-    /// The time at which its step ends.
+    /// Returns the time at which its step ends.
     fn end(&self, step: S) -> S {
         S::from_f64((self.index + 1) as f64) * step
     }
 }
 
-/// The rounding of a time, in steps, so many steps away from zero.
+/// Returns the rounding error of a time, in steps, at this number of steps from zero.
 fn tolerance<S: Scalar>(passed: S) -> S {
     S::from_f64(SNAP) + S::from_f64(4.0) * S::epsilon() * passed
 }
@@ -131,8 +131,8 @@ pub struct StochasticStepper<M: OdeSystem + ?Sized, F> {
     work: Work,
 }
 
-/// The last step: time and state at its start, its path, and the rates at both ends once they were
-/// asked for.
+/// The last step: time and state at its start, its path, and the rates at both ends once they have
+/// been requested.
 #[derive(Clone, Copy, Debug)]
 struct Last<S, Y> {
     time: S,
@@ -148,7 +148,7 @@ impl<M: OdeSystem + ?Sized, F> Clone for StochasticStepper<M, F> {
 }
 
 impl<M: OdeSystem + ?Sized, F: Scheme<M>> StochasticStepper<M, F> {
-    /// Starts at `y` at time `t`, with steps of the length `step`, towards `end`.
+    /// Starts at `y` at time `t`, with steps of length `step`, towards `end`.
     fn start(
         (step, path): (M::Scalar, WienerPath),
         system: &M,
@@ -180,7 +180,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> StochasticStepper<M, F> {
         })
     }
 
-    /// The end of the next step and its place, if it goes no farther than `limit`.
+    /// Returns the end of the next step and its position, at most `limit`.
     fn next(&self, limit: M::Scalar) -> (M::Scalar, Location<M::Scalar>) {
         let Location { index, share } = self.location;
         let end = self.location.end(self.step);
@@ -195,7 +195,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> StochasticStepper<M, F> {
         }
     }
 
-    /// The path from here to a place in the same step or at its end.
+    /// Returns the path from here to a position in the same step or at its end.
     fn path_to(&self, kind: NoiseKind, to: &Location<M::Scalar>) -> StepPath<M::Scalar> {
         let (one, six) = (M::Scalar::ONE, M::Scalar::from_f64(6.0));
         let start = self.location.share;
@@ -237,7 +237,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> StochasticStepper<M, F> {
         Ok(())
     }
 
-    /// Why a step led nowhere: a diffusion that is not finite, or else this cause.
+    /// Returns the reason why a step failed: a diffusion that is not finite, or else this cause.
     #[cold]
     fn undefined(&self, system: &M, cause: StepFailure<M::Scalar>) -> StepFailure<M::Scalar> {
         let ones = [M::Scalar::ONE; MOST_NOISES];
@@ -273,7 +273,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> Stepper<M> for StochasticStepper<M, F>
         self.last.time
     }
 
-    /// Adds the parabola of the noise to the cubic of Hermite of everything else.
+    /// Adds the parabola of the noise to the cubic Hermite polynomial of everything else.
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State {
         let (to, end) = (self.time, *self.state.value());
         let Last { time: from, state: start, path, rates } = &mut self.last;
@@ -306,7 +306,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> Stepper<M> for StochasticStepper<M, F>
     }
 }
 
-/// Checks the length of steps and the path.
+/// Checks the step length and the path.
 fn check_settings<S: Scalar>(step: S, path: WienerPath) -> Result<(), SettingError<S>> {
     if path.halvings() > MOST_HALVINGS {
         return Err(SettingError::Invalid(TOO_FINE));

@@ -1,10 +1,10 @@
 //! Diagnosis of values that are not finite, which methods only detect.
 //!
-//! Methods check the values from which they continue and leave the rest to the loops that drive
-//! them. These know the system, whose [`undefined`](OdeSystem::undefined) gives names. Values that
-//! are finite where a run stopped are evaluated ahead of there, along the direction of the motion.
-//! The distances double from rounding on: a root of 1 − t is finite up to t = 1, and NaN right
-//! behind.
+//! Methods check the values from which they continue and leave the diagnosis to the loops that
+//! drive them. Loops have access to the system, whose [`undefined`](OdeSystem::undefined) provides
+//! names. If values are finite where a run stopped, the system is evaluated further ahead, along
+//! the direction of the motion. The distances double, starting at rounding: a root of 1 − t is
+//! finite up to t = 1, and NaN immediately after.
 
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::ranked::RankedFactors;
@@ -12,8 +12,8 @@ use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefined, VelocityMatrix, split};
 
-/// Steps that became too short for times to be told apart were stopped by what lies within this
-/// part of the way.
+/// Fraction of the remaining interval that is searched for the cause of steps too short for the
+/// resolution of time.
 const NEAR: f64 = 1e-9;
 
 /// Finds the cause, by name, of the end of a run at this time and state on its way to `end`.
@@ -60,7 +60,7 @@ fn ahead<M: OdeSystem + ?Sized>(
         let h = if end < t { -distance } else { distance };
         let (later, there) = (t + h, combined(y, h, &rates));
         let found = system.undefined(later, &there, &system.rhs(later, &there));
-        // The state is only a guess: where it overflows there is nothing to be seen.
+        // The state is only a guess: its overflow has no meaning.
         if let Some(found) = found {
             return (!matches!(found, Undefined::State { .. })).then_some(found);
         }
@@ -69,11 +69,11 @@ fn ahead<M: OdeSystem + ?Sized>(
     None
 }
 
-/// Returns the first component of the state and of its rates at a time that is not finite. Rates
-/// are attributed to [parameters](MechanicalSystem::parameter) and inputs that are not finite, or
-/// else to a singular mass matrix if one determines accelerations.
+/// Returns the first component of the state and of its rates at a time that is not finite.
+/// Undefined rates are attributed to [parameters](MechanicalSystem::parameter) and inputs that are
+/// not finite, otherwise to the mass matrix if it is singular.
 ///
-/// Emitted types answer to [`OdeSystem::undefined`] by this function.
+/// Emitted types implement [`OdeSystem::undefined`] by this function.
 #[cold]
 pub fn undefined<M: MechanicalSystem>(
     system: &M,
@@ -107,8 +107,8 @@ pub fn undefined<M: MechanicalSystem>(
     singular.or(Some(found))
 }
 
-/// The column and the value of the first pivot that is lost in rounding, if the mass matrix is
-/// singular.
+/// Returns the column and the value of the first pivot that is lost in rounding, if the mass matrix
+/// is singular.
 fn lost_pivot<M: MechanicalSystem>(mass: &VelocityMatrix<M>) -> Option<(usize, M::Scalar)> {
     let rows: &[M::Velocities] = mass.as_ref();
     let matrix = Matrix::<M::Scalar, M::Velocities>(*mass);

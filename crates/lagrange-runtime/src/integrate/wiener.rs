@@ -1,14 +1,14 @@
 //! Paths of Wiener processes as functions of a seed, the index of a motion, and time.
 //!
-//! Time is divided into cells of equal length L, which begin at its zero. In each cell the path has
-//! an increment W with the variance L. The area between the path and its chord, divided by L, is H,
+//! Time is divided into cells of equal length L, starting at zero. In each cell the path has an
+//! increment W with the variance L. The area between the path and its chord, divided by L, is H,
 //! with the variance L/12. All are independent. A cell is halved by
 //!
 //! > W₁ = W/2 + 3H/2 + a,  W₂ = W − W₁,  H₁ = H/4 − a/2 + b/2,  H₂ = H/4 − a/2 − b/2,
 //!
-//! where a and b are normal numbers with the variances L/16 and L/12. So the paths of shorter steps
-//! are those of longer ones in more detail. Within a step, the path is
-//! the one that its W and H let expect: the parabola p(s) = s W + 6 s (1 − s) H.
+//! where a and b are normal numbers with the variances L/16 and L/12. The paths of shorter steps
+//! are therefore those of longer ones in more detail. Within a step, the path is its expectation
+//! for given W and H, the parabola p(s) = s W + 6 s (1 − s) H.
 //!
 //! Sources: Lévy, *Processus stochastiques et mouvement brownien*, 1948, §1.2; Foster, Lyons,
 //! Oberhauser, *An optimal polynomial approximation of Brownian motion*, SIAM J. Numer. Anal. 58
@@ -16,9 +16,9 @@
 
 use crate::random::{Stream, normals, words};
 
-/// The purpose of these numbers among those of `ensemble::Random`.
+/// The purpose of these numbers; others belong to `ensemble::Random`.
 const PURPOSE: u8 = 3;
-/// Nodes of the halvings of a cell are numbered by 32 bits.
+/// Maximum number of halvings. Nodes of the halvings of a cell are numbered by 32 bits.
 pub(super) const MOST_HALVINGS: u32 = 31;
 
 /// A path of the Wiener processes that drive a system: one for each noise, all independent.
@@ -26,8 +26,8 @@ pub(super) const MOST_HALVINGS: u32 = 31;
 /// It is a function of its seed, of the index of the motion, and of time. Runs that are continued,
 /// interrupted by events, or computed on other threads therefore have the same path.
 ///
-/// Steps of half the length follow the same path if it is [halved](Self::halved): what differs
-/// between the motions is the error of the method.
+/// Steps of half the length follow the same path if it is [halved](Self::halved). Motions then
+/// differ only by the error of the method.
 ///
 /// ```
 /// use lagrange::Simulate;
@@ -61,30 +61,30 @@ pub struct WienerPath {
 }
 
 impl WienerPath {
-    /// Returns the path of this seed. Its cells are as long as the steps.
+    /// Returns the path of this seed. Its cells have the length of a step.
     pub const fn of_seed(seed: u64) -> Self {
         WienerPath { seed, motion: 0, halvings: 0 }
     }
 
-    /// Returns the path of the motion with this index. Ensembles do it for each of theirs; a single
-    /// run is motion 0 unless this says otherwise.
+    /// Returns the path of the motion with this index. Ensembles call it for each motion; a single
+    /// run is motion 0 by default.
     #[must_use]
     pub const fn of_motion(self, index: usize) -> Self {
         WienerPath { motion: index as u64, ..self }
     }
 
-    /// Returns the path for steps whose length was halved so many times, at most 31.
+    /// Returns the path for steps whose length was halved this number of times, at most 31.
     #[must_use]
     pub const fn halved(self, times: u32) -> Self {
         WienerPath { halvings: self.halvings + times, ..self }
     }
 
-    /// Number of halvings from a cell to a step.
+    /// Returns the number of halvings from a cell to a step.
     pub(super) const fn halvings(self) -> u32 {
         self.halvings
     }
 
-    /// The increments of the path.
+    /// Returns the increments of the path.
     pub(super) fn increments(self) -> Increments {
         let stream = Stream { seed: self.seed, motion: self.motion, purpose: PURPOSE };
         let [key, _] = stream.block(0);
@@ -95,13 +95,14 @@ impl WienerPath {
 /// Increments of a path over its steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Increments {
-    /// Key of the seed and of the motion, so that the whole counter is left for place and noise.
+    /// Key of the seed and of the motion. The whole counter is then available for place and noise.
     key: u64,
     halvings: u32,
 }
 
 impl Increments {
-    /// W and H of a noise over the step from `index` to `index + 1`, in units of its length.
+    /// Returns W and H of a noise over the step from `index` to `index + 1`, in units of its
+    /// length.
     pub(super) fn over(&self, noise: u32, index: i64) -> [f64; 2] {
         let cell = (index >> self.halvings) as u64;
         let normals = |node: u32| normals(words([cell, u64::from(noise) << 32 | u64::from(node)], self.key));

@@ -1,25 +1,26 @@
 //! A damped Gauss–Newton method between limits.
 //!
-//! A step δ of the freedoms minimises |e − J δ|² + λ |δ|², with the rotation vectors and
+//! A step δ of the degrees of freedom minimises |e − J δ|² + λ |δ|², with the rotation vectors and
 //! displacements e that lead to the goals. λ is proportional to |e|², so that steps stay short far
-//! from the goal and in singular postures, and converge quadratically near it. Freedoms at a limit
-//! that the gradient pushes against take no part. Those that a step would bring beyond a limit go
-//! to it, and the others step anew. Displacements count beside rotations in units of the largest
-//! lever arm. Sources: Sugihara, "Solvability-unconcerned inverse kinematics by the
-//! Levenberg–Marquardt method", *IEEE Trans. Robotics* 27 (2011) 984–991; Fan, Yuan, "On the
-//! quadratic convergence of the Levenberg–Marquardt method without nonsingularity assumption",
-//! *Computing* 74 (2005) 23–39.
+//! from the goal and in singular postures, and converge quadratically near it. Degrees of freedom
+//! at a limit are fixed if the gradient pushes against it. If a step would pass a limit, the degree
+//! of freedom stops there, and the step of the others is recomputed. Displacements are measured in
+//! units of the largest lever arm for comparison with rotations. Sources: Sugihara,
+//! "Solvability-unconcerned inverse kinematics by the Levenberg–Marquardt method", *IEEE Trans.
+//! Robotics* 27 (2011) 984–991; Fan, Yuan, "On the quadratic convergence of the Levenberg–Marquardt
+//! method without nonsingularity assumption", *Computing* 74 (2005) 23–39.
 //!
 //! Under constraints a step δ moves the system by P δ. Here P projects displacements onto those
-//! that the constraints of positions allow, nearest as the mass matrix measures distances. J P
-//! takes the place of J, and positions are then brought back onto the constraints. P projects
-//! velocities, too, unless there are constraints of velocities, which exclude no posture. The trace
-//! of a projection is the number of freedoms, which tells that. P is then the derivative of the way
-//! back of positions, by central differences of relative error ε^⅔. Limits hold during the search
-//! where no constraint couples a freedom to others, and are checked at its end elsewhere.
+//! permitted by the constraints on positions, in the metric of the mass matrix. J P replaces J, and
+//! positions are then brought back onto the constraints. P is the projection of velocities, unless
+//! there are constraints on velocities, which exclude no posture. The trace of a projection is the
+//! number of degrees of freedom, which reveals such constraints. P is then the derivative of the
+//! projection of positions, by central differences of relative error ε^⅔. Limits hold during the
+//! search for degrees of freedom that no constraint couples to others. All others are checked at
+//! its end.
 //!
-//! Fits solve the same goals by singular values, in `f64` with heap. Their data are many and
-//! their variables badly scaled; here steps must be cheap and of a fixed size.
+//! Fits solve the same kind of problem by singular values, in `f64` with heap allocation. Their
+//! data are numerous and their variables badly scaled. Here steps must be cheap and of fixed size.
 //!
 //! Example: a rod of length 1 at θ = 0 whose end should be at height 1/2. e = ½, J = 1, and with λ
 //! = |e|²/10 = 0.025 the step is 0.5/1.025 = 0.488. Then e = 0.0313 and the next steps lead to θ =
@@ -32,20 +33,22 @@ use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
 use crate::system::{MechanicalSystem, OdeSystem, StepFailure, displaced, join, split};
 
-/// Steps of a search from one start.
+/// Maximum number of steps of a search from one start.
 const MAX_STEPS: u32 = 100;
-/// The first λ, beside the squared error.
+/// Initial λ relative to the squared error.
 const FIRST_DAMPING: f64 = 0.1;
-/// λ falls by the factor four after a step that does more than this part of what it promises,
+/// λ falls by the factor [`GROWTH`] after a step that achieves more than this fraction of the
+/// predicted decrease.
 const GOOD: f64 = 0.75;
-/// and grows by it after one that does less than this part.
+/// λ grows by the factor [`GROWTH`] after a step that achieves less than this fraction of the
+/// predicted decrease.
 const POOR: f64 = 0.25;
 const GROWTH: f64 = 4.0;
-/// λ is no smaller than so many units of rounding: with more freedoms than rows, JᵀJ is singular.
+/// Minimum λ, in units of rounding: with more degrees of freedom than rows, JᵀJ is singular.
 const ROUNDING: f64 = 256.0;
-/// A search is given up at this λ, beside the squared error.
+/// The search is abandoned beyond this λ, relative to the squared error.
 const MAX_DAMPING: f64 = 1e12;
-/// A search ends where steps promise to decrease the squared error by less than this part of it.
+/// The search ends when the predicted decrease of the squared error is below this fraction of it.
 const LEAST_DECREASE: f64 = 1e-13;
 
 /// Frames, their goals, and limits.
@@ -55,14 +58,14 @@ pub(super) struct Goals<'a, M: MechanicalSystem, const N: usize> {
     pub(super) time: M::Scalar,
     /// Limits of the coordinate that each velocity changes.
     pub(super) limits: [Option<Limit<M::Scalar>>; N],
-    /// The angle, and the distance in levers, at which a frame is at its goal.
+    /// The angle, and the distance in lever arms, within which a frame counts as at its goal.
     pub(super) tolerance: M::Scalar,
 }
 
 impl<M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>, const N: usize>
     Goals<'_, M, N>
 {
-    /// The nearest positions that satisfy the constraints.
+    /// Returns the nearest positions that satisfy the constraints.
     pub(super) fn restored(&self, q: M::Coordinates) -> Result<M::Coordinates, StepFailure<M::Scalar>> {
         if !self.system.is_constrained() {
             return Ok(q);
@@ -72,20 +75,21 @@ impl<M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>
         Ok(split::<M>(&y).0)
     }
 
-    /// True if velocities are constrained more than positions.
+    /// True if there are constraints on velocities alone.
     fn has_constraints_of_velocities(&self, q: &M::Coordinates) -> bool {
         let trace = |columns: [[M::Scalar; N]; N]| (0..N).fold(M::Scalar::ZERO, |sum, j| sum + columns[j][j]);
         let more = trace(self.allowed_displacements(q)) - trace(self.allowed_velocities(q));
         more > M::Scalar::from_f64(0.5)
     }
 
-    /// The columns of P, which projects velocities; zero where constraints determine none.
+    /// Returns the columns of P as a projection of velocities; zero if constraints cannot be
+    /// satisfied.
     fn allowed_velocities(&self, q: &M::Coordinates) -> [[M::Scalar; N]; N] {
         let projected = |v: [M::Scalar; N]| {
             let mut y = join::<M>(q, &v);
             self.system.restore(self.time, &mut y).ok().map(|()| split::<M>(&y).1)
         };
-        // Constraints that move have velocities of their own.
+        // Moving constraints require a velocity of their own.
         let own = projected([M::Scalar::ZERO; N]);
         core::array::from_fn(|j| match (projected(unit(j)), own) {
             (Some(found), Some(own)) => core::array::from_fn(|i| found[i] - own[i]),
@@ -93,7 +97,8 @@ impl<M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>
         })
     }
 
-    /// The columns of P, which projects displacements; zero where constraints determine none.
+    /// Returns the columns of P as a projection of displacements; zero if constraints cannot be
+    /// satisfied.
     fn allowed_displacements(&self, q: &M::Coordinates) -> [[M::Scalar; N]; N] {
         let reach = M::Scalar::epsilon().powf(M::Scalar::from_f64(1.0 / 3.0));
         core::array::from_fn(|j| {
@@ -119,29 +124,29 @@ pub(super) struct Descent<'a, M: MechanicalSystem, const N: usize> {
     has_constraints_of_velocities: bool,
 }
 
-/// A posture on the way.
+/// An intermediate posture of the search.
 pub(super) struct PostureTrial<M: MechanicalSystem> {
     pub(super) q: M::Coordinates,
-    /// The sum of the squares of angles, and of distances in levers.
+    /// The sum of the squares of angles, and of distances in lever arms.
     pub(super) cost: M::Scalar,
-    /// The largest angle, or distance in levers.
+    /// The largest angle, or distance in lever arms.
     worst: M::Scalar,
 }
 
 impl<M: MechanicalSystem> PostureTrial<M> {
-    /// A trial that is no better, where constraints cannot be satisfied.
+    /// Returns a trial that is rejected, used if constraints cannot be satisfied.
     fn failed(&self) -> Self {
         PostureTrial { q: self.q, cost: M::Scalar::NAN, worst: self.worst }
     }
 }
 
-/// JᵀJ and Jᵀe of a posture, with J P for J under constraints.
+/// JᵀJ and Jᵀe of a posture, with J P in place of J under constraints.
 struct Normal<S, const N: usize> {
     /// The columns of P, if there are constraints.
     allowed: Option<[[S; N]; N]>,
     matrix: [[S; N]; N],
     right: [S; N],
-    /// The largest diagonal entries of the search so far.
+    /// The largest diagonal entries so far in the search.
     scales: [S; N],
 }
 
@@ -171,8 +176,8 @@ where
         }
     }
 
-    /// Goes to the goals, or to a posture from which no step leads nearer; `None` if frames are not
-    /// finite at the start.
+    /// Moves to the goals, or to a posture from which no step leads nearer. `None` if frames are
+    /// not finite at the start.
     pub(super) fn run(&self, start: M::Coordinates, iterations: &mut u32) -> Option<PostureTrial<M>> {
         let mut now = Some(self.trial(start)).filter(|now| now.cost.is_finite())?;
         let mut normal = self.normal(&now.q, &[M::Scalar::ZERO; N]);
@@ -240,7 +245,7 @@ where
         Normal { allowed, matrix, right, scales: core::array::from_fn(|j| scales[j].max(matrix[j][j])) }
     }
 
-    /// The step of all freedoms, within the limits.
+    /// Computes the step of all degrees of freedom, within the limits.
     fn step(&self, q: &M::Coordinates, normal: &Normal<M::Scalar, N>, damping: M::Scalar) -> [M::Scalar; N] {
         let value = |limit: &Limit<M::Scalar>| q.as_ref()[limit.position];
         let limits: [_; N] = core::array::from_fn(|j| self.limit(normal, j));
@@ -248,7 +253,7 @@ where
             limits[j].is_none_or(|limit| !limit.holds(value(limit), normal.right[j]))
         });
         let mut step = [M::Scalar::ZERO; N];
-        // Each time, at least one freedom goes to its limit.
+        // Each iteration moves at least one degree of freedom to its limit.
         for _ in 0..=N {
             step = normal.step(&is_free, &step, damping);
             let mut is_within = true;
@@ -266,12 +271,12 @@ where
         step
     }
 
-    /// The limit of a freedom that no constraint couples to others.
+    /// Returns the limit of a degree of freedom that no constraint couples to others.
     fn limit(&self, normal: &Normal<M::Scalar, N>, freedom: usize) -> Option<&Limit<M::Scalar>> {
         self.goals.limits[freedom].as_ref().filter(|_| !normal.is_coupled(freedom))
     }
 
-    /// The posture after a step.
+    /// Returns the posture after a step.
     fn moved(
         &self,
         q: &M::Coordinates,
@@ -280,7 +285,7 @@ where
     ) -> M::Coordinates {
         let Goals { system, time, .. } = self.goals;
         let mut q = displaced(*system, *time, q, [(M::Scalar::ONE, &normal.motion(step))]);
-        // Rounding may lead beyond.
+        // Rounding may exceed the limits.
         for limit in (0..N).filter_map(|j| self.limit(normal, j)) {
             let entry = &mut q.as_mut()[limit.position];
             *entry = limit.nearest(*entry);
@@ -290,14 +295,14 @@ where
 }
 
 impl<S: Scalar, const N: usize> Normal<S, N> {
-    /// The decrease |e|² − |e − J δ|² that linear equations promise.
+    /// Returns the decrease |e|² − |e − J δ|² predicted by the linear equations.
     fn decrease(&self, step: &[S; N]) -> S {
         let shorter: [S; N] =
             core::array::from_fn(|i| self.right[i] + self.right[i] - dot(&self.matrix[i], step));
         dot(step, &shorter)
     }
 
-    /// True if constraints do not let this freedom move alone.
+    /// True if constraints prevent this degree of freedom from moving alone.
     fn is_coupled(&self, freedom: usize) -> bool {
         let is_off = |(i, entry): (usize, &S)| {
             let unit = if i == freedom { S::ONE } else { S::ZERO };
@@ -306,14 +311,14 @@ impl<S: Scalar, const N: usize> Normal<S, N> {
         self.allowed.as_ref().is_some_and(|allowed| allowed[freedom].iter().enumerate().any(is_off))
     }
 
-    /// The motion P δ of a step.
+    /// Returns the motion P δ of a step.
     fn motion(&self, step: &[S; N]) -> [S; N] {
         let Some(allowed) = &self.allowed else { return *step };
         let of = |i: usize| (0..N).fold(S::ZERO, |sum, j| allowed[j][i].multiply_add(step[j], sum));
         core::array::from_fn(of)
     }
 
-    /// The step of the free freedoms beside that of the others.
+    /// Computes the step of the free degrees of freedom for given steps of the others.
     fn step(&self, is_free: &[bool; N], fixed: &[S; N], damping: S) -> [S; N] {
         let (mut free, mut count) = ([0; N], 0);
         let mut step = *fixed;
@@ -335,7 +340,7 @@ impl<S: Scalar, const N: usize> Normal<S, N> {
     }
 }
 
-/// The damping after a step that did this part of what it promised.
+/// Returns the damping after a step that achieved this fraction of the predicted decrease.
 fn adapted<S: Scalar>(damping: S, ratio: S) -> S {
     let growth = S::from_f64(GROWTH);
     if ratio > S::from_f64(GOOD) {

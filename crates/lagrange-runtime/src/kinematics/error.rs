@@ -1,15 +1,15 @@
-//! Reasons for which no posture is found.
+//! Errors of searches for postures.
 
 use core::error::Error;
 use core::fmt::{self, Debug, Display, Formatter};
 
 use crate::system::StepFailure;
 
-/// A reason for which no posture is found.
+/// The reason why no posture was found.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum ReachError<Q, S> {
-    /// The goal of this task is not finite, or its matrix is no rotation.
+    /// The goal of this task is not finite, or its matrix is not a rotation.
     Goal {
         /// Index of the task.
         task: usize,
@@ -21,14 +21,14 @@ pub enum ReachError<Q, S> {
         /// The constraint.
         cause: StepFailure<S>,
     },
-    /// The frames are at their goals, but constraints carry this coordinate beyond its limits.
+    /// The frames are at their goals, but constraints move this coordinate beyond its limits.
     BeyondLimit {
         /// Positions.
         q: Q,
         /// Name of the coordinate.
         name: &'static str,
     },
-    /// There is no coordinate of this name whose rate is a velocity.
+    /// There is no coordinate with this name whose rate is a velocity.
     UnknownCoordinate {
         /// Requested name.
         name: &'static str,
@@ -42,8 +42,8 @@ pub enum ReachError<Q, S> {
     },
     /// Positions, frames or Jacobians are not finite at the start.
     NotFinite,
-    /// The search ended short of the goal: it is out of reach, or beyond a posture from which no
-    /// step leads nearer.
+    /// The search ended short of the goal. It is out of reach, or the search stopped at a posture
+    /// from which no step leads nearer.
     Short(Shortfall<Q, S>),
 }
 
@@ -52,11 +52,11 @@ pub enum ReachError<Q, S> {
 pub struct Shortfall<Q, S> {
     /// Positions.
     pub q: Q,
-    /// The task that is missed by most.
+    /// Index of the task with the largest error.
     pub task: usize,
-    /// The distance from its goal.
+    /// The distance to its goal.
     pub distance: S,
-    /// The angle from its goal, in rad.
+    /// The angle to its goal, in rad.
     pub angle: S,
     /// A coordinate that is at its limit, if there is one.
     pub at_limit: Option<&'static str>,

@@ -6,19 +6,19 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy)]
 pub(super) struct Limit<S> {
     pub(super) name: &'static str,
-    /// Its place among the positions.
+    /// Its index among the positions.
     pub(super) position: usize,
     pub(super) lower: S,
     pub(super) upper: S,
 }
 
 impl<S: Scalar> Limit<S> {
-    /// The value between the limits that is nearest to this one.
+    /// Returns the value between the limits that is nearest to this one.
     pub(super) fn nearest(&self, value: S) -> S {
         value.max(self.lower).min(self.upper)
     }
 
-    /// True if this value is at a limit to which it is pushed.
+    /// True if this value is at a limit and pushed against it.
     pub(super) fn holds(&self, value: S, push: S) -> bool {
         value <= self.lower && push <= S::ZERO || value >= self.upper && push >= S::ZERO
     }

@@ -1,5 +1,5 @@
-//! Inverse kinematics: positions in which frames of bodies stand at given places, and velocities
-//! that move them as given. Without heap.
+//! Inverse kinematics: positions in which frames of bodies are at given places, and velocities that
+//! move them as given. It needs no heap.
 //!
 //! ```
 //! use lagrange::kinematics::{InverseKinematics, FrameTask};

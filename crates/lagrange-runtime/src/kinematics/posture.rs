@@ -1,4 +1,4 @@
-//! Postures in which frames stand at their goals: what is asked for, and the search from its
+//! Postures in which frames are at their goals: the settings of a search, and the search from its
 //! starts.
 
 use super::descent::{Descent, Goals};
@@ -10,7 +10,7 @@ use crate::scalar::{Number, Scalar};
 use crate::spread::spread;
 use crate::system::{MechanicalSystem, OdeSystem, displaced};
 
-/// Starts reach so far without limits, in rad or units of the coordinate.
+/// Range of starts without limits, in rad or units of the coordinate.
 const REACH: f64 = core::f64::consts::PI;
 
 /// A result of a search on a system.
@@ -21,9 +21,9 @@ type SearchResult<M, T> =
 pub trait InverseKinematics<const N: usize>:
     OdeSystem + MechanicalSystem<Velocities = [<Self as OdeSystem>::Scalar; N]>
 {
-    /// Searches for positions in which the frames of all tasks stand at their goals, from `near`
-    /// on. Of several postures one next to it is found. Constraints hold throughout; the search
-    /// begins at the positions nearest to `near` that satisfy them.
+    /// Searches for positions in which the frames of all tasks are at their goals, starting from
+    /// `near`. If there are several postures, one close to `near` is found. Constraints hold
+    /// throughout; the search begins at the positions nearest to `near` that satisfy them.
     fn reach<'a>(&'a self, tasks: &'a [FrameTask<Self, N>], near: &Self::Coordinates) -> Reach<'a, Self, N>
     where
         Self: Sized,
@@ -57,12 +57,12 @@ pub struct Reach<'a, M: MechanicalSystem, const N: usize> {
     mistake: Option<ReachError<M::Coordinates, M::Scalar>>,
 }
 
-/// A posture in which all frames stand at their goals.
+/// A posture in which all frames are at their goals.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Posture<Q> {
     /// Positions.
     pub q: Q,
-    /// Number of steps, of all starts together.
+    /// Number of steps, summed over all starts.
     pub iterations: u32,
 }
 
@@ -70,14 +70,14 @@ impl<M, const N: usize> Reach<'_, M, N>
 where
     M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>,
 {
-    /// Sets the time, which is 0 otherwise. It matters only if frames depend on it.
+    /// Sets the time, which defaults to 0. It matters only if frames depend on it.
     pub fn at(mut self, time: M::Scalar) -> Self {
         self.goals.time = time;
         self
     }
 
     /// Keeps a coordinate between limits, infinite ones included. A posture in which constraints
-    /// carry it beyond them is an error.
+    /// move it beyond them is an error.
     pub fn within(mut self, name: &'static str, lower: M::Scalar, upper: M::Scalar) -> Self {
         match freedom_of(self.goals.system, name) {
             Some((position, freedom)) if lower < upper => {
@@ -92,16 +92,16 @@ where
         self
     }
 
-    /// Searches from up to so many starts until a posture is found.
+    /// Searches from at most this number of starts until a posture is found.
     ///
-    /// The first start is the given one. Others are the same in every run: between the limits, and
-    /// within half a turn of the first where there are none.
+    /// The first start is the given one. The others are the same in every run: between the limits,
+    /// or within half a turn of the first start for coordinates without limits.
     pub fn starts(self, starts: usize) -> Self {
         Reach { starts, ..self }
     }
 
-    /// Sets the largest angle in rad, and distance beside the largest lever arm, of a frame at its
-    /// goal. It is 2·10⁻¹² otherwise, and 6·10⁻⁶ in `f32`.
+    /// Sets the largest angle in rad, and the largest distance relative to the largest lever arm,
+    /// of a frame at its goal. The default is 2·10⁻¹², and 6·10⁻⁶ for `f32`.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.goals.tolerance = tolerance;
         self
@@ -110,7 +110,7 @@ where
     /// Searches for the posture.
     ///
     /// # Errors
-    /// If a setting makes no sense, or if no start leads to the goals. The error then has the
+    /// If a setting is invalid, or if no start leads to the goals. The error then contains the
     /// nearest posture.
     pub fn solve(&self) -> SearchResult<M, Posture<M::Coordinates>> {
         self.check()?;
@@ -151,7 +151,7 @@ where
             .map_or(Ok(()), |task| Err(ReachError::Goal { task }))
     }
 
-    /// The positions of a start, within the limits.
+    /// Returns the positions of a start, within the limits.
     fn start(&self, start: usize) -> M::Coordinates {
         let mut q = displaced(self.goals.system, self.goals.time, &self.near, []);
         if start > 0 {
@@ -172,7 +172,7 @@ where
         q
     }
 
-    /// A coordinate that constraints carry beyond its limits.
+    /// Returns the name of a coordinate that constraints move beyond its limits, if there is one.
     fn beyond(&self, q: &M::Coordinates) -> Option<&'static str> {
         let is_beyond = |limit: &&Limit<M::Scalar>| {
             let value = q.as_ref()[limit.position];
@@ -181,7 +181,7 @@ where
         self.goals.limits.iter().flatten().find(is_beyond).map(|limit| limit.name)
     }
 
-    /// The nearest posture, with the task that it misses by most.
+    /// Returns the nearest posture, with the task that has the largest error.
     fn shortfall(&self, q: M::Coordinates, lever: M::Scalar) -> Shortfall<M::Coordinates, M::Scalar> {
         let error = |task: usize| self.goals.tasks[task].error(self.goals.system, self.goals.time, &q);
         let size = |task: usize| error(task).angle().max(error(task).distance() / lever);
@@ -193,7 +193,8 @@ where
     }
 }
 
-/// The place among the positions of a coordinate, and the velocity that is its rate.
+/// Returns the index of a coordinate among the positions, and the index of the velocity that is its
+/// rate.
 fn freedom_of<M: MechanicalSystem>(system: &M, name: &str) -> Option<(usize, usize)> {
     let description = system.description();
     let position = description.coordinates.iter().position(|known| *known == name)?;

@@ -1,26 +1,25 @@
-//! Velocities that move a frame as given.
+//! Generalised velocities that move a frame as given.
 
 use crate::linalg::singular::nearest;
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
-/// Returns the generalised velocities with which a frame moves as given, next to preferred ones.
+/// Returns the generalised velocities that move a frame as given, closest to preferred ones.
 ///
-/// `jacobian` is that of the frame, of emitted methods `NAME_jacobian`. `twist` is its angular
-/// velocity in rad/s and the velocity of its origin, in axes of the world. With z for the preferred
-/// velocities, they are
+/// `jacobian` is that of the frame, as returned by emitted methods `NAME_jacobian`. `twist` is the
+/// angular velocity of the frame in rad/s and the velocity of its origin, in world axes. With the
+/// preferred velocities z, the result is
 ///
 /// ```text
 /// v = z + Jᵀ (J Jᵀ)⁻¹ (twist − J z),
 /// ```
 ///
-/// of those with J v = twist the ones for which |v − z| is least. In singular postures not every
-/// twist is possible. Directions that are lost are then left out. Source: Whitney, "Resolved motion
-/// rate control of manipulators and human prostheses", *IEEE Trans. Man-Machine Systems* 10 (1969)
-/// 47–53; Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5.
+/// the solution of J v = twist with the smallest |v − z|. In singular postures not every twist is
+/// possible. The lost directions are then left out. Source: Whitney, "Resolved motion rate control
+/// of manipulators and human prostheses", *IEEE Trans. Man-Machine Systems* 10 (1969) 47–53;
+/// Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5.
 ///
-/// Example: with J = (1 1), twist 2 and z = (1, 0), J Jᵀ = 2 and twist − J z = 1, so that v =
-/// (1½, ½).
+/// Example: for J = (1 1), twist 2 and z = (1, 0), J Jᵀ = 2 and twist − J z = 1, so v = (1½, ½).
 #[must_use]
 pub fn resolved_rates<S: Scalar, const N: usize, const R: usize>(
     jacobian: &[[S; N]; R],

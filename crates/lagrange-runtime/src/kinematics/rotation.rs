@@ -2,10 +2,10 @@
 
 use crate::scalar::Scalar;
 
-/// Returns the rotation vector, in axes of the world, that turns `from` into `to`. Its length is
-/// the angle in rad, at most π.
+/// Returns the rotation vector, in world axes, that rotates `from` into `to`. Its length is the
+/// angle in rad, at most π.
 ///
-/// The quaternion of the rotation is taken from its largest component. Source: Shepperd,
+/// The quaternion of the rotation is computed from its largest component. Source: Shepperd,
 /// "Quaternion from rotation matrix", *J. Guidance and Control* 1 (1978) 223–224.
 pub(super) fn rotation_between<S: Scalar>(from: &[[S; 3]; 3], to: &[[S; 3]; 3]) -> [S; 3] {
     let entry = |i: usize, j: usize| (0..3).fold(S::ZERO, |sum, k| sum + to[i][k] * from[j][k]);
@@ -21,7 +21,7 @@ pub(super) fn rotation_between<S: Scalar>(from: &[[S; 3]; 3], to: &[[S; 3]; 3]) 
     vector.map(|x| factor * x)
 }
 
-/// The quaternion of a rotation matrix, scalar part first, up to its length and sign.
+/// Returns the quaternion of a rotation matrix, scalar part first, up to its length and sign.
 fn quaternion<S: Scalar>(r: &[[S; 3]; 3]) -> [S; 4] {
     let trace = r[0][0] + r[1][1] + r[2][2];
     let largest = (0..3).fold(0, |best, i| if r[i][i] > r[best][best] { i } else { best });
@@ -38,7 +38,7 @@ fn quaternion<S: Scalar>(r: &[[S; 3]; 3]) -> [S; 4] {
     q
 }
 
-/// True if the rows are orthogonal unit vectors of a right-handed system, but for rounding.
+/// True if, up to rounding, the rows are orthogonal unit vectors of a right-handed system.
 pub(super) fn is_rotation<S: Scalar>(r: &[[S; 3]; 3]) -> bool {
     let inner = |i: usize, j: usize| (0..3).fold(S::ZERO, |sum, k| sum + r[i][k] * r[j][k]);
     let minor = |a: usize, b: usize| r[1][a] * r[2][b] - r[1][b] * r[2][a];
@@ -57,7 +57,7 @@ mod tests {
     use crate::scalar::Number;
     use crate::spread::spread;
 
-    /// Rodrigues' formula.
+    /// Computes the rotation matrix by Rodrigues' formula.
     fn matrix(vector: [f64; 3]) -> [[f64; 3]; 3] {
         let angle = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
         let [x, y, z] = if angle > 0.0 { vector.map(|c| c / angle) } else { [1.0, 0.0, 0.0] };

@@ -1,25 +1,26 @@
-//! Places that frames should take.
+//! Goals of frames.
 
 use super::rotation::{is_rotation, rotation_between};
 use crate::scalar::{Number, Scalar};
 use crate::system::{MechanicalSystem, OdeSystem};
 
-/// The rotation matrix of a frame, by rows, and the place of its origin in the world, as methods
-/// `NAME_frame` return them. Columns of the matrix are the axes of the frame.
+/// The rotation matrix of a frame, in rows, and the position of its origin in the world, as
+/// returned by methods `NAME_frame`. Columns of the matrix are the axes of the frame.
 pub type Pose<S> = ([[S; 3]; 3], [S; 3]);
 
-/// Returns the pose of a frame, as `NAME_frame` does.
+/// A function that returns the pose of a frame, as `NAME_frame` does.
 type FrameOf<M> =
     fn(&M, <M as OdeSystem>::Scalar, &<M as MechanicalSystem>::Coordinates) -> Pose<<M as OdeSystem>::Scalar>;
 
-/// Returns the Jacobian of a frame, as `NAME_jacobian` does: angular velocity, then velocity.
+/// A function that returns the Jacobian of a frame, as `NAME_jacobian` does: angular velocity, then
+/// velocity.
 type JacobianOf<M, const N: usize> = fn(
     &M,
     <M as OdeSystem>::Scalar,
     &<M as MechanicalSystem>::Coordinates,
 ) -> [[<M as OdeSystem>::Scalar; N]; 6];
 
-/// A frame and the place, the orientation or the pose that it should take.
+/// A frame and the position, the orientation or the pose that it should assume.
 pub struct FrameTask<M: MechanicalSystem, const N: usize> {
     frame: FrameOf<M>,
     jacobian: JacobianOf<M, N>,
@@ -28,17 +29,19 @@ pub struct FrameTask<M: MechanicalSystem, const N: usize> {
 }
 
 impl<M: MechanicalSystem, const N: usize> FrameTask<M, N> {
-    /// Puts the origin of the frame at a place of the world; its axes may turn.
+    /// Creates the task to move the origin of the frame to a position in the world; its orientation
+    /// is free.
     pub fn position(frame: FrameOf<M>, jacobian: JacobianOf<M, N>, position: [M::Scalar; 3]) -> Self {
         FrameTask { frame, jacobian, rotation: None, position: Some(position) }
     }
 
-    /// Turns the axes of the frame to those of a rotation matrix; its origin may move.
+    /// Creates the task to rotate the axes of the frame to those of a rotation matrix; its position
+    /// is free.
     pub fn rotation(frame: FrameOf<M>, jacobian: JacobianOf<M, N>, rotation: [[M::Scalar; 3]; 3]) -> Self {
         FrameTask { frame, jacobian, rotation: Some(rotation), position: None }
     }
 
-    /// Brings the frame to a pose.
+    /// Creates the task to bring the frame to a pose.
     pub fn pose(
         frame: FrameOf<M>,
         jacobian: JacobianOf<M, N>,
@@ -47,13 +50,14 @@ impl<M: MechanicalSystem, const N: usize> FrameTask<M, N> {
         FrameTask { frame, jacobian, rotation: Some(rotation), position: Some(position) }
     }
 
-    /// True if the goal is finite, and its rotation matrix is one.
+    /// True if the goal is finite, and its rotation matrix is a rotation.
     pub(super) fn is_valid(&self) -> bool {
         let is_finite = |place: &[M::Scalar; 3]| place.iter().all(|x| x.is_finite());
         self.rotation.as_ref().is_none_or(is_rotation) && self.position.as_ref().is_none_or(is_finite)
     }
 
-    /// The rotation and the displacement that lead to the goal; zero for what may be as it is.
+    /// Computes the rotation and the displacement that lead to the goal; zero for a part that is
+    /// free.
     pub(super) fn error(&self, system: &M, t: M::Scalar, q: &M::Coordinates) -> TaskError<M::Scalar> {
         let (rotation, position) = (self.frame)(system, t, q);
         let zero = [M::Scalar::ZERO; 3];
@@ -68,7 +72,8 @@ impl<M: MechanicalSystem, const N: usize> FrameTask<M, N> {
         (self.jacobian)(system, t, q)
     }
 
-    /// Rows of the Jacobian of rotation, then of displacement; zero for what may be as it is.
+    /// Computes the rows of the Jacobian for rotation, then for displacement; zero for a part that
+    /// is free.
     pub(super) fn rows(&self, system: &M, t: M::Scalar, q: &M::Coordinates) -> [[M::Scalar; N]; 6] {
         let mut rows = self.jacobian(system, t, q);
         let [turning, moving] = [self.rotation.is_some(), self.position.is_some()];
@@ -89,10 +94,10 @@ impl<M: MechanicalSystem, const N: usize> Clone for FrameTask<M, N> {
 
 impl<M: MechanicalSystem, const N: usize> Copy for FrameTask<M, N> {}
 
-/// The motion that leads a frame to its goal.
+/// The motion that brings a frame to its goal.
 #[derive(Clone, Copy)]
 pub(super) struct TaskError<S> {
-    /// Rotation vector in the world.
+    /// Rotation vector in world axes.
     pub(super) rotation: [S; 3],
     pub(super) displacement: [S; 3],
 }

@@ -1,9 +1,9 @@
-//! Matrices of a size that is known at run time, and equations with them.
+//! Matrices whose size is known at run time, and linear equations with them.
 
 use core::ops::{Index, IndexMut};
 use std::vec::Vec;
 
-/// A matrix of `f64` in rows, of a size that is known at run time.
+/// A matrix of `f64` in rows, whose size is known at run time.
 ///
 /// ```
 /// use lagrange::linear::DenseMatrix;
@@ -20,13 +20,13 @@ pub struct DenseMatrix {
 }
 
 impl DenseMatrix {
-    /// The matrix of zeros of this size.
+    /// Creates the zero matrix of this size.
     #[must_use]
     pub fn zeros(rows: usize, columns: usize) -> DenseMatrix {
         DenseMatrix { columns, rows, entries: std::vec![0.0; rows * columns] }
     }
 
-    /// The square matrix with these entries on its diagonal, and zeros elsewhere.
+    /// Creates the square matrix with these entries on its diagonal, and zeros elsewhere.
     #[must_use]
     pub fn diagonal(entries: &[f64]) -> DenseMatrix {
         let mut matrix = DenseMatrix::zeros(entries.len(), entries.len());
@@ -34,19 +34,19 @@ impl DenseMatrix {
         matrix
     }
 
-    /// The unit matrix with this many rows.
+    /// Creates the identity matrix with this number of rows.
     #[must_use]
     pub fn identity(rows: usize) -> DenseMatrix {
         DenseMatrix::diagonal(&std::vec![1.0; rows])
     }
 
-    /// The matrix of these rows.
+    /// Creates the matrix with these rows.
     #[must_use]
     pub fn from_rows<const N: usize>(rows: &[[f64; N]]) -> DenseMatrix {
         DenseMatrix { columns: N, rows: rows.len(), entries: rows.concat() }
     }
 
-    /// The matrix of this size whose entries are given by their row and column.
+    /// Creates the matrix of this size whose entries are functions of their row and column.
     #[must_use]
     pub fn from_fn(rows: usize, columns: usize, mut entry: impl FnMut(usize, usize) -> f64) -> DenseMatrix {
         let mut matrix = DenseMatrix::zeros(rows, columns);
@@ -94,10 +94,10 @@ impl DenseMatrix {
         DenseMatrix::from_fn(self.columns, self.rows, |i, j| self[(j, i)])
     }
 
-    /// Multiplies by a matrix with as many rows as this has columns.
+    /// Multiplies by a matrix whose number of rows equals the number of columns of this one.
     ///
     /// # Panics
-    /// If it has more or fewer.
+    /// If these numbers differ.
     #[must_use]
     pub fn times(&self, other: &DenseMatrix) -> DenseMatrix {
         assert_eq!(self.columns, other.rows, "the factors of a product do not fit");
@@ -106,10 +106,10 @@ impl DenseMatrix {
         })
     }
 
-    /// Adds a multiple of a matrix of the same size.
+    /// Adds a multiple of a matrix with the same size.
     ///
     /// # Panics
-    /// If its size differs.
+    /// If the sizes differ.
     #[must_use]
     pub fn plus(&self, factor: f64, other: &DenseMatrix) -> DenseMatrix {
         assert_eq!((self.rows, self.columns), (other.rows, other.columns), "the terms of a sum do not fit");
@@ -122,7 +122,7 @@ impl DenseMatrix {
         DenseMatrix::from_fn(self.rows, self.columns, |i, j| factor * self[(i, j)])
     }
 
-    /// Returns the largest magnitude of an entry; NaN if any is.
+    /// Returns the largest magnitude of an entry; NaN if any entry is NaN.
     #[must_use]
     pub fn largest(&self) -> f64 {
         let larger =
@@ -136,8 +136,8 @@ impl DenseMatrix {
         self.entries.iter().all(|entry| entry.is_finite())
     }
 
-    /// Returns the solution x of A x = b. `None` if A is not square with a row for each entry of b,
-    /// or if a pivot is zero or not finite.
+    /// Returns the solution x of A x = b. `None` if A is not square, if its number of rows differs
+    /// from the length of b, or if a pivot is zero or not finite.
     ///
     /// ```
     /// use lagrange::linear::DenseMatrix;
@@ -153,7 +153,7 @@ impl DenseMatrix {
         Some(TriangularFactors::new(fits.then(|| self.clone())?, 0.0)?.solve(b))
     }
 
-    /// The submatrix of these rows and columns.
+    /// Returns the submatrix with these rows and columns.
     pub(crate) fn part(&self, rows: &[usize], columns: &[usize]) -> DenseMatrix {
         DenseMatrix::from_fn(rows.len(), columns.len(), |i, j| self[(rows[i], columns[j])])
     }
@@ -184,8 +184,8 @@ pub(crate) struct TriangularFactors {
 
 #[cfg(any(feature = "linear", test))]
 impl TriangularFactors {
-    /// Eliminates with the largest pivot of each column. `None` if a pivot is zero or not finite. A
-    /// `least` magnitude replaces smaller pivots, for matrices that are meant to be singular.
+    /// Eliminates with the largest pivot of each column. `None` if a pivot is zero or not finite.
+    /// The magnitude `least` replaces smaller pivots, for matrices that are singular by design.
     pub(crate) fn new(mut a: DenseMatrix, least: f64) -> Option<TriangularFactors> {
         let n = a.rows;
         let mut order = (0..n).collect::<Vec<_>>();
@@ -234,7 +234,7 @@ impl TriangularFactors {
         DenseMatrix::from_fn(b.rows, b.columns, |i, j| columns[j][i])
     }
 
-    /// Returns the mean of the logarithms of the pivots' magnitudes.
+    /// Returns the mean logarithm of the pivot magnitudes.
     pub(crate) fn mean_log(&self) -> f64 {
         let n = self.order.len();
         (0..n).fold(0.0, |sum, k| sum + self.factors[(k, k)].abs().ln()) / n as f64

@@ -8,24 +8,24 @@
 //!
 //! Example: H = [6 −11 6; 1 0 0; 0 1 0], the companion matrix of (λ − 1)(λ − 2)(λ − 3). Its last
 //! two rows and columns have the trace s = 0 and the determinant t = 0. The first column of H² − s
-//! H + t I is (25, 6, 1). The first reflection takes it onto an axis, and another one restores the
+//! H + t I is (25, 6, 1). The first reflection maps it onto an axis, and another one restores the
 //! Hessenberg form. The entry below the diagonal that shrinks fastest is the last one.
 
 use super::dense::DenseMatrix;
 use super::singular_values::{dot, length};
 use std::vec::Vec;
 
-/// Steps for one eigenvalue; it takes two or three.
+/// Maximum number of steps for one eigenvalue; usually two or three suffice.
 const MAX_STEPS: usize = 60;
-/// Steps after which an unusual shift ends a cycle.
+/// Number of steps between exceptional shifts.
 const STEPS_OF_A_CYCLE: usize = 10;
 
-/// The real and the imaginary part of an eigenvalue.
+/// The real and imaginary parts of an eigenvalue.
 pub(crate) type Eigenvalue = (f64, f64);
 
 impl DenseMatrix {
-    /// Computes the real and imaginary parts of the eigenvalues. Complex ones are in pairs, that
-    /// with the positive imaginary part first. `None` if an entry is not finite.
+    /// Computes the real and imaginary parts of the eigenvalues. Complex ones are in pairs, with
+    /// the positive imaginary part first. `None` if an entry is not finite.
     ///
     /// # Panics
     /// If the matrix is not square.
@@ -37,13 +37,13 @@ impl DenseMatrix {
 }
 
 /// Computes the eigenvalues of a square matrix, complex ones in pairs with the positive imaginary
-/// part first. `None` if an entry is not finite, or without convergence.
+/// part first. `None` if an entry is not finite, or if the iteration does not converge.
 pub(crate) fn eigenvalues(a: &DenseMatrix) -> Option<Vec<Eigenvalue>> {
     let largest = a.largest();
     if !largest.is_finite() {
         return None;
     }
-    // A power of two, so that scaling rounds nothing.
+    // A power of two, so that scaling is exact.
     let scale = if largest == 0.0 { 1.0 } else { 2.0_f64.powi(largest.log2().floor() as i32) };
     let (mut h, _) = balanced(a.scaled(1.0 / scale));
     reduce(&mut h);
@@ -51,7 +51,7 @@ pub(crate) fn eigenvalues(a: &DenseMatrix) -> Option<Vec<Eigenvalue>> {
     Some(found.into_iter().map(|(real, imaginary)| (scale * real, scale * imaginary)).collect())
 }
 
-/// Scales rows and columns by powers of two until their lengths are alike: D⁻¹ A D, with the
+/// Scales rows and columns by powers of two until their norms are similar: D⁻¹ A D, with the
 /// diagonal D.
 pub(crate) fn balanced(mut a: DenseMatrix) -> (DenseMatrix, Vec<f64>) {
     let n = a.rows();
@@ -78,7 +78,7 @@ pub(crate) fn balanced(mut a: DenseMatrix) -> (DenseMatrix, Vec<f64>) {
     (a, scales)
 }
 
-/// Reduces to Hessenberg form: zeros below the first subdiagonal.
+/// Reduces a matrix to Hessenberg form: zeros below the first subdiagonal.
 fn reduce(a: &mut DenseMatrix) {
     let n = a.rows();
     for k in 1..n.saturating_sub(1) {
@@ -94,7 +94,7 @@ fn reduce(a: &mut DenseMatrix) {
 struct Reflection(Vec<f64>);
 
 impl Reflection {
-    /// The reflection that takes x onto the first axis; `None` if it is there.
+    /// Returns the reflection that maps x onto the first axis; `None` if x is already there.
     fn onto_axis(x: &[f64]) -> Option<Reflection> {
         if x[1..].iter().all(|entry| *entry == 0.0) {
             return None;
@@ -106,7 +106,7 @@ impl Reflection {
         Some(Reflection(v))
     }
 
-    /// Applies it from both sides to the rows and columns from `first` on.
+    /// Applies the reflection from both sides to the rows and columns starting at `first`.
     fn apply(
         &self,
         a: &mut DenseMatrix,
@@ -128,7 +128,7 @@ impl Reflection {
     }
 }
 
-/// The eigenvalues of a Hessenberg matrix, one or two at a time from its end.
+/// Computes the eigenvalues of a Hessenberg matrix, one or two at a time from its end.
 fn deflated(h: &mut DenseMatrix) -> Option<Vec<Eigenvalue>> {
     let (mut found, mut end, mut steps) = (Vec::new(), h.rows(), 0);
     while end > 0 {
@@ -151,14 +151,14 @@ fn deflated(h: &mut DenseMatrix) -> Option<Vec<Eigenvalue>> {
     Some(found)
 }
 
-/// True if the entry below the diagonal in this row is rounding beside its neighbours.
+/// True if the subdiagonal entry in this row is a rounding error relative to its neighbours.
 fn is_negligible(h: &DenseMatrix, row: usize) -> bool {
     let neighbours = h[(row - 1, row - 1)].abs() + h[(row, row)].abs();
     let size = if neighbours == 0.0 { 1.0 } else { neighbours };
     h[(row, row - 1)].abs() <= f64::EPSILON * size
 }
 
-/// The eigenvalues of two rows and columns.
+/// Computes the eigenvalues of two rows and columns.
 fn of_two(h: &DenseMatrix, k: usize) -> [Eigenvalue; 2] {
     let (a, b, c, d) = (h[(k, k)], h[(k, k + 1)], h[(k + 1, k)], h[(k + 1, k + 1)]);
     let half = (a - d) / 2.0;
@@ -171,8 +171,8 @@ fn of_two(h: &DenseMatrix, k: usize) -> [Eigenvalue; 2] {
     [(d + larger, 0.0), (d + smaller, 0.0)]
 }
 
-/// One step with two shifts in the rows from `start` to `end`, of which there are three at least.
-/// The shifts are the eigenvalues of the last two rows.
+/// Performs one step with two shifts in the rows from `start` to `end`, of which there must be at
+/// least three. The shifts are the eigenvalues of the last two rows.
 fn double_shift(h: &mut DenseMatrix, start: usize, end: usize, is_exceptional: bool) {
     let last = end - 1;
     let (mut s, mut t) = (
@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn a_cyclic_permutation_has_roots_of_one() {
-        // Its shifts are zero, so that only unusual ones get anywhere.
+        // Its shifts are zero, so only exceptional shifts make progress.
         let n = 8;
         let cycle = DenseMatrix::from_fn(n, n, |i, j| if (i + 1) % n == j { 1.0 } else { 0.0 });
         for (real, imaginary) in eigenvalues(&cycle).expect("finite") {

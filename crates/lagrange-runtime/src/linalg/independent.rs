@@ -1,8 +1,8 @@
-//! Independent columns of a tall matrix, and what the others are made of.
+//! Independent columns of a tall matrix, and the combinations that yield the others.
 //!
-//! Householder reflections bring columns to triangular form. Each time the first column is taken
-//! whose remainder is not much smaller than the largest. The order of columns is thus a preference,
-//! and the factors stay well conditioned. Source: Golub, Van Loan, *Matrix Computations*, 4th ed.,
+//! Householder reflections bring columns to triangular form. Each step takes the first column whose
+//! remainder is not much smaller than the largest. The order of columns is thus a preference, and
+//! the factors remain well conditioned. Source: Golub, Van Loan, *Matrix Computations*, 4th ed.,
 //! §5.4.2. Sparse matrices are factored with a similar threshold.
 
 use std::vec::Vec;
@@ -11,22 +11,22 @@ use super::dense::DenseMatrix;
 use super::orthogonal::{applied, reflector};
 use super::singular_values::length;
 
-/// Part of what is left of another column that must be left of one to be taken before it.
+/// Minimum remainder of a column, relative to the largest remainder, to be taken first.
 const PRECEDENCE: f64 = 0.05;
 
-/// The triangular factor R of columns in the order in which they were taken.
+/// The triangular factor R of columns, in pivot order.
 #[derive(Clone, Debug)]
 pub(crate) struct IndependentColumns {
-    /// Column taken k-th: its entries of R above the diagonal, for the columns that depend on
-    /// others all entries. Below it, reflections.
+    /// The column taken k-th. For independent columns, it contains entries of R above the diagonal
+    /// and the reflection below. For dependent columns, all its entries belong to R.
     columns: Vec<Vec<f64>>,
     diagonal: Vec<f64>,
     order: Vec<usize>,
 }
 
 impl IndependentColumns {
-    /// Factors columns of about the same length. Those of which no more is left than `tolerance`
-    /// depend on others.
+    /// Factors columns of similar lengths. Columns with a remainder of at most `tolerance` are
+    /// dependent.
     pub(crate) fn of(mut columns: Vec<Vec<f64>>, tolerance: f64) -> IndependentColumns {
         let rows = columns.first().map_or(0, Vec::len);
         let mut order = (0..columns.len()).collect::<Vec<_>>();
@@ -53,15 +53,15 @@ impl IndependentColumns {
         &self.order[..self.diagonal.len()]
     }
 
-    /// Returns the index of each dependent column with the amounts of the independent ones that add
-    /// up to it.
+    /// Returns the index of each dependent column, with the coefficients of the independent ones
+    /// that add up to it.
     pub(crate) fn dependent(&self) -> impl Iterator<Item = (usize, Vec<f64>)> {
         let rank = self.diagonal.len();
         (rank..self.order.len()).map(move |l| (self.order[l], self.back(self.columns[l][..rank].to_vec())))
     }
 
-    /// Returns the amounts of the independent columns that add up to `right` as closely as
-    /// possible.
+    /// Returns the coefficients of the independent columns whose sum is as close as possible to
+    /// `right`.
     pub(crate) fn combination(&self, mut right: Vec<f64>) -> Vec<f64> {
         let rank = self.diagonal.len();
         for (k, column) in self.columns[..rank].iter().enumerate() {
@@ -81,7 +81,7 @@ impl IndependentColumns {
         DenseMatrix::from_fn(rank, rank, product)
     }
 
-    /// R⁻¹ x
+    /// Computes R⁻¹ x.
     fn back(&self, mut x: Vec<f64>) -> Vec<f64> {
         for k in (0..self.diagonal.len()).rev() {
             x[k] /= self.diagonal[k];

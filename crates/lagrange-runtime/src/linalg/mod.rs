@@ -1,5 +1,5 @@
-//! Small dense linear algebra: in arrays of fixed size, without heap; for linear models and fits,
-//! whose size is known at run time, in vectors.
+//! Small dense linear algebra. Arrays of fixed size need no heap allocation. Linear models and
+//! fits, whose size is known at run time, use vectors.
 
 #[cfg(any(feature = "linear", feature = "fit"))]
 pub(crate) mod dense;

@@ -1,37 +1,36 @@
 //! Orthogonal factors of matrices that may lack full rank.
 //!
-//! Householder reflections bring the columns of a matrix to triangular form, each time the column
-//! with the largest remainder first. The rank is the number of columns whose remainder is more than
-//! rounding. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
+//! Householder reflections bring the columns of a matrix to triangular form, each time starting
+//! with the column that has the largest remainder. The rank is the number of columns whose
+//! remainder exceeds rounding. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
 use core::ops::Range;
 
 use crate::scalar::Scalar;
 
-/// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were
-/// taken.
+/// The factors Q and R of a matrix with these `columns`, in pivot order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> {
-    /// Column taken k-th: R above row k and, if k is below the rank, the reflection u with I − u uᵀ
-    /// from there on.
+    /// The column taken k-th: R above row k and, if k is below the rank, the vector u of the
+    /// reflection I − u uᵀ from row k on.
     columns: [[S; ROWS]; COLUMNS],
     /// The diagonal of R.
     diagonal: [S; COLUMNS],
     /// Index of the column taken k-th.
     order: [usize; COLUMNS],
     rank: usize,
-    /// Number of rows that are not zero.
+    /// Number of nonzero rows.
     rows: usize,
 }
 
 impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, ROWS, COLUMNS> {
-    /// The factors of finite columns. Columns of which no more is left than the part `tolerance` of
-    /// the largest one depend on those before.
+    /// Factors finite columns. Columns whose remainder is at most `tolerance` times the largest
+    /// column depend on the previous ones.
     pub(crate) fn new(columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
         Self::leading(columns, [ROWS, COLUMNS], tolerance)
     }
 
-    /// The factors of so many first rows and columns; all other entries are zero.
+    /// Factors the given numbers of first rows and columns; all other entries are zero.
     pub(crate) fn leading(
         mut columns: [[S; ROWS]; COLUMNS],
         [rows, count]: [usize; 2],
@@ -61,17 +60,17 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         self.rank
     }
 
-    /// Returns the columns in the order in which they were taken, independent ones first.
+    /// Returns the columns in pivot order, independent ones first.
     pub(crate) fn order(&self) -> &[usize; COLUMNS] {
         &self.order
     }
 
-    /// Entry of R in row k and for the column taken l-th, k ≤ l.
+    /// Returns the entry of R in row k and for the column taken l-th, with k ≤ l.
     pub(crate) fn entry(&self, k: usize, l: usize) -> S {
         if k == l { self.diagonal[k] } else { self.columns[l][k] }
     }
 
-    /// Qᵀx
+    /// Computes Qᵀx.
     pub(crate) fn inward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in 0..self.rank {
             applied(&self.columns[k][k..self.rows], &mut x[k..self.rows]);
@@ -79,7 +78,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         x
     }
 
-    /// Q x
+    /// Computes Q x.
     pub(crate) fn outward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in (0..self.rank).rev() {
             applied(&self.columns[k][k..self.rows], &mut x[k..self.rows]);
@@ -87,8 +86,8 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         x
     }
 
-    /// Amounts of the independent columns that add up to `right` as closely as possible; zero of
-    /// the others.
+    /// Computes the coefficients of the independent columns whose sum is as close as possible to
+    /// `right`; those of the other columns are zero.
     pub(crate) fn combination(&self, right: [S; ROWS]) -> [S; COLUMNS] {
         let mut inner = self.inward(right);
         let mut amounts = [S::ZERO; COLUMNS];
@@ -102,7 +101,8 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         amounts
     }
 
-    /// The shortest x whose products with the independent columns are those entries of `products`.
+    /// Computes the shortest x whose products with the independent columns are the entries of
+    /// `products`.
     pub(crate) fn shortest(&self, products: &[S; COLUMNS]) -> [S; ROWS] {
         let mut inner = [S::ZERO; ROWS];
         for k in 0..self.rank {
@@ -112,8 +112,8 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         self.outward(inner)
     }
 
-    /// A combination of columns that is zero but for rounding: one of the column taken l-th, which
-    /// depends on the others.
+    /// Returns a combination of columns that is zero up to rounding. The column taken l-th, which
+    /// depends on the others, has the coefficient one.
     pub(crate) fn dependence(&self, l: usize) -> [S; COLUMNS] {
         let mut amounts = [S::ZERO; COLUMNS];
         amounts[self.order[l]] = S::ONE;
@@ -129,12 +129,12 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
     }
 }
 
-/// Part by which the remainder of a column must be larger to be taken before others. Rounding then
-/// does not choose between equals: the rank must not flicker near where it changes.
+/// Relative excess with which a column's remainder takes precedence over earlier ones. Rounding
+/// then does not choose between equals: the rank must not flicker near a change.
 const PRECEDENCE: f64 = 0.125;
 
-/// The column, from that of the first row on, of which most is left in these rows or nearly so, and
-/// how much.
+/// Returns the column, from the first row's index on, with the nearly largest remainder in these
+/// rows, and the norm of the remainder.
 fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], rows: Range<usize>) -> (usize, S) {
     let mut most = (rows.start, S::ZERO);
     for (index, column) in columns.iter().enumerate().skip(rows.start) {
@@ -146,9 +146,9 @@ fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], rows: Range<usiz
     most
 }
 
-/// Reflects what is left of the first column in these rows, of this length, onto the first of them,
-/// and the other columns with it. The reflection takes the place of what is left; returns the entry
-/// on the diagonal.
+/// Reflects the remainder of the first column in these rows, which has this length, onto the first
+/// of them, and applies the reflection to the other columns. The reflection replaces the remainder.
+/// Returns the diagonal entry.
 fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], rows: Range<usize>, length: S) -> S {
     let Some((column, others)) = columns.split_first_mut() else { return S::ZERO };
     let diagonal = reflector(&mut column[rows.clone()], length);
@@ -158,11 +158,11 @@ fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], rows: Range<
     diagonal
 }
 
-/// Turns a vector of this length into the reflection that takes it to its first entry, and returns
-/// that.
+/// Replaces a vector of this length with the reflection that maps it onto its first entry, and
+/// returns this entry.
 pub(crate) fn reflector<S: Scalar>(column: &mut [S], length: S) -> S {
     let diagonal = if column[0] > S::ZERO { -length } else { length };
-    // With this u, half of its square is length (length + |x|). Divided by its root, u makes I − u
+    // For this u, half of its square is length (length + |x|). Divided by its root, u makes I − u
     // uᵀ a reflection.
     let root = (length * (length + column[0].abs())).sqrt();
     column[0] = column[0] - diagonal;
@@ -172,7 +172,7 @@ pub(crate) fn reflector<S: Scalar>(column: &mut [S], length: S) -> S {
     diagonal
 }
 
-/// x − u (uᵀx)
+/// Computes x − u (uᵀx).
 pub(crate) fn applied<S: Scalar>(u: &[S], x: &mut [S]) {
     let product = u.iter().zip(&*x).fold(S::ZERO, |sum, (u, x)| u.multiply_add(*x, sum));
     for (x, u) in x.iter_mut().zip(u) {
@@ -180,7 +180,7 @@ pub(crate) fn applied<S: Scalar>(u: &[S], x: &mut [S]) {
     }
 }
 
-/// The Euclidean length.
+/// Computes the Euclidean norm.
 pub(crate) fn euclidean_norm<S: Scalar>(x: &[S]) -> S {
     x.iter().fold(S::ZERO, |sum, x| x.multiply_add(*x, sum)).sqrt()
 }

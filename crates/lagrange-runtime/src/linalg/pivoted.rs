@@ -39,25 +39,25 @@ impl<S: Scalar, Y: StateVector<S>> IndexMut<(usize, usize)> for Matrix<S, Y> {
 impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     pub(crate) const ZERO: Self = Matrix(Y::ZERO_SQUARE);
 
-    /// The number of rows.
+    /// Returns the number of rows.
     #[inline(always)]
     pub(crate) fn rows(&self) -> usize {
         self.0.as_ref().len()
     }
 
-    /// The matrix whose entry in a row and column is `entry` of them.
+    /// Creates the matrix with the entry `entry(row, column)` at each row and column.
     #[inline]
     pub(crate) fn of(entry: impl Fn(usize, usize) -> S) -> Self {
         Self::ZERO.with(entry)
     }
 
-    /// The matrix of zeros that belongs to vectors as long as this one.
+    /// Creates the zero matrix for vectors with the length of this one.
     #[inline(always)]
     pub(crate) fn zeros(vector: &Y) -> Self {
         Matrix(vector.zero_square())
     }
 
-    /// The matrix of these entries, as large as this one.
+    /// Creates the matrix with these entries and the size of this one.
     #[inline]
     pub(crate) fn with(&self, entry: impl Fn(usize, usize) -> S) -> Self {
         let mut matrix = *self;
@@ -69,19 +69,19 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
         matrix
     }
 
-    /// The matrix of ones on the diagonal.
+    /// Creates the identity matrix.
     pub(crate) fn identity(vector: &Y) -> Self {
         Self::zeros(vector).with(|row, column| if row == column { S::ONE } else { S::ZERO })
     }
 
-    /// The product with another matrix.
+    /// Computes the product with another matrix.
     #[inline]
     pub(crate) fn times(&self, other: &Self) -> Self {
         let rows = 0..self.rows();
         Self::of(|i, j| rows.clone().fold(S::ZERO, |sum, k| self[(i, k)].multiply_add(other[(k, j)], sum)))
     }
 
-    /// The product with a vector.
+    /// Computes the product with a vector.
     #[inline]
     pub(crate) fn apply(&self, x: &Y) -> Y {
         let mut product = x.zeros();
@@ -96,24 +96,24 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     }
 }
 
-/// The factors L and U of a real matrix with rows exchanged.
+/// The factors L and U of a real matrix with exchanged rows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factors<S: Scalar, Y: StateVector<S>> {
-    /// L without its diagonal of ones below, U above; the reciprocals of pivots on the diagonal.
+    /// L below the diagonal, without its diagonal of ones, and U above; the reciprocals of pivots
+    /// on the diagonal.
     factors: Matrix<S, Y>,
-    /// With which row each was exchanged.
+    /// Index of the row with which each row was exchanged.
     exchanged: Y::Indices,
 }
 
 impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
-    /// The factors of a matrix, unless it is singular or not finite.
+    /// Factors a matrix; `None` if it is singular or not finite.
     #[inline]
     pub(crate) fn new(matrix: Matrix<S, Y>) -> Option<Self> {
         Self::leading(matrix, matrix.rows())
     }
 
-    /// The factors of the matrix in so many first rows and columns, unless it is singular or not
-    /// finite.
+    /// Factors the first `count` rows and columns; `None` if they are singular or not finite.
     #[inline(always)]
     pub(crate) fn leading(mut matrix: Matrix<S, Y>, count: usize) -> Option<Self> {
         let mut exchanged = Y::ZERO_INDICES;
@@ -131,14 +131,14 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
         Some(Factors { factors: matrix, exchanged })
     }
 
-    /// The solution for a right-hand side.
+    /// Computes the solution for a right-hand side.
     #[inline]
     pub(crate) fn solve(&self, right: &Y) -> Y {
         self.solve_leading(right, self.factors.rows())
     }
 
-    /// The solution for the first entries of a right-hand side, as many as there are factors for;
-    /// the others stay what they are.
+    /// Computes the solution for the first `count` entries of a right-hand side; the others are
+    /// unchanged.
     #[inline(always)]
     pub(crate) fn solve_leading(&self, right: &Y, count: usize) -> Y {
         let mut solution = *right;
@@ -162,8 +162,8 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
     }
 }
 
-/// Subtracts multiples of the first of these rows, whose pivot is a reciprocal already, from the
-/// others.
+/// Subtracts multiples of the first of these rows from the others. Its pivot is already replaced by
+/// the reciprocal.
 #[inline(always)]
 fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, rows: Range<usize>) {
     let k = rows.start;
@@ -176,24 +176,23 @@ fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, rows: Rang
     }
 }
 
-/// The factors L and U of a complex matrix with rows exchanged.
+/// The factors L and U of a complex matrix with exchanged rows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComplexFactors<S: Scalar, Y: StateVector<S>> {
-    /// Real part, as in [`Factors`].
+    /// Real part, in the format of [`Factors`].
     real: Matrix<S, Y>,
     imaginary: Matrix<S, Y>,
     exchanged: Y::Indices,
 }
 
 impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
-    /// The factors of a matrix, unless it is singular or not finite.
+    /// Factors a matrix; `None` if it is singular or not finite.
     #[inline]
     pub(crate) fn new(real: Matrix<S, Y>, imaginary: Matrix<S, Y>) -> Option<Self> {
         Self::leading(real, imaginary, real.rows())
     }
 
-    /// The factors of the matrix in so many first rows and columns, unless it is singular or not
-    /// finite.
+    /// Factors the first `count` rows and columns; `None` if they are singular or not finite.
     #[inline(always)]
     pub(crate) fn leading(real: Matrix<S, Y>, imaginary: Matrix<S, Y>, count: usize) -> Option<Self> {
         let mut factors = ComplexFactors { real, imaginary, exchanged: Y::ZERO_INDICES };
@@ -216,14 +215,14 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
         Some(factors)
     }
 
-    /// The solution for a right-hand side, with its real and its imaginary part.
+    /// Computes the solution for a right-hand side with these real and imaginary parts.
     #[inline]
     pub(crate) fn solve(&self, right: (&Y, &Y)) -> (Y, Y) {
         self.solve_leading(right, self.real.rows())
     }
 
-    /// The solution for the first entries of a right-hand side, as many as there are factors for;
-    /// the others stay what they are.
+    /// Computes the solution for the first `count` entries of a right-hand side; the others are
+    /// unchanged.
     #[inline(always)]
     pub(crate) fn solve_leading(&self, right: (&Y, &Y), count: usize) -> (Y, Y) {
         let mut solution = (*right.0, *right.1);
@@ -283,20 +282,20 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
     }
 }
 
-/// The row with the largest size. What is not a number spoils the factors whichever row is taken.
+/// Returns the row with the largest size. NaN invalidates the factors, whichever row is chosen.
 #[inline]
 fn largest<S: Scalar>(rows: Range<usize>, size: impl Fn(usize) -> S) -> usize {
     let first = rows.start;
     rows.fold(first, |best, row| if size(row) <= size(best) { best } else { row })
 }
 
-/// The product of two complex numbers.
+/// Computes the product of two complex numbers.
 #[inline(always)]
 pub(crate) fn product<S: Scalar>(a: (S, S), b: (S, S)) -> (S, S) {
     ((-a.1).multiply_add(b.1, a.0 * b.0), a.1.multiply_add(b.0, a.0 * b.1))
 }
 
-/// a − b c
+/// Computes a − b c.
 #[inline(always)]
 fn less<S: Scalar>(a: (S, S), b: (S, S), c: (S, S)) -> (S, S) {
     let bc = product(b, c);

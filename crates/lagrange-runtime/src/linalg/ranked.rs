@@ -1,19 +1,18 @@
-//! Equations that may depend on each other.
+//! Equations that may be dependent.
 
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::vector::StateVector;
 use crate::scalar::Scalar;
 use crate::tolerance::DEPENDENT_PIVOT;
 
-/// The factors L and U of the first rows and columns of a matrix, both exchanged for the largest
-/// pivots.
+/// The factors L and U of the first rows and columns of a matrix, with complete pivoting.
 ///
-/// Rows and columns are scaled to largest entries of one, so that their units do not matter. Where
-/// equations depend on each other, unknowns that are left over are zero. Source: Golub, Van Loan, *Matrix
+/// Rows and columns are scaled to largest entries of one, so that their units are irrelevant. If
+/// equations are dependent, the undetermined unknowns are zero. Source: Golub, Van Loan, *Matrix
 /// Computations*, 4th ed., §3.4.8.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RankedFactors<S: Scalar, Y: StateVector<S>> {
-    /// L without its diagonal of ones below, U above.
+    /// L below the diagonal, without its diagonal of ones, and U above.
     factors: Matrix<S, Y>,
     scales: [Y; 2],
     exchanged: [Y::Indices; 2],
@@ -22,7 +21,7 @@ pub(crate) struct RankedFactors<S: Scalar, Y: StateVector<S>> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
-    /// The factors of the first `size` rows and columns, unless they are not finite.
+    /// Factors the first `size` rows and columns; `None` if they are not finite.
     pub(crate) fn new(matrix: Matrix<S, Y>, size: usize) -> Option<Self> {
         let (scales, exchanged) = ([Y::ZERO; 2], [Y::ZERO_INDICES; 2]);
         let mut factors = RankedFactors { factors: matrix, scales, exchanged, size, rank: size };
@@ -42,7 +41,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
         Some(factors)
     }
 
-    /// The solution for a right-hand side, whose entries beyond the equations do not matter.
+    /// Computes the solution for a right-hand side; entries beyond the equations are irrelevant.
     #[inline]
     pub(crate) fn solve(&self, right: &Y) -> Y {
         let mut solution = *right;
@@ -74,14 +73,14 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
         solution
     }
 
-    /// The column and the value of the first pivot that is that of dependent equations, if there is
-    /// one.
+    /// Returns the column and the value of the first pivot that indicates dependent equations, if
+    /// there is one.
     pub(crate) fn lost_pivot(&self) -> Option<(usize, S)> {
         if self.rank == self.size {
             return None;
         }
         let [row, column] = [0, 1].map(|side| {
-            // The place before exchanges of the entry that is now at the pivot.
+            // The index before exchanges of the entry that is now at the pivot.
             let exchanges = self.exchanged[side].as_ref()[..self.rank].iter().enumerate().rev();
             exchanges.fold(self.rank, |place, (k, other)| match place {
                 _ if place == *other => k,
@@ -99,7 +98,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
         (0..size).all(|row| (0..size).all(|column| self.factors[(row, column)].is_finite()))
     }
 
-    /// Makes ones of the largest entries of all rows, then of all columns.
+    /// Scales the largest entries of all rows to one, then those of all columns.
     fn equilibrate(&mut self) {
         for row in 0..self.size {
             let scale = reciprocal((0..self.size).map(|column| self.factors[(row, column)]));
@@ -117,7 +116,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
         self.factors[place] = self.factors[place] * scale;
     }
 
-    /// The place of the largest entry of what is left after `k` rows and columns.
+    /// Returns the place of the largest entry after elimination of `k` rows and columns.
     fn largest(&self, k: usize) -> (usize, usize) {
         let places = (k..self.size).flat_map(|row| (k..self.size).map(move |column| (row, column)));
         places.fold(
@@ -151,7 +150,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
     }
 }
 
-/// The reciprocal of the largest magnitude; one if all are zero.
+/// Returns the reciprocal of the largest magnitude; one if all entries are zero.
 fn reciprocal<S: Scalar>(entries: impl Iterator<Item = S>) -> S {
     let largest = entries.fold(S::ZERO, |largest, entry| largest.max(entry.abs()));
     let reciprocal = S::ONE / largest;

@@ -1,16 +1,15 @@
 //! Small systems of linear equations that may be singular.
 //!
-//! Regular ones by elimination. Of the solutions of a singular one the shortest, from orthogonal
-//! factors of its rows.
+//! Regular systems are solved by elimination. For singular systems, the shortest solution is
+//! computed from orthogonal factors of the rows.
 
 use crate::linalg::orthogonal::OrthogonalFactors;
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
-/// Returns the shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be
-/// scaled, so that A has entries of about one. Equations that contradict each other count as
-/// rounded where they do so by little beside their terms or `scale`. Only the first `count` rows
-/// and columns are not zero.
+/// Returns the shortest x with A x = b, or NaN if there is none. A is assumed to be scaled to
+/// entries of about one. Contradictions between equations are attributed to rounding if they are
+/// small relative to the terms or `scale`. Only the first `count` rows and columns are nonzero.
 pub(crate) fn solve<S: Scalar, const K: usize>(
     a: &[[S; K]; K],
     b: &[S; K],
@@ -22,25 +21,24 @@ pub(crate) fn solve<S: Scalar, const K: usize>(
     if residual(a, b, &x, count) <= size * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
 }
 
-/// Solves without checking A x = b: rows that depend on others are omitted, and may contradict
-/// these.
+/// Solves without checking A x = b: dependent rows are omitted and may contradict the others.
 pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> [S; K] {
     eliminated(a, b, count, suspect())
         .unwrap_or_else(|| OrthogonalFactors::leading(*a, [count, count], negligible()).shortest(b))
 }
 
-/// True if rows of A depend on others, up to rounding.
+/// True if rows of A are dependent, up to rounding.
 pub(crate) fn is_singular<S: Scalar, const K: usize>(a: &[[S; K]; K]) -> bool {
     eliminated(a, &[S::ZERO; K], K, suspect()).is_none()
 }
 
-/// Solves the first `count` equations of A x = b with a regular A, however near to a singular one;
-/// NaN if it is not regular.
+/// Solves the first `count` equations of A x = b with a regular A, even if it is nearly singular;
+/// NaN if it is singular.
 pub(crate) fn regular<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> [S; K] {
     eliminated(a, b, count, S::ZERO).unwrap_or([S::NAN; K])
 }
 
-/// The solution of so many first equations by elimination with partial pivoting, if all pivots are
+/// Solves the first `count` equations by elimination with partial pivoting, if all pivots are
 /// larger than `least`.
 fn eliminated<S: Scalar, const K: usize>(
     a: &[[S; K]; K],
@@ -74,7 +72,8 @@ fn eliminated<S: Scalar, const K: usize>(
     Some(x)
 }
 
-/// A pivot that is not larger enlarges rounding so much that later ones may be nothing else.
+/// Returns the suspect size of pivots. A pivot below it amplifies rounding so much that later
+/// pivots may consist of rounding errors only.
 fn suspect<S: Scalar>() -> S {
     S::epsilon().sqrt().sqrt()
 }

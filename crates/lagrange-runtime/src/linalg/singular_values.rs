@@ -1,28 +1,29 @@
-//! Singular value decomposition by one-sided Jacobi rotations, and what follows from it.
+//! Singular value decomposition by one-sided Jacobi rotations, and its applications.
 //!
 //! Rotations of pairs of columns make all columns of A V orthogonal: A V = U Σ. Small singular
-//! values keep their relative accuracy where the columns differ in scale only. Sources: Hestenes,
+//! values keep their relative accuracy if the columns differ only in scale. Sources: Hestenes,
 //! *Inversion of matrices by biorthogonalization and related results*, J. SIAM 6 (1958) 51–90;
 //! Golub, Van Loan, *Matrix Computations*, 4th ed., §8.6.3.
 //!
-//! Of A = [3 0; 4 5] the columns have a product of 20 and squares of 25. They are rotated by 45°,
-//! to (3, 9)/√2 and (−3, 1)/√2: orthogonal, of the lengths √45 and √5, which are the singular
-//! values.
+//! Example: the columns of A = [3 0; 4 5] have the product 20 and the squares 25. They are rotated
+//! by 45° to (3, 9)/√2 and (−3, 1)/√2. These are orthogonal, with the lengths √45 and √5, which are
+//! the singular values.
 
 use super::dense::DenseMatrix;
 use std::vec::Vec;
 
-/// After this many sweeps, rounding alone is left. Matrices of a hundred columns need about ten.
+/// Maximum number of sweeps, after which only rounding errors remain. Matrices of a hundred columns
+/// need about ten.
 const MAX_SWEEPS: usize = 60;
 
-/// Singular values in falling order, with the directions that belong to them.
+/// Singular values in descending order, with the corresponding directions.
 pub(crate) struct SingularValues {
     /// A direction in the space of the columns, its singular value, and A times the direction.
     triples: Vec<(Vec<f64>, f64, Vec<f64>)>,
 }
 
 impl SingularValues {
-    /// `None` if an entry is not finite.
+    /// Computes the decomposition; `None` if an entry is not finite.
     pub(crate) fn of(a: &DenseMatrix) -> Option<SingularValues> {
         if !a.is_finite() {
             return None;
@@ -52,14 +53,14 @@ impl SingularValues {
         Some(SingularValues { triples })
     }
 
-    /// Returns the number of singular values that are larger than this part of the largest.
+    /// Returns the number of singular values above this fraction of the largest one.
     pub(crate) fn rank(&self, part: f64) -> usize {
         let largest = self.triples.first().map_or(0.0, |(_, value, _)| *value);
         self.triples.iter().filter(|(_, value, _)| *value > part * largest).count()
     }
 
-    /// The shortest x that minimises |A x − b|, where singular values below this part of the
-    /// largest count as zero.
+    /// Computes the shortest x that minimises |A x − b|. Singular values below this fraction of the
+    /// largest one count as zero.
     #[cfg(any(feature = "linear", test))]
     pub(crate) fn shortest(&self, b: &[f64], part: f64) -> Vec<f64> {
         let mut x = std::vec![0.0; self.triples.len()];
@@ -70,7 +71,7 @@ impl SingularValues {
         x
     }
 
-    /// The x that minimises |A x − b|² + λ|x|².
+    /// Computes the x that minimises |A x − b|² + λ|x|².
     pub(crate) fn damped(&self, b: &[f64], lambda: f64) -> Vec<f64> {
         let mut x = std::vec![0.0; self.triples.len()];
         for (direction, value, image) in self.triples.iter().filter(|(_, value, _)| *value > 0.0) {
@@ -98,13 +99,14 @@ impl SingularValues {
         self.triples.iter().map(|(_, value, _)| *value).collect()
     }
 
-    /// The direction whose image is shortest.
+    /// Returns the direction with the shortest image.
     pub(crate) fn weakest(&self) -> Option<&[f64]> {
         self.triples.last().map(|(direction, ..)| direction.as_slice())
     }
 }
 
-/// Cosine and sine of the rotation that makes two columns orthogonal; `None` if they are.
+/// Returns cosine and sine of the rotation that makes two columns orthogonal; `None` if they
+/// already are.
 fn rotation(one: &[f64], other: &[f64]) -> Option<(f64, f64)> {
     let (a, b, product) = (dot(one, one), dot(other, other), dot(one, other));
     if product.abs() <= f64::EPSILON * (a * b).sqrt() {
@@ -123,12 +125,12 @@ fn rotate(columns: &mut [Vec<f64>], (i, j): (usize, usize), cosine: f64, sine: f
     }
 }
 
-/// aᵀb
+/// Computes aᵀb.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
 }
 
-/// √(aᵀa)
+/// Computes √(aᵀa).
 pub(crate) fn length(a: &[f64]) -> f64 {
     let largest = a.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
     if largest == 0.0 {

@@ -1,37 +1,37 @@
-//! Vectors of numbers as states are made of, and the few operations on them.
+//! Vectors of numbers, such as states, and the few operations on them.
 
 use core::fmt::Debug;
 
 use crate::scalar::{Number, Scalar};
 
-/// A vector of numbers, such as `[S; K]`. Its length is part of its type, except for systems that
-/// are read at run time: their type gives the largest length.
+/// A vector of numbers, such as `[S; K]`. Its length is part of its type. For systems read at run
+/// time, the type specifies only the maximum length.
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
     /// A square matrix in rows, such as `[[S; K]; K]`.
     type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
     /// An array of indices with the length of the vector, such as `[usize; K]`.
     type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
 
-    /// The vector of zeros, of the largest length.
+    /// The zero vector, of maximum length.
     const ZERO: Self;
-    /// The matrix of zeros, of the largest size.
+    /// The zero matrix, of maximum size.
     const ZERO_SQUARE: Self::Square;
-    /// Indices that are all zero, as many as there may be.
+    /// The array of zero indices, of maximum length.
     const ZERO_INDICES: Self::Indices;
 
-    /// Returns the vector of zeros with the length of this one.
+    /// Returns the zero vector with the length of this one.
     #[inline(always)]
     fn zeros(&self) -> Self {
         Self::ZERO
     }
 
-    /// Returns the matrix of zeros with as many rows and columns as this vector has entries.
+    /// Returns the zero matrix with as many rows and columns as this vector has entries.
     #[inline(always)]
     fn zero_square(&self) -> Self::Square {
         Self::ZERO_SQUARE
     }
 
-    /// Returns the vector of these entries.
+    /// Creates the vector with these entries.
     ///
     /// # Panics
     /// If the type has no vector of this length.
@@ -45,8 +45,8 @@ pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
         vector
     }
 
-    /// Returns the vector of these entries, followed by others. It is to remember where those
-    /// begin, unless the types of the parts tell.
+    /// Creates the vector with these entries, followed by others. It stores the place of the
+    /// division, unless the types of the parts determine it.
     ///
     /// # Panics
     /// If the type has no vector of this length.
@@ -62,7 +62,7 @@ pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
         vector
     }
 
-    /// Returns the parts that it was joined of. The type of the first part has this length.
+    /// Returns the parts from which it was joined. The type of the first part has this length.
     ///
     /// # Panics
     /// If the vector is shorter.
@@ -81,13 +81,13 @@ impl<S: Number, const K: usize> StateVector<S> for [S; K] {
     const ZERO_INDICES: [usize; K] = [0; K];
 }
 
-/// aᵀb
+/// Computes aᵀb.
 #[inline]
 pub(crate) fn dot<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
     a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))
 }
 
-/// a − b
+/// Computes a − b.
 #[inline]
 pub(crate) fn difference<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> Y {
     let mut difference = *a;
@@ -105,24 +105,24 @@ pub(crate) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
     }
 }
 
-/// The sum of magnitudes, which neither overflows nor underflows where the components do not.
+/// Computes the sum of magnitudes, which neither overflows nor underflows if the components do not.
 #[inline(always)]
 pub(crate) fn l1_norm<S: Number, Y: StateVector<S>>(y: &Y) -> S {
     y.as_ref().iter().fold(S::ZERO, |sum, component| sum + component.abs())
 }
 
-/// The sum of the magnitudes of differences.
+/// Computes the sum of the magnitudes of differences.
 #[inline(always)]
 pub(crate) fn l1_distance<S: Number, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
     a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| sum + (*a - *b).abs())
 }
 
-/// The vector of this length in the direction of `y`.
+/// Returns the vector of this length in the direction of `y`.
 pub(crate) fn scaled<S: Scalar, Y: StateVector<S>>(y: &Y, size: S) -> Y {
     combined(&y.zeros(), size / l1_norm(y), y)
 }
 
-/// a + c b
+/// Computes a + c b.
 #[inline(always)]
 pub(crate) fn combined<S: Number, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
     let mut sum = *a;

@@ -1,36 +1,37 @@
-//! Zeros of several equations in as many unknowns.
+//! Zeros of several equations with the same number of unknowns.
 
 use core::array::from_fn;
 
 use super::{MAX_BEND, TOLERANCE};
 use crate::scalar::{Mask, Number, spacing_at_one};
 
-/// The least decrease of the square of the next correction, in units of the part of the step.
+/// Minimum decrease of the square of the next correction, in units of the fraction of the step.
 const LEAST_DECREASE: f64 = 0.5;
-/// The shortest part of a step that is tried.
+/// Minimum fraction of a step that is tried.
 const SHORTEST: f64 = 1.0 / 1_073_741_824.0;
-/// An unknown is certain if rounding hides no more than this many units in its last place.
+/// An unknown is certain if rounding hides at most this many units in its last place.
 const CERTAIN: f64 = 1024.0;
-/// Distance of the points at which the Jacobian is compared, in units of what rounding hides.
+/// Distance of the points at which the Jacobian is compared, in units of the distance hidden by
+/// rounding.
 const ASIDE: f64 = 4.0;
 
-/// Residuals r, their Jacobian ∂rᵢ/∂yⱼ in rows, and the rounding error of each r, as of [`newton`].
+/// Residuals r, their Jacobian ∂rᵢ/∂yⱼ in rows, and the rounding error of each r, as in [`newton`].
 ///
 /// [`newton`]: super::newton
 pub type CoupledEquations<S, const N: usize> = ([S; N], [[S; N]; N], [S; N]);
 
-/// Returns the common zero of several equations that Newton's method finds from a start within a
-/// number of steps; NaN if it finds none. Numbers in lanes continue until each of them has its own
-/// zero, which does not depend on the others.
+/// Returns the common zero of several equations, found by Newton's method from a start within a
+/// number of steps; NaN if none is found. Numbers in lanes iterate until each has its own zero,
+/// which does not depend on the others.
 ///
-/// A step is halved until the next correction by the same Jacobian is shorter than the step
+/// A step is halved until the next correction with the same Jacobian is shorter than the step
 /// (Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3). Corrections are measured in units of
 /// each unknown and its step. The search therefore depends neither on the scales of the unknowns
 /// nor on those of the equations. A candidate is a point where rounding explains all residuals. It
 /// is a zero if rounding hides only the last digits of each unknown. Otherwise the Jacobian must
 /// have the same orientation, and not vanish, on both sides along each direction that rounding
-/// hides. Residuals that only become small beside their terms have no zero. From a zero one more
-/// step is taken.
+/// hides. Residuals that are merely small relative to their terms have no zero. One more step is
+/// taken from a zero.
 ///
 /// ```
 /// use lagrange::root::coupled;
@@ -59,27 +60,27 @@ pub fn coupled<S: Number, const N: usize>(
 struct CoupledSearch<S: Number, const N: usize> {
     /// Next point of evaluation.
     point: [S; N],
-    /// The last point that was an improvement.
+    /// The last point that was accepted.
     base: [S; N],
-    /// The correction of Newton's method there, which is subtracted.
+    /// The Newton correction there, which is subtracted.
     step: [S; N],
-    /// The inverse of the Jacobian there, whose rows are divided by the scales.
+    /// The inverse of the Jacobian there, with rows divided by the scales.
     inverse: [[S; N]; N],
     /// Units of the residuals there.
     scales: [S; N],
     /// Reciprocals of the units of the unknowns there.
     weights: [S; N],
-    /// One where rounding hides a residual there, and zero where nothing is rounded.
+    /// One for residuals with a rounding error there, and zero for exact ones.
     rounds: [S; N],
-    /// The sum of the squares of the step, in those units.
+    /// The sum of the squares of the step, relative to the units of the unknowns.
     size: S,
-    /// The part of the step that is tried.
+    /// The fraction of the step that is tried.
     part: S,
-    /// Number of steps that are left.
+    /// Number of remaining steps.
     left: S,
     is_found: S::Mask,
     has_failed: S::Mask,
-    /// Residuals of rounding size, in units of the rounding error.
+    /// Residuals up to this are of rounding size, in units of the rounding error.
     noise: S,
 }
 
@@ -104,13 +105,13 @@ impl<S: Number, const N: usize> CoupledSearch<S, N> {
         }
     }
 
-    /// True where the search has ended.
+    /// True if the search has ended.
     #[inline(always)]
     fn is_over(&self) -> S::Mask {
         self.is_found | self.has_failed
     }
 
-    /// Goes on from the equations at the point.
+    /// Continues with the equations at the point.
     #[inline(always)]
     fn advance(&mut self, equations: CoupledEquations<S, N>) {
         let (residuals, _, rounding) = &equations;
@@ -132,7 +133,7 @@ impl<S: Number, const N: usize> CoupledSearch<S, N> {
         self.point = after(&self.base, self.part, &self.step);
     }
 
-    /// Takes the point as the next one from which to step.
+    /// Accepts the point as the base of the next step.
     #[inline(always)]
     fn accept(&mut self, accepted: S::Mask, is_small: S::Mask, equations: CoupledEquations<S, N>) {
         let (residuals, jacobian, rounding) = equations;
@@ -161,7 +162,7 @@ impl<S: Number, const N: usize> CoupledSearch<S, N> {
         self.inverse = from_fn(|i| chosen(accepted, inverse[i], self.inverse[i]));
     }
 
-    /// The point one step further, and NaN where it is no zero.
+    /// Returns the point one step further; NaN if it is not a zero.
     #[inline(always)]
     fn certified(&self, jacobian: impl Fn([S; N]) -> [[S; N]; N]) -> [S; N] {
         let root = after(&self.base, S::ONE, &self.step);
@@ -183,7 +184,7 @@ impl<S: Number, const N: usize> CoupledSearch<S, N> {
         root.map(|value| S::select(is_zero, value, S::NAN))
     }
 
-    /// True if a Jacobian has the same orientation as that of the last point, and a similar volume.
+    /// True if a Jacobian has the same orientation as at the last point, and a similar volume.
     #[inline(always)]
     fn is_oriented_alike(&self, jacobian: [[S; N]; N]) -> S::Mask {
         let beside = scaled(jacobian, &self.scales);
@@ -194,31 +195,31 @@ impl<S: Number, const N: usize> CoupledSearch<S, N> {
     }
 }
 
-/// Σ (a b)²
+/// Computes Σ (a b)².
 #[inline(always)]
 fn squares<S: Number, const N: usize>(a: &[S; N], b: &[S; N]) -> S {
     a.iter().zip(b).fold(S::ZERO, |sum, (&a, &b)| sum + (a * b) * (a * b))
 }
 
-/// Σ |a b|
+/// Computes Σ |a b|.
 #[inline(always)]
 fn magnitude<S: Number, const N: usize>(a: &[S; N], b: &[S; N]) -> S {
     a.iter().zip(b).fold(S::ZERO, |sum, (&a, &b)| sum + (a * b).abs())
 }
 
-/// A v
+/// Computes A v.
 #[inline(always)]
 fn image<S: Number, const N: usize>(rows: &[[S; N]; N], vector: &[S; N]) -> [S; N] {
     from_fn(|i| rows[i].iter().zip(vector).fold(S::ZERO, |sum, (&entry, &value)| sum + entry * value))
 }
 
-/// The rows, each divided by its scale.
+/// Returns the rows, each divided by its scale.
 #[inline(always)]
 fn scaled<S: Number, const N: usize>(rows: [[S; N]; N], scales: &[S; N]) -> [[S; N]; N] {
     from_fn(|i| rows[i].map(|entry| entry / scales[i]))
 }
 
-/// x − part · step
+/// Computes x − part · step.
 #[inline(always)]
 fn after<S: Number, const N: usize>(x: &[S; N], part: S, step: &[S; N]) -> [S; N] {
     from_fn(|i| x[i] - part * step[i])
@@ -229,8 +230,8 @@ fn chosen<S: Number, const N: usize>(mask: S::Mask, then: [S; N], otherwise: [S;
     from_fn(|i| S::select(mask, then[i], otherwise[i]))
 }
 
-/// The inverse of a matrix by elimination with the largest pivot of each column, and its
-/// determinant. A singular matrix gives entries that are no finite numbers.
+/// Computes the inverse of a matrix, by elimination with the largest pivot of each column, and its
+/// determinant. For a singular matrix, entries are not finite.
 #[inline(always)]
 fn inverted<S: Number, const N: usize>(matrix: [[S; N]; N]) -> ([[S; N]; N], S) {
     let unit = |i: usize, j: usize| if i == j { S::ONE } else { S::ZERO };

@@ -1,7 +1,7 @@
 use super::{coupled, newton};
 use crate::scalar::{Lanes, Number, Scalar};
 
-/// y − e sin y − M, Kepler's equation.
+/// Solves Kepler's equation, y − e sin y − M = 0.
 fn kepler<S: Number>(e: S, mean: S) -> S {
     newton(mean, 30, |y| {
         let (sine, cosine) = y.sin_cos();
@@ -12,7 +12,7 @@ fn kepler<S: Number>(e: S, mean: S) -> S {
 
 #[test]
 fn zeros_are_found_to_rounding() {
-    // By mpmath with 30 digits.
+    // Computed by mpmath with 30 digits.
     let known = [(0.1, 0.5, 0.552_479_986_906_570_4), (0.9, 0.1, 0.630_843_527_563_153_5)];
     for (e, mean, expected) in known {
         let found: f64 = kepler(e, mean);
@@ -33,7 +33,7 @@ fn lanes_do_not_depend_on_each_other() {
     assert!(found[3].is_nan() && found[..3].iter().all(|found| found.is_finite()));
 }
 
-/// The circle y² + z² = 2 r² and the line z = s y.
+/// Returns an intersection of the circle y² + z² = 2 r² and the line z = s y.
 fn crossing<S: Number>(radius: S, slope: S, start: [S; 2]) -> [S; 2] {
     let two = S::from_f64(2.0);
     coupled(start, 40, |[y, z]| {
@@ -68,14 +68,14 @@ fn coupled_zeros_are_found_to_rounding_and_each_lane_finds_its_own() {
         assert_eq!(bits(found.map(|found| found.0[lane])), bits(alone.map(|found| found.0[0])), "{lane}");
     }
     assert!([0, 3].map(|lane| found[0].0[lane]).iter().all(|found| found.is_finite()));
-    // The Jacobian is singular at the start of the second, and nothing is known of the third.
+    // The Jacobian is singular at the start of the second lane; the third contains NaN.
     assert!([1, 2].map(|lane| found[0].0[lane]).iter().all(|found| found.is_nan()));
 }
 
 #[test]
 fn small_zeros_are_found_where_digits_cancel() {
-    // ln(1 + y) = x: of x = 10⁻¹² the sum keeps four digits, and steps never become smaller than
-    // that.
+    // ln(1 + y) = x: for x = 10⁻¹² the sum keeps four digits, and steps never become smaller than
+    // this error.
     let x = 1e-12;
     let found: f64 = newton(0.0, 30, |y| {
         let logarithm = (1.0 + y).ln();
@@ -91,13 +91,12 @@ fn what_has_no_zero_or_no_slope_is_not_a_number() {
     assert!(newton(1.0, 1000, without_zero).is_nan());
     assert!(newton(0.0, 30, |y: f64| [y * y - 1.0, 2.0 * y, 3.0 * y * y]).is_nan());
     assert!(newton(0.0, 30, |y: f64| [y * y, 2.0 * y, 3.0 * y * y]).is_nan());
-    // Where everything overflows nothing is zero.
+    // If everything overflows, nothing counts as zero.
     assert!(newton(1.0, 30, |_: f64| [1.0, f64::INFINITY, f64::INFINITY]).is_nan());
     assert!(newton(1.0, 2, |y: f64| [y.powi(3) - 2.0, 3.0 * y * y, 4.0 * y.powi(3)]).is_nan());
 }
 
-/// Equations with one unknown y, each with its slope and what one rounding in each of its terms
-/// leaves of it.
+/// Equations with one unknown y, each with its slope and a bound on its rounding error.
 fn equation<S: Number>(name: &str, x: S, y: S) -> [S; 3] {
     let (one, two) = (S::ONE, S::from_f64(2.0));
     let terms = |terms: &[S], slope: S| {
@@ -146,7 +145,8 @@ fn equation<S: Number>(name: &str, x: S, y: S) -> [S; 3] {
     }
 }
 
-/// Numbers of equations that are solved and that are not although they have a solution.
+/// Counts equations that are solved, and equations that are not solved although they have a
+/// solution.
 fn swept<S: Scalar>(start: f64, iterations: u32, epsilon: f64, to_f64: impl Fn(S) -> f64) -> [usize; 2] {
     let mut counts = [0; 2];
     for line in include_str!("solutions.csv").lines() {
@@ -167,14 +167,13 @@ fn swept<S: Scalar>(start: f64, iterations: u32, epsilon: f64, to_f64: impl Fn(S
     counts
 }
 
-/// Solutions by mpmath, from `tools/algebraic_unknowns.py`: what is found is one of them, or
-/// nothing is.
+/// Solutions by mpmath, from `tools/algebraic_unknowns.py`. Every result is one of them, or NaN.
 #[test]
 fn what_is_found_is_a_solution() {
     for (start, iterations) in [(0.0, 30), (1.0, 30), (1.0, 100), (-3.0, 100), (1e8, 60)] {
         let double = swept::<f64>(start, iterations, f64::EPSILON, |y| y);
         let single = swept::<f32>(start, iterations, f32::EPSILON.into(), f64::from);
-        // Where Newton's method gets to a solution, it is handed out.
+        // If Newton's method converges to a solution, it is returned.
         let is_handed_out = [double, single].iter().all(|[found, lost]| *found > 7 * lost);
         assert!(start != 0.0 || is_handed_out, "{double:?} {single:?}");
     }

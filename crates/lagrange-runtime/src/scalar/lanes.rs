@@ -1,23 +1,23 @@
-//! Several numbers in lanes that take the same formulas.
+//! Several numbers in lanes that pass through the same formulas.
 //!
-//! Every operation is a loop over the lanes that is always inlined. It becomes vector instructions
-//! of the target for which the caller is compiled. A function with target features that its crate
-//! lacks may therefore call formulas, too.
+//! Every operation is a loop over the lanes that is always inlined. It compiles to vector
+//! instructions of the caller's target. Formulas may therefore also be called by a function that
+//! enables target features beyond those of its crate.
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{Elementary, Mask, Number, Scalar};
 
-/// N numbers of the type T, one in each lane.
+/// N numbers of type T, one in each lane.
 ///
-/// The result of a lane has the same bits whatever the other lanes contain and however many there
-/// are. Sums, products and square roots are those of T. [`multiply_add`](Number::multiply_add)
-/// rounds once if FUSED and twice otherwise, on every target: without the instruction it is a slow
-/// call. [`powi`](Number::powi) consists of products, as it does for one number;
-/// [`powf`](Number::powf) is that of T, lane by lane.
+/// The result of a lane has the same bits, regardless of the contents and the number of other
+/// lanes. Sums, products and square roots are computed as for T.
+/// [`multiply_add`](Number::multiply_add) rounds once if FUSED and twice otherwise, on every
+/// target; without the instruction, it is a slow call. [`powi`](Number::powi) consists of products,
+/// as for one number; [`powf`](Number::powf) calls that of T, lane by lane.
 ///
-/// Other elementary functions are computed for all lanes together, from the same source for either
-/// value of FUSED. Errors, in units in the last place, are at most
+/// Other elementary functions are computed for all lanes together, from the same source for both
+/// values of FUSED. Errors, in units in the last place, are at most
 ///
 /// | `f64` | |
 /// |---|---|
@@ -29,8 +29,8 @@ use super::{Elementary, Mask, Number, Scalar};
 /// | `ln` | 1 |
 /// | `hypot` | 0.6 |
 ///
-/// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place.
-/// Special values, zeros with their signs, infinity and NaN, are those of [`Number`].
+/// For `f32`, they are computed in `f64` and rounded once, to 0.5000001 units in the last place.
+/// Special values, including signed zeros, infinity and NaN, are as specified by [`Number`].
 ///
 /// ```
 /// use lagrange::Number;
@@ -80,7 +80,7 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Lanes<T, N, FUSED> {
     }
 }
 
-/// Implements operators, each a row of its trait, its method and its sign.
+/// Implements operators, given in rows of trait, method and sign.
 macro_rules! implement_operators {
     ($($operator:ident $method:ident $sign:tt;)*) => {
         $(impl<T: Scalar, const N: usize, const FUSED: bool> $operator for Lanes<T, N, FUSED> {
@@ -114,7 +114,7 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Neg for Lanes<T, N, FUSED> {
     }
 }
 
-/// Methods that compute all lanes together, for the rows of the list that have a formula for lanes.
+/// Defines methods that compute all lanes together, for list rows with a formula for lanes.
 macro_rules! together {
     ($(
         $name:ident $arguments:tt C $c:tt lanes($($variant:ident: $module:ident::$formula:ident $(, $domain:ident)?)?) $method:tt
@@ -205,7 +205,7 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Number for Lanes<T, N, FUSED>
         Lanes(T::lengths::<FUSED, N>(self.0, other.0))
     }
 
-    /// Lane by lane.
+    /// Computes each lane separately.
     #[inline(always)]
     fn powf(self, exponent: Self) -> Self {
         self.zip(exponent, T::powf)

@@ -10,13 +10,13 @@ pub trait Mask:
     /// Returns the same value in every lane.
     fn splat(value: bool) -> Self;
 
-    /// True if it is true anywhere.
+    /// True if the value is true in any lane.
     fn any(self) -> bool;
 
-    /// True if it is true everywhere.
+    /// True if the value is true in every lane.
     fn all(self) -> bool;
 
-    /// True if it is true in this lane, counted from zero.
+    /// True if the value is true in this lane, counted from zero.
     fn lane(self, lane: usize) -> bool;
 }
 

@@ -1,13 +1,13 @@
-//! `f64` and `f32` as numbers, with the functions of the standard library or, without it, those of
+//! `f64` and `f32` as numbers, with the functions of the standard library or, without it, of
 //! `libm`.
 
 use super::{Elementary, Number, Scalar, rough};
 
-/// Calls the method of the standard library or, without it, the function of `libm`, of which the
-/// second is for `f32`.
+/// Calls the method of the standard library or, without it, a function of `libm`. The second name
+/// is the function for `f32`.
 macro_rules! platform {
     ($scalar:ident :: abs | $libm:ident $libmf:ident ($x:expr)) => {
-        // Of the core library, too.
+        // The core library also provides this function.
         $scalar::abs($x)
     };
     (f64 :: $method:ident | $libm:ident $libmf:ident ($($argument:expr),*)) => {
@@ -108,7 +108,7 @@ macro_rules! implement_scalar {
 
             #[inline]
             fn floor_below(self, count: usize) -> Option<usize> {
-                // What is negative or NaN becomes 0, what is too large the largest number.
+                // Negative numbers and NaN become 0, and too large ones the largest integer.
                 Some((self as usize).min(count.saturating_sub(1)))
             }
 

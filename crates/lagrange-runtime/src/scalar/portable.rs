@@ -12,14 +12,13 @@ impl Binary for f64 {}
 impl Binary for f32 {}
 
 /// A number whose results have the same bits on every platform, alone or in
-/// [`Lanes`](super::Lanes). Neither processor, operating system, instruction set nor level of
-/// optimisation matters.
+/// [`Lanes`](super::Lanes). They do not depend on processor, operating system, instruction set or
+/// optimisation level.
 ///
-/// A declaration with a type parameter computes in it, such as `struct Pendulum<S>;`. Everything
-/// that a motion depends on then computes in it too: methods of integration and their step lengths,
-/// events, contacts, tables, projections. Trajectories are equal bit by bit. They depend on the
-/// sources of this crate and of the declaration alone, if functions of the user's own crate call
-/// nothing of the platform.
+/// A declaration with a type parameter, such as `struct Pendulum<S>;`, can use it. All computations
+/// of a motion then use it too: methods of integration and their step lengths, events, contacts,
+/// tables, projections. Trajectories are identical bit by bit. They depend only on the sources of
+/// this crate and of the declaration, if functions of the user's crate do not call the platform.
 ///
 /// ```
 /// use lagrange::{Portable, Simulate};
@@ -40,8 +39,8 @@ impl Binary for f32 {}
 /// ```
 ///
 /// Sums, products, quotients and square roots are those of T, which IEEE 754 defines to the last
-/// bit, and products are never fused. Elementary functions are those of `lagrange-math`, which call
-/// nothing of the platform. Errors in units in the last place are at most
+/// bit, and products are never fused. Elementary functions come from `lagrange-math`, which does
+/// not call the platform. Errors in units in the last place are at most
 ///
 /// | `f64` | |
 /// |---|---|
@@ -52,10 +51,10 @@ impl Binary for f32 {}
 /// | `exp` | 0.6, or 1.2 below 2⁻¹⁰²² |
 /// | `hypot` | 0.6 |
 ///
-/// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place. Only
-/// the sign and the payload of NaN, which no result depends on, are those of the processor.
+/// For `f32`, they are computed in `f64` and rounded once, to 0.5000001 units in the last place.
+/// Only the sign and the payload of NaN depend on the processor, and no result depends on them.
 ///
-/// `docs/performance.md` measures the cost. `Debug` and `Display` show the number as T.
+/// `docs/performance.md` measures the cost. `Debug` and `Display` format the number like T.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Default)]
 #[repr(transparent)]
 pub struct Portable<T = f64>(pub T);
@@ -102,7 +101,7 @@ impl<T: Neg<Output = T>> Neg for Portable<T> {
     }
 }
 
-/// Implements operators, each a row of its trait, its method and its sign.
+/// Implements operators, given in rows of trait, method and sign.
 macro_rules! implement_operators {
     ($($operator:ident $method:ident $sign:tt;)*) => {
         $(impl<T: $operator<Output = T>> $operator for Portable<T> {
@@ -123,7 +122,7 @@ implement_operators! {
     Div div /;
 }
 
-/// Applies a function of several numbers to what portable numbers hold.
+/// Applies a function of several numbers to the values of portable numbers.
 #[inline(always)]
 fn each<T: Binary, const N: usize>(
     numbers: [Portable<T>; N],
@@ -132,7 +131,7 @@ fn each<T: Binary, const N: usize>(
     function(numbers.map(|number| number.0)).map(Portable)
 }
 
-/// Methods for the rows of the list that have a formula for several numbers.
+/// Defines methods for the list rows with a formula for several numbers.
 macro_rules! one_of_several {
     ($(
         $name:ident $arguments:tt C $c:tt lanes($($variant:ident: $module:ident::$formula:ident $(, $domain:ident)?)?) $method:tt
@@ -229,7 +228,7 @@ impl<T: Binary> Number for Portable<T> {
     lagrange_math::functions!(one_of_several);
 }
 
-/// In lanes, products are not fused either, whatever lanes ask for.
+/// In lanes, products are not fused either, even if lanes request it.
 impl<T: Binary> Scalar for Portable<T> {
     #[inline]
     fn is_finite(self) -> bool {

@@ -1,10 +1,10 @@
-//! Powers to three digits, more than lengths of steps need. They have neither a branch nor a table,
-//! so they are computed for several steps at a time.
+//! Logarithms and powers to three digits, which is sufficient for step lengths. They use neither
+//! branches nor tables, so several steps can be computed at once.
 //!
-//! Exponents are read from and written to the bits of a number, and polynomials through Chebyshev
-//! nodes do the rest.
+//! Exponents are read from and written to the bits of a number. Polynomials through Chebyshev nodes
+//! provide the rest.
 
-/// log₂ m for m from 1 to 2, to 1.1 · 10⁻⁴.
+/// Coefficients of log₂ m for m from 1 to 2, to 1.1 · 10⁻⁴.
 const LOG2: [f64; 5] = [
     -2.505_614_661_98,
     4.049_616_892_585_97,
@@ -12,29 +12,29 @@ const LOG2: [f64; 5] = [
     0.635_511_116_520_28,
     -0.080_010_876_906_8,
 ];
-/// 2ˣ for x from −1/2 to 1/2, to 1.1 · 10⁻⁴.
+/// Coefficients of 2ˣ for x from −1/2 to 1/2, to 1.1 · 10⁻⁴.
 const EXP2: [f64; 4] =
     [0.999_924_481_455_52, 0.693_121_033_991_55, 0.242_640_082_832_77, 0.055_922_035_647_26];
-/// The bits of a double below its exponent.
+/// The bits of an `f64` below its exponent.
 const MANTISSA: u64 = (1 << 52) - 1;
 const BIAS: u64 = 1023;
-/// 2⁵²: a small integer, put into its last bits, is added to it.
+/// 2⁵²: a small integer written to its last bits is added to it.
 const WHOLE: f64 = 4_503_599_627_370_496.0;
-/// 1.5 · 2⁵²: added to a small number, rounds it to an integer, which then stands in the last bits,
-/// negative ones as well.
+/// 1.5 · 2⁵²: adding it to a small number rounds the number to an integer in the last bits, also
+/// for negative numbers.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 
-/// The binary logarithm of a positive normal number.
+/// Computes the binary logarithm of a positive normal number.
 #[inline(always)]
 pub(super) fn log2(x: f64) -> f64 {
     let bits = x.to_bits();
     let mantissa = f64::from_bits((bits & MANTISSA) | 1_f64.to_bits());
-    // Conversions of integers are no vector instructions on many targets.
+    // On many targets, conversions of integers are not vector instructions.
     let exponent = f64::from_bits((bits >> 52) | WHOLE.to_bits()) - (WHOLE + BIAS as f64);
     exponent + polynomial(LOG2, mantissa)
 }
 
-/// Two to this power, which is brought into [−100, 100].
+/// Raises two to this power, clamped to [−100, 100].
 #[inline(always)]
 pub(super) fn exp2(x: f64) -> f64 {
     let x = if x > 100.0 { 100.0 } else { x };

@@ -1,6 +1,6 @@
 //! Every function at NaN, ±0 and ±∞ for all number types, and `libm` against the standard library.
 //!
-//! The first part runs against whichever of the two libraries the features select.
+//! The first part tests whichever of the two libraries the features select.
 
 mod least;
 mod portable;
@@ -9,7 +9,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::{Lanes, Number, Portable, Scalar};
 
-/// The numbers at which functions are most often wrong.
+/// Numbers at which functions are most likely to be wrong.
 struct Special<S> {
     zero: S,
     one: S,
@@ -21,7 +21,7 @@ fn special<S: Scalar>() -> Special<S> {
     Special { zero: S::ZERO, one: S::ONE, infinity: S::from_f64(f64::INFINITY), nan: S::NAN }
 }
 
-/// Whether two numbers agree, NaN with NaN and zeros in sign.
+/// True if two numbers agree, including NaN and the sign of zeros.
 fn same<S: Scalar>(a: S, b: S) -> bool {
     let is_nan = |x: S| x.partial_cmp(&x).is_none();
     let same_zero = a != S::ZERO || S::ONE / a == S::ONE / b;
@@ -33,7 +33,7 @@ fn expect<S: Scalar>(found: S, wanted: S) {
     assert!(same(found, wanted), "{found:?} instead of {wanted:?}");
 }
 
-/// As `expect`, but up to rounding.
+/// Checks like `expect`, but up to rounding.
 #[track_caller]
 fn expect_near<S: Scalar>(found: S, wanted: f64) {
     let error = (found - S::from_f64(wanted)).abs();
@@ -266,7 +266,7 @@ mod checks {
 #[test]
 fn multiply_add_is_fused_exactly_where_the_target_has_the_instruction() {
     let fused = cfg!(target_feature = "fma");
-    // (1 + ε)² = 1 + 2ε + ε², of which a rounded product loses the last term.
+    // (1 + ε)² = 1 + 2ε + ε²; a rounded product loses the last term.
     let double = Number::multiply_add(1.0 + f64::EPSILON, 1.0 + f64::EPSILON, -(1.0 + 2.0 * f64::EPSILON));
     assert_eq!(double, if fused { f64::EPSILON * f64::EPSILON } else { 0.0 });
     let single = Number::multiply_add(1.0 + f32::EPSILON, 1.0 + f32::EPSILON, -(1.0 + 2.0 * f32::EPSILON));
@@ -286,7 +286,7 @@ fn angles_together_give_what_each_gives_alone() {
     }
 }
 
-/// Each function of lanes is that of one number, to within a unit in the last place of both.
+/// Each function of lanes equals that of one number, within the error bounds of both.
 #[test]
 fn lanes_give_what_each_gives_alone() {
     fn check<T: Scalar>() {

@@ -1,52 +1,52 @@
 //! Lines, shapes of bodies and kinds of joints in the plane.
 
-/// A straight line without ends: ground, a slope, a rail. Its free side is on the left of its
+/// An infinite straight line: ground, a slope, a rail. Its free side is on the left of its
 /// direction.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Line<'a, S> {
     /// Its name.
     pub name: &'a str,
-    /// The body that carries it; none if it is at rest.
+    /// The body that carries it; `None` if it is at rest.
     pub body: Option<&'a str>,
-    /// A point of it.
+    /// A point on it.
     pub through: [S; 2],
     /// Its direction.
     pub angle: S,
 }
 
-/// An outline in its own coordinates, in which [`lagrange::inertia`](mod@crate::inertia) also gives
-/// centres of mass.
+/// An outline in its own coordinates, in which [`lagrange::inertia`](mod@crate::inertia) also
+/// returns centres of mass.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Outline<'a, S> {
     /// A point mass at the origin.
     PointMass,
-    /// A rod of this length along X, its middle in the origin.
+    /// A rod of this length along X, with its middle at the origin.
     SlenderRod(S),
     /// A disk of this radius about the origin; also a cylinder or sphere seen from its end.
     Disk(S),
-    /// A disk about the origin with a hole: inner and outer radius.
+    /// A disk about the origin with a concentric hole: inner and outer radius.
     Annulus(S, S),
     /// A circle of this radius about the origin.
     Ring(S),
     /// A rectangle about the origin: lengths along X and along Y.
     Rectangle(S, S),
-    /// Half a disk of this radius, on the side of positive Y; the middle of its straight edge is in
+    /// Half a disk of this radius, on the side of positive Y; the middle of its straight edge is at
     /// the origin.
     SemicircularDisk(S),
-    /// A sector of a disk: its radius and its opening angle, halved by the X axis; the apex is in
+    /// A sector of a disk: its radius and its opening angle, bisected by the X axis; the apex is at
     /// the origin.
     CircularSector(S, S),
-    /// A triangle with the right angle in the origin and legs of these lengths along X and Y.
+    /// A triangle with the right angle at the origin and legs of these lengths along X and Y.
     RightTriangle(S, S),
-    /// A triangle with these three sides. The first goes from the origin along X, the second
-    /// continues from there, and the third returns; Y is positive inside.
+    /// A triangle with these three sides. The first extends from the origin along X, the second
+    /// continues from its end, and the third returns; Y is positive inside.
     Triangle(S, S, S),
     /// An ellipse about the origin: semi-axes along X and along Y.
     Ellipse(S, S),
-    /// A regular polygon of this many corners on a circle of this radius about the origin, the
-    /// first on the X axis.
+    /// A regular polygon with this number of corners on a circle of this radius about the origin,
+    /// with the first corner on the X axis.
     RegularPolygon(S, S),
-    /// A polygon of these corners.
+    /// A polygon with these corners.
     Polygon(&'a [[S; 2]]),
 }
 
@@ -55,7 +55,7 @@ pub enum Outline<'a, S> {
 pub enum Joint {
     /// Two points that stay together.
     Pin,
-    /// A point that stays where it is.
+    /// A point that is fixed in place.
     Anchor,
     /// A point that stays on a line.
     Slide,

@@ -1,4 +1,4 @@
-//! The plane and space: the types of places, rotations and moments.
+//! The plane and space: their types of places, rotations and moments.
 
 use core::convert::Infallible;
 use core::fmt::Debug;
@@ -8,13 +8,13 @@ use super::spatial::{Frame, Solid, SpatialJoint};
 use crate::body::{Motion, SpatialMotion};
 use crate::scalar::Scalar;
 
-/// A space in which bodies move: the [`Plane`] or [`Spatial`].
+/// A space in which bodies move: [`Plane`] or [`Spatial`].
 pub trait Space: Copy + PartialEq + Debug + 'static {
     /// A place, direction or force.
     type Vector<S: Scalar>: Copy + PartialEq + Debug;
-    /// A moment: in the plane a number.
+    /// A moment; in the plane a number.
     type Moment<S: Scalar>: Copy + PartialEq + Debug;
-    /// A rotation: in the plane an angle, in space a matrix in rows.
+    /// A rotation; in the plane an angle, in space a matrix in rows.
     type Rotation<S: Scalar>: Copy + PartialEq + Debug;
     /// The motion of a body.
     type Motion<S: Scalar>: Copy + PartialEq + Debug;
@@ -22,9 +22,9 @@ pub trait Space: Copy + PartialEq + Debug + 'static {
     type Shape<'a, S: Scalar>: Copy + PartialEq + Debug;
     /// A joint, apart from its name and place.
     type Joint<'a, S: Scalar>: Copy + PartialEq + Debug;
-    /// A line; [`Infallible`] where there are none, so that no pattern has to deal with them.
+    /// A line; [`Infallible`] in space, so that patterns can omit it.
     type Line<'a, S: Scalar>: Copy + PartialEq + Debug;
-    /// A frame; [`Infallible`] where there are none.
+    /// A frame; [`Infallible`] in the plane.
     type Frame<'a, S: Scalar>: Copy + PartialEq + Debug;
 }
 

@@ -1,12 +1,12 @@
-//! Systems in canonical coordinates, which symplectic methods take: velocities are the rates of the
-//! coordinates.
+//! Systems in canonical coordinates, which symplectic methods require: velocities are the rates of
+//! the coordinates.
 
 use super::{ConstraintValues, MechanicalSystem, StateVector, VelocityMatrix};
 
 /// A system whose accelerations do not depend on its velocities and whose mass matrix is constant.
 ///
-/// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, which explicit
-/// symplectic methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
+/// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, as explicit
+/// symplectic methods require. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
 /// 2nd ed., §VI.3.
 #[diagnostic::on_unimplemented(
     message = "the accelerations of `{Self}` depend on velocities or constraints, or its mass matrix is not constant",
@@ -21,9 +21,9 @@ pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
 /// A system that is [separable](SeparableSystem), or would be without its constraints, all of which
 /// hold positions.
 ///
-/// All separable systems are. Emitted types with constraints implement it if their mass matrix is
-/// constant and no force but those of the constraints depends on velocities. Explicit steps then
-/// end on the constraints by corrections in the space of constraint forces. Source: Hairer, Lubich,
+/// Every separable system qualifies. Emitted types with constraints implement it if their mass
+/// matrix is constant and only constraint forces depend on velocities. Explicit steps then end on
+/// the constraints by corrections in the space of constraint forces. Source: Hairer, Lubich,
 /// Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
 #[diagnostic::on_unimplemented(
     message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
@@ -33,7 +33,7 @@ pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
             `GaussLegendre` with `.plain()`"
 )]
 pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {
-    /// True if constraints hold it, and the corrections below are known.
+    /// True if constraints hold the system and the corrections below are implemented.
     const IS_HELD: bool = false;
 
     /// Computes the change δ of coordinates that removes the residuals at the coordinates `to` and
@@ -65,10 +65,10 @@ pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSyste
 
 impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
 
-/// A mechanical system that knows its momenta p = ∂L/∂v and how fast they change, ṗ = ∂L/∂q + Q.
+/// A mechanical system that provides its momenta p = ∂L/∂v and their rates ṗ = ∂L/∂q + Q.
 ///
 /// These are Hamilton's equations with velocities instead of momenta; methods that are symplectic
-/// for any mass matrix integrate (q, p). Emitted types implement it if the declaration says
+/// for any mass matrix integrate (q, p). Emitted types implement it if the declaration contains
 /// `emit { momentum_rates }`.
 #[diagnostic::on_unimplemented(
     message = "the momenta of `{Self}` and their rates are unknown",
@@ -96,9 +96,9 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         v: &Self::Coordinates,
     ) -> VelocityMatrix<Self>;
 
-    /// Computes the rates of the momenta without the forces Aᵀλ of constraints. For a method that
-    /// finds these forces itself, combinations of the rows of A have no effect, so the rates with
-    /// them will do.
+    /// Computes the rates of the momenta without the forces Aᵀλ of constraints. Methods that solve
+    /// for these forces ignore combinations of the rows of A, so rates that include them are also
+    /// valid.
     #[inline]
     fn free_momentum_rates(
         &self,
@@ -109,8 +109,8 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         self.momentum_rates(t, q, v)
     }
 
-    /// True if [`constraint_values`](Self::constraint_values) lists everything that holds the
-    /// system. Methods that enforce constraints themselves then do so; for other systems states are
+    /// True if [`constraint_values`](Self::constraint_values) lists every constraint of the system.
+    /// Methods with their own enforcement of constraints then use it; for other systems, states are
     /// corrected after steps.
     const SAYS_CONSTRAINTS: bool = false;
 

@@ -4,10 +4,10 @@ use crate::linalg::vector::{StateVector, dot};
 use crate::scalar::Scalar;
 
 /// Residuals and gradients of the constraints that act at a time and state.
-///
-/// A constraint on positions holds c, its rate ċ and the row ∂c/∂q of A. One on velocities holds
-/// itself and its gradient with respect to them. At most as many may act as there are coordinates:
-/// more cannot be independent, and all results are then NaN.
+/// A constraint on positions stores c, its rate ċ and the row ∂c/∂q of A. A constraint on
+/// velocities stores its residual and its gradient with respect to them. The number of acting
+/// constraints is at most the number of coordinates: more cannot be independent, and all results
+/// are then NaN.
 ///
 /// ```
 /// use lagrange::constraint::ConstraintValues;
@@ -24,9 +24,9 @@ pub struct ConstraintValues<S: Scalar, Q: StateVector<S>> {
     pub(crate) positions: Q,
     /// Residuals of velocities.
     pub(crate) velocities: Q,
-    /// A in rows; those beyond the last constraint are zero.
+    /// A in rows; rows beyond the last constraint are zero.
     pub(crate) jacobian: Q::Square,
-    /// One for each that holds positions, zero for the others.
+    /// One for each constraint on positions, zero for the others.
     is_holonomic: Q::Indices,
     count: usize,
 }
@@ -60,19 +60,19 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         self.count
     }
 
-    /// The gradient of the constraint of this index.
+    /// Returns the gradient of the constraint at this index.
     #[inline]
     pub(crate) fn row(&self, index: usize) -> &Q {
         &self.jacobian.as_ref()[index]
     }
 
-    /// A x
+    /// Computes A x.
     #[inline]
     pub(crate) fn applied(&self, x: &Q) -> Q {
         self.by_rows(|row| dot(row, x))
     }
 
-    /// Σⱼ |Aᵢⱼ| xⱼ of each constraint
+    /// Computes Σⱼ |Aᵢⱼ| xⱼ of each constraint.
     #[inline]
     pub(crate) fn sizes(&self, x: &Q) -> Q {
         self.by_rows(|row| {
@@ -81,7 +81,7 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         })
     }
 
-    /// Aᵀμ
+    /// Computes Aᵀμ.
     #[inline]
     pub(crate) fn force(&self, multipliers: &Q) -> Q {
         let mut force = Q::ZERO;
@@ -93,7 +93,7 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         force
     }
 
-    /// Σᵢ |Aᵢⱼ| |μᵢ| of each coordinate
+    /// Computes Σᵢ |Aᵢⱼ| |μᵢ| of each coordinate.
     #[inline]
     pub(crate) fn load(&self, multipliers: &Q) -> Q {
         let mut load = Q::ZERO;
@@ -105,7 +105,7 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         load
     }
 
-    /// The gradients of all constraints.
+    /// Returns the gradients of all constraints.
     #[inline]
     pub(crate) fn rows(&self) -> impl Iterator<Item = &Q> {
         self.jacobian.as_ref().iter().take(self.count)
@@ -120,7 +120,7 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         entries
     }
 
-    /// True if the constraint of this index holds positions.
+    /// True if the constraint at this index is one on positions.
     #[inline]
     pub(crate) fn is_holonomic(&self, index: usize) -> bool {
         self.is_holonomic.as_ref()[index] == 1

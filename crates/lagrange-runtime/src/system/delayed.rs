@@ -2,10 +2,10 @@
 
 use super::{ControlledSystem, MechanicalSystem, OdeSystem, SettingError, StateVector};
 
-/// A system whose rates depend on what signals were some time ago.
+/// A system whose rates depend on past values of signals.
 ///
 /// Emitted types implement it if their declaration calls `delay(e, tau)`. Delayed signals are
-/// inputs; [`with_history`](crate::simulate::Simulation::with_history) gives them their values.
+/// inputs; [`with_history`](crate::simulate::Simulation::with_history) sets their values.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` delays no signals",
     note = "write a delayed signal as `delay(x, 0.1)` in a force, a rate, an event or an output"
@@ -30,7 +30,7 @@ pub trait DelayedSystem: ControlledSystem + MechanicalSystem {
     fn with_delayed(&self, values: &Self::Signals) -> Self;
 }
 
-/// Checks that nobody has to know the past of a system.
+/// Checks that a system can run without a history.
 ///
 /// # Errors
 /// If it has delays.

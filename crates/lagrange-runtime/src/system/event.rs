@@ -1,8 +1,8 @@
-//! Events that belong to a system: its declared events, and its responses to them.
+//! Events of a system: its declared events, and its responses to them.
 
 use crate::scalar::Scalar;
 
-/// An event that the declaration of a system states.
+/// An event stated in the declaration of a system.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct DeclaredEvent {
     /// Its name.
@@ -10,11 +10,11 @@ pub struct DeclaredEvent {
     /// Direction of the zeros that count.
     pub direction: Direction,
     /// True if it belongs to a contact or to dry friction. Its function is then positive, except
-    /// for rounding, while the present mode lasts, and falls through zero where it ends. A body
-    /// that touches at the start and is pushed below the ground has hit it.
+    /// for rounding, while the present mode lasts, and falls through zero where the mode ends. A
+    /// body that touches the ground at the start and is pushed below it counts as a hit.
     pub is_switch: bool,
-    /// True if it belongs to a surface on which the equations are not smooth, which its name then
-    /// identifies. Observers of a motion do not see it as an event.
+    /// True if it belongs to a surface on which the equations are not smooth, identified by the
+    /// name of the event. It is not reported to observers of a motion.
     pub is_side: bool,
 }
 
@@ -24,7 +24,7 @@ impl DeclaredEvent {
         DeclaredEvent { name, direction, is_switch: false, is_side: false }
     }
 
-    /// Creates the event by which a contact or dry friction switches its mode.
+    /// Creates the event that switches the mode of a contact or of dry friction.
     pub const fn switch(name: &'static str) -> Self {
         DeclaredEvent { name, direction: Direction::Falling, is_switch: true, is_side: false }
     }
@@ -45,11 +45,11 @@ pub(crate) fn have_modes(events: &[DeclaredEvent]) -> bool {
     events.iter().any(DeclaredEvent::is_of_mode)
 }
 
-/// The largest number of events that a system can declare.
+/// Maximum number of events that a system can declare.
 pub const MOST_DECLARED: usize = 32;
 
-/// The largest number of events that runs look for, those by which
-/// [switches](crate::event::Switches) change their sides among them.
+/// Maximum number of events located by runs, including those by which
+/// [switches](crate::event::Switches) change their sides.
 pub(crate) const MOST_LOCATED: usize = 64;
 
 /// The direction in which a function passes zero as the integration proceeds. If time runs
@@ -65,8 +65,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// True if a change from a value of the sign of `before` to one of the sign of `after`, not
-    /// zero, counts.
+    /// True if a change from the sign of `before` to the sign of `after`, both nonzero, counts.
     pub(crate) fn counts<S: Scalar>(self, before: S, after: S) -> bool {
         let (rises, falls) = (before < S::ZERO && after > S::ZERO, before > S::ZERO && after < S::ZERO);
         match self {
@@ -83,6 +82,7 @@ pub struct Response<M, S, Y> {
     /// Action.
     pub action: Action<Y>,
     /// The system that continues, if it differs: with other contacts closed, other friction
+    /// The system that continues, if it differs: with other contacts closed, or other friction
     /// sticking.
     pub system: Option<M>,
     /// Kind of event.
@@ -99,11 +99,11 @@ impl<M, S, Y> Response<M, S, Y> {
 /// The action at an event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Action<Y> {
-    /// Go on.
+    /// The run continues.
     Continue,
-    /// End the integration here.
+    /// The run ends here.
     Stop,
-    /// Go on from this state instead.
+    /// The run continues from this state instead.
     Replace(Y),
 }
 
@@ -112,8 +112,8 @@ pub enum Action<Y> {
 pub struct Impact<S> {
     /// The impulse in the contact, in N s for SI units; never negative.
     pub impulse: S,
-    /// The kinetic energy that was lost, in all contacts that were hit at once and by friction;
-    /// with moving surfaces, as seen from them. Never negative except for rounding.
+    /// The kinetic energy lost in all contacts that were hit at once and by friction. With moving
+    /// surfaces, it is measured in their frame. Never negative except for rounding.
     pub energy_loss: S,
 }
 
@@ -126,18 +126,19 @@ pub enum EventKind<S> {
     Zero,
     /// An impact after which the contact opened again.
     Impact(Impact<S>),
-    /// A contact closed: after a plastic impact, or after infinitely many that accumulate at `at`.
+    /// A contact closed: after a plastic impact, or after infinitely many impacts that accumulate
+    /// at `at`.
     Closed {
-        /// When the contact is at rest; later than the event by what the last bounces take, and so
-        /// perhaps after the end of the run.
+        /// The time at which the contact comes to rest. It follows the event by the duration of the
+        /// last bounces, so it may be after the end of the run.
         at: S,
-        /// The impact by which it closed.
+        /// The impact at which it closed.
         impact: Impact<S>,
     },
     /// The force of a closed contact fell to zero, and it opened.
     Opened,
-    /// Friction came to hold.
+    /// Friction began to stick.
     Stuck,
-    /// Friction gave way.
+    /// Friction began to slip.
     Slipped,
 }

@@ -1,13 +1,13 @@
-//! Systems whose equations of motion are also text, for devices that rustc does not compile for.
+//! Systems that also provide their equations of motion as text, for devices that rustc does not
+//! support.
 
 use super::{MechanicalSystem, NamedSystem};
 
 /// A system with its equations of motion as C, for graphics processors. Emitted types implement it
 /// if they declare `emit { kernel }`.
-///
-/// A text is whole: OpenCL C 1.2, CUDA C++ and C99 compile it as it is. It defines the numbers
-/// `REAL`, the lengths `LAGRANGE_POSITIONS`, `LAGRANGE_VELOCITIES` and `LAGRANGE_PARAMETERS`, and
-/// three functions of the qualifiers `LAGRANGE_FUNCTION`:
+/// Each text is self-contained: OpenCL C 1.2, CUDA C++ and C99 compile it unchanged. It defines the
+/// numbers `REAL`, the lengths `LAGRANGE_POSITIONS`, `LAGRANGE_VELOCITIES` and
+/// `LAGRANGE_PARAMETERS`, and three functions with the qualifiers `LAGRANGE_FUNCTION`:
 ///
 /// ```c
 /// void lagrange_acceleration(REAL t, const REAL *q, const REAL *v, const REAL *p, REAL *a);
@@ -15,10 +15,10 @@ use super::{MechanicalSystem, NamedSystem};
 /// void lagrange_normalise(REAL *q);
 /// ```
 ///
-/// They compute the accelerations at time t, positions q, velocities v and parameters p. They also
+/// They compute the accelerations at time t, positions q, velocities v and parameters p. The others
 /// compute the rates of the positions, and positions with quaternions of length one. Parameters are
-/// those of [`parameters`](Self::parameters). The state decides conditions of `if` and the kinks of
-/// `abs`, `sign`, `min` and `max`; NaN stays NaN.
+/// those of [`parameters`](Self::parameters). Conditions of `if` and the kinks of `abs`, `sign`,
+/// `min` and `max` are evaluated at the state; NaN stays NaN.
 ///
 /// ```
 /// use lagrange::system::KernelSystem;
@@ -47,14 +47,14 @@ pub trait KernelSystem: MechanicalSystem + NamedSystem {
     /// A number for each parameter and each input, such as `[S; P]`.
     type Parameters: AsRef<[Self::Scalar]>;
 
-    /// The text in double precision.
+    /// The text for double precision.
     const KERNEL_F64: &'static str;
 
-    /// The text in single precision.
+    /// The text for single precision.
     const KERNEL_F32: &'static str;
 
     /// The names of the parameters, then those of the inputs, in the order of the declaration.
-    /// Units that are known are in [`MechanicalSystem::UNITS`].
+    /// Known units are in [`MechanicalSystem::UNITS`].
     const PARAMETERS: &'static [&'static str];
 
     /// Returns the present parameters, then the present inputs.

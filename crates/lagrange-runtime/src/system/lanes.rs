@@ -1,13 +1,13 @@
-//! Systems whose equations can be evaluated for several motions in lanes.
+//! Systems whose equations can be evaluated for several motions at once, in lanes.
 
 use super::{OdeSystem, StateVector};
 use crate::scalar::{Lanes, Number, Scalar};
 
 /// Numbers in lanes.
 pub trait SideBySide: Number {
-    /// The number in a lane.
+    /// The type of the number in one lane.
     type Element: Number;
-    /// A number of the same kind, whose lane computes what one of these does.
+    /// The same kind of number with a single lane, which computes what one of these lanes does.
     type One: SideBySide<Element = Self::Element>;
     /// Number of lanes.
     const LANES: usize;
@@ -15,7 +15,7 @@ pub trait SideBySide: Number {
     /// Returns the number in this lane, counted from zero.
     fn lane(self, lane: usize) -> Self::Element;
 
-    /// Puts a number into this lane and leaves the others.
+    /// Stores a number in this lane and leaves the others unchanged.
     fn set_lane(&mut self, lane: usize, value: Self::Element);
 
     /// Returns the same number in every lane.
@@ -81,10 +81,10 @@ pub trait Equations<S: Number>: Copy {
     fn rhs(&self, t: S, y: &Self::State) -> Self::State;
 }
 
-/// A system that hands out its equations for numbers side by side: emitted types do with
-/// `emit { lanes }`.
+/// A system that provides its equations for numbers in lanes. Emitted types implement it if the
+/// declaration has `emit { lanes }`.
 ///
-/// Every motion has parameters of its own, so that they are numbers side by side, too.
+/// Every motion has its own parameters, so parameters are also numbers in lanes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not have equations for lanes",
     note = "add `emit {{ lanes }}` to its declaration"
@@ -96,7 +96,7 @@ pub trait LanesSystem: OdeSystem {
     /// Returns the equations with the parameters of this system in every lane.
     fn lanes<S: Number>(&self, splat: impl Fn(Self::Scalar) -> S) -> Self::Lanes<S>;
 
-    /// Puts the parameters of this system into one lane.
+    /// Stores the parameters of this system in one lane.
     fn set_lane<S: SideBySide<Element = Self::Scalar>>(&self, lanes: &mut Self::Lanes<S>, lane: usize);
 }
 
@@ -105,7 +105,7 @@ pub trait LanesVisitor<M> {
     /// The result.
     type Output;
 
-    /// Does it.
+    /// Visits the system.
     fn visit(self) -> Self::Output
     where
         M: LanesSystem;

@@ -1,10 +1,10 @@
-//! Systems that know the derivatives of everything that a linear model consists of.
+//! Systems that provide all derivatives needed for a linear model.
 
 use super::MechanicalSystem;
 use crate::scalar::Number;
 
-/// A system with the derivatives that equilibria and linear models are found from. Emitted types
-/// implement it if the declaration has `emit { system_matrix }`.
+/// A system with the derivatives from which equilibria and linear models are computed. Emitted
+/// types implement it if the declaration has `emit { system_matrix }`.
 ///
 /// A deviation of the state is a vector x = `[δ…, z…, ε…]`. It begins with a displacement δ of the
 /// positions, followed by changes of the first-order states and of the velocities. Changes of the
@@ -42,10 +42,10 @@ pub trait LinearisedSystem: MechanicalSystem {
     /// The system matrix in rows, such as `[[S; K]; R]`.
     type SystemMatrix: AsRef<[Self::Row]>;
 
-    /// Names of its rows and columns beyond those of the state.
+    /// Names of the rows and columns beyond those of the state.
     const LAYOUT: MatrixLayout;
 
-    /// Returns the names of its rows and columns beyond those of the state. They are
+    /// Returns the names of the rows and columns beyond those of the state. They are
     /// [`LAYOUT`](Self::LAYOUT) unless the system was read at run time.
     #[inline]
     fn layout(&self) -> MatrixLayout {
@@ -56,8 +56,8 @@ pub trait LinearisedSystem: MechanicalSystem {
     /// undefined.
     fn system_matrix(&self, t: Self::Scalar, y: &Self::State) -> Self::SystemMatrix;
 
-    /// Computes the residuals of the constraints: those of positions, zero for constraints on
-    /// velocities alone, and those of velocities.
+    /// Computes the residuals of the constraints at the level of positions, zero for constraints on
+    /// velocities alone, and at the level of velocities.
     fn residuals(
         &self,
         _t: Self::Scalar,
@@ -73,7 +73,7 @@ pub trait LinearisedSystem: MechanicalSystem {
 pub struct MatrixLayout {
     /// Names of the inputs.
     pub inputs: &'static [&'static str],
-    /// Names of the outputs' components.
+    /// Names of the components of the outputs.
     pub outputs: &'static [&'static str],
     /// Names of the constraints.
     pub constraints: &'static [&'static str],

@@ -1,38 +1,38 @@
-//! Systems of mechanics: positions, velocities, accelerations.
+//! Mechanical systems: positions, velocities, accelerations.
 
 use super::lanes::LanesVisitor;
 use super::{Description, OdeSystem, StateVector};
 
-/// A system described by positions q and velocities v, to which accelerations a = v̇ belong.
+/// A system described by positions q and velocities v, with accelerations a = v̇.
 ///
-/// Its state is y = `[q…, v…]` and its right-hand side ẏ = `[N(q) v…, a…]`. There is a velocity for
-/// each freedom. Mostly velocities are the rates of generalised coordinates, q̇ = v, and
-/// accelerations a(t, q, v) solve d/dt ∂L/∂v − ∂L/∂q = Q. There may be more positions than
-/// velocities. The four components of a unit quaternion go with the three components of an angular
-/// velocity ω. If these are along the axes of the body, q̇ = ½ q ⊗ (0, ω). N(q) is
-/// [`position_rates`](Self::position_rates).
+/// Its state is y = `[q…, v…]` and its right-hand side ẏ = `[N(q) v…, a…]`. There is one velocity
+/// for each degree of freedom. Usually velocities are the rates of generalised coordinates, q̇ = v,
+/// and accelerations a(t, q, v) solve d/dt ∂L/∂v − ∂L/∂q = Q. There may be more positions than
+/// velocities. For example, the four components of a unit quaternion correspond to the three
+/// components of an angular velocity ω. If these are along the axes of the body, q̇ = ½ q ⊗ (0, ω).
+/// N(q) is [`position_rates`](Self::position_rates).
 ///
 /// A small step of positions, such as that of a [projection](crate::constraint), is a displacement
 /// δ, a vector like v. Positions q are displaced to q + N(q) δ, and [normalised](Self::normalise).
 /// Gradients of constraints, gaps and energies are with respect to displacements, and the mass
-/// matrix measures them. Methods that need q̇ = v, all symplectic ones, refuse other systems at
+/// matrix measures them. Methods that need q̇ = v, all symplectic ones, reject other systems at
 /// compile time; [`Verner98`](crate::integrate::Verner98), [`Radau5`](crate::integrate::Radau5),
 /// [`RungeKutta4`](crate::integrate::RungeKutta4) and
-/// [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) take all.
+/// [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) accept all systems.
 ///
 /// Source: Featherstone, *Rigid Body Dynamics Algorithms*, §3.2, §4.5.
 ///
 /// # First-order states
 ///
 /// The last positions may be first-order states z, such as the current of a motor or the integral
-/// of a controller. Their rates ż(t, q, v, z) are any functions, and no velocity displaces them.
-/// The state is then y = `[q…, z…, v…]`, of which q and z are one vector
-/// [`Coordinates`](Self::Coordinates) everywhere, and [`position_rates`](Self::position_rates)
-/// returns their rates behind those of q. Displacements leave them unchanged, as
+/// of a controller. Their rates ż(t, q, v, z) are arbitrary functions, and velocities do not
+/// displace them. The state is then y = `[q…, z…, v…]`, in which q and z always form one vector
+/// [`Coordinates`](Self::Coordinates). [`position_rates`](Self::position_rates) returns their rates
+/// after those of q. Displacements leave them unchanged, as
 /// [`position_change`](Self::position_change) states.
 /// [`FIRST_ORDER_STATES`](Self::FIRST_ORDER_STATES) is their number, and velocities have names,
-/// [`VELOCITIES`](Self::VELOCITIES). The same methods of integration take such systems as take
-/// quaternions.
+/// [`VELOCITIES`](Self::VELOCITIES). Methods of integration that accept quaternions also accept
+/// such systems.
 ///
 /// ```
 /// use lagrange::Simulate;
@@ -98,7 +98,7 @@ use super::{Description, OdeSystem, StateVector};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Methods in coordinates and momenta ask for velocities that are the rates of the positions:
+/// Methods in coordinates and momenta require velocities that are the rates of the positions:
 ///
 /// ```compile_fail,E0271
 /// # use lagrange::system::{MechanicalSystem, OdeSystem, Unnamed};
@@ -159,19 +159,20 @@ pub trait MechanicalSystem: OdeSystem {
     /// A vector with one entry for each position.
     type Coordinates: StateVector<Self::Scalar>;
 
-    /// A vector with one entry for each freedom: velocities, accelerations or displacements. The
-    /// same as [`Coordinates`](Self::Coordinates) where velocities are rates of positions.
+    /// A vector with one entry for each degree of freedom: velocities, accelerations or
+    /// displacements. The same as [`Coordinates`](Self::Coordinates) if velocities are the rates of
+    /// positions.
     type Velocities: StateVector<Self::Scalar>;
 
     /// Columns of a table of states under the names of the positions and velocities. [`Unnamed`]
-    /// will do for a system that is written by hand.
+    /// suffices for a handwritten system.
     type Columns<C>: From<C> + AsRef<C>;
 
     /// Names of the positions, in the order of the state.
     const COORDINATES: &'static [&'static str];
 
     /// Names of the velocities, in the order of the state. Empty if velocities are the rates of the
-    /// positions, q̇ = v: they are then called as these, followed by `_dot`.
+    /// positions, q̇ = v: their names are then those of the positions, followed by `_dot`.
     const VELOCITIES: &'static [&'static str] = &[];
 
     /// Names of the coordinates whose rates are velocities with separate names, one for each of
@@ -179,22 +180,22 @@ pub trait MechanicalSystem: OdeSystem {
     /// coordinate.
     const RATES_OF: &'static [&'static str] = &[];
 
-    /// Number of [first-order states](MechanicalSystem#first-order-states), which are the last of
+    /// Number of [first-order states](MechanicalSystem#first-order-states), which come last among
     /// the positions. Plots show them separately.
     const FIRST_ORDER_STATES: usize = 0;
 
     /// Units of columns and parameters, `(name, unit)` such as `("theta_dot", "rad/s")`: of the
-    /// state, of accelerations, momenta, inputs and outputs. The name of an array stands for its
-    /// elements, and a column that is observed under one of the names has its unit. Names without
-    /// one have an unknown unit, and plain numbers have `1`. Axes of plots and files show them;
-    /// nothing is computed with them. Where there are any, times are in `s` and the energy is in
-    /// `J`.
+    /// state, of accelerations, momenta, inputs and outputs. The name of an array applies to its
+    /// elements, and a column observed under one of the names has its unit. Names that are not
+    /// listed have an unknown unit, and plain numbers have `1`. Units appear on axes of plots and
+    /// in files, and do not affect computations. If there are any, times are in `s` and the energy
+    /// is in `J`.
     const UNITS: &'static [(&'static str, &'static str)] = &[];
 
     /// A number that distinguishes declarations: their equations, defaults, constants, events,
-    /// tables with their numbers, and the level of accuracy. Comments, layout and pictures do not
-    /// change it, and code of functions of the user's crate cannot. Zero for handwritten systems.
-    /// Files of ensembles keep it, so that those of different declarations are not mixed.
+    /// tables with their numbers, and the level of accuracy. It does not depend on comments, layout
+    /// and pictures, nor on the code of functions in the user's crate. Zero for handwritten
+    /// systems. Files of ensembles store it, so that files of different declarations are not mixed.
     const FINGERPRINT: u64 = 0;
 
     /// Returns the names and units of the variables of this system. They are the constants above
@@ -204,14 +205,14 @@ pub trait MechanicalSystem: OdeSystem {
         description_of_type::<Self>()
     }
 
-    /// Computes the accelerations at time `t`, positions `q` and velocities `v`. They are not
-    /// finite where the mass matrix is singular in some states only. Masses of emitted types must
-    /// not be zero. Common factors of all terms of an equation are divided out, so a pendulum
-    /// without mass would move as one with it.
+    /// Computes the accelerations at time `t`, positions `q` and velocities `v`. If the mass matrix
+    /// is singular only in some states, they are not finite there. Masses of emitted types must not
+    /// be zero. Common factors of all terms of an equation are cancelled, so a massless pendulum
+    /// would move like one with mass.
     fn acceleration(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Velocities;
 
-    /// Computes the rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where
-    /// they are rates.
+    /// Computes the rates of the positions, q̇ = N(q) v. They are the velocities, `*v`, if
+    /// velocities are the rates of the positions.
     ///
     /// Linear and homogeneous in `v` except for [first-order
     /// states](MechanicalSystem#first-order-states).
@@ -222,8 +223,8 @@ pub trait MechanicalSystem: OdeSystem {
         v: &Self::Velocities,
     ) -> Self::Coordinates;
 
-    /// Computes the change N(q) δ of positions for a displacement δ. It consists of the
-    /// [`position_rates`](Self::position_rates) for δ, and of zero for [first-order
+    /// Computes the change N(q) δ of positions for a displacement δ. It equals
+    /// [`position_rates`](Self::position_rates) for δ, with zeros for [first-order
     /// states](MechanicalSystem#first-order-states). A system with such states must define it.
     #[inline]
     fn position_change(
@@ -235,18 +236,17 @@ pub trait MechanicalSystem: OdeSystem {
         self.position_rates(t, q, displacement)
     }
 
-    /// Brings unit quaternions among the positions back to length one, and leaves other positions
-    /// as they are.
+    /// Normalises unit quaternions among the positions, and leaves other positions unchanged.
     ///
-    /// Asked for where positions were displaced, by [`OdeSystem::correct`] after every step, and
-    /// before states within a step are handed out.
+    /// It is called after positions were displaced, by [`OdeSystem::correct`] after every step, and
+    /// before states within a step are returned.
     #[inline]
     fn normalise(_q: &mut Self::Coordinates) {}
 
-    /// Returns the displacement δ that leads from positions to others nearby. The result of
+    /// Returns the displacement δ from positions to others nearby. The result of
     /// [`position_change`](Self::position_change) for it at `from` is `to − from` to first order.
     /// From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), if velocities are along the axes of the
-    /// body. The sign of p is that for which the real part is not negative.
+    /// body. The sign of p is chosen so that the real part is not negative.
     ///
     /// By default `to − from`; systems with [`VELOCITIES`](Self::VELOCITIES) must define it, which
     /// the compiler enforces.
@@ -270,8 +270,8 @@ pub trait MechanicalSystem: OdeSystem {
         displacement
     }
 
-    /// Calls a visitor if the equations of the system can be evaluated in lanes, for
-    /// [`LanesSystem`](super::LanesSystem)s.
+    /// Calls a visitor if the equations of the system can be evaluated in lanes, as for a
+    /// [`LanesSystem`](super::LanesSystem).
     ///
     /// # Errors
     /// Returns the visitor if they cannot.
@@ -283,8 +283,8 @@ pub trait MechanicalSystem: OdeSystem {
         Err(visitor)
     }
 
-    /// Returns the parameter with this place among the declared ones, counted from zero, with its
-    /// name. Failures name it where rates are not finite, and ensembles keep it for each motion. By
+    /// Returns the parameter at this zero-based index among the declared ones, with its name.
+    /// Messages about rates that are not finite name it, and ensembles store it for each motion. By
     /// default there is none; emitted types with parameters define it.
     ///
     /// ```
@@ -305,7 +305,7 @@ pub trait MechanicalSystem: OdeSystem {
     }
 }
 
-/// Returns the names and units that the constants of a type give.
+/// Returns the names and units that the constants of a type specify.
 #[inline]
 pub(crate) const fn description_of_type<M: MechanicalSystem + ?Sized>() -> &'static Description {
     const {
@@ -320,8 +320,8 @@ pub(crate) const fn description_of_type<M: MechanicalSystem + ?Sized>() -> &'sta
     }
 }
 
-/// A system with a type for its state that has a field for each position and velocity. Emitted
-/// types implement it.
+/// A system with a state type that has a field for each position and velocity. Emitted types
+/// implement it.
 ///
 /// ```
 /// use lagrange::system::NamedSystem;
@@ -344,20 +344,20 @@ pub trait NamedSystem: MechanicalSystem {
     type NamedState: From<Self::State>;
 }
 
-/// A table of states that is kept in columns, one for each entry of the state.
+/// A table of states, stored in columns, one for each entry of the state.
 pub trait Columns {
     /// The number type.
     type Scalar;
 
-    /// Returns the values of the state's entry `index`, positions first; there is one for each
-    /// state.
+    /// Returns the values of entry `index` of the state, positions first, one for each state of the
+    /// table.
     ///
     /// # Panics
     /// If the state has no such entry.
     fn column(&self, index: usize) -> &[Self::Scalar];
 }
 
-/// Columns without names, for systems that are written by hand.
+/// Columns without names, for handwritten systems.
 #[derive(Clone, Copy, Debug)]
 pub struct Unnamed<C>(C);
 
@@ -375,7 +375,7 @@ impl<C> AsRef<C> for Unnamed<C> {
     }
 }
 
-/// A mechanical system that knows its energy function h(q, v, t) = v · ∂L/∂v − L.
+/// A mechanical system that provides its energy function h(q, v, t) = v · ∂L/∂v − L.
 ///
 /// It changes by dh/dt = v · Q − ∂L/∂t. It is therefore constant if L does not depend on time and
 /// the forces Q do no work. It is the total energy T + V if T is homogeneous of degree two in v and

@@ -23,7 +23,7 @@ impl Display for EventSource {
     }
 }
 
-/// The name of an event in messages; those of switches quote what they are about.
+/// The name of an event in messages; names of switches contain a quoted expression.
 pub(crate) struct EventName<'a>(pub(crate) &'a str);
 
 impl Display for EventName<'_> {
@@ -35,7 +35,7 @@ impl Display for EventName<'_> {
     }
 }
 
-/// Writes why a run stopped, and of an event that it is about that it is this one.
+/// Writes the reason why a run stopped, naming this event if the reason concerns one.
 pub(crate) fn explain<S: Debug>(
     cause: &StepFailure<S>,
     event: &dyn Display,

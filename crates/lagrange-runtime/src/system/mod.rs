@@ -1,7 +1,7 @@
-//! Traits that emitted types implement, so that integrators and adapters take any of them.
+//! Traits that emitted types implement, so that integrators and adapters accept any of them.
 //!
-//! The traits hold what an algorithm needs of a system; everything else that is known about it
-//! stays an inherent method of its type. Nothing here derives or integrates.
+//! The traits contain the members of a system that algorithms need; all others are inherent methods
+//! of its type. Nothing here derives or integrates.
 
 mod canonical;
 mod constraint_values;
@@ -68,25 +68,27 @@ pub use crate::linalg::vector::StateVector;
 
 use crate::scalar::Scalar;
 
-/// The scalar of a system.
+/// The scalar type of a system.
 pub(crate) type ScalarOf<M> = <M as OdeSystem>::Scalar;
 
 /// Positions of a system.
 pub(crate) type Positions<M> = <M as MechanicalSystem>::Coordinates;
 
-/// Velocities of a system, or as many displacements.
+/// Velocities of a system, or displacements of the same length.
 pub(crate) type Velocities<M> = <M as MechanicalSystem>::Velocities;
 
-/// Coordinates of a system whose velocities are their rates, or as many velocities or momenta.
+/// Coordinates of a system whose velocities are their rates, or velocities or momenta of the same
+/// length.
 pub(crate) type Vector<M> = <M as MechanicalSystem>::Coordinates;
 
 /// The state of a system.
 pub(crate) type State<M> = <M as OdeSystem>::State;
 
-/// The square matrix, in rows, that belongs to a system's state.
+/// The square matrix, in rows, with the dimension of a system's state.
 pub type StateMatrix<M> = <<M as OdeSystem>::State as StateVector<<M as OdeSystem>::Scalar>>::Square;
 
-/// The square matrix, in rows, that belongs to a system's velocities, as its mass matrix does.
+/// The square matrix, in rows, with the dimension of a system's velocities, such as its mass
+/// matrix.
 pub type VelocityMatrix<M> =
     <<M as MechanicalSystem>::Velocities as StateVector<<M as OdeSystem>::Scalar>>::Square;
 
@@ -112,9 +114,9 @@ pub type VelocityMatrix<M> =
 /// assert_eq!(Decay { rate: 2.0 }.rhs(0.0, &[3.0]), [-6.0]);
 /// ```
 ///
-/// The members beside [`rhs`](Self::rhs) stand for a system that has nothing but its equations. A
-/// type that contains another system implements [`Wrapper`] instead, which keeps the constraints
-/// and events of that.
+/// All members but [`rhs`](Self::rhs) have defaults for a system that consists of its equations
+/// alone. A type that contains another system implements [`Wrapper`] instead, which keeps the
+/// constraints and events of the inner system.
 pub trait OdeSystem {
     /// The number type.
     type Scalar: Scalar;
@@ -127,8 +129,8 @@ pub trait OdeSystem {
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
 
     /// Returns the first component of the state `y` and of its `rates` at time `t` that is not
-    /// finite, or its cause, by name. Runs ask when they cannot continue. Handwritten systems name
-    /// components by their places only.
+    /// finite, or its cause, by name. Runs call this when they cannot continue. Handwritten systems
+    /// identify components by index only.
     #[inline]
     fn undefined(
         &self,
@@ -139,9 +141,9 @@ pub trait OdeSystem {
         Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)
     }
 
-    /// Returns the number of white noises that act on the system and how they do. Without noise,
-    /// the default, every method of integration takes it; with noise only [stochastic
-    /// ones](crate::integrate::EulerMaruyama) do.
+    /// Returns the number of white noises that act on the system, and the kind of their action.
+    /// Without noise, the default, every method of integration accepts it. With noise, only
+    /// [stochastic methods](crate::integrate::EulerMaruyama) do.
     #[inline]
     fn noise(&self) -> WhiteNoise {
         WhiteNoise::NONE
@@ -149,16 +151,16 @@ pub trait OdeSystem {
 
     /// Computes Σ gₖ(t, y) ΔWₖ for increments ΔWₖ of independent Wiener processes, one for each
     /// noise. The equations are dy = f(t, y) dt + Σ gₖ(t, y) ∘ dWₖ, in the sense of Stratonovich.
-    /// Without the noises they are those of [`rhs`](Self::rhs), f.
+    /// Without noise, [`rhs`](Self::rhs), f, remains.
     #[inline]
     fn diffuse(&self, _t: Self::Scalar, y: &Self::State, _increments: &[Self::Scalar]) -> Self::State {
         y.zeros()
     }
 
-    /// Computes ∂f/∂y in rows, with ∂fᵢ/∂yⱼ as entry i, j, if it is known. Emitted types know it if
-    /// the declaration has `emit { jacobian }`. Implicit methods iterate by Newton's method. Where
-    /// it is not known, difference quotients take its place; methods of equal steps try fixed
-    /// points first.
+    /// Computes ∂f/∂y in rows, with ∂fᵢ/∂yⱼ as entry i, j, if it is available. Emitted types
+    /// provide it if the declaration has `emit { jacobian }`. Implicit methods use it in Newton's
+    /// method. If it is not available, difference quotients replace it; methods with equal steps
+    /// try fixed-point iteration first.
     #[inline]
     fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
         None
@@ -166,14 +168,14 @@ pub trait OdeSystem {
 
     /// Returns the first time after `t` on the way to `end` at which the right-hand side is known
     /// to jump or not to be smooth. Runs end a step there and start another one; neither evaluates
-    /// at that very time. `end` may lie before `t`; only a time between the two counts.
+    /// at exactly that time. `end` may precede `t`; only a time between the two counts.
     #[inline]
     fn next_restart(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self::Scalar> {
         None
     }
 
-    /// Returns the system from a time that [`next_restart`](Self::next_restart) returned towards
-    /// `end`; `None` if it is the same.
+    /// Returns the system that continues from a time returned by
+    /// [`next_restart`](Self::next_restart) towards `end`; `None` if it is the same.
     #[inline]
     fn beyond(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self>
     where
@@ -201,24 +203,24 @@ pub trait OdeSystem {
         None
     }
 
-    /// True if inputs are delayed signals, whose values only [`DelayedSystem`] tells. Runs without
-    /// a history refuse such a system.
+    /// True if inputs are delayed signals, whose values only [`DelayedSystem`] provides. Runs
+    /// without a history reject such a system.
     const HAS_DELAYS: bool = false;
 
-    /// True if states must satisfy something beside the equations, to which
-    /// [`correct`](Self::correct) brings them: constraints, or quaternions that have the length
-    /// one.
+    /// True if states must satisfy conditions in addition to the equations, which
+    /// [`correct`](Self::correct) enforces: constraints, or the unit length of quaternions.
     const IS_CONSTRAINED: bool = false;
 
-    /// True if states of this system must satisfy something beside the equations. That is
-    /// [`IS_CONSTRAINED`](Self::IS_CONSTRAINED) unless the system was read at run time.
+    /// True if states of this system must satisfy conditions in addition to the equations. The
+    /// default is [`IS_CONSTRAINED`](Self::IS_CONSTRAINED); systems that were read at run time may
+    /// differ.
     #[inline]
     fn is_constrained(&self) -> bool {
         Self::IS_CONSTRAINED
     }
 
-    /// Brings a state onto the constraints; methods ask for this after every accepted step, and
-    /// before they hand out a state within one.
+    /// Brings a state onto the constraints. Methods call this after every accepted step, and before
+    /// they return a state within a step.
     ///
     /// # Errors
     /// If that is not possible; the state is then unchanged.
@@ -227,8 +229,8 @@ pub trait OdeSystem {
         Ok(())
     }
 
-    /// Brings a state onto the constraints if it nearly satisfies them. Motions start, or continue
-    /// after a replacement, from this state: methods call this before their first step from there.
+    /// Brings a state onto the constraints if it nearly satisfies them. Motions start from this
+    /// state, or continue from it after a replacement: methods call this before their first step.
     ///
     /// # Errors
     /// If it does not satisfy them; the state is then unchanged.
@@ -246,8 +248,7 @@ pub trait OdeSystem {
         self.correct(t, y)
     }
 
-    /// The events of the declaration, at most [`MOST_DECLARED`]. Runs look for them without
-    /// being asked.
+    /// The events of the declaration, at most [`MOST_DECLARED`]. Runs locate them by default.
     const EVENTS: &'static [DeclaredEvent] = &[];
 
     /// Returns the events of this system. They are [`EVENTS`](Self::EVENTS) unless the system was
@@ -257,13 +258,14 @@ pub trait OdeSystem {
         Self::EVENTS
     }
 
-    /// Computes the functions of all declared events and writes them to as many `values`.
+    /// Computes the functions of all declared events and writes them to `values`, which has the
+    /// same length.
     #[inline]
     fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
 
     /// Responds to the declared event of this index at the state `y` and the time `t`. The run
-    /// started `elapsed` before. Durations that are negligible relative to `elapsed` need not be
-    /// resolved, independent of the origin of time.
+    /// started a duration of `elapsed` earlier. Durations that are negligible relative to `elapsed`
+    /// need not be resolved, independent of the origin of time.
     ///
     /// # Errors
     /// If the motion cannot continue.
@@ -282,7 +284,7 @@ pub trait OdeSystem {
     }
 
     /// Returns the system for a motion that starts from this state. Contacts are closed and
-    /// friction sticks if that fits the state, and its [switches](crate::event::Switches) are on
+    /// friction sticks if the state permits it, and its [switches](crate::event::Switches) are on
     /// the sides of the state. `None` if it is the same.
     ///
     /// # Errors
@@ -305,8 +307,8 @@ pub trait OdeSystem {
         None
     }
 
-    /// Returns the system with its [switches](crate::event::Switches) free, as observers see it;
-    /// `None` without switches.
+    /// Returns the system with its [switches](crate::event::Switches) free, as presented to
+    /// observers; `None` without switches.
     #[inline]
     fn freed(&self) -> Option<Self>
     where

@@ -1,6 +1,6 @@
-//! White noises of a system, as methods of integration see them.
+//! White noises of a system, as used by methods of integration.
 
-/// The largest number of noises of a system.
+/// Maximum number of noises of a system.
 pub const MOST_NOISES: usize = 16;
 
 /// The white noises that act on a system.
@@ -23,17 +23,18 @@ impl WhiteNoise {
     }
 }
 
-/// Dependence of diffusions g on the state, of which the order of methods depends.
+/// Dependence of diffusions g on the state, which determines the order of methods.
 ///
-/// The equations of Itô and Stratonovich differ by ½ Σ (gₖ·∇) gₖ. Methods need more to reach their
-/// order if (gⱼ·∇) gₖ does not vanish for some pair of noises.
+/// The equations of Itô and Stratonovich differ by ½ Σ (gₖ·∇) gₖ. Methods need additional terms to
+/// reach their order if (gⱼ·∇) gₖ does not vanish for some pair of noises.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NoiseKind {
-    /// They depend on time at most.
+    /// They depend at most on time.
     Additive,
     /// They depend on components of the state that no noise drives, such as the positions of a
     /// mechanical system: all (gⱼ·∇) gₖ are zero. Itô and Stratonovich agree.
     Unambiguous,
-    /// They depend on components of the state that noise drives. The noise is that of Stratonovich.
+    /// They depend on components of the state that noise drives. The noise is in the sense of
+    /// Stratonovich.
     Multiplicative,
 }

@@ -6,7 +6,7 @@ use core::ops::{Bound, RangeBounds};
 /// A parameter with a value outside of its declared range, or NaN.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OutOfRange<S> {
-    /// The name of the parameter; `m[2]` for an element of an array.
+    /// Name of the parameter; `m[2]` for an element of an array.
     pub parameter: &'static str,
     /// Its value.
     pub value: S,
@@ -21,7 +21,7 @@ impl<S: PartialOrd + Copy> OutOfRange<S> {
     ///
     /// # Errors
     ///
-    /// If the range does not contain it, as none contains NaN.
+    /// If the range does not contain it; no range contains NaN.
     pub fn check(
         parameter: &'static str,
         value: S,
@@ -50,7 +50,7 @@ impl<S: Debug> Display for OutOfRange<S> {
     }
 }
 
-/// Writes a bound after the words for one that is contained and for one that is not.
+/// Writes a bound after the phrase for an inclusive or for an exclusive bound.
 fn bound<S: Debug>(
     bound: &Bound<S>,
     [contained, not_contained]: [&str; 2],

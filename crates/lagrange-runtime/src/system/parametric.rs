@@ -1,10 +1,10 @@
-//! Parameters and inputs of systems by their places.
+//! Parameters and inputs of systems by index.
 
 use super::MechanicalSystem;
 
-/// A system whose parameters and inputs are known by their places. Emitted types implement it.
+/// A system whose parameters and inputs are accessible by index. Emitted types implement it.
 ///
-/// [`sensitivities`](crate::simulate::Simulation::sensitivities) and fits ask for it.
+/// [`sensitivities`](crate::simulate::Simulation::sensitivities) and fits require it.
 ///
 /// ```
 /// use lagrange::system::ParametricSystem;
@@ -42,16 +42,16 @@ pub trait ParametricSystem: MechanicalSystem + Sized {
         Self::NUMBERS
     }
 
-    /// Returns the value of the parameter or input at this place.
+    /// Returns the value of the parameter or input at this index.
     fn number(&self, index: usize) -> Option<Self::Scalar>;
 
-    /// Returns the system with another value at this place; a copy if there is no such place.
+    /// Returns the system with another value at this index; a copy if there is no such index.
     #[must_use]
     fn with_number(&self, index: usize, value: Self::Scalar) -> Self;
 
-    /// Writes ∂f/∂p of the right-hand side to a column for each of the parameters and inputs at
-    /// these places. Returns false if the derivatives are not known. Emitted types know them with
-    /// `emit { parameter_jacobian }`, which is part of `emit { jacobian }`.
+    /// Writes ∂f/∂p of the right-hand side to one column for each of the parameters and inputs at
+    /// these indices. Returns false if the derivatives are not available. Emitted types provide
+    /// them with `emit { parameter_jacobian }`, which is part of `emit { jacobian }`.
     #[inline]
     fn derivatives(
         &self,
@@ -63,15 +63,15 @@ pub trait ParametricSystem: MechanicalSystem + Sized {
         false
     }
 
-    /// True if rates have kinks or jumps that are no [events](crate::system::OdeSystem::events):
-    /// those between pieces of tables.
+    /// True if rates have kinks or jumps that are not [events](crate::system::OdeSystem::events),
+    /// such as those between pieces of tables.
     #[inline]
     fn has_kinks(&self) -> bool {
         false
     }
 }
 
-/// Writes columns of a matrix in rows to as many vectors.
+/// Writes columns of a matrix, given in rows, to as many vectors.
 ///
 /// # Panics
 /// If there is no such column.

@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use super::{MechanicalSystem, NamedSystem, OdeSystem, StateVector};
 
-/// A system with inputs: numbers that a control sets while it moves.
+/// A system with inputs: numbers that a controller sets during the motion.
 ///
 /// Emitted types implement it if they declare an `input`. Runs set inputs by
 /// [`drive`](crate::simulate::Simulation::drive) and
@@ -34,7 +34,7 @@ use super::{MechanicalSystem, NamedSystem, OdeSystem, StateVector};
     note = "declare them as `input u;` and use them in a force, as in `force x = u;`"
 )]
 pub trait ControlledSystem: NamedSystem + Sized {
-    /// A number for each input under its name.
+    /// A value for each input, under its name.
     type Inputs: Copy + Debug + Into<Self::InputVector> + From<Self::InputVector>;
     /// The inputs in the order of declaration, such as `[S; K]`.
     type InputVector: StateVector<Self::Scalar>;
@@ -67,7 +67,7 @@ pub trait ControlledSystem: NamedSystem + Sized {
     note = "declare them as `output tip = (x, y);`, or record any value with `.observe(\"name\", |system, t, y| …)`"
 )]
 pub trait OutputSystem: MechanicalSystem {
-    /// A number for each component of each output, such as `[S; K]`.
+    /// A value for each component of each output, such as `[S; K]`.
     type Outputs: AsRef<[Self::Scalar]>;
 
     /// Names of the components: `height`, or `tip.x` and `tip.y`, or, for longer vectors, `all.0`,

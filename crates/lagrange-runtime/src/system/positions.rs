@@ -12,7 +12,7 @@ pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::
     (M::Coordinates::of(positions), M::Velocities::of(velocities))
 }
 
-/// Joins positions and velocities to a state, or the rates of both to those of a state.
+/// Joins positions and velocities into a state, or the rates of both into the rates of a state.
 #[inline]
 pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities) -> M::State {
     M::State::joined(q.as_ref(), v.as_ref())
@@ -21,10 +21,10 @@ pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities)
 /// Error message for a quaternion that cannot be normalised.
 const NO_ORIENTATION: &str = "a quaternion of zeros is not an orientation";
 
-/// Normalises unit quaternions among the positions of a state, and leaves the rest unchanged. Where
-/// velocities are the rates of the positions, that is everything.
-/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions calls it if
-/// nothing else holds the state.
+/// Normalises unit quaternions among the positions of a state, and leaves the rest unchanged. If
+/// velocities are the rates of the positions, the state is unchanged.
+/// [`OdeSystem::correct`](super::OdeSystem::correct) calls it for systems with unit quaternions and
+/// no other constraints.
 ///
 /// # Errors
 /// [`StepFailure::Stuck`] if one is zero; the state is then unchanged.
@@ -33,7 +33,7 @@ pub fn normalise<M: MechanicalSystem + ?Sized>(y: &mut M::State) -> Result<(), S
     normalise_described::<M>(description_of_type::<M>(), y)
 }
 
-/// Normalises unit quaternions of a state as [`normalise`] does, of a system with this description.
+/// Normalises unit quaternions of a state like [`normalise`], for a system with this description.
 ///
 /// # Errors
 /// [`StepFailure::Stuck`] if one is zero; the state is then unchanged.
@@ -54,7 +54,7 @@ pub fn normalise_described<M: MechanicalSystem + ?Sized>(
     Ok(())
 }
 
-/// Brings unit quaternions among positions back to length one.
+/// Normalises unit quaternions among positions.
 #[inline]
 pub(crate) fn normalise_positions<M: MechanicalSystem + ?Sized>(
     description: &Description,
@@ -66,7 +66,7 @@ pub(crate) fn normalise_positions<M: MechanicalSystem + ?Sized>(
     }
 }
 
-/// The state with unit quaternions brought to length one.
+/// Returns the state with normalised unit quaternions.
 #[inline]
 pub(crate) fn normalised<M: MechanicalSystem + ?Sized>(description: &Description, y: &M::State) -> M::State {
     let (mut q, v) = split::<M>(y);
@@ -74,7 +74,7 @@ pub(crate) fn normalised<M: MechanicalSystem + ?Sized>(description: &Description
     join::<M>(&q, &v)
 }
 
-/// The positions q + Σ c N(q) δ, normalised, for these numbers c and displacements δ.
+/// Computes the positions q + Σ c N(q) δ, normalised, for these numbers c and displacements δ.
 #[inline]
 pub(crate) fn displaced<'a, M>(
     system: &M,
@@ -94,9 +94,9 @@ where
     to
 }
 
-/// Returns the displacement of each freedom if positions change by `by`: `by` itself where
-/// velocities are rates. Elsewhere Σᵢ |Nᵢⱼ| |byᵢ| / Σᵢ Nᵢⱼ², the maximum if the columns of N are
-/// orthogonal, as for unit quaternions.
+/// Returns the displacement of each degree of freedom if positions change by `by`. It is `by`
+/// itself, in magnitude, if velocities are rates. Otherwise it is Σᵢ |Nᵢⱼ| |byᵢ| / Σᵢ Nᵢⱼ², the
+/// maximum if the columns of N are orthogonal, as for unit quaternions.
 #[inline]
 pub(crate) fn reach<M: MechanicalSystem + ?Sized>(
     system: &M,
@@ -120,7 +120,7 @@ pub(crate) fn reach<M: MechanicalSystem + ?Sized>(
     reach
 }
 
-/// Σ |nᵢ| |byᵢ| / Σ nᵢ²; zero for what moves nothing.
+/// Computes Σ |nᵢ| |byᵢ| / Σ nᵢ²; zero for a zero column.
 fn most<S: Scalar>(column: &[S], by: &[S]) -> S {
     let (mut sum, mut square) = (S::ZERO, S::ZERO);
     for (entry, by) in column.iter().zip(by) {

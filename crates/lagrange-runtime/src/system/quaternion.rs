@@ -1,9 +1,9 @@
-//! Unit quaternions among the positions of a system: the scalar part at an index, followed by the
-//! vector part.
+//! Unit quaternions among the positions of a system. The scalar part is at an index, followed by
+//! the vector part.
 //!
 //! Emitted types define [`MechanicalSystem::normalise`](super::MechanicalSystem::normalise) and
-//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) by these functions. A
-//! quaternion q maps body axes to world axes. Its rate is q̇ = ½ q ⊗ (0, ω) with the angular
+//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) with these functions.
+//! A quaternion q maps body axes to world axes. Its rate is q̇ = ½ q ⊗ (0, ω) with the angular
 //! velocity ω in body axes.
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §4.5.
@@ -36,8 +36,8 @@ pub fn normalise<S: Scalar>(positions: &mut [S], first: usize) {
 }
 
 /// Computes the small rotation from one quaternion to another, as a vector in body axes: 2 Im(q̄ ⊗
-/// p). The sign of p is chosen so that the scalar part is not negative, since p and −p are the same
-/// orientation.
+/// p). The sign of p is chosen so that the scalar part is not negative, since p and −p describe the
+/// same orientation.
 ///
 /// ```
 /// // A rotation by 0.002 about z, to a quaternion of opposite sign.

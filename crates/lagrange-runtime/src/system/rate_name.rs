@@ -2,27 +2,27 @@
 
 use core::fmt::{Display, Formatter, Result};
 
-/// A name with something behind it. Behind an element of an array that stands before the square
-/// brackets: `theta_dot[2]`.
+/// A name with a suffix. For an element of an array, the suffix precedes the square brackets:
+/// `theta_dot[2]`.
 pub(crate) struct WithSuffix<'a> {
     stem: &'a str,
     suffix: &'static str,
-    /// Square brackets and what stands between them.
+    /// Square brackets and their content.
     brackets: &'a str,
 }
 
 impl<'a> WithSuffix<'a> {
-    /// The name of the velocity that is the rate of a coordinate.
+    /// Creates the name of the velocity that is the rate of a coordinate.
     pub(crate) fn velocity(coordinate: &'a str) -> WithSuffix<'a> {
         WithSuffix::new(coordinate, "_dot")
     }
 
-    /// The name of the second rate of a coordinate.
+    /// Creates the name of the second rate of a coordinate.
     pub(crate) fn acceleration(coordinate: &'a str) -> WithSuffix<'a> {
         WithSuffix::new(coordinate, "_ddot")
     }
 
-    /// The name of the acceleration that is the rate of a velocity of this name.
+    /// Creates the name of the acceleration that is the rate of a velocity with this name.
     pub(crate) fn rate_of(velocity: &'a str) -> WithSuffix<'a> {
         let plain = WithSuffix::new(velocity, "_dot");
         match plain.stem.strip_suffix("_dot") {

@@ -1,4 +1,4 @@
-//! Systems that know by what their parameters multiply the inverse dynamics.
+//! Systems that provide the regressor of their inverse dynamics.
 
 use super::MechanicalSystem;
 
@@ -40,7 +40,7 @@ pub trait RegressorSystem: MechanicalSystem {
     /// The regressor in rows, one for each velocity, such as `[[S; K]; N]`.
     type Regressor: AsRef<[Self::Row]>;
 
-    /// Names of the parameters: `boom.mass` of a body, `c` of a declared one.
+    /// Names of the parameters: `boom.mass` for a body, `c` for a declared parameter.
     const REGRESSOR_PARAMETERS: &'static [&'static str];
 
     /// Computes the regressor Y, in rows.
@@ -52,7 +52,7 @@ pub trait RegressorSystem: MechanicalSystem {
         a: &Self::Velocities,
     ) -> Self::Regressor;
 
-    /// Returns the parameters π as they are now.
+    /// Returns the present parameters π.
     fn regressor_parameters(&self) -> Self::Row;
 
     /// Computes the inverse dynamics τ.

@@ -1,14 +1,14 @@
-//! Settings of a run that make no sense.
+//! Invalid settings of a run.
 
 use core::fmt::{Debug, Display, Formatter, Result};
 
 use super::{Component, Description};
 
-/// A setting that makes no sense, reported before anything moves.
+/// An invalid setting, reported before the motion starts.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum SettingError<S> {
-    /// The reason, in words.
+    /// The reason, as text.
     Invalid(&'static str),
     /// Two columns of a run have the same name.
     RepeatedColumn,
@@ -35,8 +35,8 @@ pub enum SettingError<S> {
         /// The states.
         state: &'static Description,
     },
-    /// Times at which the equations jump depend on a parameter or input, so that the motion has no
-    /// derivatives by it that are integrated here.
+    /// Times at which the equations jump depend on a parameter or input. Derivatives of the motion
+    /// by it are then not supported.
     MovesTimes {
         /// Its name.
         name: &'static str,

@@ -1,4 +1,4 @@
-//! Why a step could not be taken.
+//! Reasons why a step failed.
 
 use super::event::DeclaredEvent;
 use super::out_of_range::OutOfRange;
@@ -6,23 +6,23 @@ use super::setting_error::SettingError;
 use super::undefined::Undefined;
 use super::violation::Violation;
 
-/// Why a step could not be taken.
+/// The reason why a step failed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum StepFailure<S> {
-    /// No step was tried, because a setting makes no sense.
+    /// No step was tried, because a setting is invalid.
     Setting(SettingError<S>),
-    /// A time, the state or its rate is NaN or infinite. Methods do not know which; runs name it
-    /// where possible, as [`Undefined`](StepFailure::Undefined).
+    /// A time, the state or its rate is NaN or infinite. Methods do not identify it; runs name it
+    /// if possible, as [`Undefined`](StepFailure::Undefined).
     NotFinite,
-    /// This is NaN or infinite, or makes what follows from it so.
+    /// This number is NaN or infinite, or makes derived numbers so.
     Undefined(Undefined<S>),
-    /// Errors of the initial state, measured by the tolerance, are not numbers or too large for
-    /// them, so that no first step can be chosen.
+    /// Errors of the initial state relative to the tolerance are not finite, so no first step can
+    /// be chosen.
     NoFirstStep {
-        /// The error that is tolerated as a part of the state.
+        /// The tolerated error relative to the state.
         relative: S,
-        /// The error that is tolerated in the units of the state.
+        /// The tolerated error in the units of the state.
         absolute: S,
     },
     /// The step required by the tolerance is lost in the rounding of time.
@@ -30,11 +30,11 @@ pub enum StepFailure<S> {
         /// The required step.
         step: S,
     },
-    /// Steps of the length that was set are lost in the rounding of time.
+    /// Steps of the specified length are lost in the rounding of time.
     StepLost {
-        /// The length that was set.
+        /// The specified length.
         step: S,
-        /// The time, of the way that the run was to go.
+        /// The time, between the start and the end of the run, at which they are lost.
         time: S,
     },
     /// The run took the maximum number of steps.
@@ -42,21 +42,21 @@ pub enum StepFailure<S> {
         /// Maximum number of steps.
         limit: u64,
     },
-    /// An explicit method whose steps are limited by stability and not by accuracy.
+    /// The steps of an explicit method are limited by stability and not by accuracy.
     Stiff {
-        /// About the longest step that is stable.
+        /// Approximate length of the longest stable step.
         limit: S,
         /// The larger tolerance of the method.
         tolerance: S,
-        /// True if the declaration may emit the Jacobian, and does not.
+        /// True if the declaration could emit the Jacobian but does not.
         wants_jacobian: bool,
     },
-    /// A method in steps of given length whose step is longer than stability allows.
+    /// The step of a method with steps of given length exceeds the stability limit.
     StepTooLong {
         /// The length of the step.
         step: S,
-        /// About the longest step that is stable at this state: what the method stands over the
-        /// magnitude of the largest eigenvalue of the linearised equations.
+        /// Approximate length of the longest stable step at this state. It is the stability limit
+        /// of the method over the magnitude of the largest eigenvalue of the linearised equations.
         limit: S,
     },
     /// The equations of an implicit step could not be solved.
@@ -71,35 +71,35 @@ pub enum StepFailure<S> {
         /// Source of the event.
         event: EventSource,
     },
-    /// A state violates a constraint, and cannot be brought onto it.
+    /// A state violates a constraint and cannot be brought onto it.
     Violated(Violation<S>),
     /// A parameter is outside of its declared range.
     OutOfRange(OutOfRange<S>),
-    /// A coefficient of restitution that is not from 0 to 1.
+    /// A coefficient of restitution is not between 0 and 1.
     Restitution {
         /// The name of the contact.
         contact: &'static str,
         /// Value.
         value: S,
     },
-    /// A limit of friction that is negative.
+    /// A limit of friction is negative.
     FrictionLimit {
         /// The name of the friction.
         friction: &'static str,
-        /// The limit, or its change with a unit of a contact force.
+        /// The limit, or its change per unit of a contact force.
         value: S,
     },
-    /// Impulses of contacts and friction over a step miss their law by more than is allowed.
+    /// Impulses of contacts and friction over a step violate their law by more than is allowed.
     Residual {
-        /// The contact or friction that misses it most.
+        /// The contact or friction with the largest violation.
         reaction: &'static str,
-        /// The rate by which it does.
+        /// The violation, as a rate.
         value: S,
     },
-    /// No motion continues from here, in words: no contact forces or friction fit the state, or a
-    /// method of another crate failed.
+    /// No motion continues from here, for this reason: no contact forces or friction fit the state,
+    /// or a method of another crate failed.
     Stuck(&'static str),
-    /// The number of events at the same time is so large that it counts as infinite, as when a
+    /// The number of events at the same time is so large that it is treated as infinite, as when a
     /// bouncing ball comes to rest.
     EventsAccumulate {
         /// Number of events.
@@ -108,9 +108,9 @@ pub enum StepFailure<S> {
         event: EventSource,
     },
     /// The state slides along a surface on which the equations are not smooth: on either side they
-    /// lead back to it.
+    /// lead back to the surface.
     Slides {
-        /// The function that vanishes there and changes its sign, and the statement that holds it.
+        /// The function that changes its sign there, and the statement that contains it.
         surface: &'static str,
     },
     /// The zero of an event function could not be located.
@@ -120,18 +120,18 @@ pub enum StepFailure<S> {
         /// Number of bisections.
         bisections: u32,
     },
-    /// An event function passes zero between two times so fast that neither is near its zero: times
-    /// so far from zero are too far apart.
+    /// An event function passes zero between two times so fast that it is far from zero at both.
+    /// Times this far from the origin are too coarse.
     EventUnresolved {
         /// Source of the event.
         event: EventSource,
         /// The time.
         time: S,
-        /// Its distance from the next one.
+        /// Its distance from the next representable time.
         spacing: S,
     },
     /// The state after an event has no derivative by this variable. The function of the event
-    /// touches zero without a rate, or its outcome changes with the variable.
+    /// touches zero with zero rate, or its outcome changes with the variable.
     NotDifferentiable {
         /// Source of the event.
         event: EventSource,
@@ -143,10 +143,9 @@ pub enum StepFailure<S> {
 /// The source of an event function.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum EventSource {
-    /// The declaration of the system, where it has this name.
+    /// The declaration of the system, with this name.
     Declared(&'static str),
-    /// The run, to which it was given beside others, counted from zero. A simulation knows it by
-    /// name.
+    /// The run, at this zero-based index among its events. A simulation reports it by name.
     Given(usize),
 }
 
@@ -175,7 +174,7 @@ impl<S> StepFailure<S> {
         }
     }
 
-    /// Replaces the event that the failure concerns by the result of `source`.
+    /// Replaces the event that the failure concerns with the result of `source`.
     pub(crate) fn of_event(mut self, source: impl FnOnce(EventSource) -> EventSource) -> Self {
         if let StepFailure::EventNotFinite { event }
         | StepFailure::EventsAccumulate { event, .. }
@@ -188,7 +187,8 @@ impl<S> StepFailure<S> {
         self
     }
 
-    /// Replaces the index of the event by its name. Where switches accumulate, the state slides.
+    /// Replaces the index of the event with its name. If switches accumulate, the failure becomes
+    /// [`StepFailure::Slides`].
     pub(crate) fn named(self, declared: &'static [DeclaredEvent]) -> Self {
         let Some(EventSource::Given(index)) = self.event() else { return self };
         match (declared.get(index), self) {

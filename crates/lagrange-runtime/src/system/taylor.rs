@@ -7,10 +7,10 @@ use super::OdeSystem;
 use crate::linalg::pivoted::{Factors, Matrix};
 use crate::scalar::{Number, Scalar};
 
-/// The highest order of an expansion.
+/// Maximum order of an expansion.
 pub const MAX_ORDER: usize = 40;
 
-/// A system with Taylor series of its motion, as `emit { taylor }` makes them.
+/// A system that provides Taylor series of its motion, as emitted by `emit { taylor }`.
 #[diagnostic::on_unimplemented(
     message = "the declaration of `{Self}` does not emit `taylor`",
     label = "a system with Taylor series is required",
@@ -18,14 +18,14 @@ pub const MAX_ORDER: usize = 40;
     note = "inputs from a law of `drive` have no series: `sampled` holds inputs, and `Verner98` takes laws"
 )]
 pub trait TaylorSystem: OdeSystem {
-    /// Storage for the series of products, to be used again for each expansion.
+    /// Storage for the series of products, reused by each expansion.
     type Series: Clone + core::fmt::Debug;
 
     /// Creates empty storage.
     fn series() -> Self::Series;
 
-    /// Computes the coefficients of the orders 1, 2, … of the motion through the state `y` at time
-    /// `t`. It fills `coefficients`, up to [`MAX_ORDER`].
+    /// Computes the coefficients of orders 1, 2, … of the motion through the state `y` at time `t`.
+    /// It fills `coefficients`, which has at most [`MAX_ORDER`] entries.
     fn expand(
         &self,
         t: Self::Scalar,
@@ -34,15 +34,15 @@ pub trait TaylorSystem: OdeSystem {
         coefficients: &mut [Self::State],
     );
 
-    /// Returns the part of the time `h` for which the last expansion in `series` can hold. It ends
-    /// where an argument of a table passes one of its points.
+    /// Returns the part of the time `h` for which the last expansion in `series` is valid. It ends
+    /// where an argument of a table passes a grid point.
     #[inline]
     fn reach(_series: &Self::Series, h: Self::Scalar) -> Self::Scalar {
         h
     }
 }
 
-/// Four numbers that are added and multiplied side by side.
+/// Four numbers that are added and multiplied lane by lane.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 struct Four<S>([S; 4]);
@@ -50,7 +50,7 @@ struct Four<S>([S; 4]);
 impl<S: Number> Four<S> {
     const ZERO: Self = Four([S::ZERO; 4]);
 
-    /// self + a b
+    /// Computes self + a b.
     #[inline(always)]
     fn plus(self, a: &Self, b: &Self) -> Self {
         Four(core::array::from_fn(|lane| a.0[lane].multiply_add(b.0[lane], self.0[lane])))
@@ -68,9 +68,9 @@ impl<S: Number> Four<S> {
 pub struct Products<S, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize = 0> {
     a: [[Four<S>; SHARED]; MAX_ORDER],
     b: [[Four<S>; GROUPS]; MAX_ORDER],
-    /// Factors of order zero, from the orders on in which they are multiplied with the newest ones.
+    /// Factors of order zero, set once they are multiplied with the newest ones.
     first: SeriesFactors<S, SHARED, GROUPS>,
-    /// Sums without the factors of order zero and the newest ones.
+    /// Sums without the factors of order zero and without the newest ones.
     inner: [Four<S>; GROUPS],
     /// Arguments of tables.
     pieces: Pieces<S, ARGUMENTS>,
@@ -82,7 +82,7 @@ pub type SeriesFactors<S, const SHARED: usize, const GROUPS: usize> = ([[S; 4]; 
 impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize>
     Products<S, SHARED, GROUPS, ARGUMENTS>
 {
-    /// Without factors.
+    /// No factors.
     pub const EMPTY: Self = Products {
         a: [[Four::ZERO; SHARED]; MAX_ORDER],
         b: [[Four::ZERO; GROUPS]; MAX_ORDER],
@@ -95,7 +95,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
             orders: 0,
         },
     };
-    /// Factors of an order before the first.
+    /// Factors of an order before the first one.
     pub const NONE: SeriesFactors<S, SHARED, GROUPS> = ([[S::ZERO; 4]; SHARED], [[S::ZERO; 4]; GROUPS]);
 
     /// Begins another expansion.
@@ -104,11 +104,12 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         self.first = Self::NONE;
     }
 
-    /// Computes Σ_{0<j<k−1} aⱼ bₖ₋₁₋ⱼ for some groups, from one on, whose factors a stand at
-    /// `shared`. Nothing in it is as new as step k − 1, whose end it does not wait for.
+    /// Computes Σ_{0<j<k−1} aⱼ bₖ₋₁₋ⱼ for N groups starting at `group`, whose factors a are at the
+    /// indices `shared`. It does not depend on results of step k − 1, so it need not wait for that
+    /// step.
     #[inline(always)]
     pub fn add_up<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
-        // Two sums, so that no product waits for the one before.
+        // Two sums, so that no product waits for the previous one.
         let (mut even, mut odd) = ([Four::ZERO; N], [Four::ZERO; N]);
         let inner = 1..k.saturating_sub(1);
         if let (Some(a), Some(b)) = (self.a.get(inner.clone()), self.b.get(inner)) {
@@ -133,16 +134,16 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     }
 
     /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for all groups, after [`add_up`](Self::add_up) for each. The
-    /// newest factors, with j = k − 1, are arguments: a sum that waited until they are stored would
-    /// take twice as long.
+    /// newest factors, with j = k − 1, are arguments: waiting until they are stored would double
+    /// the time.
     #[inline(always)]
     pub fn sums(
         &mut self,
         shared: [usize; GROUPS],
         (newest_a, newest_b): &SeriesFactors<S, SHARED, GROUPS>,
     ) -> [[S; 4]; GROUPS] {
-        // Sums pass through memory. The optimiser would otherwise carry the order in which later
-        // code wants their lanes into the loops, as permutations for each term.
+        // Sums pass through memory. Otherwise the optimiser would propagate the lane order of later
+        // code into the loops, as permutations for each term.
         core::hint::black_box(&mut self.inner);
         let (first_a, first_b) = &self.first;
         core::array::from_fn(|group| {
@@ -154,12 +155,12 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         })
     }
 
-    /// Keeps the factors that step k has found.
+    /// Stores the factors found in step k.
     #[inline(always)]
     pub fn keep(&mut self, k: usize, (a, b): &SeriesFactors<S, SHARED, GROUPS>) {
         match k {
             0 => self.first.0 = *a,
-            // The factors of order zero meet each other once.
+            // The product of both factors of order zero occurs only once.
             1 => self.first.1 = self.b[0].map(|Four(b)| b),
             _ => {}
         }
@@ -167,13 +168,13 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         self.b[k] = b.map(Four);
     }
 
-    /// Begins to follow arguments of tables from these values, in pieces with these ends.
+    /// Begins to track arguments of tables from these values, in pieces with these ends.
     #[inline(always)]
     pub fn follow(&mut self, start: [S; ARGUMENTS], ends: [[S; 2]; ARGUMENTS]) {
         (self.pieces.start, self.pieces.ends, self.pieces.orders) = (start, ends, 0);
     }
 
-    /// Keeps the coefficients of arguments that step k has found.
+    /// Stores the coefficients of arguments found in step k.
     #[inline(always)]
     pub fn keep_arguments(&mut self, k: usize, coefficients: [S; ARGUMENTS]) {
         self.pieces.coefficients[k] = coefficients;
@@ -191,8 +192,8 @@ impl<S: Scalar, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     }
 }
 
-/// The negative inverse of the matrix of accelerations and multipliers in the residuals, column by
-/// column, for every order.
+/// The negative inverse of the matrix of accelerations and multipliers in the residuals, in
+/// columns, for every order.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesSolver<S, const N: usize>([[S; N]; N]);
 
@@ -208,12 +209,12 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
         SeriesSolver(core::array::from_fn(column))
     }
 
-    /// Inverts a positive definite matrix, which needs no search for pivots.
+    /// Inverts a positive definite matrix, which needs no pivoting.
     ///
-    /// Gauss and Jordan's elimination in place: Peters and Wilkinson, "On the stability of
-    /// Gauss–Jordan elimination with pivoting", *Communications of the ACM* 18 (1975) 20–24. For
-    /// the rows (2, 1) and (1, 1), the pivot 2 leads to (1/2, 1/2) and (−1/2, 1/2). The pivot 1/2
-    /// then leads to the inverse, (1, −1) and (−1, 2).
+    /// Gauss–Jordan elimination in place: Peters and Wilkinson, "On the stability of Gauss–Jordan
+    /// elimination with pivoting", *Communications of the ACM* 18 (1975) 20–24. For the rows (2, 1)
+    /// and (1, 1), the pivot 2 leads to (1/2, 1/2) and (−1/2, 1/2). The pivot 1/2 then leads to the
+    /// inverse, (1, −1) and (−1, 2).
     #[inline(always)]
     pub fn definite<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
         let mut rows: [[S; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| entries[i * N + j]));

@@ -1,4 +1,4 @@
-//! Numbers that are NaN or infinite, by their names.
+//! Names of numbers that are NaN or infinite.
 
 use core::fmt::{Debug, Display, Formatter, Result};
 
@@ -6,7 +6,7 @@ use super::Description;
 use super::rate_name::WithSuffix;
 use crate::scalar::Scalar;
 
-/// A number that is not finite, or that makes what follows from it so.
+/// A number that is not finite, or that makes derived numbers so.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum Undefined<S> {
@@ -20,13 +20,13 @@ pub enum Undefined<S> {
         /// Value.
         value: S,
     },
-    /// An input of the system, as it was set or as a control gave it.
+    /// An input of the system, as set directly or by a controller.
     Input {
         /// Its name.
         name: &'static str,
         /// Value.
         value: S,
-        /// At which time.
+        /// Time of the evaluation.
         time: S,
     },
     /// A parameter of the system.
@@ -36,37 +36,37 @@ pub enum Undefined<S> {
         /// Value.
         value: S,
     },
-    /// A component of the state: of the initial one, or of one that an event set.
+    /// A component of the initial state, or of a state set by an event.
     State {
         /// Component.
         component: Component,
         /// Value.
         value: S,
     },
-    /// The rate of a component of the state, where the state itself is finite.
+    /// The rate of a component of the state, if the state itself is finite.
     Rate {
-        /// The component of which it is the rate.
+        /// The component whose rate this is.
         component: Component,
         /// Value.
         value: S,
-        /// At which time.
+        /// Time of the evaluation.
         time: S,
     },
-    /// An algebraic unknown whose equation has no solution that is found.
+    /// An algebraic unknown whose equation could not be solved.
     Unknown {
         /// Its name.
         name: &'static str,
-        /// At which time.
+        /// Time of the evaluation.
         time: S,
     },
     /// The mass matrix, which is singular, so that accelerations do not follow from forces.
     MassMatrix {
-        /// The velocity of the first pivot that is lost in rounding if velocities are eliminated
+        /// The velocity of the first pivot that is lost in rounding when velocities are eliminated
         /// with the largest pivots first.
         velocity: Component,
         /// The first pivot that is lost.
         pivot: S,
-        /// At which time.
+        /// Time of the evaluation.
         time: S,
     },
 }
@@ -74,9 +74,9 @@ pub enum Undefined<S> {
 /// A component of a state.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Component {
-    /// The position of this name.
+    /// The position with this name.
     Coordinate(&'static str),
-    /// The rate of the position of this name, where that is a velocity.
+    /// The rate of the position with this name, if it is a velocity.
     Velocity(&'static str),
     /// The velocity with a separate name.
     NamedVelocity(&'static str),
@@ -85,8 +85,8 @@ pub enum Component {
 }
 
 impl Component {
-    /// Returns the component at this index of a state of the system M, or of a longer one that
-    /// begins with that.
+    /// Returns the component at this index of a state of the system, or of a longer state that
+    /// begins with it.
     #[must_use]
     pub fn of(system: &Description, index: usize) -> Self {
         Component::named(system, index).unwrap_or(Component::Index(index))
@@ -100,7 +100,7 @@ impl Component {
         }
     }
 
-    /// The velocity at this index among those of the system M.
+    /// Returns the velocity at this index among the velocities of the system.
     pub(crate) fn of_velocity(system: &Description, index: usize) -> Option<Self> {
         if system.velocities_are_rates() {
             return system.coordinates.get(index).copied().map(Component::Velocity);
@@ -110,8 +110,8 @@ impl Component {
 }
 
 impl<S: Scalar> Undefined<S> {
-    /// Returns the first component of a state that is not finite, or otherwise of its rates at this
-    /// time.
+    /// Returns the first component of a state that is not finite, or otherwise the first of its
+    /// rates at this time.
     pub fn of_state(time: S, y: &[S], rates: &[S], component: impl Fn(usize) -> Component) -> Option<Self> {
         let not_finite = |values: &[S]| values.iter().position(|value| !value.is_finite());
         let state = not_finite(y).map(|k| Undefined::State { component: component(k), value: y[k] });
@@ -119,8 +119,8 @@ impl<S: Scalar> Undefined<S> {
         state.or_else(|| not_finite(rates).map(rate))
     }
 
-    /// Blames the first of these algebraic unknowns, in the order of declaration, that has no
-    /// value, instead of what becomes undefined by it.
+    /// Replaces the number with the first of these algebraic unknowns, in the order of declaration,
+    /// that has no value, if there is one.
     #[must_use]
     pub fn with_unknowns(self, time: S, unknowns: &[(&'static str, S)]) -> Self {
         let unsolved = unknowns.iter().find(|(_, value)| !value.is_finite());
@@ -132,8 +132,8 @@ impl<S: Scalar> Undefined<S> {
         }
     }
 
-    /// Replaces a component index by its name, for states of `M` and for longer states that start
-    /// with one.
+    /// Replaces a component index with its name, for states of this system and for longer states
+    /// that start with one.
     #[must_use]
     pub fn with_names_of(mut self, system: &Description) -> Self {
         if let Undefined::State { component, .. } | Undefined::Rate { component, .. } = &mut self
@@ -155,7 +155,7 @@ impl Display for Component {
     }
 }
 
-/// The acceleration that is the rate of a velocity.
+/// The acceleration that is the rate of a velocity, for messages.
 pub(crate) struct Acceleration(pub(crate) Component);
 
 impl Display for Acceleration {
@@ -172,8 +172,8 @@ impl Display for Acceleration {
     }
 }
 
-/// The name by which a pivot of the mass matrix is told: that of the coordinate, where velocities
-/// have no names of their own.
+/// The name of a pivot of the mass matrix in messages: the name of the coordinate, if velocities
+/// have no separate names.
 struct Pivot(Component);
 
 impl Display for Pivot {

@@ -3,10 +3,10 @@
 use core::error::Error;
 use core::fmt::{Debug, Display, Formatter};
 
-/// A constraint, or a contact, that does not hold where it must.
+/// A violated constraint or contact.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Violation<S> {
-    /// The name of the constraint that is violated most, or of the contact.
+    /// Name of the contact, or of the constraint with the largest violation.
     pub constraint: &'static str,
     /// Residual: c, dc/dt or a gap, according to `of`.
     pub residual: S,
@@ -19,14 +19,14 @@ pub struct Violation<S> {
 pub enum Violated {
     /// Positions: c is not zero.
     Positions,
-    /// Positions satisfy it and velocities do not: dc/dt is not zero.
+    /// Positions satisfy the constraint and velocities do not: dc/dt is not zero.
     Velocities,
-    /// Positions overlap: a gap is negative, or one that is closed is not zero.
+    /// Positions overlap: a gap is negative, or the gap of a closed contact is not zero.
     Gap,
 }
 
 impl<S> Violation<S> {
-    /// The gap of a contact that is not what it must be.
+    /// Creates the violation of a contact with this gap.
     pub(crate) fn of_gap(contact: &'static str, gap: S) -> Self {
         Violation { constraint: contact, residual: gap, of: Violated::Gap }
     }

@@ -1,4 +1,4 @@
-//! Systems that contain another and change its equations.
+//! Systems that contain another system and change its equations.
 
 use super::{
     Component, Description, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted, StateMatrix,
@@ -10,16 +10,15 @@ use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 type InnerNumber<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
 type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 
-/// A system that contains another one and has its own equations: with a control, with losses, or
-/// with more unknowns.
+/// A system that contains another one and has its own equations: with control, with losses, or with
+/// additional unknowns.
 ///
 /// Constraints, projection, events, contacts, friction, switches and noise are those of the inner
-/// system.
-/// A type that contains a system and implements [`OdeSystem`] itself has none of them unless it
-/// forwards each. Implementing this trait provides `OdeSystem`. If the state is that of the inner
-/// system, it also provides [`MechanicalSystem`] and [`EnergyFunction`], provided that the inner
-/// system has them. Accelerations are then those of [`outer_rhs`](Wrapper::outer_rhs), the energy
-/// is that of the inner system. Traits that describe the equations further, such as
+/// system. A type that contains a system and implements [`OdeSystem`] directly has none of them
+/// unless it forwards each. Implementing this trait provides `OdeSystem`. If the state is that of
+/// the inner system, it also provides [`MechanicalSystem`] and [`EnergyFunction`], provided that
+/// the inner system has them. Accelerations are then those of [`outer_rhs`](Wrapper::outer_rhs),
+/// and the energy is that of the inner system. Traits that describe the equations further, such as
 /// [`CanonicalSystem`](super::CanonicalSystem), are not forwarded.
 ///
 /// The state begins with that of the inner system, followed by additional components. These remain
@@ -73,19 +72,19 @@ type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Wrapper: Sized {
-    /// The system inside.
+    /// The inner system.
     type Inner: OdeSystem;
     /// The state of the inner system, or a longer vector that begins with it. If the length of the
-    /// inner state is known at run time only, it is that state.
+    /// inner state is only known at run time, it must be that state.
     type State: StateVector<InnerNumber<Self>>;
 
     /// True if states are brought back onto the constraints of the inner system after steps.
     const IS_PROJECTED: bool = true;
 
-    /// True if it gives the delayed signals of the inner system their values.
+    /// True if it sets the delayed signals of the inner system.
     const KEEPS_HISTORY: bool = false;
 
-    /// Returns the system inside, in its present modes.
+    /// Returns the inner system, in its present modes.
     fn inner(&self) -> &Self::Inner;
 
     /// Returns the wrapper around the inner system in other modes: with other contacts closed,
@@ -93,11 +92,11 @@ pub trait Wrapper: Sized {
     #[must_use]
     fn around(&self, inner: Self::Inner) -> Self;
 
-    /// Queries the inner system at this time and state. By default it is the result of
-    /// [`inner`](Wrapper::inner). A wrapper that sets inputs sets those of this time and state, and
-    /// [`outer_rhs`](Wrapper::outer_rhs) calls this method. Events, contacts, friction, switches
-    /// and the energy are computed by it. The argument of [`around`](Wrapper::around) may come from
-    /// here, with these inputs.
+    /// Passes the inner system at this time and state to `ask`. The default is the result of
+    /// [`inner`](Wrapper::inner). A wrapper that sets inputs sets the inputs of this time and
+    /// state, and calls this method in [`outer_rhs`](Wrapper::outer_rhs). Events, contacts,
+    /// friction, switches and the energy are computed through it. The argument of
+    /// [`around`](Wrapper::around) may be a system obtained here, with these inputs.
     #[inline]
     fn present<R>(&self, _t: InnerNumber<Self>, _y: &Self::State, ask: impl FnOnce(&Self::Inner) -> R) -> R {
         ask(self.inner())
@@ -105,11 +104,11 @@ pub trait Wrapper: Sized {
 
     /// Computes the right-hand side f(t, y) of ẏ = f(t, y).
     ///
-    /// If constraints hold the inner system, accelerations must keep to them; the inner system does
-    /// that under other inputs and parameters, too.
+    /// If the inner system has constraints, accelerations must satisfy them; the inner system
+    /// ensures this under other inputs and parameters, too.
     fn outer_rhs(&self, t: InnerNumber<Self>, y: &Self::State) -> Self::State;
 
-    /// Computes ∂f/∂y in rows, if it is known. If the equations differ from those of the inner
+    /// Computes ∂f/∂y in rows, if it is available. If the equations differ from those of the inner
     /// system, so does the Jacobian.
     #[inline]
     fn outer_jacobian(
@@ -120,8 +119,8 @@ pub trait Wrapper: Sized {
         None
     }
 
-    /// Returns the first time after `t` at which a step is to end because of the wrapper, beside
-    /// those of the inner system.
+    /// Returns the first time after `t` at which a step must end because of the wrapper, in
+    /// addition to those of the inner system.
     #[inline]
     fn further_restart(&self, _t: InnerNumber<Self>) -> Option<InnerNumber<Self>> {
         None
@@ -323,7 +322,7 @@ where
     }
 }
 
-/// A wrapper has the state of what it wraps.
+/// A wrapper has the same state as its inner system.
 impl<W, M> NamedSystem for W
 where
     W: Wrapper<Inner = M, State = <M as OdeSystem>::State>,
@@ -332,17 +331,17 @@ where
     type NamedState = M::NamedState;
 }
 
-/// The state of the inner system.
+/// Returns the state of the inner system.
 #[inline]
 fn part<W: Wrapper>(y: &W::State) -> InnerState<W> {
     const { assert!(size_of::<InnerState<W>>() <= size_of::<W::State>(), "the state is shorter than that inside") };
-    // Of two parts where the vector remembers them; otherwise the first one is empty.
+    // Two parts if the vector stores its division; otherwise the first one is empty.
     let (first, others) = y.parts(0);
     let count = InnerState::<W>::ZERO.as_ref().len().min(y.as_ref().len());
     InnerState::<W>::joined(first, &others[..count - first.len()])
 }
 
-/// The state with that of the inner system in its place.
+/// Returns the state with this part for the inner system.
 #[inline]
 fn replaced<W: Wrapper>(y: &W::State, part: &InnerState<W>) -> W::State {
     let mut y = *y;
@@ -351,7 +350,7 @@ fn replaced<W: Wrapper>(y: &W::State, part: &InnerState<W>) -> W::State {
     y
 }
 
-/// Changes the state of the inner system, if that succeeds.
+/// Changes the state of the inner system, if this succeeds.
 #[inline]
 fn change<W: Wrapper>(
     wrapper: &W,

@@ -6,7 +6,7 @@ use crate::scalar::{Mask, Number};
 const EVEN: Axis = Axis { knots: &[0.0, 0.5, 1.0, 1.5], density: 2.0 };
 const UNEVEN: Axis = Axis { knots: &[-1.0, 0.0, 2.0], density: 0.0 };
 
-/// The number of its piece, for each piece.
+/// Each piece has the value of its index.
 const STEPS: Curve<1> = Curve { axis: EVEN, pieces: &[[0.0], [1.0], [2.0], [3.0], [4.0]] };
 
 #[test]
@@ -59,11 +59,11 @@ fn surfaces_are_products() {
     assert!(surface.value(f64::NAN, 0.0).is_nan() && surface.value(0.0, f64::NAN).is_nan());
 }
 
-/// Two numbers side by side.
+/// Two numbers in lanes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Pair(f64, f64);
 
-/// Two truth values side by side.
+/// Two truth values in lanes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Both(bool, bool);
 
@@ -109,7 +109,7 @@ impl Mask for Both {
     }
 }
 
-/// Functions of one argument, and of two, number by number.
+/// Defines functions of one argument, and of two, lane by lane.
 macro_rules! number_by_number {
     ($($unary:ident)*; $($binary:ident)*) => {
         $(fn $unary(self) -> Pair {

@@ -1,4 +1,4 @@
-//! A method on a system, whatever the types of both.
+//! A method on a system, independent of the types of both.
 
 use std::boxed::Box;
 use std::format;
@@ -22,7 +22,7 @@ pub enum Knob {
 /// The end of a run, with the entries of the state.
 pub(super) type VectorEnd = RunEnd<f64, Vec<f64>>;
 
-/// From setting, start and end to what comes of it, or why not, in words.
+/// A function from setting, start and end to the result, or to the reason for failure as text.
 pub(super) type Runner<'a> = dyn Fn(f64, &[f64], f64) -> Result<VectorEnd, String> + 'a;
 
 /// A method on a system.
@@ -39,9 +39,9 @@ pub(super) fn length<M: OdeSystem>() -> usize {
     M::State::ZERO.as_ref().len()
 }
 
-/// Runs of a system from the time zero, with its events; `restrict` and `expand` lead from and to
-/// the states of the whole system. The time of the end follows the state: an event may have stopped
-/// the run earlier.
+/// Returns runs of a system from time zero, with its events. `restrict` and `expand` convert from
+/// and to states of the whole system. The end time follows the state, since an event may have
+/// stopped the run earlier.
 pub(super) fn run<'a, M, K>(
     system: &'a M,
     method: impl Fn(M::Scalar) -> K + 'a,
@@ -64,7 +64,7 @@ where
     }
 }
 
-/// The state with these components, in the numbers of the system.
+/// Returns the state with these components, in the number type of the system.
 pub(super) fn rounded<M: OdeSystem>(components: &[f64]) -> M::State {
     let mut y = M::State::ZERO;
     for (y, component) in y.as_mut().iter_mut().zip(components) {
@@ -73,7 +73,7 @@ pub(super) fn rounded<M: OdeSystem>(components: &[f64]) -> M::State {
     y
 }
 
-/// The components of a state.
+/// Returns the components of a state.
 pub(super) fn components<M: OdeSystem>(y: &M::State) -> Vec<f64>
 where
     M::Scalar: Into<f64>,

@@ -11,11 +11,11 @@ use lagrange_plot::label::Label;
 use lagrange_plot::{Curve, Figure, Panel, Scale};
 
 const SIZE: (u32, u32) = (860, 420);
-/// Errors above this say only that the motion was lost.
+/// Errors above this only indicate that the motion was lost.
 const LOST: f64 = 10.0;
 
-/// Draws time against error. Methods on the first system as it is and in canonical variables are
-/// above, variants in the most accurate method below.
+/// Draws time against error. The upper panels contain methods on the first system in its original
+/// and in canonical variables, and the lower one variants with the most accurate method.
 pub(super) fn diagram(report: &Report) -> Figure {
     let first = report.rows.first();
     let is_first = |row: &MeasuredRun| {
@@ -38,7 +38,7 @@ pub(super) fn diagram(report: &Report) -> Figure {
     Figure { panels, columns: 1, size: SIZE }
 }
 
-/// Curves of the rows that are wanted, one for each name.
+/// Returns the curves of the selected rows, one for each name.
 fn curves(
     report: &Report,
     wanted: impl Fn(&MeasuredRun) -> bool,
@@ -46,7 +46,7 @@ fn curves(
 ) -> Vec<Curve> {
     let mut curves: Vec<Curve> = Vec::new();
     for (row, Measurement { error, seconds, .. }) in report.measured().filter(|(row, _)| wanted(row)) {
-        // Zero has no place on a logarithmic axis.
+        // Zero cannot be shown on a logarithmic axis.
         if !(error < LOST && error > 0.0) {
             continue;
         }

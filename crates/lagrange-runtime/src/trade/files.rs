@@ -11,7 +11,7 @@ use lagrange_files::save_bytes;
 
 impl Report {
     /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a
-    /// directory, in files named for the title. The directory is created if it does not exist.
+    /// directory, in files named after the title. The directory is created if it does not exist.
     ///
     /// # Errors
     /// If the operating system cannot write a file, or the diagram could not be drawn.

@@ -1,4 +1,4 @@
-//! A contestant from coarse to fine settings.
+//! Runs of a contestant from coarse to fine settings.
 
 use std::hint::black_box;
 use std::string::String;
@@ -8,28 +8,28 @@ use std::vec::Vec;
 use super::contestant::{Contestant, Knob, VectorEnd};
 use super::measurement::{MeasuredRun, Measurement};
 
-/// Tolerances from 10⁻¹ to 10⁻¹⁵, in this many rungs to the decade.
+/// Number of tolerances per decade, from 10⁻¹ to 10⁻¹⁵.
 const RUNGS_A_DECADE: i32 = 2;
 const DECADES: (i32, i32) = (1, 15);
-/// The coarsest step is this part of the run; each rung halves it.
+/// Number of coarsest steps in the run; each rung halves the step.
 const COARSEST: f64 = 8.0;
 const HALVINGS: i32 = 30;
-/// A run is repeated until this many seconds are over, but not more often than `REPEATS`.
+/// A run is repeated for at least this many seconds, but at most `REPEATS` times.
 const LONG_ENOUGH: f64 = 0.01;
 const REPEATS: usize = 20;
-/// An error this many times the least one is above rounding: finer steps only round more.
+/// Ratio to the least error above which rounding dominates: finer steps only increase it.
 const RISEN: f64 = 8.0;
-/// But one error may be the least by luck.
+/// Number of such errors that end the search, since the least error may be accidental.
 const OFTEN: u32 = 4;
 
 /// The runs of a contestant.
 pub(super) struct Climb {
     pub(super) rows: Vec<MeasuredRun>,
-    /// True if the last one took too long for finer ones to be tried.
+    /// True if the last run took too long for finer ones to be tried.
     pub(super) is_cut: bool,
 }
 
-/// Runs with all settings, until one takes longer than `longest` or finer ones do not help.
+/// Runs all settings, until a run takes longer than `longest` or finer settings do not help.
 pub(super) fn climb(
     contestant: &Contestant<'_>,
     start: &[f64],
@@ -42,7 +42,7 @@ pub(super) fn climb(
     for setting in settings(contestant.knob, end) {
         let began = Instant::now();
         let outcome = measure(contestant, setting, start, end, reference);
-        // Runs that fail late are long, too.
+        // Runs that fail late also take long.
         let seconds = outcome.as_ref().map_or_else(|_| began.elapsed().as_secs_f64(), |found| found.seconds);
         if let Ok(found) = &outcome {
             least = least.min(found.error);
@@ -76,7 +76,7 @@ fn settings(knob: Knob, end: f64) -> Vec<f64> {
     }
 }
 
-/// Error, and the shortest time of several runs.
+/// Measures the error, and the shortest time of several runs.
 fn measure(
     contestant: &Contestant<'_>,
     setting: f64,
@@ -100,7 +100,7 @@ fn measure(
     Ok(Measurement { error: error(&run.state, reference), seconds, work: run.work })
 }
 
-/// The largest error of a component; NaN stays NaN.
+/// Computes the largest error of a component; NaN stays NaN.
 fn error(state: &[f64], reference: &[f64]) -> f64 {
     let errors = state.iter().zip(reference).map(|(found, exact)| (found - exact).abs());
     errors.fold(0.0, |largest, error| if error <= largest { largest } else { error })

@@ -1,10 +1,8 @@
-//! The price of every digit: methods, number types and variants of a system measured against each
-//! other.
+//! The price of every digit: comparison of methods, number types and variants of a system.
 //!
 //! A [`Trade`] runs each method from coarse to fine settings, and measures the error at the end and
-//! the time it took. It reports the fastest for an accuracy.
-//! `cargo run --release --features trade --example trade` does this for four known systems. For
-//! your own system, write:
+//! the computing time. It reports the fastest method for each accuracy. `cargo run --release
+//! --features trade --example trade` does this for four known systems. For your own system, write:
 //!
 //! ```no_run
 //! lagrange::system! {
@@ -50,7 +48,7 @@ pub use self::contestant::Knob;
 pub use self::measurement::{MeasuredRun, Measurement};
 pub use self::report::Report;
 
-/// A motion, and all that compete for it.
+/// A motion, and all contestants that compute it.
 pub struct Trade<'a> {
     title: String,
     start: Vec<f64>,
@@ -60,17 +58,18 @@ pub struct Trade<'a> {
     contestants: Vec<Contestant<'a>>,
 }
 
-/// Seconds after which finer settings of a method are not tried, unless told otherwise.
+/// Default number of seconds after which finer settings of a method are not tried.
 const LONGEST: f64 = 0.2;
-/// Tolerances of the reference, of which methods of low order do not reach the finest in a sensible
+/// Tolerances of the reference. Methods of low order do not reach the finest ones in a reasonable
 /// time.
 const FINEST: [f64; 6] = [1e-8, 1e-10, 1e-12, 1e-13, 1e-14, f64::EPSILON];
-/// A run this many times as long as others may take is the last one tried for the reference.
+/// Maximum duration of a run for the reference, relative to that of other runs; finer ones are not
+/// tried.
 const PATIENCE: f64 = 10.0;
 
 impl<'a> Trade<'a> {
-    /// Creates the comparison by all methods that take any system. The motion of `system` leads
-    /// from the state `start` at the time zero to the time `end`.
+    /// Creates the comparison of all methods that accept any system. The motion of `system` starts
+    /// from the state `start` at time zero and lasts until the time `end`.
     pub fn new<M>(title: &str, system: &'a M, start: M::State, end: M::Scalar) -> Self
     where
         M: OdeSystem,
@@ -80,8 +79,8 @@ impl<'a> Trade<'a> {
         Trade::without_methods(title, start, end.into()).variant("standard", system)
     }
 
-    /// Creates the comparison of a motion from these entries of the state at the time zero, to
-    /// which methods are still to be added.
+    /// Creates the comparison of a motion from these entries of the state at time zero, without any
+    /// methods yet.
     pub fn without_methods(title: &str, start: Vec<f64>, end: f64) -> Self {
         Trade {
             title: title.to_string(),
@@ -93,11 +92,11 @@ impl<'a> Trade<'a> {
         }
     }
 
-    /// Sets the state at the end. By default it is that of the finest run of the first method with
-    /// a tolerance that reaches the end. Errors close to rounding are then not reliable.
+    /// Sets the state at the end. The default is the end of the finest run of the first method with
+    /// a tolerance that reaches it. Errors close to rounding are then not reliable.
     ///
     /// # Panics
-    /// If it is no longer or shorter than the state at the start.
+    /// If its length differs from that of the state at the start.
     #[must_use]
     pub fn reference(mut self, state: &[f64]) -> Self {
         assert_eq!(state.len(), self.start.len(), "the reference is a state of another system");
@@ -105,7 +104,7 @@ impl<'a> Trade<'a> {
         self
     }
 
-    /// Settings finer than one that took this many seconds are not tried.
+    /// Sets the number of seconds after which finer settings are not tried.
     #[must_use]
     pub fn longest(mut self, seconds: f64) -> Self {
         self.longest = seconds;
@@ -116,7 +115,7 @@ impl<'a> Trade<'a> {
     /// that accept any system.
     ///
     /// # Panics
-    /// If its state is longer or shorter.
+    /// If the length of its state differs.
     #[must_use]
     pub fn variant<M>(self, name: &str, system: &'a M) -> Self
     where
@@ -124,7 +123,7 @@ impl<'a> Trade<'a> {
         M::Scalar: Into<f64>,
     {
         self.by_tolerance(name, system, |tolerance| Verner98 {
-            // What stability costs is to be seen.
+            // The cost of stability should be visible.
             refuses_stiff: false,
             ..Verner98::tolerance(tolerance)
         })
@@ -135,7 +134,7 @@ impl<'a> Trade<'a> {
         .by_step(name, system, |step| GaussLegendre6 { step }.plain())
     }
 
-    /// A system in Radau's method, if it knows its Jacobian.
+    /// Adds a system with Radau's method, if it provides its Jacobian.
     fn implicit<M>(self, name: &str, system: &'a M) -> Self
     where
         M: OdeSystem,
@@ -178,11 +177,11 @@ impl<'a> Trade<'a> {
             .by_step(&name, system, |step| Variational { step })
     }
 
-    /// Adds a reduced type of the same declaration, with steps by
-    /// tolerance and without.
+    /// Adds a reduced type of the same declaration, with a method by tolerance and a method by
+    /// step.
     ///
     /// It starts from the image of the start under `restrict`, and is judged by the image of its
-    /// end under `expand`. The error of the reduction itself is therefore included.
+    /// end under `expand`. The error of the reduction is therefore included.
     #[must_use]
     pub fn reduced<M>(
         self,
@@ -204,8 +203,8 @@ impl<'a> Trade<'a> {
         )
     }
 
-    /// Adds a method whose states are made from entries of the state by the first function, and
-    /// back by the second. Other methods follow from this one.
+    /// Adds a method with conversions of states. The first function creates states from entries of
+    /// the state, the second does the reverse. Other methods are added by this one.
     #[must_use]
     pub fn method<M, K>(
         mut self,
@@ -232,7 +231,7 @@ impl<'a> Trade<'a> {
         self
     }
 
-    /// Adds a system for the methods for separable ones.
+    /// Adds a system with the methods for separable systems.
     ///
     /// # Panics
     /// As [`variant`](Self::variant).
@@ -285,7 +284,7 @@ impl<'a> Trade<'a> {
         self.method(name, system, knob, method, (contestant::rounded::<M>, contestant::components::<M>))
     }
 
-    /// Runs them all, one after the other.
+    /// Runs all contestants, one after the other.
     pub fn run(&self) -> Report {
         let (reference, was_cut) = match &self.reference {
             Some(state) => (Some(state.clone()), false),
@@ -302,8 +301,8 @@ impl<'a> Trade<'a> {
         Report { title: self.title.clone(), has_own_reference: self.reference.is_none(), rows, is_cut }
     }
 
-    /// The end of the finest run of the first method with a tolerance that reaches it; true if
-    /// finer ones would take too long.
+    /// Returns the end of the finest run of the first method with a tolerance that reaches it. The
+    /// second value is true if finer runs would take too long.
     fn finest(&self) -> (Option<Vec<f64>>, bool) {
         let mut adaptive = self.contestants.iter().filter(|contestant| contestant.knob == Knob::Tolerance);
         let mut is_cut = false;

@@ -26,30 +26,30 @@ impl Report {
         &self.title
     }
 
-    /// Returns all runs, in the order in which they were made; none if there was no reference and
-    /// the finest run failed.
+    /// Returns all runs, in order of execution; none if there was no reference and the finest run
+    /// failed.
     pub fn rows(&self) -> &[MeasuredRun] {
         &self.rows
     }
 
-    /// Returns the fastest run whose error is no more than this.
+    /// Returns the fastest run with at most this error.
     pub fn fastest(&self, error: f64) -> Option<(&MeasuredRun, Measurement)> {
         let good = self.measured().filter(|(_, found)| found.error <= error);
         good.min_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds))
     }
 
-    /// Returns accuracies, each with the fastest run for it if one reaches it.
+    /// Returns accuracies, each with the fastest run that reaches it, if there is one.
     pub fn choices(&self) -> impl Iterator<Item = (f64, Option<(&MeasuredRun, Measurement)>)> {
         GOALS.into_iter().map(|goal| (goal, self.fastest(goal)))
     }
 
-    /// True if finer settings of a method were left out because a run took longer than
+    /// True if finer settings of a method were skipped because a run took longer than
     /// [`longest`](super::Trade::longest) allows.
     pub fn is_cut(&self) -> bool {
         self.is_cut
     }
 
-    /// Writes the fastest way to each accuracy that was reached, a table in Markdown.
+    /// Returns the fastest choice for each accuracy as a table in Markdown.
     pub fn recommendation(&self) -> String {
         let mut text = String::from(
             "| error wanted | method | numbers | variant | setting | error | µs | evaluations |\n|---|---|---|---|---|---|---|---|\n",
@@ -77,7 +77,7 @@ impl Report {
         text
     }
 
-    /// Writes all runs as comma-separated values, the failed ones with their reason.
+    /// Returns all runs as comma-separated values, failed ones with their reason.
     pub fn csv(&self) -> String {
         let mut text = String::from(
             "method,numbers,variant,knob,setting,error,microseconds,steps,rejections,evaluations,jacobians,iterations,failure\n",
@@ -100,14 +100,14 @@ impl Report {
         text
     }
 
-    /// Returns the title in small letters, digits and underscores.
+    /// Returns the title in lower-case letters, digits and underscores.
     pub fn file_name(&self) -> String {
         let words =
             self.title.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
         words.collect::<Vec<_>>().join("_").to_ascii_lowercase()
     }
 
-    /// Runs that reached the end.
+    /// Returns the runs that reached the end.
     pub(super) fn measured(&self) -> impl Iterator<Item = (&MeasuredRun, Measurement)> {
         self.rows.iter().filter_map(|row| Some((row, *row.outcome.as_ref().ok()?)))
     }

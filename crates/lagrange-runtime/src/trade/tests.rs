@@ -17,7 +17,7 @@ impl OdeSystem for Oscillator {
     }
 }
 
-/// The same in short numbers.
+/// The same oscillator in single precision.
 struct Short;
 
 impl OdeSystem for Short {
@@ -29,7 +29,7 @@ impl OdeSystem for Short {
     }
 }
 
-/// ẏ = √(1 − t), which ends at one.
+/// ẏ = √(1 − t), which is undefined after one.
 struct Ending;
 
 impl OdeSystem for Ending {
@@ -98,7 +98,7 @@ fn runs_that_fail_are_reported_with_their_reason() {
 #[test]
 fn every_line_of_the_table_has_every_column() {
     let csv = quick(Trade::new("oscillator", &Oscillator, [1.0, 0.0], 2.0)).run().csv();
-    // Commas between quotes separate nothing.
+    // Commas between quotes are not separators.
     let bare = csv.lines().map(|line| line.split('"').step_by(2).collect::<String>());
     let columns = bare.map(|line| line.split(',').count()).collect::<Vec<_>>();
     assert!(columns.len() > 5 && columns.iter().all(|count| *count == 13), "{csv}");

@@ -1,16 +1,16 @@
-//! The laws of motion in space on random bodies, each against a way of its own.
+//! The laws of motion in space for random bodies, each verified in an independent way.
 
 use super::{SpatialMotion, Vector, cross, difference, inner, scaled, sum};
 
-/// How many random motions each law is tried on.
+/// Number of random motions for each law.
 const TRIALS: u64 = 100;
 
-/// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random
+/// Knuth's generator of 64 bits with the constants of MMIX. The upper half of its state is random
 /// enough for places.
 struct Random(u64);
 
 impl Random {
-    /// A number in [−2, 2).
+    /// Returns a number in [−2, 2).
     fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 32) as f64 / f64::from(u32::MAX) * 4.0 - 2.0
@@ -20,7 +20,7 @@ impl Random {
         [self.number(), self.number(), self.number()]
     }
 
-    /// A body of eight equal point masses, with the places that these have in own coordinates.
+    /// Creates a body of eight equal point masses, with their places in own coordinates.
     fn body(&mut self) -> (SpatialMotion<f64>, [Vector<f64>; 8]) {
         let points = [(); 8].map(|()| self.vector());
         let weigh = |f: &dyn Fn(Vector<f64>) -> f64| points.iter().map(|&point| f(point)).sum::<f64>();
@@ -47,7 +47,7 @@ impl Random {
 
 const IDENTITY: [Vector<f64>; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// A rotation after which another follows about a vector, by an angle that is its length
+/// Returns a rotation followed by another one about a vector, by an angle equal to its length
 /// (Rodrigues).
 fn turned(by: Vector<f64>, rotation: [Vector<f64>; 3]) -> [Vector<f64>; 3] {
     let angle = inner(by, by).sqrt();
@@ -63,7 +63,7 @@ fn turned(by: Vector<f64>, rotation: [Vector<f64>; 3]) -> [Vector<f64>; 3] {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[j][i]))
 }
 
-/// The motion a short while later, if accelerations stay; exact in the first rates.
+/// Returns the motion a short time later, with constant accelerations; exact to first order.
 fn later(motion: &SpatialMotion<f64>, time: f64) -> SpatialMotion<f64> {
     let gained = |v: Vector<f64>, a: Vector<f64>| sum(v, scaled(time, a));
     let half = |v: Vector<f64>, a: Vector<f64>| scaled(time, sum(v, scaled(0.5 * time, a)));
@@ -77,7 +77,7 @@ fn later(motion: &SpatialMotion<f64>, time: f64) -> SpatialMotion<f64> {
     }
 }
 
-/// The rate of a function of time, by differences of sixth order.
+/// Computes the rate of a function of time, by differences of sixth order.
 fn rate(f: impl Fn(f64) -> Vector<f64>) -> Vector<f64> {
     const STEP: f64 = 1e-3;
     let odd = |k: f64| difference(f(k * STEP), f(-k * STEP));
@@ -95,7 +95,7 @@ fn assert_near(found: Vector<f64>, expected: Vector<f64>, tolerance: f64) {
 fn bodies() -> impl Iterator<Item = (SpatialMotion<f64>, [Vector<f64>; 8], Random)> {
     (0..TRIALS).map(|seed| {
         let mut random = Random(seed);
-        // The first numbers of neighbouring seeds are alike.
+        // The first numbers of neighbouring seeds are similar.
         random.body();
         let (motion, points) = random.body();
         (motion, points, random)

@@ -1,4 +1,4 @@
-//! Singular equations whose solutions are known, and conditions that tell minimum-norm solutions
+//! Singular equations with known solutions, and conditions that distinguish minimum-norm solutions
 //! from others.
 
 use super::{RedundantMotion, minimum_norm, redundant_correction, redundant_motion};
@@ -17,7 +17,7 @@ fn assert_near<const N: usize>(found: [f64; N], wanted: [f64; N], part: f64) {
     }
 }
 
-/// Numbers in (−1, 1) from a linear congruential generator.
+/// Returns a generator of numbers in (−1, 1), by a linear congruential method.
 fn numbers() -> impl FnMut() -> f64 {
     let mut state = 12_345_u64;
     move || {
@@ -26,7 +26,7 @@ fn numbers() -> impl FnMut() -> f64 {
     }
 }
 
-/// Σ ± x xᵀ
+/// Computes Σ ± x xᵀ.
 fn of_rank<const D: usize>(rank: usize, next: &mut impl FnMut() -> f64) -> [[f64; D]; D] {
     let mut matrix = [[0.0; D]; D];
     for term in 0..rank {
@@ -47,7 +47,7 @@ fn regular_equations_have_one_solution() {
     assert_near(minimum_norm(matrix, apply(&matrix, &[1.0, -2.0, 0.25])), [1.0, -2.0, 0.25], 1e-14);
 }
 
-/// Penrose's conditions: x is a combination of rows, and what is left is orthogonal to all rows.
+/// Penrose's conditions: x is a combination of rows, and the remainder is orthogonal to all rows.
 #[test]
 fn of_the_closest_vectors_the_shortest_is_found_at_every_rank() {
     let mut next = numbers();
@@ -59,7 +59,7 @@ fn of_the_closest_vectors_the_shortest_is_found_at_every_rank() {
             let product = apply(&matrix, &x);
             let left = core::array::from_fn(|i| right[i] - product[i]);
             assert_near(apply(&matrix, &left).map(|rest| 1.0 + rest), [1.0; 5], 1e-10);
-            // From x and something orthogonal to the rows the same right side must lead back to x.
+            // The right side from x and a vector orthogonal to the rows must lead back to x.
             assert_near(minimum_norm(matrix, product), x, 1e-9);
         }
     }
@@ -88,7 +88,7 @@ fn what_is_not_finite_spoils_all_and_nothing_demands_nothing() {
     assert_eq!(minimum_norm([[0.0; 2]; 2], [1.0, 2.0]), [0.0; 2]);
 }
 
-/// A pendulum of length l and mass m at rest at the side, in the plane.
+/// A pendulum of length l and mass m at rest in horizontal position, in the plane.
 const PENDULUM: ([[f64; 2]; 2], [f64; 2], [f64; 2]) = ([[2.0, 0.0], [0.0, 2.0]], [0.0, -20.0], [0.6, -0.8]);
 
 #[test]
@@ -162,8 +162,8 @@ fn a_correction_is_the_smallest_by_mass_and_serves_copies_too() {
     assert_near(change, [-0.2e-3, -0.8e-3], 1e-14);
 }
 
-/// Between what is dependent and what is not, errors of the multipliers grow as the angle falls,
-/// and no motion is refused.
+/// Between dependent and independent constraints, errors of the multipliers grow as the angle
+/// falls, and every motion is accepted.
 #[test]
 fn nearly_dependent_constraints_never_give_nonsense() {
     let (mass, forcing) = ([[1.0, 0.0], [0.0, 1.0]], [3.0, -4.0]);

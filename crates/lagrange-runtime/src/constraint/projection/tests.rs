@@ -1,4 +1,4 @@
-//! How fast corrections converge, what they leave alone, and what is refused.
+//! Convergence of corrections, quantities that they preserve, and rejected states.
 
 use super::{admit, consistent_velocity, correct, project};
 use crate::constraint::ConstrainedSystem;
@@ -26,7 +26,8 @@ fn positions_and_velocities_end_on_the_constraints_from_near_and_far() {
         let (mut q, mut v) = ([0.6 * factor, -0.8 * factor], [3.0, 0.7]);
         project(&PENDULUM, 0.0, &mut q, &mut v).expect("a circle can be reached");
         assert!(PENDULUM.residual(0.0, &[q[0], q[1], v[0], v[1]]) < 1e-15, "{factor}: {q:?} {v:?}");
-        // The nearest point is along the radius, and the nearest velocity lacks what went along it.
+        // The nearest point is along the radius, and the nearest velocity lacks its radial
+        // component.
         assert!((q[0] - 0.6).abs() < 2e-15 && (q[1] + 0.8).abs() < 2e-15, "{factor}: {q:?}");
         let along = 0.8 * 3.0 + 0.6 * 0.7;
         assert!((v[0] - 0.8 * along).abs() < 1e-14 && (v[1] - 0.6 * along).abs() < 1e-14, "{factor}: {v:?}");
@@ -38,7 +39,7 @@ fn the_light_moves_and_the_heavy_stays() {
     let skate = System::<_, 3, 1>(Skate);
     let q = [1.0, 2.0, 0.5];
     let found = consistent_velocity(&skate, 0.0, &q, &[3.0, 0.0, 1.0]).expect("a skate can glide");
-    // Along the blade and about it nothing changes.
+    // Motion along the blade and rotation remain unchanged.
     let (sine, cosine) = 0.5_f64.sin_cos();
     assert!((found[0] * cosine + found[1] * sine - 3.0 * cosine).abs() < 1e-15);
     assert_eq!(found[2], 1.0);
@@ -101,7 +102,7 @@ fn a_state_that_cannot_be_corrected_stays_what_it_was() {
     }
 }
 
-/// c = atan x, from where Newton's method leaps farther and farther away.
+/// c = atan x, with starts from which Newton's method diverges.
 struct Bent;
 
 impl Mechanism<1, 1> for Bent {
@@ -135,7 +136,7 @@ fn corrections_that_overshoot_are_shortened() {
     }
 }
 
-/// One coordinate that must be in two places.
+/// One coordinate that must be in two places at once.
 struct Torn;
 
 impl Mechanism<1, 2> for Torn {
@@ -172,7 +173,8 @@ fn constraints_that_contradict_each_other_are_told_by_name() {
 fn a_loop_with_a_crank_too_many_is_closed_at_every_angle() {
     let loops = System::<_, 6, 6>(Parallelogram);
     for degrees in (0..360).step_by(15) {
-        // Where all lies in a line, the constraints do not tell to first order how the loop bends.
+        // If all cranks are aligned, the constraints do not determine to first order how the loop
+        // bends.
         let offset = if degrees % 180 == 0 { 1e-13 } else { 1e-7 };
         let mut y = Parallelogram::state(f64::from(degrees).to_radians(), 2.0);
         for (i, component) in y.iter_mut().enumerate() {
@@ -186,7 +188,8 @@ fn a_loop_with_a_crank_too_many_is_closed_at_every_angle() {
 
 #[test]
 fn what_is_zero_is_measured_by_the_others() {
-    // The gap at 1e-9 is small beside a coordinate of one, but not beside one of a thousandth.
+    // The gap of 1e-9 is small relative to a coordinate of one, but not relative to one of a
+    // thousandth.
     for (x, is_near) in [(1.0, true), (1e6, true), (1e-2, true), (1e-4, false), (0.0, false)] {
         let mut y = [x, 1e-9, 0.0, 0.0];
         let admitted = admit(&System::<_, 2, 1>(Ground), 0.0, &mut y);
@@ -219,8 +222,8 @@ impl Mechanism<2, 1> for Ground {
     }
 }
 
-/// A point mass of different masses by direction on an ellipse that may breathe: x²/a² + y²/b² = (1 +
-/// t)².
+/// A point mass with different masses by direction, on an ellipse that may expand: x²/a² + y²/b² =
+/// (1 + t)².
 #[derive(Clone, Copy, Debug)]
 struct Ellipse {
     masses: [f64; 2],
@@ -261,7 +264,7 @@ fn nearest_on_ellipse(masses: [f64; 2], axes: [f64; 2], p: [f64; 2]) -> [f64; 2]
     let weights = [0, 1].map(|i| masses[i] * axes[i] * axes[i]);
     let at = |mu: f64| [0, 1].map(|i| weights[i] * p[i] / (weights[i] + mu));
     let sum = |mu: f64| at(mu).iter().zip(axes).map(|(q, a)| (q / a) * (q / a)).sum::<f64>();
-    // The sum falls from infinity behind the last pole.
+    // The sum falls from infinity after the last pole.
     let (mut low, mut high) = (-weights[0].min(weights[1]), 1.0);
     while sum(high) > 1.0 {
         high *= 2.0;
@@ -301,7 +304,7 @@ fn the_nearest_point_of_an_ellipse_is_found_from_far_away() {
     }
 }
 
-/// A chain of three points on rods of the length one, the first on a rod from the origin.
+/// A chain of three points on rods of length one, starting at the origin.
 #[derive(Clone, Copy, Debug)]
 struct Chain;
 
@@ -339,7 +342,7 @@ impl Mechanism<6, 3> for Chain {
     }
 }
 
-/// The distance of a chain with these angles from a point, squared.
+/// Returns the squared distance of a chain with these angles from a point.
 fn square_of_chain(angles: &[f64; 3], p: &[f64; 6]) -> f64 {
     let (mut end, mut square) = ([0.0; 2], 0.0);
     for (k, angle) in angles.iter().enumerate() {

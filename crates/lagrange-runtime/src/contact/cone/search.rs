@@ -9,51 +9,51 @@ use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
 
-/// Newton's method is started so often, each time after twice as many sweeps.
+/// Maximum number of starts of Newton's method; each follows twice as many sweeps as the last.
 const MOST_STARTS: u32 = 10;
-/// Steps of Newton's method from each start.
+/// Maximum number of steps of Newton's method from each start.
 const MOST_STEPS: u32 = 24;
-/// Short steps next to the shortest forces.
+/// Maximum number of short steps close to the shortest forces.
 const MOST_SHORT_STEPS: u32 = 60;
-/// The part of the root of rounding that is added to the diagonal, so that undetermined steps are
-/// short.
+/// Term added to the diagonal so that undetermined steps are short, relative to the root of the
+/// rounding unit.
 const DAMPING: f64 = 0.1;
-/// The change of impulses from step to step, beside them.
+/// Assumed change of the impulses from step to step, relative to the impulses.
 const LEFT: f64 = 1e-2;
-/// A step is halved so often.
+/// Maximum number of halvings of a step.
 const MOST_HALVINGS: i32 = 8;
 
-/// Leaps along the change of a sweep may raise the error by this factor.
+/// Factor by which leaps along the change of a sweep may raise the error.
 const DRIFT: f64 = 1.01;
-/// Leaps are doubled so often.
+/// Maximum number of doublings of a leap.
 const MOST_DOUBLINGS: i32 = 16;
 
 /// The kind of a step.
 #[derive(Clone, Copy)]
 enum Step {
-    /// Newton's.
+    /// A step of Newton's method.
     Newton,
     /// That of Levenberg and Marquardt, damped by the error. It stays short where reactions are
-    /// all but undetermined.
+    /// nearly undetermined.
     Short,
 }
 
 /// A search for reactions.
 #[derive(Clone, Copy)]
 pub(super) struct ForceSearch<S, const K: usize> {
-    /// The best ones so far.
+    /// The best reactions so far.
     pub(super) forces: [S; K],
     pub(super) iterations: u32,
-    /// True if these are their targets but for rounding.
+    /// True if the reactions equal their targets up to rounding.
     pub(super) is_exact: bool,
-    /// The error beside the forces at which it ends.
+    /// The error, relative to the forces, at which the search ends.
     goal: S,
     /// True if forces that are undetermined may become large.
     may_leap: bool,
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
-    /// Reactions that are their targets but for rounding, near these or from zero on.
+    /// Finds reactions that equal their targets up to rounding, starting near these or from zero.
     pub(super) fn solve(&self, near: [S; K]) -> Option<[S; K]> {
         let mut search =
             ForceSearch { forces: near, iterations: 0, goal: S::epsilon(), is_exact: false, may_leap: false };
@@ -61,7 +61,7 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         is_found.then_some(search.forces)
     }
 
-    /// The reactions nearest to their targets that are found from these on.
+    /// Finds the reactions of the least error, starting from these.
     pub(super) fn follow(&self, start: [S; K]) -> ForceSearch<S, K> {
         let mut search =
             ForceSearch { forces: start, iterations: 0, is_exact: false, goal: step_goal(), may_leap: true };
@@ -69,7 +69,7 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         search
     }
 
-    /// Searches from zero on, by sweeps and Newton's method in turn.
+    /// Searches from zero by alternating sweeps and Newton's method.
     fn restart(&self, search: &mut ForceSearch<S, K>) -> bool {
         search.forces = [S::ZERO; K];
         (0..MOST_STARTS).any(|start| {
@@ -87,10 +87,10 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         })
     }
 
-    /// Goes as many times this change further as the error stays about the same, by powers of two.
+    /// Repeats this change as often as the error stays about the same, in powers of two.
     ///
-    /// Where reactions are undetermined, sweeps move them by the same little change each, for
-    /// thousands of sweeps, until one of them sticks or slips.
+    /// Where reactions are undetermined, each sweep changes them by the same small amount. This may
+    /// last thousands of sweeps, until one of them sticks or slips.
     fn leap(&self, from: &[S; K], change: &[S; K]) -> [S; K] {
         let after = |doublings: i32| combined(from, S::from_f64(2.0).powi(doublings), change);
         let error = |forces: &[S; K]| size(&self.errors(&self.point(*forces)));
@@ -99,7 +99,7 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         (0..MOST_DOUBLINGS).take_while(is_allowed).last().map_or(*from, after)
     }
 
-    /// Searches from zero on, and then by short steps; keeps the best that there was.
+    /// Searches from zero, and then by short steps; keeps the best reactions found.
     fn fall_back(&self, search: &mut ForceSearch<S, K>) -> bool {
         let mut best = *search;
         let error = |forces: [S; K]| size(&self.errors(&self.point(forces)));
@@ -117,8 +117,8 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         is_found
     }
 
-    /// Moves one reaction after the other by this share of the way to its target. Half of it ends
-    /// some cycles.
+    /// Moves each reaction in turn by this fraction of the way to its target. A fraction of one
+    /// half ends some cycles.
     fn sweep(&self, at: &mut ForcePoint<S, K>, share: S) {
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
             let targets = self.target(at, k);
@@ -134,8 +134,9 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         }
     }
 
-    /// Goes to the reactions of least error that such steps find. Where no part of a step makes the
-    /// error smaller, the next piece may. True if they are their targets but for rounding.
+    /// Finds the reactions of least error by such steps. If no part of a step reduces the error,
+    /// the whole step is taken, as the next piece may reduce it. Returns true if the reactions
+    /// equal their targets up to rounding.
     fn descend(&self, search: &mut ForceSearch<S, K>, kind: Step) -> bool {
         let start = self.point(search.forces);
         let mut present = (start, size(&self.errors(&start)));
@@ -158,12 +159,12 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         best.1 <= BALANCED_BY_SEARCH.part::<S>() * self.scale(&search.forces)
     }
 
-    /// The largest of these reactions and of the rates without any.
+    /// Returns the largest of these reactions and of the rates without reactions.
     pub(super) fn scale(&self, forces: &[S; K]) -> S {
         forces.iter().chain(&self.offsets[..self.count]).fold(S::ZERO, |size, value| size.max(value.abs()))
     }
 
-    /// The end of the longest part of a step that makes the error smaller, or of the whole step,
+    /// Returns the end of the longest part of a step that reduces the error, or of the whole step,
     /// and the error there.
     fn stepped(&self, (at, error): &(ForcePoint<S, K>, S), kind: Step) -> (ForcePoint<S, K>, S) {
         let (slopes, errors) = (self.slopes(at), self.errors(at));
@@ -185,19 +186,19 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
     }
 }
 
-/// The error beside the forces at which the search for impulses over a step ends. Damping leaves
-/// about this much of the change from step to step behind.
+/// Returns the error, relative to the forces, at which the search for impulses over a step ends.
+/// Damping leaves about this part of the change from step to step.
 fn step_goal<S: Scalar>() -> S {
     (S::from_f64(LEFT * DAMPING) * S::epsilon().sqrt()).max(BOUND.part::<S>())
 }
 
-/// The size of a vector; infinite if it holds something that is not finite.
+/// Returns the norm of a vector; infinite if a component is not finite.
 fn size<S: Scalar, const K: usize>(vector: &[S; K]) -> S {
     let square = dot(vector, vector);
     if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO }
 }
 
-/// A with this added to its diagonal.
+/// Returns the matrix with this value added to its diagonal.
 fn damped<S: Scalar, const K: usize>(mut a: [[S; K]; K], damping: S) -> [[S; K]; K] {
     for (k, row) in a.iter_mut().enumerate() {
         row[k] = row[k] + damping;
@@ -205,7 +206,7 @@ fn damped<S: Scalar, const K: usize>(mut a: [[S; K]; K], damping: S) -> [[S; K];
     a
 }
 
-/// The normal equations of the first `count` equations of A x = b.
+/// Returns the normal equations of the first `count` equations of A x = b.
 fn normal<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> ([[S; K]; K], [S; K]) {
     let (mut matrix, mut right) = ([[S::ZERO; K]; K], [S::ZERO; K]);
     for (row, b) in a.iter().zip(b).take(count) {

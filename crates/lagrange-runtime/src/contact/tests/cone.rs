@@ -1,14 +1,14 @@
-//! The law of contacts with friction in a plane, held to its own inequalities on random bodies.
+//! Inequalities of the law of contacts with friction in a plane, on random bodies.
 
 use super::systems::{CLOSED, FREE, OPEN, nothing};
 use crate::contact::choice::Choice;
 use crate::contact::reaction_forces::Balance;
 use crate::contact::{Friction, Heading, Mode, Pace, Terms, reactions, switch_values};
 
-/// Contacts of a body, each with friction in its plane.
+/// Number of contacts of a body, each with friction in its plane.
 const CONTACTS: usize = 4;
 const K: usize = 3 * CONTACTS;
-/// Of a body of mass 1 kg, in kg m².
+/// Inertia of a body of mass 1 kg, in kg m².
 const INERTIA: f64 = 0.3;
 
 struct Random(u64);
@@ -70,7 +70,8 @@ fn modes(contact: Mode, friction: Friction) -> [Mode; K] {
     core::array::from_fn(|k| [contact, Mode::Friction(friction), Mode::Across(friction)][k % 3])
 }
 
-/// How far impulses or forces are from the law at the rates that they leave, in its own terms.
+/// Computes the error of impulses or forces in the law at the rates that they cause, relative to
+/// its terms.
 fn violation(mu: f64, found: &[f64; K], rates: &[f64; K]) -> f64 {
     let mut worst = 0.0_f64;
     for k in (0..K).step_by(3) {
@@ -87,8 +88,8 @@ fn size(found: &[f64; K]) -> f64 {
     found.iter().fold(1.0, |size: f64, impulse| size.max(impulse.abs()))
 }
 
-/// Wedged between four walls or flat on a floor, there are impulses within the cone, they brake,
-/// and no energy comes of them.
+/// A body that is wedged between four walls, or flat on a floor, has impulses within the cone,
+/// which dissipate energy.
 #[test]
 fn impacts_in_space_obey_the_cone() {
     let is_touching = core::array::from_fn(|k| k % 3 == 0);
@@ -108,11 +109,11 @@ fn impacts_in_space_obey_the_cone() {
         assert!((lost - collision.energy_loss).abs() < 1e-9 * size * size, "{lost} in case {case}");
         assert!(lost > -1e-12, "{lost} in case {case}");
     }
-    // The search is bounded: one wedge of a thousand is given up.
+    // The search is bounded, and fails for one of a thousand wedges.
     assert!(unsolved <= 1, "{unsolved}");
 }
 
-/// With restitution no energy comes of an impact either.
+/// Impacts with restitution do not create energy either.
 #[test]
 fn impacts_in_space_with_restitution_create_no_energy() {
     let is_touching = core::array::from_fn(|k| k % 3 == 0);
@@ -128,8 +129,8 @@ fn impacts_in_space_with_restitution_create_no_energy() {
     }
 }
 
-/// A body at rest on a floor that is pulled in any direction: forces obey the cone, and accelerate
-/// as they say.
+/// A body at rest on a floor is pulled in any direction: forces satisfy the cone, and accelerations
+/// follow from the forces.
 #[test]
 fn what_starts_together_is_decided_together() {
     let choices = core::array::from_fn(|k| [Choice::Touch, Choice::Rest, Choice::Across][k % 3]);
@@ -154,7 +155,8 @@ fn what_starts_together_is_decided_together() {
     assert_eq!(unsolved, 0);
 }
 
-/// A block of 1 kg that is pressed down by 10 and pushed by (3, 4), with its slip velocities.
+/// A block of 1 kg under a downward force of 10 and a horizontal force of (3, 4), with its slip
+/// velocities.
 fn pushed(mu: f64, slip: [f64; 2]) -> Terms<f64, 3, 3> {
     let unit = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let slopes = [[0.0; 3], [mu, 0.0, 0.0], [mu, 0.0, 0.0]];
@@ -190,7 +192,7 @@ fn friction_is_opposite_to_the_slip_velocity_and_ends_where_it_turns() {
         let [load, x, y] = reactions(&terms, &modes(friction));
         assert!((load - 10.0).abs() + (x + 1.5).abs() + (y + 2.0).abs() < 1e-12, "{load} {x} {y}");
     }
-    // Beyond zero it continues as before.
+    // After passing zero it continues smoothly.
     let [_, x, y] = reactions(&pushed(0.25, [-0.6, -0.8]), &modes(towards));
     assert!((x + 1.5).abs() + (y + 2.0).abs() < 1e-12, "{x} {y}");
     for (degrees, is_over) in [(59.0_f64, false), (61.0, true), (-59.0, false), (-61.0, true)] {
@@ -213,7 +215,7 @@ fn headings_keep_all_digits() {
     assert_eq!(Heading::new([1.0, -0.0]), Heading::new([1.0_f32, 0.0]));
 }
 
-/// A box with these corners on a slope, x downhill, that slides slowly.
+/// A box with these corners on a slope, with x downhill, that slides slowly.
 fn sliding(steepness: f64, speed: f64) -> Terms<f64, 6, K> {
     let mut terms = nothing::<6, K>();
     for (corner, [x, y]) in [[0.2, 0.15], [0.2, -0.15], [-0.2, 0.15], [-0.2, -0.15]].into_iter().enumerate() {
@@ -234,8 +236,8 @@ fn sliding(steepness: f64, speed: f64) -> Terms<f64, 6, K> {
     terms
 }
 
-/// Loads under friction that has a direction and friction that is about to have one are not unique,
-/// but their sum is, and the motion.
+/// Loads are not unique if some friction has a direction and some is about to have one. Their sum
+/// and the motion are unique.
 #[test]
 fn what_starts_beside_what_slides_presses_everywhere() {
     for excess in [1e-13, 1e-9, 1e-6, 1e-3, 0.1] {

@@ -8,7 +8,7 @@ use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
 use crate::system::EventKind;
 
-/// A block of 2 kg on an incline that pulls it with 6 N down.
+/// A block of 2 kg on an incline with a downhill force of 6 N.
 const INCLINE: Block = Block {
     m: 2.0,
     stiffness: 0.0,
@@ -24,7 +24,7 @@ const INCLINE: Block = Block {
 fn a_block_thrown_up_an_incline_stops_and_stays() {
     let trajectory = INCLINE.simulate([0.0, 13.0]).until(5.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
-    // (6 + 7)/2 slows it down.
+    // It decelerates with (6 + 7)/2.
     assert!((event.time - 2.0).abs() < 1e-12 && event.kind == EventKind::Stuck);
     let [x, v] = trajectory.last();
     assert!((x - 13.0).abs() < 1e-11 && v == 0.0, "{x} {v}");
@@ -68,8 +68,8 @@ fn friction_that_gives_way_without_a_jump_slips_the_way_it_is_driven() {
     }
 }
 
-/// A block on a moving belt, held by a spring, sticks until the spring pulls as hard as static
-/// friction. It then swings with the kinetic one until it has the speed of the belt again.
+/// A block on a moving belt, held by a spring, sticks until the spring force reaches the static
+/// friction. It then oscillates under kinetic friction until it has the speed of the belt again.
 #[test]
 fn a_block_on_a_belt_sticks_and_slips() {
     let belt = Block { weight: 0.0, belt: 0.5, stiffness: 8.0, kinetic: 4.0, fixed: 6.0, ..INCLINE };
@@ -80,13 +80,13 @@ fn a_block_on_a_belt_sticks_and_slips() {
         let wanted = if n % 2 == 0 { EventKind::Slipped } else { EventKind::Stuck };
         assert_eq!(event.kind, wanted, "{n}");
     }
-    // It gives way at x = 6/8, and swings about 4/8 with ω = 2: x − 1/2 = A cos 2τ + B sin 2τ with
-    // A = 1/4 = B.
+    // It gives way at x = 6/8, and oscillates about 4/8 with ω = 2: x − 1/2 = A cos 2τ + B sin 2τ
+    // with A = 1/4 = B.
     for event in events.iter().step_by(2) {
         assert!((event.state[0] - 0.75).abs() < 1e-11, "{:?}", event.state);
     }
     assert!((events[0].time - 1.5).abs() < 1e-11);
-    // The speed is that of the belt again where −A sin 2τ + B cos 2τ = 1/4: at 2τ = 3π/2.
+    // It has the speed of the belt again where −A sin 2τ + B cos 2τ = 1/4: at 2τ = 3π/2.
     let slip = events[1].time - events[0].time;
     assert!((slip - 0.75 * std::f64::consts::PI).abs() < 1e-10, "{slip}");
     let periods: Vec<f64> = events.windows(3).map(|of| of[2].time - of[0].time).collect();
@@ -132,8 +132,8 @@ fn a_block_slides_to_rest_on_a_floor_and_keeps_lying() {
 
 #[test]
 fn a_contact_that_opens_frees_its_friction() {
-    // Lifted with 4 N/s: the floor is left at t = m g/4 = 4.905. Pulled with 1 N/s, the block gives
-    // way where t = 0.3 (m g − 4 t).
+    // The lifting force grows by 4 N/s: the block leaves the floor at t = m g/4 = 4.905. The
+    // pulling force grows by 1 N/s: the block gives way where t = 0.3 (m g − 4 t).
     let lifted = Slider { lift: 4.0, pull: 1.0, ..SLIDER };
     let trajectory = lifted.simulate([0.0; 4]).until(6.0).tolerance(1e-12).run().expect("runs");
     let found: Vec<_> = trajectory.events().iter().map(|event| (event.name.as_str(), event.kind)).collect();
@@ -154,8 +154,8 @@ fn a_contact_that_opens_frees_its_friction() {
     );
 }
 
-/// Bounces rub as much as lying does: over any number of them friction takes μ times the momentum
-/// that the floor gave.
+/// Bounces cause as much friction as continuous contact: over any number of them friction takes μ
+/// times the momentum from the floor.
 #[test]
 fn a_bouncing_block_is_slowed_like_a_sliding_one() {
     let bouncing = Slider { e: 0.5, ..SLIDER };
@@ -165,8 +165,7 @@ fn a_bouncing_block_is_slowed_like_a_sliding_one() {
     assert!((trajectory.last()[2] - (5.0 - 0.25 * 9.81 * 1.5)).abs() < 1e-8, "{:?}", trajectory.last());
 }
 
-/// A drive that is exactly as large as static friction, but for rounding, moves nothing and makes
-/// nothing go back and forth.
+/// A load that equals the static friction up to rounding causes no motion and no oscillation.
 #[test]
 fn a_block_exactly_at_its_limit_stays() {
     for weight in [-8.0, -8.0 * (1.0 + 1e-15), -8.0 * (1.0 - 1e-15)] {
@@ -178,12 +177,12 @@ fn a_block_exactly_at_its_limit_stays() {
     }
 }
 
-/// A limit that grows from nothing, as where a rough stretch begins, takes hold of what moves and
-/// of what rests.
+/// A limit that grows from zero, as at the beginning of a rough surface, acts on moving and on
+/// resting bodies.
 #[test]
 fn friction_whose_limit_begins_later_is_met() {
     let slider = Slider { lift: -4.0, g: 0.0, ..SLIDER };
-    // Pressed with 4 t from the start on: m v falls by μ 4 t.
+    // The normal force is 4 t from the start: m v decreases at the rate μ 4 t.
     let simulation = slider.simulate([0.0, 0.0, 1.0, 0.0]).until(3.0).tolerance(1e-12).max_steps(2_000);
     let trajectory = simulation.run().expect("runs");
     let stop = trajectory.events().last().expect("it stops");
@@ -192,7 +191,7 @@ fn friction_whose_limit_begins_later_is_met() {
     assert_eq!(trajectory.system_at_end().map(|slider| slider.modes), Some([CLOSED, STICKS]));
 }
 
-/// Smooth friction is no event; its force is against the slip whatever the sign of the limit.
+/// Smooth friction causes no event; its force is opposite to the slip for either sign of the limit.
 #[test]
 fn smooth_friction_acts_by_its_size() {
     for (slip, kinetic) in [(0.3, 0.2), (0.3, -0.2), (-0.3, -0.2), (-0.3, 0.2)] {

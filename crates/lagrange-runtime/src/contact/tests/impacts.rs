@@ -4,7 +4,7 @@ use super::systems::{Ball, CLOSED, Corner, Cradle, FREE, OPEN, Rod, STICKS, Slid
 use crate::contact::{Contact, ContactSystem, Mode, begin, reactions};
 use crate::system::{Action, EventKind, Impact, OdeSystem, Response, StepFailure};
 
-/// The state after the event of reaction `k` at a state, and what happened.
+/// Returns the state after the event of reaction `k` at a state, and the kind of the event.
 fn after<M: OdeSystem<Scalar = f64>>(
     system: &M,
     k: usize,
@@ -42,7 +42,8 @@ fn a_ball_is_thrown_back() {
 
 #[test]
 fn a_floor_that_rises_throws_higher() {
-    // At t = 2 the floor is at 2 and has the speed 2; seen from it, 7 downwards become 5.6 upwards.
+    // At t = 2 the floor is at 2 and has the speed 2; relative to it, 7 downwards becomes 5.6
+    // upwards.
     let ball = Ball { rise: 1.0, ..Ball::new(0.8) };
     let (y, _, kind) = after(&ball, 0, 2.0, [2.0, -5.0]);
     assert_near(y, [2.0, 7.6]);
@@ -82,7 +83,7 @@ fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_refused_by_name() {
     }
 }
 
-/// A rod that moves broadside and meets a peg with one end turns with ω = 3 v/(2 L) and loses a
+/// A rod moves broadside and hits a peg with one end. It then turns with ω = 3 v/(2 L) and loses a
 /// quarter of its energy.
 #[test]
 fn a_rod_turns_round_a_peg() {
@@ -104,13 +105,13 @@ fn both_ends_of_a_rod_hit_the_floor_at_once() {
     assert!((energy_loss - 0.5 * 3.0 * (16.0 - 4.0)).abs() < 1e-12);
 }
 
-/// A rod on its left end is hit near its centre. That throws the left end up, which a contact that
+/// A rod on its left end is hit near its centre. This lifts the left end, which a contact that
 /// cannot pull does not prevent.
 #[test]
 fn a_contact_that_would_pull_is_left_out() {
     let rod = Rod { places: [-1.0, 0.2], modes: [CLOSED, OPEN], ..Rod::new(9.81, 0.0) };
     let (y, rod, kind) = after(&rod, 1, 1.0, [0.0, 0.0, -1.0, -1.0]);
-    // Alone, the right support stops −1.2 by Λ with G = (1 + 3/25)/m, and G between the two is (1 −
+    // Alone, the right support stops −1.2 by Λ with G = (1 + 3/25)/m. G between the two is (1 −
     // 3/5)/m.
     assert!((impact(kind).impulse - 1.2 * 3.0 / 1.12).abs() < 1e-14);
     let rates = [y[2] - y[3], y[2] + 0.2 * y[3]];
@@ -134,8 +135,8 @@ fn an_impact_conserves_momentum_and_an_elastic_one_energy() {
     }
 }
 
-/// Closed contacts take part in an impact at the same instant, so that two balls that touch are hit
-/// like one. A hair's breadth apart, they pass the motion on to the last.
+/// Closed contacts take part in an impact at the same instant, so that two touching balls are hit
+/// as one. If they are slightly apart, the last one takes over the motion.
 #[test]
 fn balls_that_touch_are_hit_together() {
     let cradle = Cradle { masses: [1.0; 3], e: 1.0, modes: [OPEN, OPEN] };
@@ -224,7 +225,7 @@ fn modes_at_the_start_fit_the_state() {
 }
 
 /// Newton's law of restitution would create energy in some impacts with friction. No impact here
-/// does, and the reported loss is that of the motion.
+/// does, and the reported loss is the loss of the motion.
 #[test]
 fn no_impact_creates_energy() {
     let mut reduced = 0;
@@ -245,7 +246,7 @@ fn no_impact_creates_energy() {
     assert!(reduced > 0, "some of them are the paradox");
 }
 
-/// Painlevé's paradox: a rough rod that is dragged can have no forces under which its end neither
+/// Painlevé's paradox: a rough rod that is dragged may have no forces under which its end neither
 /// leaves nor enters the floor.
 #[test]
 fn where_no_forces_fit_the_motion_is_refused() {

@@ -1,4 +1,4 @@
-//! The law of contacts and friction, held to its own inequalities on random bodies.
+//! Inequalities of the law of contacts and friction, on random bodies.
 
 use super::systems::{BACKWARDS, CLOSED, FORWARDS, FREE, OPEN, STICKS, Stick, nothing};
 use crate::contact::choice::Choice;
@@ -6,10 +6,10 @@ use crate::contact::reaction_forces::Balance;
 use crate::contact::{ContactSystem, Mode, Terms, begin};
 use crate::system::{Action, OdeSystem};
 
-/// Contacts of a body with friction in each, which follows its contact.
+/// Number of contacts of a body; the friction of each follows its contact.
 const CONTACTS: usize = 4;
 const K: usize = 2 * CONTACTS;
-/// Of a body of mass 1 kg, in kg m².
+/// Inertia of a body of mass 1 kg, in kg m².
 const INERTIA: f64 = 0.3;
 
 struct Random(u64);
@@ -46,8 +46,8 @@ fn kinetic_energy(v: &[f64; 3]) -> f64 {
     0.5 * (v[0] * v[0] + v[1] * v[1] + INERTIA * v[2] * v[2])
 }
 
-/// How far impulses are from the law at velocities after an impact without restitution, in its own
-/// terms.
+/// Computes the error of impulses in the law at velocities after an impact without restitution,
+/// relative to its terms.
 fn violation(terms: &Terms<f64, 3, K>, impulses: &[f64; K], after: &[f64; 3]) -> f64 {
     let mut worst = 0.0_f64;
     for k in (0..K).step_by(2) {
@@ -62,8 +62,8 @@ fn violation(terms: &Terms<f64, 3, K>, impulses: &[f64; K], after: &[f64; 3]) ->
     worst
 }
 
-/// Wedged between four walls, with any friction: there are impulses, they obey the law, and no
-/// energy comes of them.
+/// A body wedged between four walls, with any friction, has impulses that satisfy the law and
+/// create no energy.
 #[test]
 fn every_impact_has_impulses() {
     let modes: [Mode; K] = core::array::from_fn(|k| if k % 2 == 0 { OPEN } else { FREE });
@@ -84,8 +84,8 @@ fn every_impact_has_impulses() {
     }
 }
 
-/// With restitution there are impulses, too, nothing is left that approaches, and no energy is
-/// created.
+/// There are impulses with restitution as well, after which no contact approaches. They create no
+/// energy.
 #[test]
 fn every_impact_with_restitution_has_impulses() {
     let modes: [Mode; K] = core::array::from_fn(|k| if k % 2 == 0 { OPEN } else { FREE });
@@ -105,7 +105,7 @@ fn every_impact_with_restitution_has_impulses() {
     }
 }
 
-/// Lemke's method alone finds impulses in each of them.
+/// Lemke's method alone finds impulses for each wedge.
 #[test]
 fn lemkes_method_ends_at_impulses() {
     let choices = core::array::from_fn(|k| if k % 2 == 0 { Choice::Touch } else { Choice::Rest });
@@ -124,8 +124,8 @@ fn lemkes_method_ends_at_impulses() {
     }
 }
 
-/// A rod is dragged over a floor so rough that no force fits its slip. It stops slipping at once,
-/// by impulses that follow from G Λ = −(0, slip), and holds.
+/// A rod is dragged over a floor that is so rough that no force fits its slip. It stops slipping at
+/// once, by impulses that follow from G Λ = −(0, slip), and sticks.
 #[test]
 fn a_rod_that_is_dragged_against_strong_friction_jams() {
     let angle: f64 = 1.0;
@@ -140,7 +140,7 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
         let answer = stick.in_modes([CLOSED, slips]).react(0, 1.0, 1.0, &y).expect("it jams");
         let Action::Replace(after) = answer.action else { panic!("{:?}", answer.action) };
         assert_eq!(answer.system.map(|system| system.modes), Some([CLOSED, STICKS]));
-        // J = m L²/12, and the end is at (−cos, −sin) from the centre.
+        // J = m L²/12; the end is at (−cos, −sin) from the centre.
         let (sin, cos) = angle.sin_cos();
         let g = [[1.0 + 3.0 * cos * cos, -3.0 * sin * cos], [-3.0 * sin * cos, 1.0 + 3.0 * sin * sin]];
         let determinant = g[0][0] * g[1][1] - g[0][1] * g[1][0];
@@ -158,8 +158,8 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
     assert_eq!(jammed, 2, "one way, fast and slowly");
 }
 
-/// A block of mass 2 on a floor, its friction a quarter of the normal force: the numbers of the
-/// documentation.
+/// The example of the documentation: a block of mass 2 on a floor, with friction of a quarter of
+/// the normal force.
 fn block(free: [f64; 2], rates: [f64; 2]) -> Terms<f64, 2, 2> {
     let mut terms = nothing::<2, 2>();
     terms.free = free;

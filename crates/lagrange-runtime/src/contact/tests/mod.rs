@@ -1,4 +1,4 @@
-//! Contacts, impacts and friction on systems that are written by hand.
+//! Contacts, impacts and friction on hand-written systems.
 
 mod cone;
 mod friction;

@@ -9,8 +9,8 @@ use crate::run::{integrate, integrate_with_events};
 use crate::simulate::{Ending, Simulate};
 use crate::system::{Action, Direction, EventKind, StepFailure, split};
 
-/// When the ball that falls from 1 m with e = 0.8 at g = 9.81 first hits the ground, and when it
-/// has come to rest.
+/// Returns the times when a ball falling from 1 m with e = 0.8 at g = 9.81 first hits the ground,
+/// and when it comes to rest.
 const FIRST: f64 = 0.451_523_640_985_73;
 const REST: f64 = 4.063_712_768_871_58;
 
@@ -63,7 +63,7 @@ fn every_loss_of_a_bouncing_ball_is_told() {
 
 #[test]
 fn a_ball_at_rest_leaves_the_floor_when_it_is_lifted() {
-    // The lift overcomes the weight at t = m g/lift = 6.54.
+    // The lift exceeds the weight from t = m g/lift = 6.54.
     let ball = Ball { lift: 3.0, ..Ball::new(0.5) };
     let trajectory = ball.simulate([0.0, 0.0]).until(8.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
@@ -121,7 +121,7 @@ fn a_body_that_touches_and_goes_down_at_the_start_hits_at_once() {
     assert!((trajectory.last()[0] - (0.08 - 0.5 * 9.81 * 0.01)).abs() < 1e-12);
 }
 
-/// A ball thrown so that it just reaches a ceiling which is a floor turned round.
+/// A ball is thrown so that it just reaches a ceiling, modelled as an inverted floor.
 #[test]
 fn a_ball_that_just_touches_goes_on() {
     let ball = Ball { g: -9.81, ..Ball::new(0.5) };
@@ -201,8 +201,8 @@ fn balls_a_hair_apart_pass_the_motion_on() {
     }
 }
 
-/// A rod that falls broadside onto two supports rattles and comes to rest on both, each with half
-/// of its weight.
+/// A rod that falls broadside onto two supports rattles and comes to rest on both, with half of its
+/// weight on each.
 #[test]
 fn a_rod_comes_to_rest_on_two_supports() {
     let rod = Rod::new(9.81, 0.6);

@@ -1,4 +1,4 @@
-//! Differences that count as rounding, from both sides: each test fails if a tolerance is 64 times
+//! Bounds of the differences that count as rounding: each test fails if a tolerance is 64 times
 //! smaller or larger.
 
 use super::systems::{Ball, nothing};
@@ -11,8 +11,7 @@ use crate::contact::{ContactSystem, Terms};
 
 const EPSILON: f64 = f64::EPSILON;
 
-/// A ball above a floor that is at the height one at the time one, so that the terms of its gap are
-/// one.
+/// A ball above a floor that is at height one at time one, so that the terms of its gap are one.
 const ABOVE_ONE: Ball = Ball { rise: 2.0, ..Ball::new(0.5) };
 
 #[test]
@@ -44,8 +43,8 @@ fn gaps_are_known_as_well_as_the_time_of_an_event() {
     assert_eq!([1.0, 64.0].map(touches), [[true], [false]]);
 }
 
-/// Returns the velocity of a contact, beside that of the floor, after an impact at this place and
-/// time threw it up with this speed.
+/// Returns the velocity of a contact relative to the floor after an impact at this place and time
+/// with this rebound speed.
 fn after_hop(ball: &Ball, t: f64, q: [f64; 1], speed: f64) -> f64 {
     let floor = ball.rise * t;
     let before = ball.terms(t, &q, &[floor - 2.0 * speed]);
@@ -71,7 +70,7 @@ fn hops_no_longer_than_rounding_of_time_are_not_resolved() {
     assert_eq!(after(512.0), speed_for(512.0));
 }
 
-/// A contact that presses with this force, the difference of two that are about one.
+/// A contact with this normal force, the difference of two forces of about one.
 fn pressing(force: f64) -> Terms<f64, 1, 1> {
     let (rows, responses) = ([[1.0]], [[1.0]]);
     Terms { free: [-1.0], drifts: [1.0 - force], rows, responses, ..nothing() }

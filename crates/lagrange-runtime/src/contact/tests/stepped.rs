@@ -1,11 +1,11 @@
-//! Steps in velocities of systems that are written by hand.
+//! Steps in velocities of hand-written systems.
 
 use super::systems::{Ball, Block, CLOSED, Cradle, FREE, OPEN, STICKS, Slider};
 use crate::contact::{Friction, Mode, Stepped};
 use crate::integrate::{Method, Stepper};
 use crate::simulate::Simulate;
 
-/// Height of a ball let go at 1, with e = 0.8, at its first highest point after a bounce.
+/// Height of a ball released at 1, with e = 0.8, at its first highest point after a bounce.
 const HIGHEST: f64 = 0.64;
 
 #[test]
@@ -49,7 +49,7 @@ fn a_block_on_a_belt_sticks_until_the_spring_tears_it_away() {
     let run = block.simulate([0.0, 0.5]).until(2.0).method(Stepped::every(1e-3)).run().expect("it moves");
     let at = |wanted: f64| run.iter().find(|(time, _)| *time > wanted).map(|(_, [_, v])| v).expect("a time");
     assert!((at(0.7) - 0.5).abs() < 1e-12, "it sticks up to the static limit at 0.75");
-    // From 0.75 on: v̇ = 2 t − 1.
+    // For t above 0.75: v̇ = 2 t − 1.
     let wanted = 0.5 + (4.0 - 0.75 * 0.75) - 1.25;
     assert!((run.last()[1] - wanted).abs() < 5e-3, "{} for {wanted}", run.last()[1]);
     let modes = run.system_at_end().map(|block| block.modes);

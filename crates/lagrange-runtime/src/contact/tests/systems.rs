@@ -105,7 +105,7 @@ pub(super) const FORWARDS: Mode = Mode::Friction(Friction::SlipsForwards);
 pub(super) const BACKWARDS: Mode = Mode::Friction(Friction::SlipsBackwards);
 pub(super) const STICKS: Mode = Mode::Friction(Friction::Sticks);
 
-/// Terms that are all zero.
+/// Returns terms that are all zero.
 pub(super) fn nothing<const N: usize, const K: usize>() -> Terms<f64, N, K> {
     Terms {
         free: [0.0; N],
@@ -128,7 +128,7 @@ pub(super) struct Ball {
     pub(super) m: f64,
     pub(super) g: f64,
     pub(super) e: f64,
-    /// A force upwards that grows with time.
+    /// Growth of the upward force per unit of time.
     pub(super) lift: f64,
     pub(super) rise: f64,
     pub(super) modes: [Mode; 1],
@@ -155,15 +155,15 @@ impl Ball {
 
 contact_system!(Ball, 1 coordinates ["y"], 1 reactions ["floor"]);
 
-/// A block on a belt that moves with the speed `belt`, pulled by a spring and a force `drive`·t,
-/// with Coulomb friction between constant limits.
+/// A block on a belt with the speed `belt`, pulled by a spring and a force `drive`·t, with Coulomb
+/// friction between constant limits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block {
     pub(super) m: f64,
     pub(super) stiffness: f64,
     pub(super) drive: f64,
     pub(super) belt: f64,
-    /// Another constant force.
+    /// An additional constant force.
     pub(super) weight: f64,
     pub(super) kinetic: f64,
     pub(super) fixed: f64,
@@ -186,7 +186,7 @@ impl Block {
 
 contact_system!(Block, 1 coordinates ["x"], 1 reactions ["brake"]);
 
-/// A block thrown onto a floor with Coulomb friction: contact and friction whose limit is μ N.
+/// A block thrown onto a floor with Coulomb friction: a contact, and friction with the limit μ N.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slider {
     pub(super) m: f64,
@@ -194,7 +194,7 @@ pub(super) struct Slider {
     pub(super) e: f64,
     pub(super) kinetic: f64,
     pub(super) fixed: f64,
-    /// Forces along the floor and up from it, growing with time.
+    /// Growth of the forces along the floor and upwards per unit of time.
     pub(super) pull: f64,
     pub(super) lift: f64,
     pub(super) modes: [Mode; 2],
@@ -250,15 +250,15 @@ pub(super) struct Rod {
     pub(super) length: f64,
     pub(super) g: f64,
     pub(super) e: f64,
-    /// Where it may be supported, from −1 at its left end to 1 at its right end, and the heights of
-    /// what is there.
+    /// Positions of possible supports, from −1 at its left end to 1 at its right end, and their
+    /// heights.
     pub(super) places: [f64; 2],
     pub(super) supports: [f64; 2],
     pub(super) modes: [Mode; 2],
 }
 
 impl Rod {
-    /// 3 kg and 2 m long above a floor.
+    /// Returns a rod of 3 kg and 2 m above a floor.
     pub(super) const fn new(g: f64, e: f64) -> Self {
         Rod { m: 3.0, length: 2.0, g, e, places: [-1.0, 1.0], supports: [0.0; 2], modes: [OPEN; 2] }
     }
@@ -283,7 +283,7 @@ impl Rod {
 
 contact_system!(Rod, 2 coordinates ["y", "angle"], 2 reactions ["left", "right"]);
 
-/// A block pressed into a corner by two forces, between three walls of which two are the same.
+/// A block pressed into a corner by two forces, between three walls, two of them identical.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) m: f64,

@@ -1,4 +1,4 @@
-//! Velocities that belong to momenta under constraints.
+//! Velocities for given momenta, under constraints.
 //!
 //! The remainder of the momenta is in the space of constraint forces:
 //!
@@ -8,7 +8,7 @@
 //!
 //! which is the projection of p onto the momenta that constraints admit, with the inverse mass
 //! matrix as metric. A mass matrix that is singular without the constraints is stiffened by ρ AᵀA,
-//! which changes nothing but multipliers where ċ = 0. Sources: Hairer, Lubich, Wanner, *Geometric
+//! which affects only the multipliers if ċ = 0. Sources: Hairer, Lubich, Wanner, *Geometric
 //! Numerical Integration*, 2nd ed., §VII.1.3; Benzi, Golub, Liesen, *Numerical solution of saddle
 //! point problems*, Acta Numerica 14 (2005), §3.4.
 
@@ -26,7 +26,7 @@ use crate::system::{
 type Values<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
 /// Computes the velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there. The
-/// length `h` of the step to here determines which velocities are small.
+/// length `h` of the last step determines which velocities are small.
 pub(in crate::integrate) fn constrained_velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -56,7 +56,7 @@ struct Pinned<'a, M: CanonicalSystem + ?Sized> {
     mass: &'a Matrix<M::Scalar, M::Coordinates>,
     values: Values<M>,
     saddle: Saddle<M::Scalar, M::Coordinates>,
-    /// Velocities that are not small.
+    /// The magnitude of velocities, relative to which changes are rounding.
     terms: M::Coordinates,
     /// Aᵀμ at the last evaluation.
     reaction: M::Coordinates,
@@ -89,14 +89,14 @@ impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::State, 1> for Pinned<'
     }
 }
 
-/// The factors of M x = f + Aᵀμ, A x = d.
+/// The factors of the equations M x = f + Aᵀμ, A x = d.
 #[derive(Clone, Copy, Debug)]
 struct Saddle<S: Scalar, Q: StateVector<S>> {
     factors: Factors<S, Q>,
     /// ρ
     stiffness: S,
     values: ConstraintValues<S, Q>,
-    /// In rows, what the force of each multiplier moves.
+    /// The displacement caused by the force of each multiplier, in rows.
     moved: Q::Square,
     /// A M⁻¹ Aᵀ
     mobility: RankedFactors<S, Q>,
@@ -138,7 +138,7 @@ impl<S: Scalar, Q: StateVector<S>> Saddle<S, Q> {
     }
 }
 
-/// The weight ρ that makes ρ AᵀA as large as M.
+/// Computes the weight ρ for which ρ AᵀA has the magnitude of M.
 pub(in crate::integrate) fn stiffness<S: Scalar, Q: StateVector<S>>(
     mass: &Matrix<S, Q>,
     values: &ConstraintValues<S, Q>,
@@ -152,7 +152,7 @@ pub(in crate::integrate) fn stiffness<S: Scalar, Q: StateVector<S>>(
     if mass > S::ZERO && square > S::ZERO { mass / square } else { S::ONE }
 }
 
-/// M + ρ AᵀA
+/// Computes M + ρ AᵀA.
 pub(in crate::integrate) fn stiffened<S: Scalar, Q: StateVector<S>>(
     mass: &Matrix<S, Q>,
     values: &ConstraintValues<S, Q>,

@@ -6,16 +6,17 @@ use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, EnergyFunction, Positions, StateVector, StepFailure};
 
-/// Number of Newton steps at most.
+/// Maximum number of Newton steps.
 const MOST_STEPS: u32 = 60;
-/// Part of a Newton step below which none comes closer.
+/// Fraction of a Newton step below which it is no longer halved.
 const SHORTEST: f64 = 1e-6;
 
 /// Hamilton's form of the equations of motion, in coordinates q and momenta p = ∂L/∂v.
 ///
-/// Every system with momenta has it, as emitted types with `emit { momentum_rates }`. Velocities
-/// are found from momenta by Newton's method with shortened steps. One step suffices if L is
-/// quadratic in them. Source: Goldstein, Poole, Safko, *Classical Mechanics*, 3rd ed., §8.1.
+/// Every system with momenta has this form, such as emitted types with `emit { momentum_rates }`.
+/// Velocities are computed from momenta by Newton's method with shortened steps. One step suffices
+/// if L is quadratic in the velocities. Source: Goldstein, Poole, Safko, *Classical Mechanics*, 3rd
+/// ed., §8.1.
 ///
 /// ```
 /// use lagrange::integrate::Hamiltonian;
@@ -37,7 +38,7 @@ const SHORTEST: f64 = 1e-6;
 /// # Ok::<(), lagrange::system::StepFailure<f64>>(())
 /// ```
 pub trait Hamiltonian: CanonicalSystem {
-    /// Computes the velocities that belong to momenta, with p = ∂L/∂v.
+    /// Computes the velocities for given momenta, with p = ∂L/∂v.
     ///
     /// # Errors
     /// If the mass matrix is singular, or a value is not finite.
@@ -64,8 +65,8 @@ pub trait Hamiltonian: CanonicalSystem {
         Err(StepFailure::NotConverged { iterations: MOST_STEPS })
     }
 
-    /// Computes the Hamiltonian H(t, q, p) = p·v − L, the energy at the velocities that belong to
-    /// the momenta.
+    /// Computes the Hamiltonian H(t, q, p) = p·v − L, which is the energy at the velocities that
+    /// correspond to the momenta.
     ///
     /// # Errors
     /// As for [`velocities_of`](Self::velocities_of).
@@ -82,8 +83,8 @@ pub trait Hamiltonian: CanonicalSystem {
         Ok(self.energy(t, q, &v))
     }
 
-    /// Computes the rates of coordinates and momenta: q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q, where Q are
-    /// the forces that no potential gives.
+    /// Computes the rates of coordinates and momenta, q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q. Here Q
+    /// contains the forces without a potential.
     ///
     /// # Errors
     /// As for [`velocities_of`](Self::velocities_of).
@@ -101,7 +102,7 @@ pub trait Hamiltonian: CanonicalSystem {
 
 impl<M: CanonicalSystem> Hamiltonian for M {}
 
-/// p − ∂L/∂v and the sum of its magnitudes.
+/// Computes p − ∂L/∂v and the sum of its magnitudes.
 fn lacking<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -114,7 +115,8 @@ fn lacking<M: CanonicalSystem + ?Sized>(
     (missing, sum)
 }
 
-/// The longest of a Newton step and its halves that comes closer, or the shortest one.
+/// Returns the result of the longest among a Newton step and its halves that reduces the residual,
+/// or of the shortest one.
 fn step<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,

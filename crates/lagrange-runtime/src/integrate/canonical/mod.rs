@@ -1,16 +1,15 @@
 //! The common parts of implicit methods in coordinates and momenta.
 //!
-//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations contain the changes
-//! of P(Q, V) = ∂L/∂v and of the rates R(Q, V) = ∂L/∂q + Q of momenta. Newton's method needs
-//! derivatives of these. Differentiating d/dt P = R along the motion gives
+//! They advance momenta p = ∂L/∂v and compute velocities from them. Their equations contain the
+//! changes of P(Q, V) = ∂L/∂v and of the rates R(Q, V) = ∂L/∂q + Q of momenta. Newton's method
+//! needs derivatives of these. Differentiation of d/dt P = R along the motion leads to
 //!
 //! ```text
 //! ∂P/∂v = M,    ∂R/∂v − ∂P/∂q = M ∂a/∂v + dM/dt,    ∂R/∂q = M ∂a/∂q + d/dt ∂P/∂q,
 //! ```
 //!
 //! so the Jacobian of the system and the mass matrix suffice. The last term is omitted. It affects
-//! only the number of iterations, and no more than the change of the derivatives within a step
-//! does.
+//! only the number of iterations, and no more than the change of the derivatives within a step.
 
 mod constrained;
 mod hamiltonian;
@@ -35,7 +34,7 @@ type Mass<M> = Matrix<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordin
 /// The derivatives of the equations of a step.
 pub(super) type Derivatives<M> = Pencil<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
-/// A step to be taken, from coordinates and momenta.
+/// A step from coordinates and momenta.
 #[derive(Debug)]
 pub(super) struct Step<'a, M: CanonicalSystem + ?Sized> {
     pub(super) system: &'a M,
@@ -45,14 +44,14 @@ pub(super) struct Step<'a, M: CanonicalSystem + ?Sized> {
     pub(super) h: M::Scalar,
 }
 
-/// Velocities and the mass matrix at the state that was reached.
+/// Velocities and the mass matrix at the present state.
 #[derive(Debug)]
 pub(super) struct Reached<M: CanonicalSystem + ?Sized> {
     pub(super) velocities: M::Coordinates,
     mass: Mass<M>,
     /// The rate of the mass matrix over the last step.
     mass_rate: Mass<M>,
-    /// Velocities and mass matrix at the end of the step that is being taken.
+    /// Velocities and mass matrix at the end of the step in progress.
     next: (M::Coordinates, Mass<M>),
 }
 
@@ -63,7 +62,7 @@ impl<M: CanonicalSystem + ?Sized> Clone for Reached<M> {
 }
 
 impl<M: CanonicalSystem + ?Sized> Reached<M> {
-    /// Nothing yet.
+    /// No state yet.
     pub(super) const NOTHING: Self = Reached {
         velocities: M::Coordinates::ZERO,
         mass: Matrix::ZERO,
@@ -80,8 +79,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         join::<M>(&q, &system.momenta(t, &q, &v))
     }
 
-    /// The state of coordinates and momenta at the end of a step of the length `h`, from a guess of
-    /// velocities.
+    /// Computes the state from coordinates and momenta at the end of a step of length `h`, and from
+    /// a guess of velocities.
     pub(super) fn finish(
         &mut self,
         system: &M,
@@ -114,15 +113,14 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         Ok(reaction)
     }
 
-    /// The velocities at the end of the step that is being taken, where constraints have been seen
-    /// to.
+    /// Returns the velocities at the end of the step in progress, after constraints were enforced.
     pub(super) fn held(&self) -> M::Coordinates {
         self.next.0
     }
 
-    /// The state at the end of the step that is being taken was brought onto constraints, and so
-    /// are the variables. Momenta change by what the velocities and the coordinates make of them,
-    /// so that those that do not are kept to the last digit.
+    /// Follows the correction of the state at the end of the step in progress, and corrects the
+    /// variables. Momenta change by the difference between those of the corrected and of the
+    /// original state. Unaffected momenta therefore keep all digits.
     pub(super) fn follow(
         &mut self,
         system: &M,
@@ -139,7 +137,7 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         *variables = join::<M>(&q_to, &p);
     }
 
-    /// Goes on from the end of the step of the length `h`.
+    /// Continues from the end of the step of length `h`.
     pub(super) fn accept(&mut self, h: M::Scalar) {
         let (velocities, mass) = self.next;
         self.mass_rate = Matrix::of(|i, j| (mass[(i, j)] - self.mass[(i, j)]) / h);
@@ -147,7 +145,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         self.velocities = velocities;
     }
 
-    /// The derivatives of the equations in the middle of a step with the mean velocity `v`.
+    /// Computes the derivatives of the equations in the middle of a step with the mean velocity
+    /// `v`.
     pub(super) fn derivatives(
         &self,
         step: &Step<'_, M>,
@@ -171,8 +170,9 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
     }
 }
 
-/// Returns the magnitude of slopes, and of those that would move `from` by itself or by one within
-/// a step of the length `h`. In floating point, changing them by their rounding has no effect.
+/// Returns the magnitude of slopes, plus the slopes that would move `from` by itself or by one
+/// within a step of length `h`. Changes of slopes below the rounding of this magnitude have no
+/// effect in floating point.
 pub(super) fn magnitude<S: Scalar, Y: StateVector<S>>(mut slopes: Y, from: &Y, h: S) -> Y {
     for (slope, from) in slopes.as_mut().iter_mut().zip(from.as_ref()) {
         *slope = slope.abs() + (S::ONE + from.abs()) / h.abs();

@@ -1,20 +1,21 @@
-//! The derivatives of the equations of a step, frozen.
+//! The frozen derivatives of the equations of a step.
 
 use crate::linalg::pivoted::Matrix;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// The matrix constant − λ linear − μ quadratic. A method replaces λ and μ, which is of second
-/// order in them, by its coefficients. The length of the step is in the matrices.
+/// The matrix constant − λ linear − μ quadratic. A method replaces λ and μ by its coefficients; μ
+/// is of second order in them. The matrices contain the length of the step.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Pencil<S: Scalar, Y: StateVector<S>> {
     pub(in crate::integrate) constant: Matrix<S, Y>,
-    /// Linear and quadratic, if derivatives are known.
+    /// The matrices linear and quadratic, if derivatives are available.
     pub(in crate::integrate) derivatives: Option<(Matrix<S, Y>, Matrix<S, Y>)>,
 }
 
 impl<S: Scalar, Y: StateVector<S>> Pencil<S, Y> {
-    /// Σ of the magnitudes of all terms of the equations for unknowns of this magnitude.
+    /// Computes the sum of the magnitudes of all terms in the equations, for unknowns of this
+    /// magnitude.
     pub(in crate::integrate) fn magnitude(&self, unknowns: &Y) -> Y {
         let constant = |i, j| self.constant[(i, j)].abs();
         match &self.derivatives {

@@ -1,4 +1,4 @@
-//! Velocities that belong to momenta.
+//! Velocities for given momenta.
 
 use crate::integrate::canonical::magnitude;
 use crate::integrate::method::Work;
@@ -7,10 +7,10 @@ use crate::linalg::pivoted::{Factors, Matrix};
 use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, StateVector, StepFailure};
 
-/// The velocities v with ∂L/∂v = p, from a guess and the mass matrix there.
+/// Computes the velocities v with ∂L/∂v = p, from a guess and the mass matrix there.
 ///
-/// One correction does if L is quadratic in the velocities; another removes what rounding left of
-/// it. The length `h` of the step that led here tells which velocities are small.
+/// One correction suffices if L is quadratic in the velocities; another one removes its rounding
+/// errors. The length `h` of the last step determines which velocities are small.
 pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -28,7 +28,7 @@ pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
     Ok(unknowns[0])
 }
 
-/// The factors of a mass matrix.
+/// Factors a mass matrix.
 pub(in crate::integrate) fn factors<S: Scalar, Y: StateVector<S>>(
     mass: &Matrix<S, Y>,
 ) -> Result<Factors<S, Y>, StepFailure<S>> {

@@ -1,4 +1,4 @@
-//! Times in equal steps, against sums in numbers that are exact enough.
+//! Times in equal steps, compared with sums in sufficiently exact numbers.
 
 use super::{Clock, check_step, least_step};
 use crate::scalar::Scalar;
@@ -13,7 +13,7 @@ impl Random {
     }
 }
 
-/// Distances between times that are exact in two numbers: a high part and a low one.
+/// Distances between times, exact as the sum of a high and a low part.
 #[derive(Clone, Copy)]
 struct Sum(f64, f64);
 
@@ -25,7 +25,7 @@ impl Sum {
     }
 }
 
-/// Goes from one time to another and checks every step; how many there were.
+/// Walks from one time to another and checks every step. Returns the number of steps.
 fn walk<S: Scalar + Into<f64>>(start: S, limit: S, step: S) -> usize {
     let what = std::format!("from {start:?} to {limit:?} by {step:?}");
     let (mut clock, mut sum, mut steps) = (Clock::new(start, step), Sum(start.into(), 0.0), 0);
@@ -44,8 +44,8 @@ fn walk<S: Scalar + Into<f64>>(start: S, limit: S, step: S) -> usize {
     steps
 }
 
-/// Ways of a few steps between times that are multiples of the step, their neighbours, or anything
-/// else.
+/// Checks short walks between times that are multiples of the step, neighbours of multiples, or
+/// arbitrary.
 fn check_frames<S: Scalar + Into<f64>>(count: usize) {
     let mut random = Random(1);
     for frame in 0..count {
@@ -69,7 +69,7 @@ fn check_frames<S: Scalar + Into<f64>>(count: usize) {
     }
 }
 
-/// Ten thousand frames, or as many as `LAGRANGE_FRAMES` says.
+/// Ten thousand frames, or the number set by `LAGRANGE_FRAMES`.
 #[test]
 fn times_advance_and_belong_to_the_steps_that_lead_there() {
     let count = std::env::var("LAGRANGE_FRAMES").ok().and_then(|count| count.parse().ok()).unwrap_or(10_000);

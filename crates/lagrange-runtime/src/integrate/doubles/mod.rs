@@ -1,4 +1,4 @@
-//! Systems that methods are tested on, and what they are tested for.
+//! Test systems for methods, and common checks.
 
 pub(in crate::integrate) mod canonical;
 pub(in crate::integrate) mod constrained;

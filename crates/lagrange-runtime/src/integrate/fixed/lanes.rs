@@ -8,42 +8,43 @@ use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
 
-/// A formula that advances several motions in lanes, as [`Formula`](super::Formula) does one. Y is
-/// the state.
+/// A formula that advances several motions in lanes, like [`Formula`](super::Formula) for one
+/// motion. Y is the state.
 pub trait LanesFormula<S: SideBySide, Y: StateVector<S>>: Copy {
-    /// Data at the end of a step that states within it need, besides the state.
+    /// Data at the end of a step that interpolation needs in addition to the state.
     type End: Copy;
-    /// Evaluations at the start of a motion, and in each step.
+    /// Number of evaluations at the start of a motion, and in each step.
     const EVALUATIONS: (u64, u64);
-    /// An end that is not known yet.
+    /// The data before any step.
     const NO_END: Self::End;
 
     /// Prepares for motions that start at the states `y` at time `t`.
     fn prepare<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y);
 
-    /// Returns what one step leaves to the next, as numbers. Each lane is a motion's own.
+    /// Returns the numbers that one step passes to the next. Each lane belongs to one motion.
     fn carried(&self) -> &[S];
 
-    /// Returns what one step leaves to the next, to be changed.
+    /// Returns the same numbers for modification.
     fn carried_mut(&mut self) -> &mut [S];
 
     /// Returns the change of the states from time `t` to `t + h`.
     fn increment<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y, h: S) -> Y;
 
-    /// True in each lane in which something may be too fast for the last step.
+    /// True in each lane in which a component may be too fast for the last step.
     fn hints_at_instability(&self) -> S::Mask;
 
-    /// Returns the last step, from `y` at time `t`, as one under suspicion.
+    /// Returns the last step, from `y` at time `t`, as a suspect one.
     fn suspect(&self, t: S, y: &Y) -> SuspectStep<S, Y>;
 
-    /// Returns what states within the last step need of its end `y` at time `t`.
+    /// Returns the interpolation data for the end `y` of the last step at time `t`.
     fn end<E: Equations<S, State = Y>>(&self, equations: &E, t: S, y: &Y) -> Self::End;
 
-    /// Returns the states between `from` and `to`, the ends of the last steps with their times.
+    /// Returns the states at time `t` between `from` and `to`, the ends of the last steps with
+    /// their times.
     fn interpolate(&self, from: (S, &Y), to: (S, &Y), end: &Self::End, t: S) -> Y;
 }
 
-/// A method in equal steps that has a formula for lanes. It takes motions in lanes by it.
+/// A method in equal steps with a formula for lanes, by which it advances motions in lanes.
 pub trait FixedSteps: Copy {
     /// The number type.
     type Scalar: Scalar;
@@ -107,7 +108,7 @@ impl<T: Scalar, K: FixedSteps<Scalar = T>> LanesMethod<T> for K {
     }
 }
 
-/// Integrations by a formula in equal steps, one in each lane; Y is the state.
+/// Integrations with a formula in equal steps, one in each lane; Y is the state.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedLanes<S: Number, Y, F> {
     formula: F,
@@ -122,7 +123,7 @@ pub struct FixedLanes<S: Number, Y, F> {
     counts: Counts,
 }
 
-/// The last steps by a formula in lanes; D is what the formula needs of their ends.
+/// The last steps with a formula in lanes; D is the interpolation data at their ends.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedLastStep<S, Y, D> {
     /// The times at which they began.
@@ -138,8 +139,8 @@ where
     Y: StateVector<S>,
     F: LanesFormula<S, Y>,
 {
-    /// Motions that start at time `t` in steps of this length towards `end`; their states are zero
-    /// as yet. They are given up if such steps are lost in the rounding of time.
+    /// Creates motions that start at time `t` with steps of this length towards `end`; their states
+    /// are initially zero. They are abandoned if such steps are lost in the rounding of time.
     #[inline(always)]
     fn new(formula: F, step: S::Element, t: S::Element, end: S::Element) -> Self {
         let suspects =
@@ -159,7 +160,7 @@ where
         }
     }
 
-    /// Puts what is in the lane `from` of other motions into a lane of these.
+    /// Copies the lane `from` of other motions into a lane of these.
     #[inline(always)]
     fn take<O, Z, G>(&mut self, lane: usize, other: &FixedLanes<O, Z, G>, from: usize)
     where
@@ -175,7 +176,7 @@ where
         self.counts.take(lane, &other.counts, from);
     }
 
-    /// Follows hints where they are worth it, of a step that began at `y` at time `t`.
+    /// Follows up the hints that require it, for a step that began at `y` at time `t`.
     #[cold]
     fn watch(&mut self, hints: S::Mask, t: S, y: &Y) {
         let mut followed = S::ZERO;
@@ -192,7 +193,7 @@ where
         }
     }
 
-    /// Gives motions up that do not go on or took more steps than they may.
+    /// Abandons motions that cannot continue or exceed the maximum number of steps.
     #[cold]
     fn give_up(&mut self, go_on: S::Mask) {
         for lane in 0..S::LANES {

@@ -1,4 +1,4 @@
-//! Motions in progress as numbers, from which they go on with the same bits.
+//! Motions in progress as numbers, from which they continue with the same bits.
 
 use super::{FixedStepper, Formula};
 use crate::integrate::compensated::Compensated;
@@ -8,10 +8,10 @@ use crate::system::{OdeSystem, SettingError, StepFailure};
 const ANOTHER: &str =
     "the saved numbers are not those of such a motion: one is missing, too many or not finite";
 
-/// A [`Formula`] whose variables are the state and whose memory is numbers.
+/// A [`Formula`] whose variables are the state and whose memory consists of numbers.
 pub trait Memory<S> {
-    /// Visits in a fixed order, to read or to replace, the numbers at time `t` on which further
-    /// steps depend.
+    /// Visits, in a fixed order, the numbers at time `t` on which further steps depend, for reading
+    /// or replacing them.
     fn visit(&mut self, t: S, each: &mut impl FnMut(&mut S));
 }
 
@@ -21,18 +21,20 @@ where
     F: Formula<M> + Memory<M::Scalar> + Clone,
 {
     /// Calls `note` with each number that [`restore`](Self::restore) needs: time, state, the
-    /// rounding remainders of both, and the memory of the method. All such motions have as many.
+    /// rounding remainders of both, and the memory of the method. Their number is the same for all
+    /// such motions.
     ///
-    /// The settings of the method and the system with its parameters are not among them.
+    /// The settings of the method and the system with its parameters are not included.
     pub fn save(&self, mut note: impl FnMut(M::Scalar)) {
         self.clone().visit(&mut |number| note(*number));
     }
 
-    /// Restores a motion from [saved](Self::save) numbers. It continues with the bits of the saved
-    /// one. The method and its settings must be the same. The work so far still counts.
+    /// Restores a motion from [saved](Self::save) numbers. It continues with the same bits as the
+    /// saved motion. The method and its settings must be the same. The work done so far still
+    /// counts.
     ///
     /// # Errors
-    /// If there are more or fewer numbers, or one is not finite. The motion is then unchanged.
+    /// If the count of numbers differs, or a number is not finite. The motion is then unchanged.
     pub fn restore(
         &mut self,
         numbers: impl IntoIterator<Item = M::Scalar>,

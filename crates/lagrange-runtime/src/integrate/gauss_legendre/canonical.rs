@@ -1,14 +1,14 @@
 //! Gauss methods in coordinates and momenta.
 //!
-//! Hamilton's equations with velocities instead of momenta: the stages hold velocities Vᵢ that
-//! satisfy
+//! They solve Hamilton's equations with velocities instead of momenta: the stages contain
+//! velocities Vᵢ that satisfy
 //!
 //! ```text
 //! Qᵢ = q + h Σ aᵢⱼ Vⱼ,    P(Qᵢ, Vᵢ) = p + h Σ aᵢⱼ R(Qⱼ, Vⱼ),    P = ∂L/∂v,    R = ∂L/∂q + Q,
 //! ```
 //!
-//! so that no mass matrix has to be inverted within a stage. To first order, a change of the
-//! velocities changes the residual of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
+//! so no mass matrix must be inverted within a stage. To first order, a change of the velocities
+//! changes the residual of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
 
 use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
 use crate::integrate::fixed::Formula;
@@ -30,11 +30,11 @@ type CanonicalStages<M, const K: usize> = [Vector<M>; K];
 pub struct Canonical<M: CanonicalSystem + ?Sized, const K: usize> {
     tableau: Tableau<ScalarOf<M>, K>,
     rounding: ScalarOf<M>,
-    /// Weights of the stages and the start in the velocity at the end of a step.
+    /// Weights of the stages and of the start in the velocity at the end of a step.
     end: ([ScalarOf<M>; K], ScalarOf<M>),
     prediction: Prediction<ScalarOf<M>, Vector<M>, K>,
     reached: Reached<M>,
-    /// Velocities at the stages of the step that is being taken, and its length.
+    /// Velocities at the stages of the step in progress, and its length.
     stages: (CanonicalStages<M, K>, ScalarOf<M>),
 }
 
@@ -118,7 +118,8 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
 }
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
-    /// The change of coordinates and momenta, iterating from these velocities of the stages.
+    /// Computes the change of coordinates and momenta, iterating from these velocities of the
+    /// stages.
     fn solve(
         &mut self,
         step: &Step<'_, M>,

@@ -1,8 +1,8 @@
 //! States within a step of a Gauss method.
 //!
-//! The polynomial through the stages is accurate to the order K + 1 of h only. For two and three
-//! stages, states and rates at the ends therefore serve better. Source: Hairer, Nørsett, Wanner, *Solving
-//! Ordinary Differential Equations I*, §II.6.
+//! The polynomial through the stages is only accurate to the order K + 1 of h. For two and three
+//! stages, states and rates at the ends are therefore used instead. Source: Hairer, Nørsett,
+//! Wanner, *Solving Ordinary Differential Equations I*, §II.6.
 
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::integrate::method::Work;
@@ -13,8 +13,8 @@ use crate::system::{CanonicalSystem, OdeSystem, StateVector, join, split};
 /// A state with its time.
 type At<'a, M> = (<M as OdeSystem>::Scalar, &'a <M as OdeSystem>::State);
 
-/// The state between the ends of a step of the method with K stages, with an error of the order of
-/// the method.
+/// Computes the state between the ends of a step of the method with K stages, with an error of the
+/// order of the method.
 pub(super) fn between<M: CanonicalSystem + ?Sized, const K: usize>(
     system: &M,
     from: At<'_, M>,
@@ -29,8 +29,8 @@ pub(super) fn between<M: CanonicalSystem + ?Sized, const K: usize>(
     }
 }
 
-/// Interpolates as [`between`] for a system whose velocities need not be rates of coordinates; for
-/// three stages the error is O(h⁵).
+/// Interpolates like [`between`] for a system whose velocities need not be rates of coordinates.
+/// For three stages the error is O(h⁵).
 pub(super) fn plainly_between<M: OdeSystem + ?Sized, const K: usize>(
     system: &M,
     from: At<'_, M>,
@@ -45,7 +45,7 @@ pub(super) fn plainly_between<M: OdeSystem + ?Sized, const K: usize>(
     }
 }
 
-/// The straight line between the ends. The error is O(h²).
+/// Interpolates linearly between the ends. The error is O(h²).
 fn linear<M: OdeSystem + ?Sized>(from: At<'_, M>, to: At<'_, M>, t: M::Scalar) -> M::State {
     let part = (t - from.0) / (to.0 - from.0);
     let mut y = *from.1;
@@ -55,7 +55,7 @@ fn linear<M: OdeSystem + ?Sized>(from: At<'_, M>, to: At<'_, M>, t: M::Scalar) -
     y
 }
 
-/// The cubic with the right rates at the ends. The error is O(h⁴).
+/// Interpolates by the cubic with the right rates at the ends. The error is O(h⁴).
 fn third_degree<M: OdeSystem + ?Sized>(
     system: &M,
     from: At<'_, M>,
@@ -69,8 +69,8 @@ fn third_degree<M: OdeSystem + ?Sized>(
     cubic(Place { h, s: (t - from.0) / h }, [from.1, to.1], [&rates[0], &rates[1]])
 }
 
-/// States at both ends, with the rates there and at two places between, to which the cubic leads.
-/// The error is O(h⁵).
+/// Interpolates from states at both ends, with the rates there and at two intermediate points on
+/// the cubic. The error is O(h⁵).
 fn fifth_order<M: OdeSystem + ?Sized>(
     system: &M,
     from: At<'_, M>,
@@ -88,8 +88,8 @@ fn fifth_order<M: OdeSystem + ?Sized>(
     integrated([from.1, to.1], &[f0, first, second, f1], Place { h, s: (t - from.0) / h })
 }
 
-/// Coordinates follow the quintic through states and accelerations at the ends. Velocities follow
-/// from those and from the accelerations at two places between, to which the quintic leads. The
+/// Interpolates coordinates by the quintic through states and accelerations at the ends. Velocities
+/// follow from these and from the accelerations at two intermediate points on the quintic. The
 /// error is O(h⁶).
 fn sixth_order<M: CanonicalSystem + ?Sized>(
     system: &M,
@@ -116,13 +116,13 @@ fn sixth_order<M: CanonicalSystem + ?Sized>(
     join::<M>(&moved(s).0, &integrated([&v0, &v1], &[a0, first, second, a1], Place { h, s }))
 }
 
-/// One and two thirds.
+/// Returns one and two thirds.
 fn thirds<S: Scalar>() -> [S; 2] {
     [1.0, 2.0].map(|number| S::from_f64(number) / S::from_f64(3.0))
 }
 
-/// Values from those at the ends and from their rates at zero, one, two and three thirds of the
-/// step.
+/// Computes values from those at the ends and from their rates at zero, one, two and three thirds
+/// of the step.
 fn integrated<S: Scalar, Y: StateVector<S>>(ends: [&Y; 2], rates: &[Y; 4], place: Place<S>) -> Y {
     let mut result = *ends[0];
     for (i, (y, end)) in result.as_mut().iter_mut().zip(ends[1].as_ref()).enumerate() {
@@ -136,13 +136,13 @@ fn integral<S: Scalar>([f0, f1, f2, f3]: [S; 4], change: S, Place { h, s }: Plac
     let n = S::from_f64;
     let (d1, d2) = (f1 - f0, (f2 - f1) - (f1 - f0));
     let d3 = ((f3 - f2) - (f2 - f1)) - d2;
-    // Newton's formula, integrated over x, three times the part of the step.
+    // Newton's formula, integrated over x, which is three times the fraction of the step.
     let cubic = |x: S| {
         let (second, third) = (x / n(6.0) - n(0.25), (x / n(24.0) - n(1.0) / n(6.0)) * x + n(1.0) / n(6.0));
         h / n(3.0) * x * (f0 + x * (d1 / n(2.0) + d2 * second + d3 * third))
     };
     let missing = change - cubic(n(3.0));
-    // The quintic that leads from zero to one without changing the rates.
+    // The quintic from zero to one that does not change the rates.
     let blend = s * s * (n(30.0) + s * (s * (n(135.0) - n(54.0) * s) - n(110.0)));
     cubic(n(3.0) * s) + missing * blend
 }

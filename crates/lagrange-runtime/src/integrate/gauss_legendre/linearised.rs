@@ -1,7 +1,7 @@
 //! The linear equations of a Newton iteration over all stages of a Gauss method.
 //!
-//! With the derivatives frozen, those equations are polynomials in the matrix of coefficients. In
-//! the basis of its eigenvectors they fall apart into one real system as large as one stage and a
+//! With frozen derivatives, these equations are polynomials in the matrix of coefficients. In the
+//! basis of its eigenvectors they decouple into one real system with the size of one stage and a
 //! complex one. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8.
 
 use crate::integrate::canonical::Pencil;
@@ -20,15 +20,15 @@ type Complex<S, Y, const K: usize> = (EigenMode<(f64, f64), K>, ComplexFactors<S
 /// The factors of the equations of all stages.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Linearised<S: Scalar, Y: StateVector<S>, const K: usize> {
-    /// Every stage for itself.
+    /// Each stage separately.
     Constant(Factors<S, Y>),
     /// One system for each mode.
     Modes(Option<Real<S, Y, K>>, Option<Complex<S, Y, K>>),
 }
 
 impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
-    /// The factors, of the constant alone if derivatives are not known or lead to a singular
-    /// matrix.
+    /// Factors the equations. Only the constant is factored if derivatives are not available or
+    /// lead to a singular matrix.
     pub(super) fn new(pencil: &Pencil<S, Y>, tableau: &Tableau<S, K>) -> Option<Self> {
         let modes = pencil.derivatives.as_ref().and_then(|(linear, quadratic)| {
             let real = match tableau.real {
@@ -44,7 +44,7 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
         modes.or_else(|| Some(Linearised::Constant(Factors::new(pencil.constant)?)))
     }
 
-    /// The solution for a right-hand side.
+    /// Computes the solution for a right-hand side.
     #[inline]
     pub(super) fn solve(&self, right: &[Y; K]) -> [Y; K] {
         match self {
@@ -72,7 +72,7 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
     }
 }
 
-/// Σ part vector
+/// Computes Σ part vector.
 #[inline]
 fn combination<S: Scalar, Y: StateVector<S>, const K: usize>(parts: &[f64; K], vectors: &[Y; K]) -> Y {
     let mut sum = vectors[0].zeros();
@@ -82,7 +82,7 @@ fn combination<S: Scalar, Y: StateVector<S>, const K: usize>(parts: &[f64; K], v
     sum
 }
 
-/// The factors of constant − λ linear − λ² quadratic.
+/// Factors constant − λ linear − λ² quadratic.
 fn at_real<S: Scalar, Y: StateVector<S>>(
     constant: &Matrix<S, Y>,
     linear: &Matrix<S, Y>,
@@ -93,7 +93,7 @@ fn at_real<S: Scalar, Y: StateVector<S>>(
     Factors::new(constant.with(|i, j| constant[(i, j)] - first * linear[(i, j)] - second * quadratic[(i, j)]))
 }
 
-/// Factorises as [`at_real`] for a complex λ.
+/// Factors like [`at_real`] for a complex λ.
 fn at_complex<S: Scalar, Y: StateVector<S>>(
     constant: &Matrix<S, Y>,
     linear: &Matrix<S, Y>,

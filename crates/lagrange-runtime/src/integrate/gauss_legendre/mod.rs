@@ -1,9 +1,9 @@
 //! Gauss methods: implicit midpoint and its relatives of order four and six.
 //!
-//! Collocation at the zeros of Legendre polynomials; K stages give the order 2K. The methods are
-//! symmetric, symplectic in coordinates and momenta for any Lagrangian, conserve quadratic
-//! invariants, and damp nothing however stiff the system is. Sources: Butcher 1964; Hairer, Lubich,
-//! Wanner, *Geometric Numerical Integration*, §II.1.3, §VI.4, §VIII.6.
+//! Collocation at the zeros of Legendre polynomials, with order 2K for K stages. The methods are
+//! symmetric and, for any Lagrangian, symplectic in coordinates and momenta. They conserve
+//! quadratic invariants, and have no numerical damping for any stiffness. Sources: Butcher 1964;
+//! Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §II.1.3, §VI.4, §VIII.6.
 
 mod canonical;
 mod dense;
@@ -29,21 +29,21 @@ pub type GaussLegendre6<S> = GaussLegendre<S, 3>;
 
 /// The Gauss method with K = 1, 2 or 3 stages, of order 2K, in equal steps, for any Lagrangian.
 ///
-/// It advances coordinates and momenta p = ∂L/∂v, in which it is symplectic for any dependence of
-/// the mass matrix. The energy of a conservative system therefore oscillates and does not drift.
-/// Momenta of cyclic coordinates are conserved to rounding, and so are quantities that are
-/// quadratic in (q, p), such as angular momenta in Cartesian coordinates. The method is symmetric
-/// in time and stable for any stiffness; vibrations faster than the step neither grow nor decay.
+/// It advances coordinates and momenta p = ∂L/∂v, in which it is symplectic for any mass matrix.
+/// The energy of a conservative system therefore oscillates without drift. Momenta of cyclic
+/// coordinates are conserved to rounding, and so are quantities that are quadratic in (q, p), such
+/// as angular momenta in Cartesian coordinates. The method is symmetric in time and stable for any
+/// stiffness; vibrations faster than the step neither grow nor decay.
 ///
-/// An iteration evaluates momenta and their rates K times. With the Jacobian that
-/// `emit { jacobian }` provides, a step evaluates it once and takes four to seven Newton
-/// iterations, for any stiffness. Without it, the step uses fixed-point iterations, hardly more of
-/// them if it is short, and difference quotients where those do not converge. On a double pendulum
-/// a step costs as much as 15 (K = 1) to 30 (K = 3) evaluations of the right-hand side.
+/// An iteration evaluates momenta and their rates K times. With the Jacobian that `emit { jacobian
+/// }` provides, a step evaluates it once and takes four to seven Newton iterations, for any
+/// stiffness. Without it, the step uses fixed-point iterations, about as many if the step is short.
+/// If these do not converge, it uses difference quotients. On a double pendulum a step costs as
+/// much as 15 (K = 1) to 30 (K = 3) evaluations of the right-hand side.
 ///
 /// States within a step have the order of the method for K = 1 (a straight line) and K = 2 (a
-/// cubic). For K = 3, they have order five in velocities. The polynomials require steps that
-/// resolve the motion; states at ends of steps do not.
+/// cubic). For K = 3, velocities have order five. The interpolation requires steps that resolve the
+/// motion, unlike states at ends of steps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct GaussLegendre<S, const K: usize> {
     /// Length of a step.
@@ -69,8 +69,8 @@ impl<S, const K: usize> GaussLegendre<S, K> {
 ///
 /// It advances the state itself, and conserves quantities quadratic in the state. It is symplectic
 /// only if the mass matrix is constant and forces do not depend on velocities; otherwise use
-/// [`GaussLegendre`]. Symmetric in time, stable for any stiffness (A-stable), without numerical
-/// damping.
+/// [`GaussLegendre`]. It is symmetric in time and stable for any stiffness (A-stable), without
+/// numerical damping.
 ///
 /// An iteration evaluates the right-hand side K times. Iterations and states within a step are as
 /// for [`GaussLegendre`], the latter with an error O(h⁵) for K = 3.

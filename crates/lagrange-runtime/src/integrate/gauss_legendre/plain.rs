@@ -1,8 +1,8 @@
 //! Gauss methods in the state itself.
 //!
-//! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution
-//! of these equations is more accurate than f at its rounded argument. The step therefore adds up
-//! the solution.
+//! The stages contain slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). For stiff systems, the solution of
+//! these equations is more accurate than f at its rounded argument. The step therefore sums the
+//! solution.
 
 use crate::integrate::canonical::{Pencil, magnitude};
 use crate::integrate::fixed::Formula;
@@ -27,7 +27,7 @@ pub struct Plain<M: OdeSystem + ?Sized, const K: usize> {
     tableau: Tableau<ScalarOf<M>, K>,
     rounding: ScalarOf<M>,
     prediction: Prediction<ScalarOf<M>, State<M>, K>,
-    /// Slopes of the step that is being taken, and its length.
+    /// Slopes of the step in progress, and its length.
     stages: (Stages<M, K>, ScalarOf<M>),
 }
 
@@ -91,7 +91,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
     }
 }
 
-/// A step to be taken.
+/// The data of a step.
 struct Step<'a, M: OdeSystem + ?Sized> {
     system: &'a M,
     t: M::Scalar,
@@ -100,7 +100,7 @@ struct Step<'a, M: OdeSystem + ?Sized> {
 }
 
 impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
-    /// The change of the state, iterating from these slopes of the stages.
+    /// Computes the change of the state, iterating from these slopes of the stages.
     fn solve(
         &mut self,
         step: &Step<'_, M>,
@@ -121,7 +121,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         Ok(change)
     }
 
-    /// The derivatives of the equations in the middle of the step.
+    /// Computes the derivatives of the equations in the middle of the step.
     fn pencil(
         &self,
         step: &Step<'_, M>,

@@ -1,15 +1,15 @@
 //! Coefficients of the Gauss methods and the eigenvalues of their matrices.
 //!
 //! Sources: Butcher 1964; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §II.1.3, table
-//! 1.1. The eigenvalues and eigenvectors only steer iterations, so that the precision of `f64` does
-//! for every number type.
+//! 1.1. The eigenvalues and eigenvectors only control iterations, so the precision of `f64`
+//! suffices for every number type.
 
 use crate::scalar::Scalar;
 
 /// A collocation method with K stages.
 #[derive(Clone, Copy, Debug)]
 pub struct Tableau<S, const K: usize> {
-    /// Coefficients of stages.
+    /// Coefficients of the stages.
     pub(super) a: [[S; K]; K],
     /// Weights.
     pub(super) b: [S; K],
@@ -17,13 +17,12 @@ pub struct Tableau<S, const K: usize> {
     pub(super) c: [S; K],
     /// The real eigenvalue of `a`, if there is one.
     pub(super) real: Option<EigenMode<f64, K>>,
-    /// The pair of complex eigenvalues of `a`, if there is one: that with the positive imaginary
-    /// part.
+    /// The complex eigenvalue of `a` with the positive imaginary part, if there is a pair.
     pub(super) complex: Option<EigenMode<(f64, f64), K>>,
 }
 
-/// An eigenvalue with its right eigenvector, a column, and its left one, a row; the product of row
-/// and column is one.
+/// An eigenvalue with its right eigenvector, a column, and its left eigenvector, a row. The product
+/// of row and column is one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EigenMode<N, const K: usize> {
     pub(super) value: N,
@@ -31,7 +30,7 @@ pub(super) struct EigenMode<N, const K: usize> {
     pub(super) row: [N; K],
 }
 
-/// Numbers of stages for which coefficients are known.
+/// Numbers of stages with known coefficients.
 pub trait Coefficients {
     /// Returns the coefficients.
     fn coefficients() -> Self;

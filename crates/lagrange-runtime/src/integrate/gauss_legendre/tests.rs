@@ -44,7 +44,7 @@ fn the_order_of_three_stages_is_six() {
     check_order(&opaque(Kepler), ORBIT, 2.0, 40, method);
 }
 
-/// Multipliers are functions of the state like any force.
+/// Multipliers are functions of the state, like any force.
 #[test]
 fn constraint_forces_leave_the_order() {
     let (start, end) = ([0.6, -0.8, 1.6, 1.2], 2.0);
@@ -107,11 +107,11 @@ fn momenta_of_cyclic_coordinates_are_kept() {
 
 #[test]
 fn stiff_springs_neither_limit_steps_nor_disturb_slow_motion() {
-    // A step is some eighty periods of the spring, whose length at first balances the weight.
+    // A step spans about eighty periods of the spring, whose initial length balances the weight.
     let system = smooth(SpringPendulum { stiffness: 1e9 });
     let start = [1.0 + 9.81 * 0.5_f64.cos() / 1e9, 0.5, 0.0, 0.0];
     let end = reached(&system, 0.0, start, 10.0, &GaussLegendre6 { step: 0.016 });
-    // A rod in place of the spring, in time units in which the gravity is one.
+    // A rod in place of the spring, in time units with a gravity of one.
     let unit = 9.81_f64.sqrt();
     let rod = smooth(ShakenPendulum { amplitude: 0.0, frequency: 0.0 });
     let [angle, rate] = reached(&rod, 0.0, [0.5, 0.0], 10.0 * unit, &GaussLegendre6 { step: 0.01 });
@@ -122,9 +122,9 @@ fn stiff_springs_neither_limit_steps_nor_disturb_slow_motion() {
 
 #[test]
 fn an_almost_upright_pendulum_falls_in_time() {
-    // The quarter of its period is K(cos δ/2) = ln(4/sin(δ/2)) but for terms in δ², at the angle π
-    // − δ. What is left of the rounding of angles near π, 4e-16, grows until then as δ does, by
-    // nine powers of ten.
+    // The quarter period is K(cos δ/2) = ln(4/sin(δ/2)) up to terms in δ², at the angle π − δ. The
+    // rounding error of angles near π, 4e-16, grows in proportion to δ in this time, by nine powers
+    // of ten.
     let angle = core::f64::consts::PI - 1e-9;
     let delta = (core::f64::consts::PI - angle) + 1.224_646_799_147_353e-16;
     let quarter = (4.0 / (delta / 2.0).sin()).ln();
@@ -133,7 +133,7 @@ fn an_almost_upright_pendulum_falls_in_time() {
     assert!(angle.abs() < 4e-6 && (rate + 2.0).abs() < 1e-10, "{angle:e} {rate}");
 }
 
-/// A mass that falls to where its force is not defined.
+/// A mass that falls to a place where its force is undefined.
 struct Edge;
 
 impl Lagrangian<1> for Edge {
@@ -205,8 +205,8 @@ fn single_precision_reaches_its_own_rounding() {
 #[test]
 fn a_pendulum_shaken_a_thousand_times_a_second_stands_on_its_head() {
     let system = smooth(ShakenPendulum { amplitude: 1e-3, frequency: 2000.0 * core::f64::consts::PI });
-    // It swings about the upright position with the frequency √(a²Ω²/2 − 1) of the averaged motion,
-    // here 4.3.
+    // It oscillates about the upright position with the frequency √(a²Ω²/2 − 1) of the averaged
+    // motion, here 4.3.
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     integrate(&system, 0.0, [3.0, 0.0], 2.0, &GaussLegendre4 { step: 1e-4 }, |_, [angle, _]| {
         (least, most) = (least.min(*angle), most.max(*angle));
@@ -217,7 +217,7 @@ fn a_pendulum_shaken_a_thousand_times_a_second_stands_on_its_head() {
     assert!((most - core::f64::consts::PI - reach).abs() < 0.01 * reach, "{most}");
 }
 
-/// The order of the error at three tenths of a first step of the length `h`.
+/// Returns the order of the error at three tenths of a first step of length `h`.
 fn order_within(h: f64, method: impl Fn(f64) -> Vec<f64>) -> f64 {
     let error = |h: f64| {
         let fine = GaussLegendre6 { step: h / 200.0 };
@@ -226,7 +226,7 @@ fn order_within(h: f64, method: impl Fn(f64) -> Vec<f64>) -> f64 {
     (error(h) / error(h / 2.0)).log2()
 }
 
-/// The state at three tenths of a first step.
+/// Returns the state at three tenths of a first step.
 fn within(method: &impl Method<System<DoublePendulum, 2>>, h: f64) -> Vec<f64> {
     let system = smooth(DoublePendulum);
     let mut stepper = method.start(&system, 0.0, &PENDULUM, 10.0).expect("starts");

@@ -1,4 +1,4 @@
-//! Polynomials that are met exactly.
+//! Polynomials that are reproduced exactly.
 
 use super::{Motion, Place, cubic, quintic};
 

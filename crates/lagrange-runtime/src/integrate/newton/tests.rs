@@ -1,11 +1,11 @@
-//! The iteration on equations whose solutions are known.
+//! Iterations for equations with known solutions.
 
 use super::{Equations, solve};
 use crate::integrate::method::Work;
 use crate::system::StepFailure;
 
-/// x² = target for every unknown, with the derivative 2x taken at a wrong place; unknowns of
-/// several scales.
+/// The equations x² = target for every unknown, with the derivative 2x evaluated at a wrong place
+/// and unknowns of several scales.
 struct Roots {
     targets: [f64; 3],
     slopes: [f64; 3],
@@ -55,7 +55,7 @@ fn what_does_not_converge_is_reported() {
     ));
 }
 
-/// x = 1 + y/100, y = x/100, of which each waits for the other.
+/// The equations x = 1 + y/100, y = x/100, each of which waits for the other.
 struct Turns;
 
 impl Equations<f64, [f64; 2], 1> for Turns {

@@ -1,25 +1,25 @@
 //! The choice of the next step length.
 //!
-//! The step follows the error of the last two steps, and Newton's iterations: many of them ask for
-//! a shorter step. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8,
-//! "Step size selection".
+//! The step depends on the errors of the last two steps and on Newton's iterations: a large number
+//! of them requires a shorter step. Source: Hairer, Wanner, *Solving Ordinary Differential
+//! Equations II*, §IV.8, "Step size selection".
 
 use super::newton::MOST_ITERATIONS;
 use crate::scalar::Scalar;
 
-/// The estimate of the error of a step grows with this power of its length.
+/// Power of the step length with which the error estimate of a step grows.
 pub(super) const POWER: f64 = 4.0;
-/// Steps are shorter than what would just do by this factor.
+/// Safety factor of step lengths.
 const SAFETY: f64 = 0.9;
-/// No step is shorter than the one before by more than this factor,
+/// Minimum ratio of a step to the previous one.
 const MOST_SHRINKING: f64 = 0.2;
-/// and none is longer by more than this.
+/// Maximum ratio of a step to the previous one.
 const MOST_GROWTH: f64 = 10.0;
-/// Steps that would grow by less than this stay, for the sake of the factors.
+/// Minimum growth of a step; for less, the length is kept so that the factors can be reused.
 const WORTHWHILE: f64 = 1.2;
-/// Factor of the step length where Newton's method does not converge.
+/// Factor of the step length if Newton's method does not converge.
 const RETREAT: f64 = 0.5;
-/// Errors are remembered as no smaller than this.
+/// Minimum error that is stored.
 const LEAST_ERROR: f64 = 1e-2;
 
 /// The controller with its memory.
@@ -27,7 +27,7 @@ const LEAST_ERROR: f64 = 1e-2;
 pub(super) struct ReuseControl<S> {
     /// Length of the next step to try, always positive.
     pub(super) step: S,
-    /// Length and error of the last step that was taken.
+    /// Length and error of the last accepted step.
     last: Option<(S, S)>,
     was_rejected: bool,
 }
@@ -37,19 +37,19 @@ impl<S: Scalar> ReuseControl<S> {
         ReuseControl { step, last: None, was_rejected: false }
     }
 
-    /// True if the last step was thrown away.
+    /// True if the last step was rejected.
     pub(super) fn was_rejected(&self) -> bool {
         self.was_rejected
     }
 
-    /// True if an error above one is to be doubted: that of a first step, or of one after a
+    /// True if an error above one is doubtful: the error of a first step, or of a step after a
     /// rejection.
     pub(super) fn doubts(&self) -> bool {
         self.was_rejected || self.last.is_none()
     }
 
-    /// A step of length `taken`, which may be shorter than asked for, had this error, not above
-    /// one.
+    /// Accepts a step of length `taken`, which may be shorter than requested, with this error of at
+    /// most one.
     pub(super) fn accept(&mut self, taken: S, error: S, iterations: u32) {
         let mut wanted = wanted(error, iterations);
         if let Some((before, error_before)) = self.last {
@@ -65,7 +65,7 @@ impl<S: Scalar> ReuseControl<S> {
         self.was_rejected = false;
     }
 
-    /// A step of length `taken` had an error above one.
+    /// Rejects a step of length `taken` with an error above one.
     pub(super) fn reject(&mut self, taken: S, error: S, iterations: u32) {
         let wanted = wanted(error, iterations);
         let shrinking =
@@ -74,21 +74,21 @@ impl<S: Scalar> ReuseControl<S> {
         self.was_rejected = true;
     }
 
-    /// A step of length `taken` could not be computed.
+    /// Retreats from a step of length `taken` that could not be computed.
     pub(super) fn retreat(&mut self, taken: S) {
         self.step = taken * S::from_f64(RETREAT);
         self.was_rejected = true;
     }
 }
 
-/// The factor of a step with this error that would just do.
+/// Returns the factor at which a step with this error would just meet the tolerance.
 fn wanted<S: Scalar>(error: S, iterations: u32) -> S {
     let most = f64::from(MOST_ITERATIONS);
     let safety = SAFETY * (2.0 * most + 1.0) / (2.0 * most + f64::from(iterations));
     S::from_f64(safety) / fourth_root(error)
 }
 
-/// The root that undoes [`POWER`].
+/// Computes the inverse of the power [`POWER`].
 fn fourth_root<S: Scalar>(x: S) -> S {
     x.sqrt().sqrt()
 }

@@ -1,9 +1,9 @@
 //! States within a step.
 //!
-//! The polynomial of the stages has the order three, less than the step. Where the rate of a
-//! component is another one, as q̇ = v, both follow from a quintic polynomial. It takes positions,
+//! The polynomial of the stages has order three, less than the step. If the rate of a component is
+//! another component, as for q̇ = v, both follow from a quintic polynomial. It matches positions,
 //! velocities and accelerations at the ends. Other components are cubic. The slopes at the ends are
-//! those of the polynomial of the stages, in this step and the one before. They equal the rates
+//! those of the polynomial of the stages, in this step and the previous one. They equal the rates
 //! except for the residual of Newton's method, which a stiff system would magnify.
 
 use super::linear::LeadingPositions;
@@ -14,13 +14,13 @@ use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// A step of the length `h` from the time `t`.
+/// A step of length `h` from the time `t`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StepTaken<S, Y> {
     pub(super) t: S,
     pub(super) h: S,
     pub(super) ends: [Y; 2],
-    /// Change of the state, to more digits than the difference of the ends has.
+    /// Change of the state, with more digits than the difference of the ends.
     pub(super) change: Y,
     pub(super) stages: StageChanges<Y>,
     /// The rates at the ends.
@@ -28,11 +28,11 @@ pub(super) struct StepTaken<S, Y> {
     pub(super) slopes: [Y; 2],
 }
 
-/// Distance of values, in parts of a step, whose differences give the slope of an interpolant.
+/// Distance of values for difference quotients of the interpolant, as a fraction of a step.
 const DISTANCE: f64 = 0.05;
 
 impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
-    /// No step, at this time and state with this rate.
+    /// Creates an empty step at this time and state, with this rate.
     pub(super) fn none(t: S, y: Y, rate: Y) -> Self {
         let (h, none) = (S::ZERO, Y::ZERO);
         StepTaken {
@@ -46,13 +46,13 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         }
     }
 
-    /// The slope of the polynomial of the stages at the end.
+    /// Returns the slope of the polynomial of the stages at the end.
     pub(super) fn end_slope(&self) -> Y {
         self.slope(&END_SLOPE)
     }
 
-    /// Returns the step with the slopes of the polynomial of the stages at both ends. Fast motions
-    /// that the step does not resolve do not spoil these.
+    /// Returns the step with the slopes of the polynomial of the stages at both ends. These slopes
+    /// are not affected by fast motions that the step does not resolve.
     pub(super) fn smooth(&self) -> Self {
         StepTaken { slopes: [self.slope(&START_SLOPE), self.slope(&END_SLOPE)], ..*self }
     }
@@ -63,8 +63,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         slope
     }
 
-    /// The changes from the part `s` of the step to the nodes of one of the length `h` that begins
-    /// there.
+    /// Extrapolates the changes from the fraction `s` of the step to the nodes of a step of length
+    /// `h` that begins there.
     #[inline(always)]
     pub(super) fn continued(&self, s: S, h: S) -> StageChanges<Y> {
         let (start, ratio) = (parts(s), h / self.h);
@@ -79,7 +79,7 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         changes
     }
 
-    /// The state at the part `s` of the step.
+    /// Returns the state at the fraction `s` of the step.
     pub(super) fn state(&self, positions: LeadingPositions, s: S) -> Y {
         let StepTaken { h, ends: [from, to], slopes: [before, after], .. } = self;
         let place = Place { h: *h, s };
@@ -101,8 +101,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         y
     }
 
-    /// The components whose rates are others, with these: not those whose rates are others and
-    /// something that depends on time.
+    /// Returns the components whose rates are other components, together with these. Components
+    /// whose rates contain additional time-dependent terms are excluded.
     fn positions(
         &self,
         LeadingPositions { count, rates }: LeadingPositions,
@@ -113,8 +113,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         })
     }
 
-    /// The slope of the interpolant at the part `s` of the step, by differences that are exact for
-    /// quartic polynomials.
+    /// Computes the slope of the interpolant at the fraction `s` of the step, by differences that
+    /// are exact for quartic polynomials.
     pub(super) fn slope_at(&self, positions: LeadingPositions, s: S) -> Y {
         let mut slope = self.change.zeros();
         for (steps, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
@@ -127,7 +127,7 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
     }
 }
 
-/// Returns the weights of the stages in their polynomial at the part `s` of the step.
+/// Returns the weights of the stages in their polynomial at the fraction `s` of the step.
 #[inline(always)]
 fn parts<S: Scalar>(s: S) -> [S; STAGES] {
     let mut parts = [S::ZERO; STAGES];

@@ -1,23 +1,23 @@
 //! The linear equations (μ − J) x = r of a Newton iteration, for real and complex μ.
 //!
-//! If the rates of the first components are other components, as q̇ = v, their equations μ q − v =
-//! r give q = (r + v) / μ. The factors are those of the other equations alone, at an eighth of the
-//! cost for a mechanical system. For q̇ = v, v̇ = A q + B v, these are
+//! If the rates of the first components are other components, as for q̇ = v, their equations μ q −
+//! v = r yield q = (r + v) / μ. The factors are those of the other equations alone, at an eighth of
+//! the cost for a mechanical system. For q̇ = v, v̇ = A q + B v, these are
 //!
 //! ```text
 //! (μ − B − A/μ) δv = r_v + A r_q / μ,    δq = (r_q + δv) / μ.
 //! ```
 //!
-//! With A = −6, B = −1, μ = 2, r = (1, 7): (2 + 1 + 3) δv = 7 − 3, so δv = 2/3 and δq = 5/6.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8, "Second order
+//! Example: A = −6, B = −1, μ = 2, r = (1, 7) leads to (2 + 1 + 3) δv = 7 − 3, so δv = 2/3 and δq =
+//! 5/6. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8, "Second order
 //! equations".
 
 use crate::linalg::pivoted::{ComplexFactors, Factors, Matrix, product};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// The components that follow from others: the first ones, as many as these, and where those begin
-/// that are their rates.
+/// The leading components that follow from others: their number, and the index of the first
+/// component that is their rate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct LeadingPositions {
     pub(super) count: usize,
@@ -25,7 +25,7 @@ pub(super) struct LeadingPositions {
 }
 
 impl LeadingPositions {
-    /// Finds them in a Jacobian, by rows with a single entry of one.
+    /// Finds these components in a Jacobian, by rows with a single entry of one.
     fn of<S: Scalar, Y: StateVector<S>>(jacobian: &Matrix<S, Y>) -> Self {
         let rows = jacobian.0.as_ref();
         let Some(rates) = rows.first().and_then(only_one) else {
@@ -35,8 +35,8 @@ impl LeadingPositions {
         LeadingPositions { count: (0..rows.len()).take_while(is_position).count(), rates }
     }
 
-    /// Calls a function with these positions, known at compile time where they are none or half of
-    /// all components.
+    /// Calls a function with these positions. They are known at compile time if their number is
+    /// zero or half of all components.
     #[inline(always)]
     fn known<R>(self, size: usize, call: impl Fn(LeadingPositions) -> R) -> R {
         let (half, none) =
@@ -49,7 +49,7 @@ impl LeadingPositions {
     }
 }
 
-/// The column of the only entry that is not zero, if that is one.
+/// Returns the column of the only nonzero entry, if this entry is one.
 fn only_one<S: Scalar, Y: StateVector<S>>(row: &Y) -> Option<usize> {
     let mut entries = row.as_ref().iter().enumerate().filter(|(_, entry)| **entry != S::ZERO);
     let (column, entry) = entries.next()?;
@@ -68,13 +68,13 @@ impl<S: Scalar, Y: StateVector<S>> LinearSystem<S, Y> {
         LinearSystem { positions: LeadingPositions::of(&jacobian), jacobian }
     }
 
-    /// The components whose rates are others, and where these are.
+    /// Returns the components whose rates are other components, and the place of these.
     pub(super) fn positions(&self) -> LeadingPositions {
         self.positions
     }
 
-    /// A part of the matrix of the other components: that of μ with that of 1 / μ, and `share` of
-    /// the Jacobian.
+    /// Computes a part of the matrix of the other components: the given parts of μ and of 1 / μ,
+    /// and `share` times the Jacobian.
     #[inline(always)]
     fn matrix(
         &self,
@@ -96,7 +96,7 @@ impl<S: Scalar, Y: StateVector<S>> LinearSystem<S, Y> {
         matrix
     }
 
-    /// The product of the Jacobian of another component with the first entries of a vector.
+    /// Computes the product of a row of the Jacobian with the first entries of a vector.
     #[inline(always)]
     fn by_positions(&self, count: usize, component: usize, right: &Y) -> S {
         (0..count).fold(S::ZERO, |sum, place| {
@@ -113,7 +113,7 @@ pub(super) struct RealShift<S: Scalar, Y: StateVector<S>> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> RealShift<S, Y> {
-    /// The factors, unless the matrix is singular or not finite.
+    /// Factors the equations; `None` if the matrix is singular or not finite.
     pub(super) fn new(linearised: &LinearSystem<S, Y>, mu: S) -> Option<Self> {
         let (reciprocal, size) = (S::ONE / mu, linearised.jacobian.rows());
         linearised.positions.known(
@@ -126,7 +126,7 @@ impl<S: Scalar, Y: StateVector<S>> RealShift<S, Y> {
         )
     }
 
-    /// The solution for a right-hand side.
+    /// Computes the solution for a right-hand side.
     #[inline]
     pub(super) fn solve(&self, linearised: &LinearSystem<S, Y>, right: &Y) -> Y {
         let size = linearised.jacobian.rows();
@@ -163,7 +163,7 @@ pub(super) struct ComplexShift<S: Scalar, Y: StateVector<S>> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> ComplexShift<S, Y> {
-    /// The factors, unless the matrix is singular or not finite.
+    /// Factors the equations; `None` if the matrix is singular or not finite.
     pub(super) fn new(linearised: &LinearSystem<S, Y>, mu: (S, S)) -> Option<Self> {
         let square = mu.0 * mu.0 + mu.1 * mu.1;
         let (reciprocal, size) = ((mu.0 / square, -(mu.1 / square)), linearised.jacobian.rows());
@@ -179,7 +179,7 @@ impl<S: Scalar, Y: StateVector<S>> ComplexShift<S, Y> {
         )
     }
 
-    /// The solution for a right-hand side, with its real and its imaginary part.
+    /// Computes the solution for a right-hand side with these real and imaginary parts.
     #[inline]
     pub(super) fn solve(&self, linearised: &LinearSystem<S, Y>, right: (&Y, &Y)) -> (Y, Y) {
         let size = linearised.jacobian.rows();
@@ -219,8 +219,8 @@ mod tests {
     use super::{ComplexShift, LeadingPositions, LinearSystem, RealShift};
     use crate::linalg::pivoted::{Matrix, product};
 
-    /// q̇ = v, ż of any form, v̇; then without structure, and with a first component whose rate is
-    /// the second.
+    /// q̇ = v, arbitrary ż, v̇; then a matrix without structure, and one in which the rate of the
+    /// first component is the second.
     const MATRICES: [[[f64; 5]; 5]; 3] = [
         [
             [0.0, 0.0, 0.0, 1.0, 0.0],
@@ -250,7 +250,7 @@ mod tests {
         LeadingPositions { count: 1, rates: 1 },
     ];
 
-    /// The largest entry of (μ − J) x − r.
+    /// Returns the largest entry of (μ − J) x − r.
     fn residual(matrix: &[[f64; 5]; 5], mu: (f64, f64), x: &[[f64; 5]; 2], right: &[[f64; 5]; 2]) -> f64 {
         (0..5).fold(0.0, |most, row| {
             let own = product(mu, (x[0][row], x[1][row]));

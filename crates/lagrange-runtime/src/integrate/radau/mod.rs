@@ -1,13 +1,13 @@
-//! Radau IIA of order five in steps as long as a tolerance allows, for stiff systems.
+//! Radau IIA of order five with adaptive steps, for stiff systems.
 //!
-//! Collocation at three nodes, of which the last is the end of the step. It is stable for any
-//! stiffness, and damps infinitely fast motions away at once. The stages follow from Newton's
-//! method, whose Jacobian and factors serve as many steps as it converges quickly. It starts from
-//! the polynomial of the last step, continued.
+//! The method is collocation at three nodes; the last one is the end of the step. It is stable for
+//! any stiffness, and immediately damps infinitely fast motions. The stages follow from Newton's
+//! method, whose Jacobian and factors are reused as long as it converges quickly. It starts from
+//! the extrapolated polynomial of the last step.
 //!
-//! The estimate of the error has the order three, and the method the order five. The error of a
-//! motion over a given time falls with the power 5/4 of the estimate. So estimates may exceed a
-//! tolerance below 1e-4, up to its power 4/5: 2.5 times at 1e-6, 10 times at 1e-9.
+//! The error estimate has order three, and the method has order five. The error of a motion over a
+//! given time decreases with the power 5/4 of the estimate. Estimates may therefore exceed a
+//! tolerance below 1e-4, up to its power 4/5: by a factor of 2.5 at 1e-6, and of 10 at 1e-9.
 //!
 //! Sources: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8; control of
 //! steps: Gustafsson, "Control-theoretic techniques for stepsize selection in implicit
@@ -27,8 +27,7 @@ use crate::system::{OdeSystem, SettingError, StepFailure};
 
 pub use self::stepper::RadauStepper;
 
-/// Radau IIA of order five in steps as long as the tolerance allows, for any system, and for stiff
-/// ones first of all.
+/// Radau IIA of order five with adaptive steps, for any system, and in particular for stiff ones.
 ///
 /// A system is stiff if a fast motion has died away and would still limit the steps of an explicit
 /// method. Examples are stiff springs with dampers, compliant contacts, friction with bristles, and
@@ -36,8 +35,8 @@ pub use self::stepper::RadauStepper;
 /// over the components of the state.
 ///
 /// It uses the Jacobian of the system, which `emit { jacobian }` provides. Without it, difference
-/// quotients replace the Jacobian, with one evaluation for each component. Motions that are fast
-/// and not damped take short steps, as with any accurate method.
+/// quotients replace the Jacobian, with one evaluation for each component. Fast motions without
+/// damping require short steps, as with any accurate method.
 ///
 /// ```
 /// use lagrange::Simulate;
@@ -62,20 +61,20 @@ pub use self::stepper::RadauStepper;
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Radau5<S> {
-    /// Error as a part of the state.
+    /// Tolerated error relative to the state.
     pub relative: S,
-    /// Error in the units of the state.
+    /// Tolerated error in the units of the state.
     pub absolute: S,
-    /// Length of the first step to try; estimated if not given.
+    /// Length of the first step to try; estimated by default.
     pub first_step: Option<S>,
-    /// No step is longer. The default is a twentieth of the way from the start to the current end.
-    /// While the state stays where it is, it is a two-hundredth.
+    /// Maximum step length. The default is a twentieth of the interval from the start to the
+    /// current end. While the state is at rest, it is a two-hundredth.
     pub longest_step: Option<S>,
-    /// No more steps are tried, rejected ones included.
+    /// Maximum number of attempted steps, including rejected ones.
     pub max_steps: u64,
 }
 
-/// Above this tolerance the estimate of the error is no larger than the error.
+/// Tolerance above which the error estimate is not relaxed.
 const COARSE: f64 = 1e-4;
 
 impl<S: Scalar> Radau5<S> {
@@ -91,12 +90,12 @@ impl<S: Scalar> Radau5<S> {
         }
     }
 
-    /// The tolerance, with rounding as the minimum.
+    /// Returns the tolerance, with rounding as the minimum.
     fn tolerated(&self) -> Tolerated<S> {
         Tolerated::new(self.relative, self.absolute)
     }
 
-    /// The tolerance of estimates.
+    /// Returns the tolerance of estimates.
     fn estimated(&self) -> Tolerated<S> {
         let Tolerated { relative, absolute } = self.tolerated();
         let loosest = relative.max(absolute);

@@ -1,8 +1,8 @@
 //! Simplified Newton iterations for the changes at the stages of a step.
 //!
-//! Unlike those of symplectic methods they end at a part of the tolerance. In the basis of the
-//! eigenvectors of A⁻¹, the equations for w = T⁻¹ z are one real and one complex system. Source:
-//! Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8.
+//! Unlike iterations of symplectic methods, they end at a fraction of the tolerance. In the basis
+//! of the eigenvectors of A⁻¹, the equations for w = T⁻¹ z are one real and one complex system.
+//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8.
 
 use super::linear::{ComplexShift, LinearSystem, RealShift};
 use super::tableau::{BASIS, COMPLEX, INVERSE_BASIS, NODES, REAL, STAGES};
@@ -11,7 +11,7 @@ use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// No more iterations than this: shorter steps cost less.
+/// Maximum number of iterations; beyond it, shorter steps cost less.
 pub(super) const MOST_ITERATIONS: u32 = 7;
 
 /// Changes of the state at the stages.
@@ -26,7 +26,7 @@ pub(super) struct StageFactors<S: Scalar, Y: StateVector<S>> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> StageFactors<S, Y> {
-    /// The factors, unless a matrix is singular or not finite.
+    /// Factors the equations; `None` if a matrix is singular or not finite.
     pub(super) fn new(linearised: &LinearSystem<S, Y>, h: S) -> Option<Self> {
         let mu = |eigenvalue: f64| S::from_f64(eigenvalue) / h;
         let real = RealShift::new(linearised, mu(REAL))?;
@@ -38,26 +38,26 @@ impl<S: Scalar, Y: StateVector<S>> StageFactors<S, Y> {
     }
 }
 
-/// A step to be taken with what its equations are judged by.
+/// The data of a step, with the tolerances for its equations.
 #[derive(Clone, Copy)]
 pub(super) struct StageSystem<'a, M: OdeSystem + ?Sized> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
     pub(super) y: &'a M::State,
     pub(super) h: M::Scalar,
-    /// Reciprocals of what is tolerated of each component.
+    /// Reciprocals of the tolerated error of each component.
     pub(super) weights: &'a M::State,
-    /// Corrections that are expected to add up to this part of the tolerance are left out.
+    /// Corrections are omitted if their expected sum is at most this fraction of the tolerance.
     pub(super) goal: M::Scalar,
 }
 
-/// The outcome of iterations that converged.
+/// The outcome of converged iterations.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NewtonOutcome<S> {
     pub(super) iterations: u32,
-    /// The factor of the last corrections, if there were two.
+    /// The ratio of the last two corrections, if there were two.
     pub(super) rate: Option<S>,
-    /// The part of the last correction that those to follow would add up to.
+    /// The expected sum of all further corrections, relative to the last one.
     pub(super) remainder: S,
 }
 
@@ -66,7 +66,7 @@ impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
     /// step.
     ///
     /// # Errors
-    /// If iterations do not converge, or lead where the system is not defined.
+    /// If iterations do not converge, or lead to a state where the system is undefined.
     #[inline]
     pub(super) fn solve(
         &self,
@@ -109,7 +109,7 @@ impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
         Err(StepFailure::NotConverged { iterations: progress.iterations })
     }
 
-    /// The correction of the stages in the basis of eigenvectors.
+    /// Computes the correction of the stages in the basis of eigenvectors.
     #[inline(always)]
     fn correction(
         &self,
@@ -138,14 +138,14 @@ impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
         [real, complex.0, complex.1]
     }
 
-    /// The root mean square of a correction in units of what is tolerated.
+    /// Computes the root mean square of a correction relative to the tolerance.
     #[inline(always)]
     fn size(&self, correction: &StageChanges<M::State>) -> M::Scalar {
         let mut sum = M::Scalar::ZERO;
         for mode in correction {
             for (entry, weight) in mode.as_ref().iter().zip(self.weights.as_ref()) {
                 let part = *entry * *weight;
-                // Zero where nothing moves and nothing is tolerated.
+                // Zero if nothing moves and nothing is tolerated.
                 if *entry != M::Scalar::ZERO {
                     sum = part.multiply_add(part, sum);
                 }
@@ -166,13 +166,13 @@ fn product<S: Scalar, Y: StateVector<S>>(
     [weighted(&numbers(one), vectors), weighted(&numbers(two), vectors), weighted(&numbers(three), vectors)]
 }
 
-/// Coefficients as numbers; no closures, which are not always inlined.
+/// Converts coefficients to numbers, without closures, which are not always inlined.
 #[inline(always)]
 pub(super) fn numbers<S: Number>([one, two, three]: &[f64; STAGES]) -> [S; STAGES] {
     [S::from_f64(*one), S::from_f64(*two), S::from_f64(*three)]
 }
 
-/// Σ weight vector
+/// Computes Σ weight vector.
 #[inline(always)]
 pub(super) fn weighted<S: Scalar, Y: StateVector<S>>(
     [a, b, c]: &[S; STAGES],

@@ -19,7 +19,7 @@ use crate::linalg::vector::{add, difference};
 use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// The Jacobian is evaluated anew where corrections fall by less than this in more than two
+/// The Jacobian is evaluated again if corrections decrease by less than this ratio in more than two
 /// iterations.
 const SLOW: f64 = 1e-3;
 
@@ -30,7 +30,7 @@ pub struct RadauStepper<M: OdeSystem + ?Sized> {
     /// The tolerances of estimates and of the remainder of Newton's method.
     estimated: Tolerated<M::Scalar>,
     goal: M::Scalar,
-    /// From the start to the end that was in view there.
+    /// The interval from the start to the end known at the start.
     span: M::Scalar,
     control: ReuseControl<M::Scalar>,
     clock: Clock<M::Scalar>,
@@ -38,17 +38,16 @@ pub struct RadauStepper<M: OdeSystem + ?Sized> {
     /// Clock and state before the last step.
     before: (Clock<M::Scalar>, Compensated<M::State>),
     is_at_rest: bool,
-    /// The Jacobian, unless one is due.
+    /// The Jacobian; `None` before the first evaluation.
     linearised: Option<LinearSystem<M::Scalar, M::State>>,
-    /// True if the Jacobian is that of the present state.
+    /// True if the Jacobian belongs to the present state.
     is_fresh: bool,
-    /// True if it is to be evaluated before the next step.
+    /// True if it must be evaluated before the next step.
     is_due: bool,
     factors: Option<StageFactors<M::Scalar, M::State>>,
-    /// The corrections that would follow the last one, as a part of it.
+    /// The expected sum of further corrections, relative to the last one.
     remainder: M::Scalar,
-    /// The last step, and which of its ends the present state is: the first where it was taken
-    /// back.
+    /// The last step, and the index of its end that is the present state; zero if it was reverted.
     last: StepTaken<M::Scalar, M::State>,
     end: usize,
     crawling: Crawling<M::Scalar>,
@@ -94,17 +93,17 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         Ok(stepper)
     }
 
-    /// The rate at the present state.
+    /// Returns the rate at the present state.
     fn rate(&self) -> &M::State {
         &self.last.rates[self.end]
     }
 
-    /// The longest step from the present state.
+    /// Returns the maximum step length from the present state.
     fn longest(&self) -> M::Scalar {
         longest_step(self.settings.longest_step, self.span, self.is_at_rest)
     }
 
-    /// The next step to try, or that it is lost in rounding.
+    /// Returns the next step to try; an error if it is lost in rounding.
     fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
         let length = self.control.step.min(self.longest());
         Attempt::new(&self.clock, length, limit, self.settings.longest_step, self.control.was_rejected())
@@ -130,7 +129,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         Judgement::Taken
     }
 
-    /// The state after a step, on the constraints, and the step.
+    /// Computes the step and the state after it, on the constraints.
     fn advanced(
         &self,
         system: &M,
@@ -154,7 +153,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         Ok((state, span))
     }
 
-    /// Goes on from the end of a step.
+    /// Continues from the end of a step.
     fn accept(
         &mut self,
         (clock, state): (Clock<M::Scalar>, Compensated<M::State>),
@@ -174,7 +173,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         (self.last, self.end) = (span, 1);
     }
 
-    /// Throws a step of the length `h` away that could not be computed.
+    /// Rejects a step of length `h` that could not be computed.
     fn retreat(&mut self, h: M::Scalar, cause: StepFailure<M::Scalar>) -> Judgement<M::Scalar> {
         self.control.retreat(h.abs());
         self.work.rejections += 1;

@@ -1,22 +1,22 @@
 //! Coefficients of the Radau IIA method of order five.
 //!
-//! Its matrix A has one real eigenvalue and a complex pair. In the basis of eigenvectors, T⁻¹ A⁻¹ T =
-//! diag(μ, [α −β; β α]). So Newton's equations for the three stages are one real and one complex
-//! system of the size of a state. Source: Hairer, Wanner, *Solving Ordinary Differential Equations
-//! II*, §IV.5 and §IV.8.
+//! Its matrix A has one real eigenvalue and a complex pair. In the basis of eigenvectors, T⁻¹ A⁻¹ T
+//! = diag(μ, [α −β; β α]). Newton's equations for the three stages are therefore one real and one
+//! complex system with the size of a state. Source: Hairer, Wanner, *Solving Ordinary Differential
+//! Equations II*, §IV.5 and §IV.8.
 
 /// Number of stages.
 pub(super) const STAGES: usize = 3;
 
 const ROOT: f64 = 2.449_489_742_783_178; // √6
 
-/// Places of the stages within a step.
+/// Fractions of a step at which the stages are evaluated.
 pub(super) const NODES: [f64; STAGES] = [(4.0 - ROOT) / 10.0, (4.0 + ROOT) / 10.0, 1.0];
 
 /// The real eigenvalue of A⁻¹, 3 + 3^(2/3) − 3^(1/3).
 pub(super) const REAL: f64 = 3.637_834_252_744_496;
-/// The complex eigenvalue of A⁻¹ that belongs to the second and third row of [`INVERSE_BASIS`], as
-/// real and imaginary part.
+/// The complex eigenvalue of A⁻¹ for the second and third row of [`INVERSE_BASIS`], as real and
+/// imaginary part.
 pub(super) const COMPLEX: (f64, f64) = (2.681_082_873_627_752, -3.050_430_199_247_411);
 
 /// T.
@@ -46,17 +46,18 @@ pub(super) const POLYNOMIALS: [[f64; STAGES]; STAGES] = [
 ];
 
 /// Weights of the changes at the stages in h times the slope of their polynomial at the start of a
-/// step,
+/// step.
 pub(super) const START_SLOPE: [f64; STAGES] = [POLYNOMIALS[0][0], POLYNOMIALS[1][0], POLYNOMIALS[2][0]];
 
-/// and at its end, the last row of A⁻¹.
+/// Weights of the changes at the stages in h times the slope at the end of a step, the last row of
+/// A⁻¹.
 pub(super) const END_SLOPE: [f64; STAGES] = [-1.0 + 8.0 * ROOT / 3.0, -1.0 - 8.0 * ROOT / 3.0, 5.0];
 
 #[cfg(test)]
 mod tests {
     use super::{BASIS, COMPLEX, END_SLOPE, ERROR, INVERSE_BASIS, NODES, POLYNOMIALS, REAL, STAGES};
 
-    /// A⁻¹ from the eigenvalues and the basis.
+    /// Computes A⁻¹ from the eigenvalues and the basis.
     fn inverse() -> [[f64; STAGES]; STAGES] {
         let (alpha, beta) = COMPLEX;
         let blocks = [[REAL, 0.0, 0.0], [0.0, alpha, -beta], [0.0, beta, alpha]];
@@ -99,7 +100,7 @@ mod tests {
 
     #[test]
     fn the_error_is_of_order_three() {
-        // f + Σ eᵢ zᵢ / h vanishes for t, t² and t³ but for the slope at the start, f.
+        // f + Σ eᵢ zᵢ / h vanishes for t, t² and t³, with the slope f at the start.
         for power in 1..=3 {
             let sum: f64 = ERROR.iter().zip(NODES).map(|(weight, node)| weight * node.powi(power)).sum();
             let slope = if power == 1 { 1.0 } else { 0.0 };

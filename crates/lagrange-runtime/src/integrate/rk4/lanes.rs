@@ -40,7 +40,7 @@ where
     S: SideBySide<Element: Scalar>,
     Y: StateVector<S>,
 {
-    /// The rates.
+    /// The rates at the ends.
     type End = Y;
     const EVALUATIONS: (u64, u64) = (0, 4);
     const NO_END: Y = Y::ZERO;
@@ -62,7 +62,7 @@ where
     fn increment<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y, h: S) -> Y {
         let half = h / S::from_f64(2.0);
         let mut rates = [Y::ZERO; 4];
-        // One place of call, so that the right-hand side is inlined once.
+        // A single call site, so that the right-hand side is inlined once.
         for stage in 0..4 {
             let (ahead, rate) = match stage {
                 0 => (S::ZERO, &Y::ZERO),

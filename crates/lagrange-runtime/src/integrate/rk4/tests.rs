@@ -1,4 +1,4 @@
-//! The method on hand-written systems whose solutions are known.
+//! The method on hand-written systems with known solutions.
 
 use std::string::ToString;
 use std::vec::Vec;
@@ -21,7 +21,7 @@ impl OdeSystem for Oscillator {
     }
 }
 
-/// ẏ = f(t): an integral.
+/// ẏ = f(t), an integral.
 struct Integral<S>(fn(S) -> S);
 
 impl<S: Scalar> OdeSystem for Integral<S> {
@@ -33,7 +33,7 @@ impl<S: Scalar> OdeSystem for Integral<S> {
     }
 }
 
-/// ẏ = y² with solution 1/(1 − t) from 1, which no number represents from t = 1 on.
+/// ẏ = y² with solution 1/(1 − t) from 1, which is not representable from t = 1 on.
 struct BlowUp;
 
 impl OdeSystem for BlowUp {
@@ -47,7 +47,7 @@ impl OdeSystem for BlowUp {
 
 type Outcome<S, Y> = Result<Y, IntegrationError<S, Y>>;
 
-/// Without looking at what is between start and end.
+/// Integrates without observing states between start and end.
 fn rk4<M: OdeSystem>(
     system: &M,
     t0: M::Scalar,
@@ -163,7 +163,7 @@ fn overflow_stops_as_well() {
     assert!(error.to_string().ends_with(&std::format!("(at time {:?})", error.time)), "{error}");
 }
 
-/// ẍ = −ω²x − 2ζωẋ beside a slow oscillation.
+/// ẍ = −ω²x − 2ζωẋ together with a slow oscillation.
 struct Damped {
     frequency: f64,
     damping: f64,
@@ -179,9 +179,8 @@ impl OdeSystem for Damped {
     }
 }
 
-/// The step that the message names is as long as may be, but for the part by which the domain of
-/// stability is not a circle: a little shorter is stable from any start, and nothing stable is
-/// refused.
+/// The step named in the message is the longest possible one, except that the stability domain is
+/// not a circle. A slightly shorter one is stable from any start, and no stable step is rejected.
 #[test]
 fn the_longest_step_of_stiff_oscillations_is_named() {
     for (frequency, damping) in [(1e2, 0.0), (1e4, 0.02), (1e4, 0.3), (1e6, 0.7), (1e3, 0.95)] {

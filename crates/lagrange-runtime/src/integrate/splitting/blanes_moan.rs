@@ -2,8 +2,8 @@
 //!
 //! It is one of the symmetric compositions of order four for kinetic energies that are quadratic in
 //! the velocities. Its coefficients were chosen for the smallest error at equal cost. The error is
-//! some hundred times less than that of the three-stage composition of Yoshida and of Forest and
-//! Ruth.
+//! about a hundred times smaller than that of the three-stage composition of Yoshida and of Forest
+//! and Ruth.
 //!
 //! Source: Blanes, Moan, *Practical symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström
 //! methods*, Journal of Computational and Applied Mathematics 142 (2002), 313–330, table 3, the
@@ -16,8 +16,9 @@ use crate::system::SeparableSystem;
 
 /// The optimised composition of order four by Blanes and Moan in equal steps.
 ///
-/// Symplectic and symmetric. Six accelerations a step. The energy oscillates by O(h⁴) without
-/// drift; steps longer than about 3.16/ω, with the fastest frequency ω, resonate with it.
+/// It is symplectic and symmetric, and uses six accelerations per step. The energy oscillates by
+/// O(h⁴) without drift. Steps longer than about 3.16/ω, with the highest frequency ω, resonate with
+/// it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BlanesMoan4<S> {
     /// Length of a step.
@@ -42,7 +43,7 @@ pub(super) const COMPOSITION: Composition<6> = Composition {
         (DRIFTS[1], KICKS[1]),
         (DRIFTS[0], KICKS[0]),
     ],
-    // There the trace of the map of an oscillation first reaches −2.
+    // The trace of the map of an oscillation first reaches −2 there.
     stable: 3.16,
 };
 

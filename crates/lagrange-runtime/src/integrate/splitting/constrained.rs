@@ -1,4 +1,4 @@
-//! A step under constraints on positions.
+//! A step with constraints on positions.
 //!
 //! The impulse of the constraints at the start makes positions at the end satisfy them. The impulse
 //! at the end does so for the velocities there (SHAKE and RATTLE):
@@ -9,9 +9,9 @@
 //! ```
 //!
 //! Accelerations that include constraint forces differ by combinations of the rows of A, which the
-//! impulses compensate. The velocities at which they are evaluated therefore do not matter. With
-//! half kicks this is RATTLE, symplectic and symmetric of order two; with one kick it is the
-//! symplectic Euler method of order one.
+//! impulses compensate. The velocities at which they are evaluated are therefore irrelevant. With
+//! half kicks this is RATTLE, which is symplectic, symmetric and of order two. With one kick it is
+//! the symplectic Euler method of order one.
 //!
 //! Sources: Ryckaert, Ciccotti, Berendsen, Journal of Computational Physics 23 (1977), 327–341;
 //! Andersen, Journal of Computational Physics 52 (1983), 24–34; Hairer, Lubich, Wanner, *Geometric
@@ -31,8 +31,8 @@ type Tried<M> = (
     <M as MechanicalSystem>::Coordinates,
 );
 
-/// The step with a kick on either side of one drift, from `q` and `v` at time `t`, where the
-/// acceleration is `start`.
+/// Computes the step with a kick before and after one drift, from `q` and `v` at time `t`, where
+/// the acceleration is `start`.
 pub(super) fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     system: &M,
     composition: &Composition<DRIFTS>,
@@ -65,7 +65,7 @@ struct Impulse<'a, M: LeapfrogSystem + ?Sized> {
     t: M::Scalar,
     q: &'a M::Coordinates,
     h: M::Scalar,
-    /// All changes of the velocities but the last one, which was not made yet.
+    /// The sum of all changes of the velocities except the last one, which is still pending.
     sum: M::Coordinates,
     last: M::Coordinates,
 }

@@ -1,6 +1,6 @@
 //! Compositions of kicks and drifts for several motions in lanes.
 //!
-//! Equations in lanes are rates of whole states, [v…, a…]; steps use the accelerations in them.
+//! Equations in lanes return rates of whole states, [v…, a…]; steps use the accelerations in them.
 //! Coordinates and velocities are the halves of a state, since only systems with q̇ = v are
 //! separable.
 
@@ -119,7 +119,7 @@ fn change<S: Number, Y: AsRef<[S]>>(increment: &Y) -> S {
     increment.as_ref()[..half(increment)].iter().fold(S::ZERO, |sum, change| sum + change.abs())
 }
 
-/// v += c a, with the accelerations of these rates
+/// Computes v += c a, with the accelerations of these rates.
 #[inline(always)]
 fn kick<S: Number, Y: StateVector<S>>(increment: &mut Y, c: S, rate: &Y) {
     let half = half(rate);
@@ -128,7 +128,7 @@ fn kick<S: Number, Y: StateVector<S>>(increment: &mut Y, c: S, rate: &Y) {
     }
 }
 
-/// q += c v, with the velocities of the state `y` and what they have gained
+/// Computes q += c v, with the velocities of the state `y` and their gain.
 #[inline(always)]
 fn drift<S: Number, Y: StateVector<S>>(increment: &mut Y, c: S, y: &Y) {
     let half = half(y);
@@ -138,7 +138,7 @@ fn drift<S: Number, Y: StateVector<S>>(increment: &mut Y, c: S, y: &Y) {
     }
 }
 
-/// Moves the second half of a state to the first.
+/// Copies the second half of a state to the first half.
 #[inline(always)]
 fn second_half<S: Number, Y: StateVector<S>>(y: &Y) -> Y {
     let mut moved = Y::ZERO;
@@ -148,7 +148,7 @@ fn second_half<S: Number, Y: StateVector<S>>(y: &Y) -> Y {
     moved
 }
 
-/// True if this step by a composition is stable.
+/// True if this step of a composition is stable.
 #[cold]
 fn is_stable<M: OdeSystem, const DRIFTS: usize>(
     composition: &Composition<DRIFTS>,
@@ -156,7 +156,7 @@ fn is_stable<M: OdeSystem, const DRIFTS: usize>(
     &SuspectStep { t, ref y, h, ref direction, change }: &SuspectStep<M::Scalar, M::State>,
 ) -> bool {
     let velocities = half(y);
-    // Accelerations as rates of coordinates, while velocities stay what they are.
+    // Accelerations as rates of coordinates, at constant velocities.
     let rates = |at: &M::State| {
         let mut state = *at;
         state.as_mut()[velocities..].copy_from_slice(&y.as_ref()[velocities..]);
@@ -166,7 +166,7 @@ fn is_stable<M: OdeSystem, const DRIFTS: usize>(
     h.abs() <= M::Scalar::from_f64(composition.stable) / square.sqrt()
 }
 
-/// Lets methods with these compositions take several motions in lanes.
+/// Implements steps in lanes for methods with these compositions.
 macro_rules! side_by_side {
     ($($method:ident: $composition:expr, $drifts:literal;)*) => {
         $(impl<T: Scalar> FixedSteps for $method<T> {

@@ -1,6 +1,6 @@
-//! Explicit symplectic methods for separable systems: kicks and drifts in turns.
+//! Explicit symplectic methods for separable systems: alternating kicks and drifts.
 //!
-//! With time as one more coordinate, the motion is split into two that are known exactly,
+//! With time as an additional coordinate, the motion is split into two exactly solvable ones,
 //!
 //! ```text
 //! kick:   v += β h a(t, q)                drift:   q += α h v,   t += α h
@@ -8,12 +8,13 @@
 //!
 //! and a method composes kicks β₀, β₁, … and drifts α₁, α₂, …: first the kick β₀, then each drift
 //! αᵢ with the kick βᵢ after it. Every part is symplectic in (q, M v) with the constant mass matrix
-//! M, and so is their composition, however the forces depend on time. Each kick and drift also
-//! keeps momenta that belong to linear symmetries, such as the angular momentum in Cartesian
-//! coordinates. A last kick shares its acceleration with the first one of the next step.
+//! M, and so is their composition, for any dependence of the forces on time. Each kick and drift
+//! also conserves the momenta of linear symmetries, such as the angular momentum in Cartesian
+//! coordinates. The last kick of a step shares its acceleration with the first kick of the next
+//! step.
 //!
-//! A single drift between kicks also ends on constraints of positions; several would leave them in
-//! between.
+//! A single drift between kicks can also end on constraints on positions. Several drifts would
+//! leave the constraints in between.
 //!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §II.5 and §VI.3.
 
@@ -43,7 +44,8 @@ pub(super) struct Composition<const DRIFTS: usize> {
     first: f64,
     /// Drifts, each with the kick after it.
     rest: [(f64, f64); DRIFTS],
-    /// The step times the frequency of an oscillation up to which its amplitude is bounded.
+    /// Maximum product of the step and the frequency of an oscillation for which its amplitude is
+    /// bounded.
     stable: f64,
 }
 
@@ -51,9 +53,9 @@ pub(super) struct Composition<const DRIFTS: usize> {
 #[derive(Clone, Copy, Debug)]
 pub struct Splitting<S, Q, const DRIFTS: usize> {
     composition: Composition<DRIFTS>,
-    /// When the last accepted step ended, if the acceleration there still holds.
+    /// The end time of the last accepted step, if the acceleration there is still valid.
     known: Option<S>,
-    /// True if the state was moved onto constraints there.
+    /// True if the state there was moved onto constraints.
     was_moved: bool,
     /// Parts of the last increment.
     trial: Trial<S, Q>,
@@ -62,7 +64,7 @@ pub struct Splitting<S, Q, const DRIFTS: usize> {
     watch: Watch,
 }
 
-/// A step in the making.
+/// A tentative step.
 #[derive(Clone, Copy, Debug)]
 struct Trial<S, Q> {
     h: S,
@@ -145,7 +147,7 @@ where
 
     #[inline]
     fn accept(&mut self, t: M::Scalar) {
-        // The last acceleration belongs to where the step led by itself.
+        // The last acceleration belongs to the state before the correction.
         self.known = if core::mem::take(&mut self.was_moved) { None } else { Some(t) };
         self.taken = self.trial;
     }
@@ -176,8 +178,8 @@ where
     }
 }
 
-/// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`,
-/// and the change of the velocities.
+/// Computes the step with this composition from `q` and `v` at time `t`, where the acceleration is
+/// `start`, and the change of the velocities.
 #[inline]
 fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     system: &M,
@@ -202,7 +204,7 @@ fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
 }
 
 impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
-    /// Refuses the step if an oscillation is too fast for it.
+    /// Rejects the step if an oscillation is too fast for it.
     #[inline]
     fn check<M>(&mut self, system: &M, t: S, (q, v): (&Q, &Q), work: &mut Work) -> Result<(), StepFailure<S>>
     where

@@ -11,10 +11,10 @@ use crate::system::LeapfrogSystem;
 /// The symplectic Euler method in equal steps: velocities first, then coordinates with the new
 /// velocities.
 ///
-/// Order one; symplectic, not symmetric. One acceleration a step. The energy oscillates by O(h)
-/// without drift, so that games and sketches stay alive for ever;
-/// [`StormerVerlet`](crate::integrate::StormerVerlet) costs the same and has order two. Constraints
-/// on positions are satisfied as there.
+/// It has order one, is symplectic but not symmetric, and uses one acceleration per step. The
+/// energy oscillates by O(h) without drift, so games and sketches run indefinitely.
+/// [`StormerVerlet`](crate::integrate::StormerVerlet) has the same cost and order two. Constraints
+/// on positions are satisfied in the same way.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SymplecticEuler<S> {
     /// Length of a step.

@@ -10,7 +10,7 @@ use crate::run::integrate;
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem, SeparableSystem, Unnamed};
 
-/// q̈ = a(t, q) for N coordinates, in any scalar.
+/// The system q̈ = a(t, q) with N coordinates, in any scalar type.
 struct Force<S, const N: usize, const TWICE: usize> {
     acceleration: fn(S, &[S; N]) -> [S; N],
 }
@@ -46,7 +46,7 @@ impl<S: Scalar, const N: usize, const TWICE: usize> SeparableSystem for Force<S,
 
 const OSCILLATOR: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-x] };
 const PENDULUM: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-x.sin()] };
-/// Driven beside its resonance; from (0, 0) the solution is (cos t − cos 2t)/3.
+/// A driven oscillator close to its resonance; from (0, 0) the solution is (cos t − cos 2t)/3.
 const DRIVEN: Force<f64, 1, 2> = Force { acceleration: |t, [x]| [t.cos() - 4.0 * x] };
 const KEPLER: Force<f64, 2, 4> = Force {
     acceleration: |_, [x, y]| {
@@ -57,7 +57,7 @@ const KEPLER: Force<f64, 2, 4> = Force {
 const HENON_HEILES: Force<f64, 2, 4> =
     Force { acceleration: |_, [x, y]| [-x - 2.0 * x * y, -y - x * x + y * y] };
 
-/// The state at `end` from `start` at time zero.
+/// Returns the state at `end` from `start` at time zero.
 fn run<M, K>(system: &M, start: M::State, end: f64, method: &K) -> M::State
 where
     M: OdeSystem<Scalar = f64>,
@@ -66,7 +66,7 @@ where
     integrate(system, 0.0, start, end, method, |_, _| {}).expect("an ordinary motion")
 }
 
-/// The largest difference of two states.
+/// Returns the largest difference of two states.
 fn difference<const K: usize>(a: &[f64; K], b: &[f64; K]) -> f64 {
     a.iter().zip(b).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
 }

@@ -10,12 +10,13 @@ use crate::system::LeapfrogSystem;
 
 /// The Störmer–Verlet method in equal steps: half a kick, a drift, half a kick.
 ///
-/// Order two; symplectic and symmetric. One acceleration a step. The energy oscillates by O(h²)
-/// without drift; steps longer than 2/ω, with the fastest frequency ω, are unstable.
+/// It has order two, is symplectic and symmetric, and uses one acceleration per step. The energy
+/// oscillates by O(h²) without drift; steps longer than 2/ω, with the highest frequency ω, are
+/// unstable.
 ///
 /// At the end of each step, positions satisfy constraints to rounding, and so do velocities
-/// (RATTLE). The iterations in between take one correction each. Momenta of symmetries that the
-/// constraints share are conserved.
+/// (RATTLE). Each iteration in between uses one correction. Momenta are conserved if the
+/// constraints have the same symmetry.
 ///
 /// ```
 /// use lagrange::integrate::{StormerVerlet, integrate};

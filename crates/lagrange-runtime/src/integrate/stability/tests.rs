@@ -1,4 +1,4 @@
-//! Eigenvalues that are known.
+//! Known eigenvalues.
 
 use super::{Watch, eigenvalue_at, largest_eigenvalue};
 
@@ -17,8 +17,8 @@ fn units_do_not_matter() {
     assert!((largest_eigenvalue(mixed, &[1.0, 1.0], 0.1, &[1.0, 1.0]) / 100.0 - 1.0).abs() < 1e-6);
 }
 
-/// A pair of eigenvalues is found whatever the damping, the units of the rates, and the phase of
-/// the motion in which it is asked for.
+/// A pair of eigenvalues is found for any damping, any units of the rates, and any phase of the
+/// motion.
 #[test]
 fn damped_oscillations_are_told_by_their_frequency() {
     for frequency in [0.01_f64, 3.0, 1e4] {
@@ -37,7 +37,7 @@ fn damped_oscillations_are_told_by_their_frequency() {
     }
 }
 
-/// Beyond critical damping there are two decays, and in a chain many modes: the fastest is meant.
+/// Beyond critical damping there are two decays, and in a chain many modes; the fastest one counts.
 #[test]
 fn the_fastest_of_several_is_found() {
     let overdamped = |[x, v]: &[f64; 2]| [*v, -1e4 * x - 500.0 * v];

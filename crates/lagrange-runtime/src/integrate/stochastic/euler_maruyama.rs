@@ -17,9 +17,10 @@ const MULTIPLICATIVE: &str = "noise drives a component that its diffusion depend
 /// The method of Euler and Maruyama in equal steps: one evaluation of the equations and of the
 /// diffusion.
 ///
-/// Its strong and weak order is 1 for noise whose diffusion depends on nothing that noise drives.
-/// Others are [refused](NoiseKind::Multiplicative). Without dissipation it gains energy as the
-/// explicit method of Euler does; [`StochasticRungeKutta4`](super::StochasticRungeKutta4) does not.
+/// Its strong and weak order is 1 for noise whose diffusion depends only on components that noise
+/// does not drive. Other noise is [rejected](NoiseKind::Multiplicative). Without dissipation it
+/// gains energy like the explicit Euler method;
+/// [`StochasticRungeKutta4`](super::StochasticRungeKutta4) does not.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct EulerMaruyama<S> {
     /// Length of a step.

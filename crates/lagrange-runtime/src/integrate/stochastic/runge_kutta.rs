@@ -6,9 +6,8 @@
 //!
 //! > r = (3 + √3, 3 − √3, 0, √3 − 9).
 //!
-//! Without noise it is the classical method. Let g depend on time at most. Then the point of a
-//! stage contains g (cᵢ W + vᵢ H) with v = (0, (3 + √3)/2, (3 − √3)/2, 0), and these numbers
-//! satisfy
+//! Without noise it is the classical method. Let g depend only on time. Then the point of a stage
+//! contains g (cᵢ W + vᵢ H) with v = (0, (3 + √3)/2, (3 − √3)/2, 0), and these numbers satisfy
 //!
 //! | condition | of | source |
 //! |---|---|---|
@@ -22,9 +21,9 @@
 //! the errors of means and covariances are O(h⁴). `tools/stochastic_order.py` checks the
 //! conditions.
 //!
-//! If the diffusion depends on what noise drives, then r = 0. The noise acts as its average over
-//! the step. The method then finds the solution of Stratonovich, with the strong order 1 if all
-//! noises commute. Source: Wong, Zakai, Ann. Math. Stat. 36 (1965).
+//! If the diffusion depends on components that noise drives, then r = 0. The noise acts as its
+//! average over the step. The method then converges to the Stratonovich solution, with strong order
+//! 1 if all noises commute. Source: Wong, Zakai, Ann. Math. Stat. 36 (1965).
 //!
 //! Sources: Rößler, *Runge–Kutta methods for the strong approximation of solutions of stochastic
 //! differential equations*, SIAM J. Numer. Anal. 48 (2010), §5; Milstein, Tretyakov, *Mean-square
@@ -41,7 +40,7 @@ use crate::system::{NoiseKind, OdeSystem, SettingError};
 const ROOT_OF_THREE: f64 = 1.732_050_807_568_877_2;
 /// The factors rᵢ of the areas.
 const AREAS: [f64; 4] = [3.0 + ROOT_OF_THREE, 3.0 - ROOT_OF_THREE, 0.0, ROOT_OF_THREE - 9.0];
-/// The parts cᵢ of the step that are past.
+/// The fractions cᵢ of the step at which the stages are evaluated.
 const NODES: [f64; 4] = [0.0, 0.5, 0.5, 1.0];
 /// The weights bᵢ, times six.
 const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
@@ -56,7 +55,7 @@ const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
 /// | any other, in the sense of Stratonovich; all noises commute, or there is one | 1 | h⁴ + ε h |
 /// | any other | 1/2 | h⁴ + ε h + ε² h^{1/2} |
 ///
-/// Means and covariances of linear systems with additive noise have the order 4.
+/// Means and covariances of linear systems with additive noise have order 4.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StochasticRungeKutta4<S> {
     /// Length of a step.

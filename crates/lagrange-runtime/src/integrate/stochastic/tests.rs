@@ -1,4 +1,4 @@
-//! Steps with noise of handwritten systems.
+//! Steps with noise for handwritten systems.
 
 use std::vec::Vec;
 
@@ -33,7 +33,7 @@ impl<S: Scalar> OdeSystem for Oscillator<S> {
 
 const OSCILLATOR: Oscillator<f64> = Oscillator(core::marker::PhantomData);
 
-/// ẏ = w, with a kind that a test chooses.
+/// ẏ = w, with a kind chosen by a test.
 struct Wiener(NoiseKind);
 
 impl OdeSystem for Wiener {
@@ -55,15 +55,15 @@ impl OdeSystem for Wiener {
 
 const WIENER: Wiener = Wiener(NoiseKind::Additive);
 
-/// The change of a state in a step along this path.
+/// Returns the change of a state in a step along this path.
 fn change<F: Scheme<Oscillator<f64>>>(y: [f64; 2], h: f64, part: [f64; 2]) -> [f64; 2] {
     let mut path = StepPath { count: 1, parts: [[0.0; 2]; MOST_NOISES] };
     path.parts[0] = part;
     F::increment(&OSCILLATOR, 0.0, &y, h, &path, &mut Work::default())
 }
 
-/// The covariance [⟨x²⟩, ⟨x v⟩, ⟨v²⟩] that steps lead to in the end, without any random number: a
-/// step multiplies the state by R and adds a W + b H.
+/// Computes the stationary covariance [⟨x²⟩, ⟨x v⟩, ⟨v²⟩] of steps, without random numbers: a step
+/// multiplies the state by R and adds a W + b H.
 fn stationary<F: Scheme<Oscillator<f64>>>(h: f64) -> [f64; 3] {
     let [[a, c], [b, d]] = [[1.0, 0.0], [0.0, 1.0]].map(|unit: [f64; 2]| {
         let [x, v] = change::<F>(unit, h, [0.0; 2]);
@@ -111,7 +111,7 @@ fn without_noise_steps_are_those_of_the_classical_method() {
     assert!((y[0] + x - expected[0]).abs() < 1e-16 && (y[1] + v - expected[1]).abs() < 1e-16);
 }
 
-/// The ends of steps to these limits, each taken at a restart.
+/// Returns the ends of steps to these limits, each followed by a restart.
 fn ends<K: Method<Wiener>>(method: &K, from: f64, limits: &[f64]) -> Vec<f64> {
     let mut stepper = method.start(&WIENER, from, &[0.0], 10.0).expect("starts");
     let end = |&limit: &f64| {
@@ -125,7 +125,7 @@ fn ends<K: Method<Wiener>>(method: &K, from: f64, limits: &[f64]) -> Vec<f64> {
     limits.iter().map(end).collect()
 }
 
-/// Interruptions, late starts and shorter steps all see one path.
+/// Interruptions, late starts and shorter steps all use the same path.
 #[test]
 fn an_interrupted_motion_stays_on_its_path() {
     let path = WienerPath::of_seed(5);
@@ -158,7 +158,7 @@ fn steps_end_at_multiples_of_their_length() {
     }
 }
 
-/// Between its ends, the path is a chord or a parabola, and everything else a cubic.
+/// Between its ends, the path is a chord or a parabola, and the other terms are cubic.
 #[test]
 fn states_within_a_step_lie_on_a_smooth_curve() {
     let method = StochasticRungeKutta4 { step: 0.1, path: WienerPath::of_seed(5) };
@@ -171,7 +171,7 @@ fn states_within_a_step_lie_on_a_smooth_curve() {
     assert_eq!([at(from), at(to)], [before, end]);
     let near = at(to - 1e-9);
     assert!(near.iter().zip(end).all(|(a, b)| (a - b).abs() < 1e-7), "{near:?} {end:?}");
-    // Positions have the velocities as rates.
+    // The rates of positions are the velocities.
     let ([x0, _], [x1, _]) = (at(0.15 - 1e-5), at(0.15 + 1e-5));
     assert!(((x1 - x0) / 2e-5 - at(0.15)[1]).abs() < 0.05);
 }
@@ -195,7 +195,7 @@ fn narrow_numbers_follow_the_same_path() {
     assert!(far.fold(0.0, f64::max) < 1e-4, "{:?} {:?}", single.state(), double.state());
 }
 
-/// The reason why a motion does not start.
+/// Returns the reason why a motion does not start.
 fn refusal<M: OdeSystem<Scalar = f64>>(system: &M, method: &impl Method<M>, end: f64) -> &'static str {
     let refused = method.check().map_err(StepFailure::Setting);
     match refused.and_then(|()| method.start(system, 0.0, &M::State::ZERO, end).map(drop)) {

@@ -1,4 +1,4 @@
-//! The motion through a state as a polynomial: how far it leads, and how well it fits.
+//! The motion through a state as a polynomial, with its range and its accuracy.
 
 use super::Taylor;
 use super::widest::{WideTask, compute};
@@ -9,8 +9,8 @@ use crate::scalar::Scalar;
 use crate::system::{MAX_ORDER, StateVector};
 use crate::tolerance::LEAST_TOLERANCE;
 
-/// The last terms of a series may be this part of what is tolerated: what follows them adds up, and
-/// so do steps.
+/// Largest size of the last terms of a series relative to the tolerance, as later terms and the
+/// errors of steps add up.
 const SAFETY: f64 = 0.01;
 /// Largest difference between the rate at the end of a step and the slope of its polynomial, in
 /// tolerances over the length of the step.
@@ -21,19 +21,19 @@ const NEAR_ZERO: f64 = 0.25;
 const STRAIGHT: usize = 2;
 /// A step that changes the state by less than this part of what is tolerated leaves it at rest.
 const AT_REST: f64 = 1e-3;
-/// A step of fewer roundings of time hardly leads on.
+/// Step length, in roundings of time, below which a step makes hardly any progress.
 const SHORT: f64 = 32.0;
-/// Orders that the length of a step follows from: coefficients may vanish in turn.
+/// Number of orders that determine the length of a step, since alternate coefficients may vanish.
 const LAST_ORDERS: usize = 4;
 
-/// The motion through a state: that, and its coefficients of order one and higher.
+/// The motion through a state: the state and its coefficients of order one and higher.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Expansion<S, Y> {
     pub(super) t: S,
     pub(super) y: Y,
-    /// The order up to which coefficients are followed.
+    /// The highest order of the coefficients in use.
     pub(super) order: usize,
-    /// The length of a step along it.
+    /// The length of a step along the series.
     pub(super) length: S,
     pub(super) coefficients: [Y; MAX_ORDER],
 }
@@ -54,9 +54,9 @@ pub(super) struct StepRule<S> {
 /// Numbers that follow from the highest order of a series.
 #[derive(Clone, Copy, Debug)]
 struct LastOrders<S> {
-    /// The binary logarithm of the last terms, over the order.
+    /// The binary logarithm of the last terms, divided by the order.
     last_terms: S,
-    /// −1 over each of the last orders.
+    /// −1 divided by each of the last orders.
     reciprocals: [S; LAST_ORDERS],
 }
 
@@ -71,7 +71,7 @@ impl<S: Scalar> LastOrders<S> {
 }
 
 impl<S: Scalar> StepRule<S> {
-    /// The rule of steps over a time of this length.
+    /// Returns the rule of steps over a time of this length.
     pub(super) fn new(settings: &Taylor<S>, span: S) -> StepRule<S> {
         let order = settings.chosen_order();
         let orders: [S; MAX_ORDER] = core::array::from_fn(|index| S::from_f64((index + 1) as f64));
@@ -86,7 +86,7 @@ impl<S: Scalar> StepRule<S> {
         }
     }
 
-    /// The tolerated error of a component of this size.
+    /// Returns the tolerated error of a component of this size.
     #[inline(always)]
     fn tolerated(&self, component: S) -> S {
         self.tolerated.relative.multiply_add(component.abs(), self.tolerated.absolute)
@@ -127,20 +127,20 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         (self.order, self.length) = (best, farthest);
     }
 
-    /// The change of the state over a time `h`.
+    /// Returns the change of the state over a time `h`.
     #[inline]
     pub(super) fn change(&self, h: S) -> Y {
         compute(Increment { expansion: self, h })
     }
 
-    /// The change of the state over a time `h`, and the slope of the polynomial there.
+    /// Returns the change of the state over a time `h`, and the slope of the polynomial there.
     #[inline]
     pub(super) fn advance(&self, rule: &StepRule<S>, h: S) -> [Y; 2] {
         compute(Advance { expansion: self, rule, h })
     }
 
-    /// True if the polynomial had this slope, after a time `h`, as far as is tolerated, where the
-    /// motion has the rate of `ahead`.
+    /// True if the slope of the polynomial after a time `h` agrees, within the tolerance, with the
+    /// rate of `ahead`.
     #[inline]
     pub(super) fn fits(&self, rule: &StepRule<S>, h: S, slope: &Y, ahead: &Self) -> bool {
         let rates = slope.as_ref().iter().zip(ahead.coefficients[0].as_ref());
@@ -203,7 +203,7 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
             true => rule.last_orders,
             false => LastOrders::new(self.order, rule.tolerance),
         };
-        // The least of −log₂ |cₖ| / k.
+        // The minimum of −log₂ |cₖ| / k.
         let mut radius = None;
         for (index, reciprocal) in reciprocals.iter().enumerate() {
             let largest = self.largest(self.order - LAST_ORDERS + index, &scales);
@@ -225,8 +225,8 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         change
     }
 
-    /// Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that no term waits for the
-    /// one before.
+    /// Computes Σ hᵏ times the term of order k + 1, as four polynomials in h⁴. Successive terms can
+    /// then be computed independently.
     #[inline(always)]
     fn polynomial(&self, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
         let square = h * h;
@@ -245,8 +245,8 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         combined(&combined(&total, square, &second), h, &combined(&first, square, &third))
     }
 
-    /// The largest coefficient of the order `index` + 1, of each component as a part of what is
-    /// tolerated there.
+    /// Returns the largest coefficient of the order `index` + 1 among all components, relative to
+    /// their tolerances.
     #[inline(always)]
     fn largest(&self, index: usize, scales: &Y) -> S {
         let coefficients = self.coefficients[index].as_ref().iter().zip(scales.as_ref());

@@ -1,14 +1,14 @@
-//! Taylor series with steps as long as a tolerance allows.
+//! Taylor series with adaptive steps.
 //!
-//! Each step expands the motion about its state and follows the polynomial. Its length follows from
-//! the size of the last coefficients. The expansion at its end, from which the next step starts,
-//! gives the exact rate there. If the slope of the polynomial differs from it by more than the
-//! tolerance, the step is taken back and halved.
+//! Each step expands the motion about its state and follows the polynomial. Its length is
+//! determined by the size of the last coefficients. The expansion at its end, from which the next
+//! step starts, provides the exact rate there. If the slope of the polynomial differs from it by
+//! more than the tolerance, the step is reverted and halved.
 //!
 //! Sources: Jorba and Zou, "A software package for the numerical integration of ODEs by means of
-//! high-order Taylor methods", *Experimental Mathematics* 14 (2005) 99–117. They look at two
-//! coefficients; a motion whose coefficients vanish in turn, such as a double pendulum that starts
-//! at right angles at rest, requires four, and the check at the end.
+//! high-order Taylor methods", *Experimental Mathematics* 14 (2005) 99–117. They use two
+//! coefficients. If coefficients vanish in turn, as for a double pendulum that starts at rest at
+//! right angles, four coefficients and the check at the end are necessary.
 
 mod expansion;
 mod stepper;
@@ -21,33 +21,33 @@ use crate::system::{MAX_ORDER, SettingError, StepFailure, TaylorSystem};
 
 pub use self::stepper::TaylorStepper;
 
-/// Taylor series in steps as long as the tolerance allows, for systems that declare
-/// `emit { taylor }` and are not stiff.
+/// Taylor series with adaptive steps, for non-stiff systems that declare `emit { taylor }`.
 ///
 /// The last terms of the series are at most a hundredth of `absolute + relative · |y|` in each
-/// component. The states within a step are as accurate as its end.
+/// component. States within a step are as accurate as its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Taylor<S> {
-    /// Error of a step as a part of the state.
+    /// Tolerated error of a step relative to the state.
     pub relative: S,
-    /// Error of a step in the units of the state.
+    /// Tolerated error of a step in the units of the state.
     pub absolute: S,
-    /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER); chosen by the
-    /// tolerance if not given.
+    /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER). By default it is
+    /// chosen according to the tolerance.
     pub order: Option<usize>,
-    /// No step is longer. The default is a twentieth of the way from the start to the end known
-    /// there. While the state stays where it is, it is a two-hundredth, since the series does not
-    /// show later changes.
+    /// Maximum step length. The default is a twentieth of the interval from the start to the end
+    /// known there. While the state is at rest, it is a two-hundredth, since the series does not
+    /// reveal later changes.
     pub longest_step: Option<S>,
-    /// No more steps are tried, rejected ones included.
+    /// Maximum number of attempted steps, including rejected ones.
     pub max_steps: u64,
 }
 
-/// The order for the tightest tolerance; higher ones cost more than they save in double precision.
+/// The order for the tightest tolerance; higher orders cost more than they save in double
+/// precision.
 const HIGHEST_CHOSEN: f64 = 32.0;
 /// The order for the loosest tolerance.
 const LOWEST_CHOSEN: f64 = 8.0;
-/// The lowest order that may be set: the length of steps follows from four coefficients.
+/// The lowest permitted order: the length of steps depends on four coefficients.
 const LOWEST: usize = 4;
 
 impl<S: Scalar> Taylor<S> {
@@ -63,13 +63,13 @@ impl<S: Scalar> Taylor<S> {
         }
     }
 
-    /// The larger tolerance.
+    /// Returns the larger tolerance.
     fn loosest(&self) -> S {
         self.relative.max(self.absolute)
     }
 
-    /// The order of the series: about −ln of the tolerance and three more, which costs least where
-    /// the cost grows with the order.
+    /// Returns the order of the series: about −ln of the tolerance plus three. This is the cheapest
+    /// choice if the cost grows with the order.
     fn chosen_order(&self) -> usize {
         self.order.unwrap_or_else(|| {
             let wanted = S::from_f64(3.0) - self.loosest().ln();

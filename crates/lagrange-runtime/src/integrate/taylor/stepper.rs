@@ -19,9 +19,9 @@ pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
     max_steps: u64,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
-    /// The expansion at the present state, and the one that the last step followed.
+    /// The expansion at the present state, and the expansion of the last step.
     expansions: [Expansion<M::Scalar, M::State>; 2],
-    /// Place of the expansion at the present state.
+    /// Index of the expansion at the present state.
     present: usize,
     series: M::Series,
     work: Work,
@@ -95,17 +95,17 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
 }
 
 impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
-    /// The expansion at the present state.
+    /// Returns the expansion at the present state.
     fn ahead(&self) -> &Expansion<M::Scalar, M::State> {
         &self.expansions[self.present]
     }
 
-    /// The expansion that the last step followed.
+    /// Returns the expansion of the last step.
     fn last(&self) -> &Expansion<M::Scalar, M::State> {
         &self.expansions[1 - self.present]
     }
 
-    /// Makes the present state that of no step.
+    /// Marks the present state as the end of no step.
     fn forget_last(&mut self) {
         let Expansion { t, y, .. } = *self.ahead();
         let last = &mut self.expansions[1 - self.present];

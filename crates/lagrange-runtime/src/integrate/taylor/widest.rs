@@ -1,27 +1,28 @@
-//! Tasks computed by the widest instructions that help them.
+//! Tasks computed with the widest useful instructions.
 //!
-//! Products of series come in fours, which fit the registers of AVX2; the default target of x86-64
-//! does without. Results have the same bits: no products are fused that are not fused on the target
-//! at large. Fused products would save up to a sixth for some motions and nothing for others.
+//! Products of series are computed in groups of four, which fit the registers of AVX2; the default
+//! target of x86-64 lacks AVX2. Results have the same bits: products are fused only if they are
+//! fused on the whole target. Fused products would save up to a sixth for some motions and nothing
+//! for others.
 //!
-//! This is the one file of the crate with unsafe code. A function that is compiled for AVX2 may
-//! only be called where the processor has it, and only a test at run time knows. A crate for such
-//! calls would be a dependency of every user.
+//! This is the only file of the crate with unsafe code. A function compiled for AVX2 may only be
+//! called if the processor supports it, which requires a test at run time. A crate for such calls
+//! would be a dependency of every user.
 
 #![cfg_attr(
     all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")),
     expect(unsafe_code, reason = "only a test at run time knows the instructions of the processor")
 )]
 
-/// Something to compute, all of whose functions are inlined.
+/// A computation whose functions are all inlined.
 pub(super) trait WideTask {
     type Output;
 
-    /// Computes it.
+    /// Computes the result.
     fn compute(self) -> Self::Output;
 }
 
-/// Computes a task with the instructions that the processor has.
+/// Computes a task with the instructions that the processor supports.
 #[inline]
 pub(super) fn compute<T: WideTask>(task: T) -> T::Output {
     #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]

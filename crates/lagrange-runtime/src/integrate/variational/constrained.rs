@@ -1,7 +1,7 @@
-//! The equations of a step under constraints.
+//! The equations of a step with constraints.
 //!
-//! Constraint forces Aᵀλ join the rates of the momenta at all three places. With c on positions and
-//! g on velocities alone,
+//! Constraint forces Aᵀλ are added to the rates of the momenta at all three places. With c on
+//! positions and g on velocities alone,
 //!
 //! ```text
 //! c(tₘ, qₘ) = 0,    c(t₁, q₁) = 0,
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! determine the multipliers at the start and in the middle. The parabola ends every half step on
-//! admissible positions, and the contributions of a constraint on velocities add up to nothing. The
+//! admissible positions, and the contributions of a constraint on velocities cancel. The
 //! multipliers at the end make the momenta there admissible, A v₁ + c_t = 0. Constraints therefore
 //! hold at the ends of all steps, and the step is symmetric in time. With constraints on positions
 //! alone it is symplectic on the admissible states; with constraints on velocities it is a discrete
@@ -48,7 +48,7 @@ pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
 }
 
 impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
-    /// The equations, linearised at velocities from which an iteration starts.
+    /// Creates the equations, linearised at velocities from which an iteration starts.
     pub(super) fn new(
         step: &'a Step<'a, M>,
         derivatives: Derivatives<M>,
@@ -61,7 +61,7 @@ impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
         Ok(ConstrainedEquations { step, derivatives, coupled, start, known, change: Vector::<M>::ZERO })
     }
 
-    /// The velocities at both ends and the multipliers, from a guess of them, and the change of the
+    /// Computes the velocities at both ends and the multipliers from a guess, and the change of the
     /// momenta.
     pub(super) fn solve(
         mut self,

@@ -1,4 +1,4 @@
-//! The linear equations of an iteration under constraints: velocities at both ends of a step,
+//! The linear equations of an iteration with constraints, for velocities at both ends of a step and
 //! multipliers at its start and in its middle.
 
 use crate::integrate::canonical::{Derivatives, Pencil, factors, stiffened, stiffness};
@@ -17,12 +17,12 @@ type Square<M> = <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeS
 /// The constraints at a place.
 pub(super) type AtPlace<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
-/// Weights of the velocities at the start, in the middle and at the end of a step. They give the
-/// change of coordinates in its first half, and in the whole.
+/// Weights of the velocities at the start, in the middle and at the end of a step. They yield the
+/// change of coordinates in its first half, and in the whole step.
 pub(super) const PARTS: [[f64; 3]; 2] =
     [[5.0 / 24.0, 1.0 / 3.0, -1.0 / 24.0], [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0]];
 
-/// Weights of the velocities at both ends of the parabola.
+/// Weights of the velocities at both ends in the parabola.
 pub(super) const PARABOLA: [[f64; 2]; 2] = [[0.375, 0.125], [0.5, 0.5]];
 
 /// Weights of the constraint forces at the start and in the middle in the two equations of a step,
@@ -39,7 +39,7 @@ pub(super) struct Coupled<M: CanonicalSystem + ?Sized> {
     places: [AtPlace<M>; 3],
     /// Changes of the velocities at both ends per multiplier at the start and in the middle.
     moved: [[Square<M>; 2]; 2],
-    /// Changes of all constraints per multiplier, those of the first half before those of the whole
+    /// Changes of all constraints per multiplier, first in the first half and then in the whole
     /// step.
     mobility: RankedFactors<M::Scalar, M::State>,
 }
@@ -103,8 +103,8 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
         missing
     }
 
-    /// Adds ρ Aᵀ times what A makes of each velocity, which is known from what it makes of both
-    /// parts of the step.
+    /// Adds ρ Aᵀ times the product of A with each velocity. These products follow from those in
+    /// both parts of the step.
     fn stiffen(&self, forces: &mut [M::Coordinates; 2], [half, whole]: [&M::Coordinates; 2]) {
         let middle = &self.places[1];
         let (half, whole) = (middle.force(half), middle.force(whole));
@@ -116,7 +116,7 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
     }
 }
 
-/// Factors of the equations without constraints, and the weight ρ of what was added to them.
+/// Factors of the equations without constraints, and the weight ρ of the added stiffness.
 type Stiffened<M> =
     (Linearised<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>, <M as OdeSystem>::Scalar);
 
@@ -183,7 +183,7 @@ fn demands<M: CanonicalSystem + ?Sized>(places: &[AtPlace<M>; 3], ends: &[M::Coo
     demands
 }
 
-/// Σ parts vectors
+/// Computes Σ parts vectors.
 #[inline]
 pub(super) fn combined<S: Scalar, Q: StateVector<S>, const K: usize>(
     parts: &[f64; K],

@@ -6,7 +6,7 @@ use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// −C₀⁻¹C₁, where Cₖ holds the coefficients of hᵏ in the derivatives of the equations.
+/// −C₀⁻¹C₁, where Cₖ contains the coefficients of hᵏ in the derivatives of the equations.
 pub(super) const LINEAR: [[f64; 2]; 2] = [[1.0 / 12.0, -1.0 / 12.0], [7.0 / 12.0, 5.0 / 12.0]];
 
 /// −C₀⁻¹C₂
@@ -19,8 +19,8 @@ const TURNED: [[f64; 2]; 2] = [[1.0, -1.0 / 3.0], [1.0, 2.0 / 3.0]];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Linearised<S: Scalar, Y: StateVector<S>> {
     first: Factors<S, Y>,
-    /// Remainder of the elimination of the first velocity, and the off-diagonal blocks, the upper
-    /// one solved for it; `None` if the velocities are independent.
+    /// Result of the elimination of the first velocity: the remainder and the off-diagonal blocks,
+    /// with the upper one solved for that velocity. `None` if the velocities are independent.
     rest: Option<Rest<S, Y>>,
 }
 
@@ -32,8 +32,8 @@ struct Rest<S: Scalar, Y: StateVector<S>> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
-    /// The factors, of the mass matrix alone if derivatives are not known or lead to a singular
-    /// matrix.
+    /// Factors the equations. Only the mass matrix is factored if derivatives are not available or
+    /// lead to a singular matrix.
     pub(super) fn new(pencil: &Pencil<S, Y>) -> Option<Self> {
         let coupled = pencil.derivatives.as_ref().and_then(|(linear, quadratic)| {
             let block = |i: usize, j: usize| {
@@ -58,7 +58,7 @@ impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
         self.solve_turned(&turned(residual))
     }
 
-    /// Solves for residuals that are [`turned`] already.
+    /// Solves for residuals that are already [`turned`].
     #[inline]
     pub(super) fn solve_turned(&self, [one, two]: &[Y; 2]) -> [Y; 2] {
         let mut first = self.first.solve(one);
@@ -73,7 +73,7 @@ impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
     }
 }
 
-/// Combines the residuals into equations with one velocity each, for unknown derivatives.
+/// Combines the residuals into equations with one velocity each, if derivatives are neglected.
 #[inline]
 pub(super) fn turned<S: Scalar, Y: StateVector<S>>(residual: &[Y; 2]) -> [Y; 2] {
     TURNED.map(|row| {
@@ -85,7 +85,7 @@ pub(super) fn turned<S: Scalar, Y: StateVector<S>>(residual: &[Y; 2]) -> [Y; 2] 
     })
 }
 
-/// The solutions for the columns of a matrix.
+/// Computes the solutions for the columns of a matrix.
 fn solved<S: Scalar, Y: StateVector<S>>(factors: &Factors<S, Y>, right: &Matrix<S, Y>) -> Matrix<S, Y> {
     let mut solution = Matrix::ZERO;
     for j in 0..right.rows() {

@@ -1,23 +1,23 @@
 //! A variational integrator: the discrete Euler–Lagrange equations of a discrete Lagrangian.
 //!
-//! Between ends q₀ and q₁, coordinates run along the parabola that makes the action, taken by
-//! Simpson's rule, stationary:
+//! Between ends q₀ and q₁, coordinates follow the parabola for which the action, evaluated by
+//! Simpson's rule, is stationary:
 //!
 //! ```text
 //! L_d(q₀, q₁) = ext h/6 (L(q₀, v₀) + 4 L(qₘ, vₘ) + L(q₁, v₁))   over the middle qₘ,
 //! p₀ = −∂L_d/∂q₀,    p₁ = ∂L_d/∂q₁.
 //! ```
 //!
-//! With P = ∂L/∂v and R = ∂L/∂q + Q at the three places, forces entering by the discrete
-//! Lagrange–d'Alembert principle with the same quadrature, this is
+//! Let P = ∂L/∂v and R = ∂L/∂q + Q at the three places. Forces enter by the discrete
+//! Lagrange–d'Alembert principle with the same quadrature. The equations are then
 //!
 //! ```text
 //! P₁ = P₀ + h Rₘ,    p₀ = (P₀ + 2 Pₘ)/3 − h/6 (R₀ + Rₘ),    p₁ = p₀ + h/6 (R₀ + 4 Rₘ + R₁),
 //! ```
 //!
-//! which are solved for v₀ and v₁. The method is the Lobatto IIIA–IIIB pair with three stages. Its
-//! relative of degree one with the midpoint instead of Simpson's rule is the implicit midpoint
-//! rule.
+//! which are solved for v₀ and v₁. The method is the Lobatto IIIA–IIIB pair with three stages. The
+//! related method of degree one with the midpoint instead of Simpson's rule is the implicit
+//! midpoint rule.
 //!
 //! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10
 //! (2001), §1.5, §2.2, §2.6 and §3.2; Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
@@ -42,26 +42,26 @@ use crate::system::{CanonicalSystem, ScalarOf, StateVector, StepFailure, Vector,
 
 /// A variational integrator of order four in equal steps, for any Lagrangian and any force.
 ///
-/// It follows from a discrete Lagrangian and therefore keeps the invariants of a Lagrangian. The
-/// step is symplectic in coordinates and momenta for any mass matrix. By the discrete theorem of
-/// Noether, every momentum map of a symmetry that is linear in the coordinates is conserved.
-/// Momenta of cyclic coordinates are conserved to rounding, since momenta are carried on and not
-/// computed from velocities. The energy of a conservative system oscillates and does not drift.
-/// Symmetric in time.
+/// It is derived from a discrete Lagrangian and therefore conserves the invariants of a Lagrangian
+/// system. The step is symplectic in coordinates and momenta for any mass matrix. By the discrete
+/// theorem of Noether, every momentum map of a symmetry that is linear in the coordinates is
+/// conserved. Momenta of cyclic coordinates are conserved to rounding, since momenta are advanced
+/// and not recomputed from velocities. The energy of a conservative system oscillates without
+/// drift. The method is symmetric in time.
 ///
 /// Constraints hold at the ends of all steps to rounding, for positions and velocities alike,
-/// without projection: constraint forces are part of the principle. With holonomic ones, moving or
-/// not, the method is symplectic on the states that they admit, and momenta of symmetries that they
-/// share are conserved. Nonholonomic ones enter by the discrete Lagrange–d'Alembert principle, also
-/// symmetric in time and of order four. A mass matrix may be singular if constraints compensate for
-/// it, and equivalent constraints count as one. A step then iterates over multipliers, too, about
-/// two iterations more.
+/// without projection: constraint forces are part of the principle. With holonomic constraints,
+/// moving or not, the method is symplectic on the admissible states. Momenta are conserved if
+/// constraints have the same symmetry. Nonholonomic constraints enter by the discrete
+/// Lagrange–d'Alembert principle, also symmetric in time and of order four. The mass matrix may be
+/// singular if constraints compensate for it, and equivalent constraints count as one. A step then
+/// also iterates over multipliers, with about two additional iterations.
 ///
 /// An iteration evaluates momenta and their rates three times. A step takes four to seven
-/// iterations with the Jacobian that `emit { jacobian }` provides, and hardly more without it if
-/// the step is short. On a double pendulum it costs as much as 23 to 30 evaluations of the
-/// right-hand side. Steps must resolve vibrations, h ω < √8, also with a Jacobian. For stiff
-/// springs use [`GaussLegendre`](crate::integrate::GaussLegendre).
+/// iterations with the Jacobian that `emit { jacobian }` provides, and few more without it if the
+/// step is short. On a double pendulum it costs as much as 23 to 30 evaluations of the right-hand
+/// side. Steps must resolve vibrations, h ω < √8, also with a Jacobian. For stiff springs use
+/// [`GaussLegendre`](crate::integrate::GaussLegendre).
 ///
 /// States within a step are cubics through states and rates at its ends, with an error O(h⁴).
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -78,16 +78,16 @@ impl<M: CanonicalSystem + ?Sized> Method<M> for Variational<M::Scalar> {
 #[derive(Debug)]
 pub struct Discrete<M: CanonicalSystem + ?Sized> {
     rounding: ScalarOf<M>,
-    /// Velocities at both ends of the next step, from those at the start and in the middle of the
-    /// last one.
+    /// Predicts velocities at both ends of the next step from those at the start and in the middle
+    /// of the last one.
     prediction: Prediction<ScalarOf<M>, Vector<M>, 2>,
-    /// Differences between the velocities of the parabola and those of the motion, for a step of
-    /// length one.
+    /// Differences between the velocities of the parabola and of the motion, for a step of length
+    /// one.
     excess: [Vector<M>; 2],
     reached: Reached<M>,
-    /// Velocities of the parabola of the step that is being taken, and its length.
+    /// Velocities of the parabola of the step in progress, and its length.
     ends: ([Vector<M>; 2], ScalarOf<M>),
-    /// Multipliers of constraints at the start and in the middle of the step that is being taken.
+    /// Multipliers of constraints at the start and in the middle of the step in progress.
     multipliers: [Vector<M>; 2],
 }
 
@@ -107,7 +107,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         }
     }
 
-    /// The velocities at both ends of the parabola of a step of the length `h`.
+    /// Predicts the velocities at both ends of the parabola of a step of length `h`.
     fn predict(&mut self, h: ScalarOf<M>) -> [Vector<M>; 2] {
         let mut ends = self.prediction.slopes(&self.reached.velocities, h);
         for (end, excess) in ends.iter_mut().zip(&self.excess) {
@@ -116,7 +116,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         ends
     }
 
-    /// The change of coordinates and momenta, iterating from these velocities at the ends.
+    /// Computes the change of coordinates and momenta, iterating from these velocities at the ends.
     fn solve(
         &mut self,
         step: &Step<'_, M>,
@@ -139,7 +139,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         Ok(join::<M>(&q, &equations.change))
     }
 
-    /// Solves under constraints, with consistent momenta at the end.
+    /// Solves with constraints, with consistent momenta at the end.
     fn solve_held(
         &mut self,
         step: &Step<'_, M>,
@@ -224,7 +224,7 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
             add(&mut excess, -square, &motion);
             excess
         });
-        // Simpson's rule finds the velocity in the middle from the mean one.
+        // The velocity in the middle follows from the mean one by Simpson's rule.
         let mut middle = Vector::<M>::ZERO;
         add(&mut middle, M::Scalar::from_f64(1.5), &mean(&ends));
         add(&mut middle, M::Scalar::from_f64(-0.25), &start);
@@ -247,7 +247,7 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
     }
 }
 
-/// The mean of two vectors.
+/// Computes the mean of two vectors.
 #[inline]
 fn mean<S: Scalar, Y: StateVector<S>>(ends: &[Y; 2]) -> Y {
     let (mut mean, half) = (Y::ZERO, S::from_f64(0.5));
@@ -259,7 +259,7 @@ fn mean<S: Scalar, Y: StateVector<S>>(ends: &[Y; 2]) -> Y {
 /// A time with coordinates and velocities.
 type Configuration<M> = (ScalarOf<M>, Vector<M>, Vector<M>);
 
-/// The start, the middle and the end of the parabola with these velocities at its ends.
+/// Returns the start, the middle and the end of the parabola with these velocities at its ends.
 #[inline]
 fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]) -> [Configuration<M>; 3] {
     let Step { t, q, h, .. } = *step;
@@ -271,7 +271,7 @@ fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]
     [(t, q, ends[0]), (t + h * n(0.5), middle, mean(ends)), (t + h, last, ends[1])]
 }
 
-/// Returns the residuals of the equations with these momenta and rates at the three places, and the
+/// Computes the residuals of the equations for these momenta and rates at the three places, and the
 /// change of the momenta.
 #[inline]
 fn balance<M: CanonicalSystem + ?Sized>(

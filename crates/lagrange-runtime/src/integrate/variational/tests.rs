@@ -30,7 +30,7 @@ fn the_order_holds_where_the_lagrangian_depends_on_time() {
     check_order(&system, [1.0, 0.0], 4.0, 100, |step| Variational { step });
 }
 
-/// A pendulum in a fluid, whose drag grows faster than the rate.
+/// A pendulum in a fluid whose drag grows faster than the rate.
 struct Damped;
 
 impl Lagrangian<1> for Damped {

@@ -1,27 +1,27 @@
 //! The choice of the next step length.
 //!
-//! A proportional–integral controller: the step follows the error of the last two steps, so that it
-//! does not swing. Source: Gustafsson 1991; Hairer, Wanner, *Solving Ordinary Differential
+//! A proportional–integral controller: the step depends on the errors of the last two steps, which
+//! avoids oscillation. Source: Gustafsson 1991; Hairer, Wanner, *Solving Ordinary Differential
 //! Equations II*, §IV.2.
 
 use crate::scalar::Scalar;
 
-/// The error of a step grows with this power of its length.
+/// Power of the step length with which the error of a step grows.
 pub(super) const POWER: f64 = 9.0;
-/// Weight of the error before the last in the choice.
+/// Weight of the previous error in the choice.
 pub(super) const MEMORY: f64 = 0.02;
-/// Steps are shorter than what would just do by this factor.
+/// Safety factor of step lengths.
 pub(super) const SAFETY: f64 = 0.8;
-/// No step is shorter than the one before by more than this factor,
+/// Minimum ratio of a step to the previous one.
 pub(super) const MOST_SHRINKING: f64 = 0.2;
-/// a step after a rejection is shorter at least by this,
+/// Maximum ratio of a step after a rejection to the rejected one.
 pub(super) const LEAST_SHRINKING: f64 = 0.9;
-/// and none is longer by more than this.
+/// Maximum ratio of a step to the previous one.
 pub(super) const MOST_GROWTH: f64 = 6.0;
 /// Factor of the next step length after a step that led to NaN or infinity.
 pub(super) const RETREAT: f64 = 0.1;
 
-/// Errors are remembered as no smaller than this.
+/// Minimum error that is stored.
 pub(super) const LEAST_ERROR: f64 = 1e-4;
 
 /// The controller with its memory.
@@ -38,13 +38,13 @@ impl<S: Scalar> Control<S> {
         Control { step, error: S::from_f64(LEAST_ERROR), was_rejected: false }
     }
 
-    /// True if the last step was thrown away.
+    /// True if the last step was rejected.
     pub(super) fn was_rejected(&self) -> bool {
         self.was_rejected
     }
 
-    /// A step of length `taken`, which may be shorter than asked for, had this error, not above
-    /// one.
+    /// Accepts a step of length `taken`, which may be shorter than requested, with this error of at
+    /// most one.
     pub(super) fn accept(&mut self, taken: S, error: S) {
         let power = S::from_f64(1.0 / POWER - 0.75 * MEMORY);
         let memory = S::from_f64(MEMORY);
@@ -57,7 +57,8 @@ impl<S: Scalar> Control<S> {
         self.was_rejected = false;
     }
 
-    /// A step of length `taken` had an error above one or, if not finite, led to NaN or infinity.
+    /// Rejects a step of length `taken` with an error above one, or with an error that is not
+    /// finite after NaN or infinity.
     pub(super) fn reject(&mut self, taken: S, error: S) {
         let wanted = S::from_f64(SAFETY) / error.powf(S::from_f64(1.0 / POWER));
         let shrinking = if error.is_finite() {

@@ -17,7 +17,7 @@ pub(super) struct Span<S, Y> {
     pub(super) h: S,
 }
 
-/// The rates that the interpolant needs besides those of the step itself and the one at its end.
+/// Computes the rates that the interpolant needs in addition to those of the step and of its end.
 pub(super) fn complete<M>(system: &M, span: &Span<M::Scalar, M::State>, rates: &mut [M::State; RATES])
 where
     M: OdeSystem + ?Sized,
@@ -34,7 +34,7 @@ where
     );
 }
 
-/// The state at the part `s` of the step, once its rates are complete.
+/// Computes the state at the fraction `s` of the step, once its rates are complete.
 pub(super) fn interpolate<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
     interpolated(span, s, rates)
 }
@@ -43,8 +43,8 @@ pub(super) fn interpolate<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S,
 #[inline(always)]
 pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
     let (both, mut bend) = (s * (S::ONE - s), span.y.zeros());
-    // Loops and no closures, which are not inlined into functions of other instructions than their
-    // own.
+    // Loops instead of closures, which are not inlined into functions with different target
+    // features.
     for (rate, coefficients) in &BEND {
         let (value, _) = polynomial(coefficients, s);
         bend = combined(&bend, both * value, &rates[*rate]);
@@ -52,7 +52,7 @@ pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S
     bent(span, s, &bend, rates)
 }
 
-/// The chord of the step at its part `s`, and the bend there.
+/// Computes the state at the fraction `s` of the step from the chord and this bend.
 #[inline(always)]
 fn bent<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, bend: &Y, rates: &[Y; RATES]) -> Y {
     let (chord, mut y) = (ADVANCE.weighted(rates), span.y);
@@ -76,7 +76,7 @@ where
     defect_of(system.rhs(s.multiply_add(span.h, span.t), &interpolate(span, s, rates)), s, rates)
 }
 
-/// Returns the same difference, given the rate of the system there.
+/// Returns the same difference for a given rate of the system.
 fn defect_of<S: Number, Y: StateVector<S>>(rate: Y, s: S, rates: &[Y; RATES]) -> Y {
     let (one, two) = (S::ONE, S::from_f64(2.0));
     let mut slope = rate.zeros();
@@ -97,8 +97,8 @@ fn beside<S: Number, Y: StateVector<S>>(rate: Y, slope: &Y, rates: &[Y; RATES]) 
     defect
 }
 
-/// A part of every step, with the weights there of rates in the bend and in its slope, which need
-/// no polynomials at run time.
+/// A fixed fraction of every step, with precomputed weights of rates in the bend and in its slope.
+/// It requires no polynomials at run time.
 pub(super) struct FixedPart {
     pub(super) s: f64,
     bend: [f64; BEND.len()],
@@ -124,7 +124,7 @@ impl FixedPart {
         FixedPart { s, bend, slope }
     }
 
-    /// The state there.
+    /// Returns the state there.
     #[inline(always)]
     pub(super) fn state<S: Number, Y: StateVector<S>>(&self, span: &Span<S, Y>, rates: &[Y; RATES]) -> Y {
         bent(span, S::from_f64(self.s), &weighted_bend(&self.bend, rates), rates)
@@ -137,7 +137,7 @@ impl FixedPart {
     }
 }
 
-/// A sum of the rates in the bend.
+/// Computes a weighted sum of the rates in the bend.
 #[inline(always)]
 fn weighted_bend<S: Number, Y: StateVector<S>>(weights: &[f64; BEND.len()], rates: &[Y; RATES]) -> Y {
     let mut sum = rates[0].zeros();
@@ -147,7 +147,8 @@ fn weighted_bend<S: Number, Y: StateVector<S>>(weights: &[f64; BEND.len()], rate
     sum
 }
 
-/// A polynomial about the middle of the step, at the part `s` of it, and its derivative there.
+/// Evaluates a polynomial about the middle of the step and its derivative, at the fraction `s` of
+/// the step.
 #[inline(always)]
 fn polynomial<S: Number, const N: usize>(coefficients: &[f64; N], s: S) -> (S, S) {
     let two = S::from_f64(2.0);

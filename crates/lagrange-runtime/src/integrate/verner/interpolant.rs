@@ -1,7 +1,7 @@
-//! Coefficients of the interpolant of order nine: stages beside those of the step, and weights.
+//! Coefficients of the interpolant of order nine: additional stages, and weights.
 //!
-//! Source: as in `tableau`. The weights are written about the middle of the step, where their
-//! coefficients are small; as polynomials about its start they would lose four digits.
+//! Source: as in `tableau`. The weights are polynomials about the middle of the step, with small
+//! coefficients; polynomials about its start would lose four digits.
 
 use super::stage::Stage;
 
@@ -166,8 +166,8 @@ pub(super) const STAGE_25: Stage<14> = Stage {
         (20, 0.1304821777615737),
     ],
 };
-/// Weights of the stages by which the state at the part s of a step leaves the chord. They are
-/// polynomials p of 2 s − 1, constant term first: s (1 − s) p.
+/// Weights of the stages in the deviation from the chord at the fraction s of a step. For
+/// polynomials p of 2 s − 1, constant term first, they are s (1 − s) p.
 pub(super) const BEND: [(usize, [f64; 8]); 19] = [
     (
         0,

@@ -1,8 +1,8 @@
 //! The pair for several motions in lanes.
 //!
-//! A step is that of `stepper` for a system without constraints, with two differences. Rates are
-//! not kept from one attempt to the next, since neighbours may have come farther, and lengths of
-//! steps are found to three digits. A motion that looks stiff is given up: a single run reports it.
+//! A step is the same as in `stepper` for a system without constraints, with two differences. Rates
+//! are not reused by the next attempt, since other lanes may have advanced. Lengths of steps are
+//! computed to three digits. A motion that appears stiff is abandoned: a single run reports it.
 
 use super::Verner98;
 use super::control::POWER;
@@ -25,7 +25,7 @@ use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Equations, SideBySide, StateVector};
 use crate::tolerance::SAME_STATE;
 
-/// Rates that the choice of a first step needs.
+/// Number of rates needed for the choice of a first step.
 const FIRST_STAGES: u64 = 2;
 
 /// Integrations by [`Verner98`] in lanes; Y is the state.
@@ -35,9 +35,9 @@ pub struct VernerLanes<S, Y> {
     clock: Clock<S>,
     state: Compensated<Y>,
     control: LanesControl<S>,
-    /// No step is longer at present.
+    /// Maximum length of the next step.
     longest: S,
-    /// Lengths of the steps that were tried last, and their rates.
+    /// Lengths of the last attempted steps, and their rates.
     h: S,
     rates: [Y; STAGES],
     counts: Counts,
@@ -49,7 +49,7 @@ pub struct VernerLanes<S, Y> {
 struct Settings<S> {
     tolerated: Tolerated<S>,
     end: S,
-    /// No step is longer while the state moves, or is at rest.
+    /// Maximum step lengths of a moving state, and of a state at rest.
     longest: [S; 2],
     most_steps: u64,
     refuses_stiff: bool,
@@ -119,19 +119,19 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
 }
 
 impl<S: Number> Settings<S> {
-    /// The longest of steps from a state where it moves, and where it is at rest.
+    /// Returns the maximum step lengths of moving states and of states at rest.
     #[inline(always)]
     fn longest(&self, is_at_rest: S::Mask) -> S {
         let [moving, at_rest] = self.longest;
         S::select(is_at_rest, at_rest, moving)
     }
 
-    /// First steps, NaN where there is none, and the longest ones.
+    /// Returns first steps, NaN if there is none, and the maximum step lengths.
     #[inline(always)]
     fn first_step<E: Equations<S>>(&self, equations: &E, t: S, y: &E::State) -> (S, S) {
         let [_, at_rest] = self.longest;
         let (mut rates, mut trial, mut longest) = ([E::State::ZERO; 2], S::ZERO, at_rest);
-        // One place of call, so that the right-hand side is inlined once.
+        // A single call site, so that the right-hand side is inlined once.
         for stage in 0..2 {
             let h = S::select(self.end.less(t), -trial, trial);
             rates[stage] = equations.rhs(t + h, &combined(y, h, &rates[0]));
@@ -176,14 +176,14 @@ where
     #[inline(always)]
     fn evaluate<E: Equations<S, State = Y>>(&mut self, equations: &E, h: S) {
         let (t, y) = (self.clock.time(), *self.state.value());
-        // One place of call, as above.
+        // A single call site, as above.
         for (stage, row) in ROWS.iter().enumerate() {
             let point = row.point(&y, h, &self.rates);
             self.rates[stage] = equations.rhs(row.time(t, h), &point);
         }
     }
 
-    /// The states after steps of these lengths whose stages are known.
+    /// Computes the states after steps of these lengths, whose stages are known.
     #[inline(always)]
     fn advanced(&self, h: S, increment: &Y) -> Compensated<Y> {
         let mut increment = *increment;
@@ -221,7 +221,7 @@ where
         StepEnd { h: self.h, t: self.clock.time(), y: self.state.value() }
     }
 
-    /// Takes steps back that led too far for the interpolant, by this excess of its error.
+    /// Reverts steps that were too long for the interpolant, with this excess of its error.
     #[cold]
     fn take_back(&mut self, last: &VernerLastStep<S, Y>, excess: S, are_refused: S::Mask) {
         self.clock = Clock::select(are_refused, &last.clock, &self.clock);
@@ -234,7 +234,7 @@ where
         }
     }
 
-    /// Gives motions up.
+    /// Abandons motions.
     #[cold]
     fn give_up(&mut self, which: impl Fn(&Self, usize) -> bool) {
         for lane in 0..S::LANES {

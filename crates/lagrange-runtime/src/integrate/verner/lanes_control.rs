@@ -1,5 +1,5 @@
 //! The choice of the next step length per lane: the controller of `control` in logarithms, with
-//! powers to three digits.
+//! powers computed to three digits.
 
 use super::control::{LEAST_SHRINKING, MEMORY, MOST_GROWTH, MOST_SHRINKING, POWER, RETREAT};
 use crate::integrate::corrected::is_finite;
@@ -7,11 +7,11 @@ use crate::integrate::lane_wise::{larger, smaller, take};
 use crate::scalar::Scalar;
 use crate::system::SideBySide;
 
-/// Errors below this let steps grow as much as they may.
+/// Errors below this permit the maximum growth of steps.
 const NEGLIGIBLE: f64 = 1e-10;
-/// The binary logarithm of `LEAST_ERROR` of `control`, which no constant expression computes,
+/// The binary logarithm of `LEAST_ERROR` of `control`, which constant expressions cannot compute.
 const LOG_LEAST_ERROR: f64 = -13.287_712_379_549_449;
-/// and that of `SAFETY`.
+/// The binary logarithm of `SAFETY`.
 const LOG_SAFETY: f64 = -0.321_928_094_887_362_3;
 
 /// The controllers with their memories.
@@ -35,9 +35,9 @@ where
         LanesControl { step, error, most_growth: S::from_f64(MOST_GROWTH) }
     }
 
-    /// Steps of these lengths, which may be shorter than asked for, had these errors, and were
-    /// taken where the mask is true. Errors that are not finite are of steps that led to NaN or
-    /// infinity.
+    /// Updates after steps of these lengths, which may be shorter than requested, with these
+    /// errors. They were accepted if the mask is true. Errors that are not finite belong to steps
+    /// that led to NaN or infinity.
     #[inline(always)]
     pub(super) fn follow(&mut self, length: S, error: S, is_taken: S::Mask) {
         let safety = S::from_f64(LOG_SAFETY);
@@ -55,15 +55,14 @@ where
         self.most_growth = S::select(is_taken, S::from_f64(MOST_GROWTH), S::ONE);
     }
 
-    /// Steps of these lengths that were taken are taken back where the mask is true, by these
-    /// errors.
+    /// Reverts accepted steps of these lengths if the mask is true, with these errors.
     pub(super) fn take_back(&mut self, length: S, error: S, are_taken_back: S::Mask) {
         let log_error = larger(error, S::from_f64(NEGLIGIBLE)).each(Scalar::rough_log2);
         self.step = S::select(are_taken_back, length * shrinking(error, log_error), self.step);
         self.most_growth = S::select(are_taken_back, S::ONE, self.most_growth);
     }
 
-    /// Puts what is in the lane `from` of other controllers into a lane of these.
+    /// Copies the lane `from` of other controllers into a lane of these.
     #[inline(always)]
     pub(super) fn take<O>(&mut self, lane: usize, other: &LanesControl<O>, from: usize)
     where

@@ -1,4 +1,4 @@
-//! The states within steps in lanes.
+//! States within steps in lanes.
 
 use super::dense::{FixedPart, Span, interpolated};
 use super::interpolant::{
@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 use crate::system::{Equations, SideBySide, StateVector};
 use crate::tolerance::DEFECT;
 
-/// The stages that only the interpolant needs, which follow the one at the end.
+/// The stages that only the interpolant needs, which follow the stage at the end.
 const ROWS: [TableauRow; RATES - END - 1] = [
     STAGE_17.row(),
     STAGE_18.row(),
@@ -27,7 +27,7 @@ const ROWS: [TableauRow; RATES - END - 1] = [
     STAGE_24.row(),
     STAGE_25.row(),
 ];
-/// The parts of steps at which defects are looked at.
+/// The fractions of steps at which defects are evaluated.
 const PARTS: [FixedPart; CHECKED.len()] = [FixedPart::new(CHECKED[0]), FixedPart::new(CHECKED[1])];
 
 /// The last steps by [`Verner98`](super::Verner98) in lanes.
@@ -36,8 +36,7 @@ pub struct VernerLastStep<S, Y> {
     /// Start of the steps.
     pub(super) clock: Clock<S>,
     pub(super) state: Compensated<Y>,
-    /// Their rates, of which those of the stages of steps that were not looked into are of earlier
-    /// ones.
+    /// Their rates. If a step was not completed, its stage rates belong to an earlier one.
     rates: [Y; RATES],
 }
 
@@ -50,26 +49,26 @@ pub(super) struct StepEnd<'r, S, Y> {
 }
 
 impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
-    /// No step from here.
+    /// Creates an empty step at this state.
     #[inline(always)]
     pub(super) fn new(clock: Clock<S>, state: Compensated<Y>) -> Self {
         VernerLastStep { clock, state, rates: [Y::ZERO; RATES] }
     }
 
-    /// Remembers where steps begin.
+    /// Stores the start of steps.
     #[inline(always)]
     pub(super) fn begin(&mut self, clock: Clock<S>, state: Compensated<Y>) {
         (self.clock, self.state) = (clock, state);
     }
 
-    /// Steps of the length `h` from where they began.
+    /// Returns steps of length `h` from their start.
     #[inline(always)]
     fn span(&self, h: S) -> Span<S, Y> {
         Span { t: self.clock.time(), y: *self.state.value(), h }
     }
 
-    /// Finds the rates that the interpolant needs, given those of the stages. Also finds by how
-    /// much it is less accurate than it may be, where one is just enough.
+    /// Computes the rates that the interpolant needs from those of the stages. Returns the ratio of
+    /// its error to the permitted error; at most one is accurate enough.
     #[inline(always)]
     pub(super) fn complete<E: Equations<S, State = Y>>(
         &mut self,
@@ -81,7 +80,7 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
         self.rates[..STAGES].copy_from_slice(stages);
         let (span, rates) = (self.span(reached.h), &mut self.rates);
         let mut largest = S::ZERO;
-        // One place of call, so that the right-hand side is inlined once.
+        // A single call site, so that the right-hand side is inlined once.
         for stage in END..RATES + CHECKED.len() {
             let (time, point) = match stage {
                 END => (reached.t, *reached.y),
@@ -107,7 +106,7 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
         largest / (S::from_f64(LARGEST_DEFECT) + rounding)
     }
 
-    /// The states at these times, which are the ends where the times are.
+    /// Computes the states at these times; exactly the ends at the end times.
     #[inline(always)]
     pub(super) fn interpolate(&self, reached: StepEnd<'_, S, Y>, t: S) -> Y {
         let span = self.span(reached.h);

@@ -1,9 +1,9 @@
-//! An explicit Runge–Kutta pair of order nine with steps as long as a tolerance allows.
+//! An explicit Runge–Kutta pair of order nine with adaptive steps.
 //!
-//! Sixteen stages give the state to order nine and an estimate of its error of order eight. Within
-//! a step, nine more give the state anywhere to order nine; they are evaluated only for steps whose
-//! states are requested. Not symplectic, but at tolerances near rounding the drift of the energy is
-//! rounding.
+//! Sixteen stages yield the state to order nine and an error estimate of order eight. Nine more
+//! stages yield the state within a step to order nine. They are evaluated only for steps whose
+//! states are requested. The pair is not symplectic, but at tolerances near rounding the drift of
+//! the energy is at the level of rounding.
 //!
 //! Sources: Verner, "Numerically optimal Runge–Kutta pairs with interpolants", *Numerical
 //! Algorithms* 53 (2010) 383–396, in the version of 2024; step control and first step: Hairer,
@@ -35,28 +35,27 @@ pub use self::stepper::VernerStepper;
 use self::tableau::ADVANCE;
 use self::tolerance::check_settings;
 
-/// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not
-/// stiff.
+/// Verner's pair of order nine with adaptive steps, for any non-stiff system.
 ///
 /// An accepted step has an estimated error of at most `absolute + relative · |y|`, in the root mean
 /// square over the components of the state. The motion propagates and accumulates these errors to
 /// the end. Errors below 16 roundings of the state are always tolerated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Verner98<S> {
-    /// Error of a step as a part of the state.
+    /// Tolerated error of a step relative to the state.
     pub relative: S,
-    /// Error of a step in the units of the state.
+    /// Tolerated error of a step in the units of the state.
     pub absolute: S,
-    /// Length of the first step to try; estimated if not given.
+    /// Length of the first step to try; estimated by default.
     pub first_step: Option<S>,
-    /// No step is longer. The default is a twentieth of the way from the start to the end known
-    /// there. While the state stays where it is, it is a two-hundredth, since errors do not show
-    /// later changes. Forces that act for a shorter time than about a quarter of a step may be
-    /// stepped over.
+    /// Maximum step length. The default is a twentieth of the interval from the start to the end
+    /// known there. While the state is at rest, it is a two-hundredth, since errors do not reveal
+    /// later changes. Forces that act for less than about a quarter of a step may be missed.
     pub longest_step: Option<S>,
-    /// No more steps are tried, rejected ones included.
+    /// Maximum number of attempted steps, including rejected ones.
     pub max_steps: u64,
-    /// True if to give up where stability and not the tolerance limits the steps.
+    /// True if the integration should fail when stability rather than the tolerance limits the
+    /// steps.
     pub refuses_stiff: bool,
 }
 
@@ -75,11 +74,11 @@ impl<S: Scalar> Verner98<S> {
     }
 }
 
-/// No step is longer than this part of the way, unless that is a setting,
+/// Default maximum step length, as a fraction of the interval.
 const LONGEST: f64 = 1.0 / 20.0;
-/// nor than this part of it while the state stays where it is:
+/// Default maximum step length while the state is at rest, as a fraction of the interval.
 const LONGEST_AT_REST: f64 = 1.0 / 200.0;
-/// while a step changes it by less than this part of what is tolerated.
+/// A state is at rest if a step changes it by less than this fraction of the tolerance.
 const AT_REST: f64 = 1e-3;
 
 impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
@@ -118,7 +117,7 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
 }
 
 impl<S> ExplicitRungeKutta for Verner98<S> {
-    /// Without the stage that only the error needs.
+    /// Omits the stage that only the error needs.
     const STAGES: &'static [TableauRow] = ROWS.split_at(STAGES - 1).0;
     const ADVANCE: TableauRow = ADVANCE.row();
 }

@@ -6,25 +6,25 @@ use crate::system::StateVector;
 
 /// Number of rates per step.
 pub(super) const STAGES: usize = 16;
-/// and how many of the state belong to it, those for the interpolant included.
+/// Number of rates per step including those for the interpolant.
 pub(super) const RATES: usize = 26;
 
-/// The position of a stage within a step, and the weights of the rates that lead there.
+/// The position of a stage within a step, and the weights of the rates in its state.
 pub(super) struct Stage<const N: usize> {
-    /// The part of the step that is past.
+    /// The fraction of the step at which the stage is evaluated.
     pub(super) node: f64,
-    /// Indices of rates with their weights; others have none.
+    /// Indices of rates with their weights; other rates have zero weight.
     pub(super) weights: [(usize, f64); N],
 }
 
 impl<const N: usize> Stage<N> {
-    /// The time of the stage in a step of the length `h` from `t`.
+    /// Returns the time of the stage in a step of length `h` from `t`.
     #[inline(always)]
     pub(super) fn time<S: Number>(&self, t: S, h: S) -> S {
         S::from_f64(self.node).multiply_add(h, t)
     }
 
-    /// y + h Σ wⱼ kⱼ
+    /// Computes y + h Σ wⱼ kⱼ.
     #[inline(always)]
     pub(super) fn point<S: Number, Y: StateVector<S>, const R: usize>(
         &self,
@@ -35,11 +35,11 @@ impl<const N: usize> Stage<N> {
         moved(self.weighted(rates), y, h)
     }
 
-    /// Σ wⱼ kⱼ
+    /// Computes Σ wⱼ kⱼ.
     #[inline(always)]
     pub(super) fn weighted<S: Number, Y: StateVector<S>, const R: usize>(&self, rates: &[Y; R]) -> Y {
         if size_of::<S>() > size_of::<f64>() {
-            // Opaque, or compilers write out all terms.
+            // Opaque, since compilers would otherwise unroll all terms.
             return weighted_in_blocks(rates, core::hint::black_box(&self.weights));
         }
         let mut sum = rates[0].zeros();
@@ -52,7 +52,7 @@ impl<const N: usize> Stage<N> {
         sum
     }
 
-    /// The stage as a row of a table.
+    /// Returns the stage as a row of a table.
     pub(super) const fn row(&'static self) -> TableauRow {
         TableauRow { node: self.node, weights: &self.weights }
     }

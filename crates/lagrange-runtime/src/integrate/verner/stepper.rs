@@ -20,18 +20,19 @@ use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector, StepFailure, have_modes};
 use crate::tolerance::DEFECT;
 
-/// Steps longer than this part of the longest stable one are limited by it.
+/// Fraction of the longest stable step above which steps count as limited by stability.
 const NEAR: f64 = 0.7;
-/// An eigenvalue is fast beside a motion whose rates are smaller than the state times it by this,
+/// Minimum ratio of an eigenvalue times the state to the rates of the motion for the eigenvalue to
+/// count as fast.
 const FAST: f64 = 100.0;
-/// and that motion goes on if it changes the state by at least this part of it in a step.
+/// Minimum relative change of the state in a step for the motion to count as moving.
 const SLOWEST: f64 = 1e-9;
 /// The parts of a step at which the defect of the interpolant is evaluated. They are the middle of
-/// the widest gap between stages, and near the end, where it is large if the motion is smooth.
+/// the widest gap between stages, and near the end, where the defect of smooth motions is large.
 pub(super) const CHECKED: [f64; 2] = [0.34, 0.94];
-/// The interpolant is refused if its defect times the step is larger than this times the tolerance.
-/// On smooth motions the defect at the places above is a third to a half of the estimated error of
-/// the step. The error within the step is less than that.
+/// The interpolant is rejected if its defect times the step exceeds this times the tolerance. For
+/// smooth motions the defect at the places above is a third to a half of the estimated error of the
+/// step. The error within the step is smaller.
 pub(super) const LARGEST_DEFECT: f64 = 2.0;
 /// Index of the rate at the end of a step, which starts the next one.
 pub(super) const END: usize = 16;
@@ -40,7 +41,7 @@ pub(super) const END: usize = 16;
 #[derive(Clone, Debug)]
 pub struct VernerStepper<M: OdeSystem + ?Sized> {
     settings: Verner98<M::Scalar>,
-    /// From the start to the end that was in view there.
+    /// The interval from the start to the end known at the start.
     span: M::Scalar,
     control: Control<M::Scalar>,
     stiffness: Stiffness,
@@ -62,11 +63,11 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
 /// The known rates of the last step.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Known {
-    /// Only those that the step needs.
+    /// Only rates of the stages.
     Stages,
-    /// And that at its end.
+    /// Also the rate at its end.
     End,
-    /// And those that the interpolant needs.
+    /// Also the rates for the interpolant.
     All,
 }
 
@@ -100,7 +101,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         Ok(stepper)
     }
 
-    /// The next step to try, or that it is lost in rounding.
+    /// Returns the next step to try; an error if it is lost in rounding.
     fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
         let length = self.control.step.min(self.settings.longest(self.span, self.is_at_rest));
         let (longest, was_rejected) = (self.settings.longest_step, self.control.was_rejected());
@@ -129,7 +130,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         [end, other_end]
     }
 
-    /// The rate at the end of the last step, which may be known.
+    /// Returns the rate at the end of the last step, computing it if necessary.
     fn end_rate(&mut self, system: &M) -> M::State {
         if self.known < Known::End {
             self.rates[END] = system.rhs(self.clock.time(), self.state.value());
@@ -139,7 +140,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.rates[END]
     }
 
-    /// Finds the rates that the interpolant needs, unless they are known.
+    /// Computes the rates that the interpolant needs, unless they are known.
     fn complete(&mut self, system: &M) {
         if self.known < Known::All {
             self.end_rate(system);
@@ -149,8 +150,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
     }
 
-    /// Returns the error of the interpolant of the last step relative to the tolerance; one is just
-    /// accurate enough.
+    /// Returns the error of the interpolant of the last step relative to the tolerance; at most one
+    /// is accurate enough.
     fn excess(&self, system: &M) -> M::Scalar {
         let Span { y, h, .. } = &self.last;
         let norm = |error: &M::State| self.settings.norm(*h, error, y, self.state.value());
@@ -163,7 +164,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         largest / (M::Scalar::from_f64(LARGEST_DEFECT) + rounding)
     }
 
-    /// Forgets the last step, whose rates are about to be lost.
+    /// Discards the last step, whose rates are about to be overwritten.
     fn forget_last(&mut self) {
         let t = self.clock.time();
         self.last = Span { t, y: *self.state.value(), h: M::Scalar::ZERO };
@@ -203,7 +204,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         Ok(Judgement::Taken)
     }
 
-    /// Throws a step of the length `h` away that had this error.
+    /// Rejects a step of length `h` with this error.
     fn reject(&mut self, h: M::Scalar, error: M::Scalar) -> Judgement<M::Scalar> {
         self.control.reject(h.abs(), error);
         self.work.rejections += 1;
@@ -213,8 +214,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
     }
 
-    /// Refuses to continue if steps of the length `h` are at the limit of stability. The two states
-    /// `ends` differ in the direction that grows fastest.
+    /// Stops with an error if steps of length `h` are at the stability limit. The two states `ends`
+    /// differ in the direction of fastest growth.
     fn refuse_stiff(
         &mut self,
         system: &M,
@@ -230,8 +231,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
         let is_at_limit = h.abs() > M::Scalar::from_f64(NEAR) * limit;
         let (size, speed) = (l1_norm(&ends[0]), l1_norm(&self.rates[14]));
-        // A motion that is slower than its tolerance, or has ended, may take the steps that
-        // stability leaves.
+        // A motion that is slower than its tolerance, or has ended, may continue with the steps
+        // that stability permits.
         let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
         let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
         if !(is_at_limit && goes_on && is_fast) || self.fading.is_fading(self.work.steps, limit) {
@@ -242,7 +243,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         Err(StepFailure::Stiff { limit, tolerance, wants_jacobian })
     }
 
-    /// The state after a step of length `h` whose stages are known.
+    /// Computes the state after a step of length `h`, whose stages are known.
     fn advanced(&self, h: M::Scalar) -> Compensated<M::State> {
         let mut increment = ADVANCE.weighted(&self.rates);
         for component in increment.as_mut() {

@@ -1,24 +1,24 @@
 //! Detection of steps limited by stability.
 //!
 //! Two stages lie at the end of a step. The ratio of the differences of their rates and of their
-//! states hints at the largest eigenvalue of the Jacobian. It is computed before a system is
-//! refused. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+//! states estimates the largest eigenvalue of the Jacobian. The eigenvalue is computed before a
+//! system is rejected. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
 use crate::linalg::vector::{l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
 use crate::system::StateVector;
 use crate::tolerance::SAME_STATE;
 
-/// The method is stable up to |h λ| about this: 2.9 on the imaginary axis, 4.4 on the negative real
+/// Approximate maximum |h λ| of stable steps: 2.9 on the imaginary axis, 4.4 on the negative real
 /// one.
 pub(super) const STABLE: f64 = 2.9;
-/// This many steps at the limit tell that the system is stiff;
+/// Number of steps at the limit after which the system counts as stiff.
 const MOST_AT_LIMIT: u32 = 15;
-/// so many below it in turn tell that it is not.
+/// Number of consecutive steps below the limit after which the system counts as non-stiff.
 const ENOUGH_BELOW: u32 = 6;
 /// Number of steps per check while there is no suspicion.
 const INTERVAL: u64 = 100;
-/// If no more steps than this are ahead, the system is not stiff enough to bother.
+/// Maximum number of remaining steps for which stiffness is not reported.
 const BEARABLE: f64 = 1e4;
 
 /// The observed stability limit.
@@ -28,28 +28,28 @@ pub(super) struct Stiffness {
     below: u32,
 }
 
-/// Stiffness that doubles or halves within so many steps passes by itself.
+/// Number of steps within which stiffness that doubles or halves counts as temporary.
 const PASSING: f64 = 2e3;
-/// An earlier limit is forgotten after so many steps.
+/// Number of steps after which an earlier limit is discarded.
 const FORGOTTEN: u64 = 20 * MOST_AT_LIMIT as u64;
 
-/// A limit of stability that has been observed, beside which later ones are seen to change.
+/// An observed stability limit, as a reference for changes of later ones.
 ///
-/// Friction in a plane turns a slip velocity s at the rate limit/(m |s|). As the body starts or
-/// stops, steps at the limit of stability change from one to the next, and there are few.
+/// Friction in a plane rotates a slip velocity s at the rate limit/(m |s|). When the body starts or
+/// stops, the stability limit changes from step to step, for a small number of steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fading<S> {
-    /// The number of a step, and the longest stable one there.
+    /// The index of a step, and the longest stable step there.
     first: Option<(u64, S)>,
     last: u64,
 }
 
 impl<S: Scalar> Fading<S> {
-    /// Nothing has been observed.
+    /// No observation yet.
     pub(super) const UNKNOWN: Self = Fading { first: None, last: 0 };
 
-    /// True if the longest stable step, after so many steps, has changed fast enough since the
-    /// first observation, or if this is the first.
+    /// True if the longest stable step, after this number of steps, has changed fast enough since
+    /// the first observation, or if this is the first one.
     pub(super) fn is_fading(&mut self, steps: u64, limit: S) -> bool {
         let known = self.first.filter(|_| steps - self.last <= FORGOTTEN);
         self.last = steps;
@@ -69,13 +69,13 @@ impl<S: Scalar> Fading<S> {
 pub(super) type Point<'a, Y> = (&'a Y, &'a Y);
 
 impl Stiffness {
-    /// True if this step is to be looked at.
+    /// True if this step must be checked.
     pub(super) fn is_due(&self, steps: u64) -> bool {
         self.at_limit > 0 || steps.is_multiple_of(INTERVAL)
     }
 
-    /// Evaluates two stages at the end of an accepted step of length `h` with `ahead` to go. True
-    /// if stability probably limits its length.
+    /// Evaluates two stages at the end of an accepted step of length `h` with the remaining time
+    /// `ahead`. True if stability probably limits the step length.
     pub(super) fn watch<S: Scalar, Y: StateVector<S>>(
         &mut self,
         lengths: (S, S),
@@ -85,7 +85,7 @@ impl Stiffness {
         self.count(is_at_limit(lengths, one, other, SAME_STATE.part::<S>()))
     }
 
-    /// Counts a step at the limit, or below it; whether it is likely that the system is stiff.
+    /// Counts a step at the limit, or below it. Returns true if the system is probably stiff.
     pub(super) fn count(&mut self, is_at_limit: bool) -> bool {
         if is_at_limit {
             self.below = 0;
@@ -100,14 +100,15 @@ impl Stiffness {
     }
 }
 
-/// True if at least this many steps of length `h` lie ahead, which makes stiffness worth reporting.
+/// True if more than [`BEARABLE`] steps of length `h` lie ahead, which makes stiffness worth
+/// reporting.
 #[inline(always)]
 pub(super) fn are_many<S: Number>((h, ahead): (S, S)) -> S::Mask {
     S::from_f64(BEARABLE).less((ahead / h).abs())
 }
 
-/// True if a step with these ends is at the limit of stability with many others ahead. States that
-/// differ by less than the part `rounding` of them do not count.
+/// True if a step with these ends is at the stability limit with many others ahead. States whose
+/// relative difference is below `rounding` do not count.
 #[inline(always)]
 pub(super) fn is_at_limit<S: Number, Y: StateVector<S>>(
     (h, ahead): (S, S),

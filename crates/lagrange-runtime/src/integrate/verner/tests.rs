@@ -1,4 +1,4 @@
-//! The pair on hand-written systems whose solutions are known.
+//! The pair on hand-written systems with known solutions.
 
 mod pulses;
 mod rounding;
@@ -25,7 +25,7 @@ impl OdeSystem for Oscillator {
     }
 }
 
-/// ẏ = f(t, y)
+/// The equation ẏ = f(t, y).
 struct Equation<S>(fn(S, S) -> S);
 
 impl<S: Scalar> OdeSystem for Equation<S> {
@@ -37,7 +37,7 @@ impl<S: Scalar> OdeSystem for Equation<S> {
     }
 }
 
-/// A method whose steps all have the length `h`.
+/// Creates a method whose steps all have length `h`.
 fn fixed(h: f64) -> Verner98<f64> {
     Verner98 { first_step: Some(h), longest_step: Some(h), ..Verner98::tolerance(1e6) }
 }
@@ -46,7 +46,7 @@ fn solve<M: OdeSystem<Scalar = f64>>(system: &M, y: M::State, end: f64, toleranc
     integrate(system, 0.0, y, end, &Verner98::tolerance(tolerance), |_, _| {}).expect("finite")
 }
 
-/// The largest difference to the cosine, in a step of length h from `t`, at a part of it.
+/// Returns the largest difference from the cosine at a fraction of a step of length h.
 fn dense_error(h: f64, part: f64) -> f64 {
     let mut stepper = fixed(h).start(&Oscillator, 0.0, &[1.0, 0.0], 9.0).expect("starts");
     stepper.step(&Oscillator, 9.0).expect("finite");
@@ -54,7 +54,7 @@ fn dense_error(h: f64, part: f64) -> f64 {
     (x - (part * h).cos()).hypot(v + (part * h).sin())
 }
 
-/// ẏ₀ = 0, ẏₖ = yₖ₋₁ with solution tᵏ/k!: a step of length one from (1, 0, …) gives the
+/// ẏ₀ = 0, ẏₖ = yₖ₋₁ with solution tᵏ/k!: a step of length one from (1, 0, …) yields the
 /// coefficients of the stability function.
 struct Powers;
 
@@ -81,10 +81,10 @@ fn the_stability_function_is_the_exponential_to_the_ninth_power() {
     }
 }
 
-/// The coefficient of the ninth power is so small that the next ones show until rounding does.
+/// The coefficient of the ninth power is so small that higher powers dominate until rounding does.
 #[test]
 fn the_error_falls_with_the_ninth_power_of_the_step() {
-    // ẏ = y cos t, with exp(sin t) for solution.
+    // ẏ = y cos t, with the solution exp(sin t).
     let system = Equation(|t: f64, y: f64| y * t.cos());
     let error = |steps: u32| {
         let [y] =
@@ -101,7 +101,7 @@ fn the_error_falls_with_the_ninth_power_of_the_step() {
 fn the_interpolant_has_order_nine_in_every_part_of_a_step() {
     for part in [0.1, 0.3, 0.5, 0.7, 0.95] {
         let order = (dense_error(0.8, part) / dense_error(0.4, part)).log2();
-        // The error of a single step falls by one power more.
+        // The error of a single step decreases with one additional power.
         assert!(order > 9.5, "{order} at {part}");
     }
 }
@@ -125,7 +125,7 @@ fn the_interpolant_meets_both_ends() {
     assert!((nearly[0] - end[0]).abs() < 1e-13 && (nearly[1] - end[1]).abs() < 1e-13);
 }
 
-/// Rates that are what a polynomial in time says give its integral: the conditions of quadrature.
+/// Rates that are polynomials in time yield the exact integral: the conditions of quadrature.
 #[test]
 fn weights_integrate_powers_of_time() {
     for power in 0..9 {

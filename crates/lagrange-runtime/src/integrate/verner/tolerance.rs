@@ -1,4 +1,4 @@
-//! Errors and rates measured by the tolerance.
+//! Errors and rates relative to the tolerance.
 
 use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
 use crate::integrate::corrected::is_finite;
@@ -15,8 +15,8 @@ pub(in crate::integrate) struct Tolerated<S> {
 }
 
 impl<S: Number> Tolerated<S> {
-    /// The root mean square of `h · error` in units of what is tolerated between the states `from`
-    /// and `to`.
+    /// Computes the root mean square of `h · error` relative to the tolerance between the states
+    /// `from` and `to`.
     #[inline(always)]
     pub(in crate::integrate) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
@@ -24,21 +24,21 @@ impl<S: Number> Tolerated<S> {
         for (error, (from, to)) in error.as_ref().iter().zip(ends) {
             let size = from.abs().max(to.abs());
             let part = h * *error / self.relative.multiply_add(size, self.absolute);
-            // Zero by zero where nothing moves and nothing is tolerated.
+            // Zero divided by zero if nothing moves and nothing is tolerated.
             let is_zero = error.less_equal(S::ZERO) & S::ZERO.less_equal(*error);
             sum = S::select(is_zero, sum, part.multiply_add(part, sum));
         }
         (sum / S::from_f64(from.as_ref().len() as f64)).sqrt()
     }
 
-    /// True if a step of the length `h` at this rate changes the state by next to nothing.
+    /// True if a step of length `h` at this rate changes the state negligibly.
     #[inline(always)]
     pub(in crate::integrate) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> S::Mask {
         self.norm(h, rate, y, y).less(S::from_f64(AT_REST))
     }
 
-    /// The length of an Euler step over which [`first_step`](Self::first_step) looks at how rates
-    /// change.
+    /// Returns the length of an Euler step over which [`first_step`](Self::first_step) evaluates
+    /// the change of rates.
     #[inline(always)]
     pub(super) fn trial<Y: StateVector<S>>(&self, y: &Y, rate: &Y, longest: S) -> S {
         let small = S::from_f64(1e-5);
@@ -48,9 +48,9 @@ impl<S: Number> Tolerated<S> {
         guess.min(longest)
     }
 
-    /// A first step of small error in all likelihood, not longer than `longest`. Errors grow with
-    /// the `power` of the length. Given are the rates at the state and after an Euler step of the
-    /// length `trial`. NaN if errors measured by the tolerance are no numbers.
+    /// Estimates a first step with a small error, at most as long as `longest`. Errors grow with
+    /// the `power` of the length. The arguments are the rates at the state and after an Euler step
+    /// of length `trial`. NaN if errors relative to the tolerance are not finite.
     #[inline(always)]
     pub(super) fn first_step<Y: StateVector<S>>(
         &self,
@@ -73,16 +73,16 @@ impl<S: Number> Tolerated<S> {
 }
 
 impl<S: Scalar> Tolerated<S> {
-    /// The tolerance, with rounding as the minimum.
+    /// Creates the tolerance, with rounding as the minimum.
     pub(in crate::integrate) fn new(relative: S, absolute: S) -> Self {
         Tolerated { relative: relative.max(LEAST_TOLERANCE.part::<S>()), absolute }
     }
 
-    /// A first step of small error in all likelihood, not longer than `longest`, from a state at
+    /// Estimates a first step with a small error, at most as long as `longest`, from a state with
     /// this rate. Errors grow with the `power` of the length.
     ///
     /// # Errors
-    /// If there is none because errors measured by the tolerance are no numbers.
+    /// If there is none, because errors relative to the tolerance are not finite.
     pub(in crate::integrate) fn first_step_of<M>(
         &self,
         system: &M,
@@ -108,7 +108,7 @@ impl<S: Scalar> Tolerated<S> {
 /// Checks the tolerances and the lengths of steps of an adaptive method.
 ///
 /// # Errors
-/// If one of them makes no sense.
+/// If one of them is invalid.
 pub(in crate::integrate) fn check_settings<S: Scalar>(
     [relative, absolute]: [S; 2],
     lengths: &[Option<S>],
@@ -123,8 +123,8 @@ pub(in crate::integrate) fn check_settings<S: Scalar>(
     Err(SettingError::Invalid("step sizes must be positive and finite"))
 }
 
-/// The longest step that is tried on a way of this length, with the state moving or at rest, unless
-/// it is a setting.
+/// Returns the maximum step length in an interval of this length, for a moving state or one at
+/// rest, unless it is a setting.
 pub(in crate::integrate) fn longest_step<S: Scalar>(setting: Option<S>, span: S, is_at_rest: bool) -> S {
     let part = if is_at_rest { LONGEST_AT_REST } else { LONGEST };
     setting.unwrap_or(span.abs() * S::from_f64(part))
@@ -136,18 +136,19 @@ impl<S: Scalar> Verner98<S> {
         Tolerated::new(self.relative, self.absolute)
     }
 
-    /// The root mean square of `h · error` in units of what is tolerated between the states `from`
-    /// and `to`.
+    /// Computes the root mean square of `h · error` relative to the tolerance between the states
+    /// `from` and `to`.
     pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         self.tolerated().norm(h, error, from, to)
     }
 
-    /// The longest step that is tried on a way of this length, with the state moving or at rest.
+    /// Returns the maximum step length in an interval of this length, for a moving state or one at
+    /// rest.
     pub(super) fn longest(&self, span: S, is_at_rest: bool) -> S {
         longest_step(self.longest_step, span, is_at_rest)
     }
 
-    /// True if a step of the length `h` at this rate changes the state by next to nothing.
+    /// True if a step of length `h` at this rate changes the state negligibly.
     pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> bool {
         self.tolerated().is_at_rest(h, rate, y)
     }

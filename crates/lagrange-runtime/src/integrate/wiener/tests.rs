@@ -1,14 +1,14 @@
-//! Paths against what Wiener processes are.
+//! Comparison of paths with the properties of Wiener processes.
 
 use super::WienerPath;
 
-/// W and H of the first noise over a step.
+/// Returns W and H of the first noise over a step.
 fn over(path: WienerPath, index: i64) -> [f64; 2] {
     path.increments().over(0, index)
 }
 
-/// W and H of a whole of parts of length one, from those of its parts: the area is the sum of the
-/// integrals over the parts.
+/// Returns W and H of a whole from its parts of length one: the area is the sum of the integrals
+/// over the parts.
 fn joined(parts: &[[f64; 2]]) -> [f64; 2] {
     let (mut sum, mut integral) = (0.0, 0.0);
     for [w, h] in parts {
@@ -31,7 +31,7 @@ fn halves_of_a_step_are_the_step_in_more_detail() {
     }
 }
 
-/// The mean of products, and whether it is within five standard errors of what it should be. The
+/// Checks that the mean of products is within five standard errors of the expected value. The
 /// products of independent normal numbers with these variances have the variance of their product.
 fn assert_mean(products: impl Iterator<Item = f64>, expected: f64, variance: f64) {
     let products = products.collect::<std::vec::Vec<_>>();
@@ -67,7 +67,7 @@ fn noises_motions_and_seeds_have_paths_of_their_own() {
     assert_mean(steps().map(|index| over(path, index)[0] * second(index)), 0.0, 1.0);
 }
 
-/// Bits that must be the same everywhere and forever.
+/// Checks bits that must never change on any platform.
 #[test]
 fn paths_are_the_same_on_every_platform() {
     let bits = over(WienerPath::of_seed(7).of_motion(41).halved(2), 5).map(f64::to_bits);

@@ -1,8 +1,8 @@
-//! Factors of matrices that need pivoting, and of matrices that have none.
+//! Factors of matrices that need pivoting, and of singular matrices.
 
 use super::{ComplexFactors, Factors, Matrix};
 
-/// Needs every row exchanged.
+/// A matrix in which every row must be exchanged.
 const REAL: [[f64; 3]; 3] = [[0.0, 2.0, 1.0], [1e-20, 1.0, -1.0], [3.0, 0.5, 2.0]];
 const IMAGINARY: [[f64; 3]; 3] = [[0.0, 0.3, -0.2], [0.7, 0.0, 0.4], [-1.0, 0.2, 0.0]];
 

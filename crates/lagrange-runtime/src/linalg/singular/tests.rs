@@ -16,8 +16,8 @@ fn of_many_solutions_the_shortest_is_taken() {
     for (x, wanted) in x.iter().zip([1.5, 1.5, 2.0]) {
         assert!((x - wanted).abs() < 1e-14, "{x}");
     }
-    // Four legs of a table with unsymmetrical load: the shortest of all forces in balance is an
-    // affine function of the place.
+    // Four legs of a table with an unsymmetrical load: the shortest of all forces in equilibrium is
+    // an affine function of the place.
     let place = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
     let g = |i: usize, j: usize| 1.0 + place[i][0] * place[j][0] + place[i][1] * place[j][1];
     let matrix = core::array::from_fn(|i| core::array::from_fn(|j| g(i, j)));
@@ -37,7 +37,7 @@ fn a_small_pivot_does_not_hide_dependence() {
         let third = core::array::from_fn(|k| first[k] + second[k]);
         let x: [f64; 3] = solve(&[first, second, third], &[1.0, 2.0, 3.0], 3, 0.0);
         assert!((x[0] + x[1] + 0.1 * x[2] - 1.0).abs() < 1e-12, "{small} {x:?}");
-        // The shortest solution has no part along what all equations leave free.
+        // The shortest solution has no component in the direction left free by all equations.
         let free = [-(1.0 + small) * 0.1 + 0.3, -0.2, small];
         let part = x.iter().zip(&free).map(|(x, free)| x * free).sum::<f64>();
         assert!(part.abs() < 1e-9, "{small} {part}");
@@ -54,8 +54,8 @@ fn what_cannot_be_solved_is_not_a_number() {
     assert_eq!(zero, [0.0; 2]);
 }
 
-/// Rows and columns of zeros behind those that count change nothing, neither for regular nor for
-/// singular equations.
+/// Rows and columns of zeros after the first `count` change nothing, for regular and for singular
+/// equations.
 #[test]
 fn only_the_first_equations_count() {
     for last in [2.0, 1.0] {

@@ -1,11 +1,11 @@
-//! A number type that defines what it must, and takes all else from defaults.
+//! A number type that defines only the required functions and uses defaults otherwise.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::format;
 
 use super::super::{Number, Scalar};
 
-/// A number of the type T with no more than the required functions.
+/// A number of type T with only the required functions.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 struct Least<T>(T);
 
@@ -88,8 +88,8 @@ impl<T: Scalar> Number for Least<T> {
     }
 }
 
-/// Sweeps from tiny to large, with the corners of all domains, zeros of both signs, infinities and
-/// NaN.
+/// Returns samples from tiny to large, with the boundaries of all domains, zeros of both signs,
+/// infinities and NaN.
 fn samples() -> impl Iterator<Item = f64> {
     let swept = (-300..=300).map(|step| f64::from(step) * 0.037);
     let powers = (-60..=60).map(|power| 1.7 * 2.0_f64.powi(power));
@@ -111,7 +111,7 @@ fn check<T: Scalar>(name: &str, arguments: &[T], found: T, expected: T) {
     assert!(found == expected || (found - expected).abs() <= tolerance, "{}", text());
 }
 
-/// Compares each function of the list with that of the number itself.
+/// Compares each function of the list with that of the underlying number.
 macro_rules! compare {
     ($T:ident: $(
         $name:ident($first:ident $(, $second:ident)?) C $c:tt lanes $lanes:tt $method:tt

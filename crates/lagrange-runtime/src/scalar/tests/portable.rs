@@ -1,5 +1,5 @@
-//! Numbers with the same bits everywhere: alone, together, in lanes that fuse products and in lanes
-//! that do not.
+//! Numbers with the same bits everywhere: alone, in groups, and in lanes with and without fused
+//! products.
 
 use std::vec::Vec;
 
@@ -8,7 +8,7 @@ use super::expect;
 
 const ARGUMENTS: [f64; 8] = [0.3, -0.7, 0.999, -2.5, 7.0, 1e6, -1e22, 650.0];
 
-/// Values of all functions at each argument.
+/// Computes the values of all functions at each argument.
 fn values<S: Number>(x: S) -> [S; 15] {
     let (sine, cosine) = x.sin_cos();
     let small = sine * S::from_f64(0.9);
@@ -79,7 +79,7 @@ fn single_precision_is_rounded_once() {
     }
 }
 
-/// Text of the number, which files hold.
+/// Numbers are formatted as in files.
 #[test]
 fn numbers_are_written_as_what_they_are() {
     assert_eq!(std::format!("{0:?} {0}", Portable(0.1)), "0.1 0.1");

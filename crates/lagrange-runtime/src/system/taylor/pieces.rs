@@ -1,15 +1,16 @@
-//! The part of a step in which tables are the polynomials that an expansion holds.
+//! The part of a step in which tables equal the polynomials used by an expansion.
 
 use super::MAX_ORDER;
 use crate::scalar::Scalar;
 
-/// A step ends beyond the end of a piece by so many roundings, so that the next one begins in the
-/// piece beside it.
+/// Number of rounding errors by which a step passes the end of a piece, so that the next one begins
+/// in the adjacent piece.
 const ROUNDINGS: f64 = 16.0;
-/// The most steps of a search. Each doubles the number of right digits unless two zeros are close.
+/// Maximum number of steps of a search. Each step doubles the number of correct digits unless two
+/// zeros are close.
 const MOST: usize = 64;
 
-/// Arguments of tables along an expansion, and the ends of the pieces that they start in.
+/// Arguments of tables along an expansion, and the ends of their initial pieces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pieces<S, const N: usize> {
     pub(super) start: [S; N],
@@ -40,11 +41,11 @@ impl<S: Scalar, const N: usize> Pieces<S, N> {
     }
 }
 
-/// Returns the first place in the unit interval at which Σ cₖ xᵏ from k = 1 on exceeds a distance;
-/// one if there is none.
+/// Returns the first place in the unit interval at which Σ cₖ xᵏ with k ≥ 1 exceeds a distance; one
+/// if there is none.
 ///
-/// From each place, a parabola that is nowhere below the polynomial shows how far that stays within
-/// the distance.
+/// At each place, a parabola that is nowhere below the polynomial bounds the range in which the
+/// polynomial stays within the distance.
 fn first_beyond<S: Scalar>(path: &[S; MAX_ORDER], distance: S, size: S) -> S {
     let (mut farthest, mut bend, mut order) = (S::ZERO, S::ZERO, S::ONE);
     for term in path {
@@ -71,7 +72,7 @@ fn first_beyond<S: Scalar>(path: &[S; MAX_ORDER], distance: S, size: S) -> S {
     if is_possible { x } else { S::ONE }
 }
 
-/// Σ cₖ xᵏ from k = 1 on, and its slope.
+/// Computes Σ cₖ xᵏ with k ≥ 1, and its slope.
 fn value_and_slope<S: Scalar>(path: &[S; MAX_ORDER], x: S) -> (S, S) {
     let (value, slope) = path.iter().rev().fold((S::ZERO, S::ZERO), |(value, slope), term| {
         (value.multiply_add(x, *term), slope.multiply_add(x, value))
@@ -100,7 +101,7 @@ mod tests {
         near(reach(1.0, [-inf, 2.2], &thrown, 2.5), 2.5);
         near(reach(1.0, [0.0, inf], &thrown, -2.5), 0.25 * (3.0 - 17.0_f64.sqrt()));
         near(reach(1.0, [0.0, inf], &thrown, 1.7), 1.7);
-        // At the end of its piece: inwards and, by roundings, outwards.
+        // At the end of its piece: inwards and, within rounding, outwards.
         near(reach(1.0, [1.0, 9.0], &thrown, 1.4), 1.4);
         let outwards = reach(1.0, [0.0, 1.0], &thrown, 1.4);
         assert!((1e-16..1e-14).contains(&outwards), "{outwards:e}");

@@ -7,7 +7,7 @@ use crate::linalg::pivoted::{Factors, Matrix};
 use crate::run::integrate;
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
 
-/// The largest difference of two states.
+/// Returns the largest difference between components of two states.
 pub(crate) fn distance(one: &[f64], other: &[f64]) -> f64 {
     assert_eq!(one.len(), other.len());
     one.iter().zip(other).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
@@ -22,7 +22,8 @@ where
     integrate(system, t, start, end, method, |_, _| {}).expect("converges")
 }
 
-/// Halving steps divides the error by two to the order of the method, within a tenth of the order.
+/// Checks that halving steps divides the error by two to the order of the method, within a tenth of
+/// the order.
 pub(crate) fn check_order<M, K>(system: &M, start: M::State, end: f64, steps: u32, method: impl Fn(f64) -> K)
 where
     M: CanonicalSystem<Scalar = f64>,
@@ -38,16 +39,17 @@ where
     assert!((observed - f64::from(order)).abs() < 0.1, "{observed}: {coarse:e}, {fine:e}");
 }
 
-/// Coordinates and momenta of a state.
+/// Returns coordinates and momenta of a state.
 pub(crate) fn canonical<M: CanonicalSystem>(system: &M, t: M::Scalar, y: &M::State) -> M::State {
     let (q, v) = split::<M>(y);
     join::<M>(&q, &system.momenta(t, &q, &v))
 }
 
-/// The largest entry of JᵀΩJ − Ω for the derivative J of one step in coordinates and momenta.
+/// Returns the largest entry of JᵀΩJ − Ω for the derivative J of one step in coordinates and
+/// momenta.
 ///
-/// J is taken by differences of fourth order, whose errors are below 1e-9 for motion that the step
-/// resolves.
+/// J is computed by differences of fourth order. Their errors are below 1e-9 if the step resolves
+/// the motion.
 pub(crate) fn defect_of_symplecticity<M, K>(system: &M, start: M::State, step: f64, method: &K) -> f64
 where
     M: CanonicalSystem<Scalar = f64>,
@@ -76,7 +78,7 @@ where
     defect
 }
 
-/// The derivative at zero.
+/// Computes the derivative at zero.
 pub(crate) fn derivative<Y: StateVector<f64>>(f: impl Fn(f64) -> Y) -> Vec<f64> {
     let h = 1e-3;
     let [a, b, c, d] = [f(-2.0 * h), f(-h), f(h), f(2.0 * h)];
@@ -86,7 +88,7 @@ pub(crate) fn derivative<Y: StateVector<f64>>(f: impl Fn(f64) -> Y) -> Vec<f64> 
         .collect()
 }
 
-/// The state of coordinates and momenta if the latter are the mass matrix times velocities.
+/// Returns the state of coordinates and momenta if momenta are the mass matrix times velocities.
 fn natural_state<M: CanonicalSystem<Scalar = f64>>(system: &M, variables: &M::State) -> M::State {
     let (q, p) = split::<M>(variables);
     let mass = system.mass_matrix(0.0, &q, &<M as MechanicalSystem>::Coordinates::ZERO);

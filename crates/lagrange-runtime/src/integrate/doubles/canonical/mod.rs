@@ -1,4 +1,4 @@
-//! Hand-written systems with momenta, for tests of methods that ask for them.
+//! Hand-written systems with momenta, for tests of methods that require them.
 
 pub(crate) mod checks;
 
@@ -8,7 +8,7 @@ use crate::system::{
     CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, StateMatrix, StateVector, join, split,
 };
 
-/// A Lagrangian ½ vᵀ M(q) v + (what is linear in v) − V(q) in N coordinates.
+/// A Lagrangian ½ vᵀ M(q) v + (linear terms in v) − V(q) in N coordinates.
 pub(in crate::integrate) trait Lagrangian<const N: usize> {
     type Number: Scalar;
     type State: StateVector<Self::Number>;
@@ -21,25 +21,25 @@ pub(in crate::integrate) trait Lagrangian<const N: usize> {
 
     fn rates(&self, t: Self::Number, q: &[Self::Number; N], v: &[Self::Number; N]) -> [Self::Number; N];
 
-    /// The rates of momenta while velocities are constant.
+    /// Returns the rates of momenta at constant velocities.
     fn drift(&self, t: Self::Number, q: &[Self::Number; N], v: &[Self::Number; N]) -> [Self::Number; N];
 
     fn potential(&self, q: &[Self::Number; N]) -> Self::Number;
 }
 
-/// A Lagrangian as a system; the Jacobian is found by differences or not known.
+/// A Lagrangian as a system. The Jacobian is computed by differences or unavailable.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct System<L, const N: usize> {
     lagrangian: L,
     knows_jacobian: bool,
 }
 
-/// A system that knows its Jacobian.
+/// Creates a system that provides its Jacobian.
 pub(in crate::integrate) fn smooth<L: Lagrangian<N>, const N: usize>(lagrangian: L) -> System<L, N> {
     System { lagrangian, knows_jacobian: true }
 }
 
-/// A system that does not know its Jacobian.
+/// Creates a system without its Jacobian.
 pub(in crate::integrate) fn opaque<L: Lagrangian<N>, const N: usize>(lagrangian: L) -> System<L, N> {
     System { lagrangian, knows_jacobian: false }
 }
@@ -115,7 +115,7 @@ impl<L: Lagrangian<N>, const N: usize> EnergyFunction for System<L, N> {
     }
 }
 
-/// Two unit masses on unit rods, absolute angles from the rest position, g = 9.81.
+/// Two unit masses on unit rods, with absolute angles from the rest position and g = 9.81.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct DoublePendulum;
 
@@ -143,7 +143,7 @@ impl Lagrangian<2> for DoublePendulum {
     }
 }
 
-/// A symmetric top about a fixed point; precession, nutation and spin.
+/// A symmetric top about a fixed point; angles of precession, nutation and spin.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct HeavyTop;
 
@@ -210,7 +210,7 @@ impl Lagrangian<2> for Kepler {
 }
 
 /// A unit mass on a spring of unit length and stiffness k, in polar coordinates with the angle from
-/// below, g = 9.81.
+/// the downward vertical and g = 9.81.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct SpringPendulum<S> {
     pub(in crate::integrate) stiffness: S,
@@ -245,7 +245,7 @@ macro_rules! spring_pendulum {
 spring_pendulum!(f64);
 spring_pendulum!(f32);
 
-/// A pendulum of unit length and mass, g = 1, whose pivot goes up and down by `amplitude`
+/// A pendulum of unit length and mass with g = 1, whose pivot oscillates vertically as `amplitude`
 /// cos(`frequency` t).
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct ShakenPendulum {

@@ -7,7 +7,8 @@ use crate::integrate::{Method, Verner98};
 use crate::run::integrate;
 use crate::system::{CanonicalSystem, OdeSystem, split};
 
-/// Halving steps divides the error by two to the order of the method, within a tenth of the order.
+/// Checks that halving steps divides the error by two to the order of the method, within a tenth of
+/// the order.
 pub(crate) fn check_order<M, K>(system: &M, start: M::State, end: f64, steps: u32, method: impl Fn(f64) -> K)
 where
     M: OdeSystem<Scalar = f64>,
@@ -23,7 +24,7 @@ where
     assert!((observed - f64::from(order)).abs() < 0.1, "{observed}: {coarse:e}, {fine:e}");
 }
 
-/// The largest residuals of constraints on the way: of positions and of velocities.
+/// Returns the largest residuals of constraints during a motion: of positions and of velocities.
 pub(crate) fn residuals<M, K>(system: &M, start: M::State, end: f64, method: &K) -> [f64; 2]
 where
     M: CanonicalSystem<Scalar = f64>,
@@ -40,7 +41,7 @@ where
     largest
 }
 
-/// Returns the difference between a state and the result of a step forwards and a step back.
+/// Returns the difference between a state and the result of a motion forwards and back.
 pub(crate) fn defect_of_symmetry<M, K>(system: &M, start: M::State, end: f64, method: &K) -> f64
 where
     M: OdeSystem<Scalar = f64>,
@@ -52,8 +53,8 @@ where
     distance(back.as_ref(), start.as_ref())
 }
 
-/// Returns the change of the symplectic form of coordinates and momenta in one step, for changes of
-/// the K numbers from which `chart` makes states on the constraints.
+/// Returns the change of the symplectic form of coordinates and momenta in one step. The form is
+/// evaluated for changes of the N numbers from which `chart` creates states on the constraints.
 pub(crate) fn defect_of_symplecticity<M, K, const N: usize>(
     system: &M,
     chart: impl Fn([f64; N]) -> M::State,

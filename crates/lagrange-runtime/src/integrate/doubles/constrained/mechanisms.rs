@@ -1,21 +1,21 @@
-//! Mechanisms in numbers.
+//! Mechanisms for tests.
 
 use super::Mechanism;
 use crate::system::ConstraintValues;
 
-/// Gravity.
+/// Gravitational acceleration.
 const G: f64 = 9.81;
 
 fn unit<const N: usize>() -> [[f64; N]; N] {
     core::array::from_fn(|i| core::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }))
 }
 
-/// (|a − b|² − l²)/2 of two points as a constraint.
+/// Returns the constraint (|a − b|² − l²)/2 of two points, and its rate.
 fn length(l: f64, (x, y): (f64, f64), (u, w): (f64, f64)) -> (f64, f64) {
     (0.5 * (x * x + y * y - l * l), x * u + y * w)
 }
 
-/// A unit mass on a rod of unit length in the plane, the last coordinate upwards.
+/// A unit mass on a rod of unit length in the plane, with the last coordinate upwards.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct PlanePendulum;
 
@@ -46,14 +46,14 @@ impl Mechanism<2> for PlanePendulum {
     }
 }
 
-/// A unit mass on a rod of unit length in space, the last coordinate upwards; said twice, once in
-/// other units.
+/// A unit mass on a rod of unit length in space, with the last coordinate upwards. The constraint
+/// may be repeated in other units.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct SphericalPendulum {
     pub(in crate::integrate) is_said_twice: bool,
 }
 
-/// The state of a point on the unit sphere of two angles and their rates.
+/// Returns the state of a point on the unit sphere from two angles and their rates.
 pub(in crate::integrate) fn on_sphere([polar, azimuth, rate, turn]: [f64; 4]) -> [f64; 6] {
     let ((sp, cp), (sa, ca)) = (polar.sin_cos(), azimuth.sin_cos());
     let velocity = [cp * ca * rate - sp * sa * turn, cp * sa * rate + sp * ca * turn, sp * rate];
@@ -92,7 +92,7 @@ impl Mechanism<3> for SphericalPendulum {
     }
 }
 
-/// Two unit masses on rods of unit length, one below the other, the second coordinate of each
+/// Two unit masses on rods of unit length, one below the other, with the second coordinate of each
 /// upwards.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct TwoRods;
@@ -132,8 +132,8 @@ impl Mechanism<4> for TwoRods {
     }
 }
 
-/// A sleigh on a slope: a blade at (x, y) with the angle θ, and the centre of mass ahead of it. Its
-/// mass matrix depends on θ.
+/// A sleigh on a slope: a blade at (x, y) with the angle θ, and the centre of mass in front of it.
+/// Its mass matrix depends on θ.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Sleigh {
     /// Gravity along −y.
@@ -187,7 +187,7 @@ impl Mechanism<3> for Sleigh {
     }
 }
 
-/// A unit mass on a straight wire that turns in the plane with a given rate, without gravity.
+/// A unit mass on a straight wire that rotates in the plane at a given rate, without gravity.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct TurningWire {
     pub(in crate::integrate) rate: f64,
@@ -221,7 +221,7 @@ impl Mechanism<2> for TurningWire {
     }
 }
 
-/// A point on a spring at the end of which a slide without mass is driven to and fro.
+/// A point on a spring whose other end is a massless slide with prescribed oscillation.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct DrivenSlide;
 
@@ -256,7 +256,7 @@ impl Mechanism<2> for DrivenSlide {
     }
 }
 
-/// A unit mass in a trough z = x²/2, dragged sideways as ẏ = z ẋ + 0.3 cos t.
+/// A unit mass in a trough z = x²/2, dragged sideways with ẏ = z ẋ + 0.3 cos t.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Dragged;
 
@@ -292,14 +292,14 @@ impl Mechanism<3> for Dragged {
     }
 }
 
-/// A unit bar with unit moment of inertia on three parallel cranks of unit length, of which two
-/// would do: constraints depend on each other wherever they hold, and only there.
+/// A unit bar with unit moment of inertia on three parallel cranks of unit length, one of which is
+/// redundant. The constraints are dependent wherever they hold, and only there.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct ThreeCranks;
 
 impl ThreeCranks {
-    /// Each crank as a vector, with the point of the bar that it carries seen from the first, and
-    /// across.
+    /// Returns each crank as a vector, with the vector from the first point of the bar to the
+    /// carried one, and its perpendicular.
     fn cranks([x, y, angle]: &[f64; 3]) -> [[f64; 6]; 3] {
         let (s, c) = angle.sin_cos();
         [0.0, 1.0, 2.0].map(|along| {

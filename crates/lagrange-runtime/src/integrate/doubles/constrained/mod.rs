@@ -1,4 +1,4 @@
-//! Hand-written systems under constraints, for tests of methods that enforce these.
+//! Hand-written systems with constraints, for tests of methods that enforce them.
 
 pub(crate) mod checks;
 mod mechanisms;
@@ -15,16 +15,16 @@ pub(in crate::integrate) use self::mechanisms::{
     on_sphere,
 };
 
-/// A Lagrangian ½ vᵀ M(q) v − V(q) under constraints.
+/// A Lagrangian ½ vᵀ M(q) v − V(q) with constraints.
 pub(in crate::integrate) trait Mechanism<const N: usize> {
     type State: StateVector<f64>;
 
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N];
 
-    /// ∂L/∂q
+    /// Computes ∂L/∂q.
     fn rates(&self, q: &[f64; N], v: &[f64; N]) -> [f64; N];
 
-    /// dM/dt v
+    /// Computes dM/dt v.
     fn drift(&self, _q: &[f64; N], _v: &[f64; N]) -> [f64; N] {
         [0.0; N]
     }
@@ -33,7 +33,7 @@ pub(in crate::integrate) trait Mechanism<const N: usize> {
 
     fn constraints(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> ConstraintValues<f64, [f64; N]>;
 
-    /// Returns the part of the constrained accelerations beside A a.
+    /// Returns the terms of the differentiated constraints other than A a.
     fn bend(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; N];
 }
 
@@ -42,7 +42,7 @@ pub(in crate::integrate) trait Mechanism<const N: usize> {
 pub(in crate::integrate) struct Pinned<L, const N: usize>(pub(in crate::integrate) L);
 
 impl<L: Mechanism<N>, const N: usize> Pinned<L, N> {
-    /// x with M x = f + Aᵀμ, A x = d
+    /// Computes x with M x = f + Aᵀμ and A x = d.
     fn solve(
         &self,
         q: &[f64; N],
@@ -137,7 +137,7 @@ impl<L: Mechanism<N>, const N: usize> EnergyFunction for Pinned<L, N> {
     }
 }
 
-/// For those whose mass matrix is constant.
+/// For mechanisms with a constant mass matrix.
 impl<L: Mechanism<N>, const N: usize> LeapfrogSystem for Pinned<L, N> {
     const IS_HELD: bool = true;
 

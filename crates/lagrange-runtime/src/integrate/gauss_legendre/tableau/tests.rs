@@ -6,7 +6,8 @@ fn close(one: f64, other: f64) {
     assert!((one - other).abs() < 4e-15, "{one} {other}");
 }
 
-/// Σ b c^(k−1) = 1/k up to twice the number of stages, Σ a c^(k−1) = c^k/k up to that number.
+/// Checks Σ b c^(k−1) = 1/k up to twice the number of stages, and Σ a c^(k−1) = c^k/k up to that
+/// number.
 fn check_collocation<const K: usize>(tableau: Tableau<f64, K>) {
     let moment = |weights: [f64; K], k: usize| -> f64 {
         weights.iter().zip(tableau.c).map(|(weight, c)| weight * c.powi(k as i32 - 1)).sum()
@@ -21,7 +22,7 @@ fn check_collocation<const K: usize>(tableau: Tableau<f64, K>) {
     }
 }
 
-/// Σ column value row = a, the complex pair counted twice by its real part.
+/// Checks Σ column value row = a, with the complex pair counted as twice its real part.
 fn check_modes<const K: usize>(tableau: Tableau<f64, K>) {
     for i in 0..K {
         for j in 0..K {
@@ -50,7 +51,8 @@ fn eigenvectors_belong_to_the_matrix() {
     check_modes(Tableau::<f64, 3>::coefficients());
 }
 
-/// Quadratic invariants are conserved if and only if it does, HLW theorem IV.2.2.
+/// Checks the condition for symplecticity, which is equivalent to the conservation of quadratic
+/// invariants, HLW theorem IV.2.2.
 fn check_symplectic<const K: usize>(tableau: Tableau<f64, K>) {
     let Tableau { a, b, .. } = tableau;
     for i in 0..K {

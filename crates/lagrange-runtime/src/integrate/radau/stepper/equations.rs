@@ -1,4 +1,4 @@
-//! The equations of a step, its error and that of its interpolant.
+//! The equations of a step, its error and the error of its interpolant.
 
 use super::RadauStepper;
 use crate::integrate::jacobian::{differences, known, sizes};
@@ -14,22 +14,23 @@ use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// Newton iterations go on until this part of the tolerance is left of corrections, or its root,
+/// Maximum remainder of Newton iterations as a fraction of the tolerance; for small tolerances, the
+/// root of the tolerance applies instead.
 const LARGEST_REMAINDER: f64 = 0.03;
-/// but not below so many roundings.
+/// Minimum remainder of Newton iterations, in roundings.
 const ROUNDINGS: f64 = 10.0;
-/// Factors for a step whose length differs by less than this are as good.
+/// Maximum relative difference of step lengths for which factors are reused.
 const SAME_LENGTH: f64 = 1e-6;
-/// Parts of a step after which the defect of its interpolant is looked at: where it is large for
+/// Fractions of a step at which the defect of its interpolant is evaluated, where it is large for
 /// cubic and for quintic ones.
 const CHECKED: [f64; 2] = [0.2, 0.55];
 
-/// The changes at the stages of a step, and how they were found.
+/// The changes at the stages of a step, and the outcome of Newton's method.
 pub(super) type SolvedStages<M> =
     (StageChanges<<M as OdeSystem>::State>, NewtonOutcome<<M as OdeSystem>::Scalar>);
 
 impl<M: OdeSystem + ?Sized> RadauStepper<M> {
-    /// Evaluates the Jacobian at the present state for steps of the length `h`.
+    /// Evaluates the Jacobian at the present state for steps of length `h`.
     #[cold]
     fn linearise(&mut self, system: &M, h: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
         let (t, y, rate) = (self.clock.time(), self.state.value(), &self.last.rates[self.end]);
@@ -46,7 +47,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         Ok(())
     }
 
-    /// Solves the equations of a step of the length `h`.
+    /// Solves the equations of a step of length `h`.
     pub(super) fn solve(
         &mut self,
         system: &M,
@@ -63,7 +64,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         solved
     }
 
-    /// Iterates with the Jacobian as it is.
+    /// Iterates with the present Jacobian.
     fn iterate(&mut self, system: &M, h: M::Scalar) -> Result<SolvedStages<M>, StepFailure<M::Scalar>> {
         let Some(linearised) = &self.linearised else { return Err(StepFailure::NotFinite) };
         let fits = |known: &StageFactors<M::Scalar, M::State>| {
@@ -92,7 +93,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         Ok((stages, convergence))
     }
 
-    /// The estimated error of a step relative to the tolerance.
+    /// Estimates the error of a step relative to the tolerance.
     pub(super) fn error(&mut self, system: &M, h: M::Scalar, stages: &StageChanges<M::State>) -> M::Scalar {
         let (Some(linearised), Some(factors)) = (&self.linearised, &self.factors) else {
             return M::Scalar::NAN;
@@ -113,8 +114,8 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         norm(&filtered(&system.rhs(self.clock.time(), &combined(y, M::Scalar::ONE, &error))))
     }
 
-    /// The error of an interpolant of the last step relative to the tolerance; one is just accurate
-    /// enough.
+    /// Estimates the error of an interpolant of the last step relative to the tolerance; at most
+    /// one is accurate enough.
     pub(super) fn excess(&mut self, system: &M, span: &StepTaken<M::Scalar, M::State>) -> M::Scalar {
         let (Some(linearised), Some(factors)) = (&self.linearised, &self.factors) else {
             return M::Scalar::NAN;
@@ -132,14 +133,15 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
     }
 }
 
-/// The part of the tolerance that Newton's method may leave.
+/// Returns the fraction of the tolerance that Newton's method may leave as remainder.
 pub(super) fn goal<S: Scalar>(tolerated: &Tolerated<S>) -> S {
     let loosest = tolerated.relative.max(tolerated.absolute);
     let rounding = S::from_f64(ROUNDINGS) * S::epsilon() / loosest;
     rounding.max(S::from_f64(LARGEST_REMAINDER).min(loosest.sqrt()))
 }
 
-/// Reciprocals of what is tolerated of the components of a state that changes by about this.
+/// Returns the reciprocals of the tolerated errors of the components of a state with approximately
+/// this change.
 fn weights<S: Scalar, Y: StateVector<S>>(tolerated: &Tolerated<S>, y: &Y, change: &Y) -> Y {
     let mut weights = *y;
     for (weight, change) in weights.as_mut().iter_mut().zip(change.as_ref()) {

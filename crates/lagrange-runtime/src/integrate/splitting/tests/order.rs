@@ -4,8 +4,8 @@ use super::{DRIVEN, Force, HENON_HEILES, KEPLER, PENDULUM, difference, run};
 use crate::integrate::{BlanesMoan4, Method, RungeKutta4, Stepper, StormerVerlet, SymplecticEuler};
 use crate::system::OdeSystem;
 
-/// A motion, where it leads, and how many steps show the order of a method of high and of low
-/// order.
+/// A motion with its end, and the numbers of steps that reveal the order of a method of high and of
+/// low order.
 struct Case<M: OdeSystem> {
     system: M,
     start: M::State,
@@ -25,7 +25,8 @@ fn driven() -> Case<Force<f64, 1, 2>> {
     Case { system: DRIVEN, start: [0.0, 0.0], end, reached, steps: 40 }
 }
 
-/// Eccentricity 0.3 from the nearest point: half a period later the planet is at the farthest one.
+/// Eccentricity 0.3 from the nearest point: after half a period the planet is at the farthest
+/// point.
 fn kepler() -> Case<Force<f64, 2, 4>> {
     let (near, far) = (0.7_f64, 1.3_f64);
     let start = [near, 0.0, 0.0, (far / near).sqrt()];
@@ -39,7 +40,7 @@ fn henon_heiles() -> Case<Force<f64, 2, 4>> {
     Case { system: HENON_HEILES, start, end: 8.0, reached: fine, steps: 40 }
 }
 
-/// log₂ of the ratio of errors as steps are halved.
+/// Returns log₂ of the ratio of errors when steps are halved.
 fn observed<M, K, const N: usize>(case: &Case<M>, finer: u32, method: fn(f64) -> K) -> f64
 where
     M: OdeSystem<Scalar = f64, State = [f64; N]>,
@@ -97,8 +98,8 @@ fn blanes_moan_is_far_more_accurate_than_runge_kutta_at_equal_cost() {
     assert!(composed < classical / 50.0, "{composed:e} and {classical:e}");
 }
 
-/// The largest error within the first step from rest at (1, 0), of coordinates and of velocities,
-/// where the end of the step is as exact as numbers are.
+/// Returns the largest error within the first step from rest at (1, 0), of coordinates and of
+/// velocities, relative to the computed end of the step.
 fn within<K: Method<Force<f64, 1, 2>>>(method: &K, step: f64) -> [f64; 2] {
     let oscillator = super::OSCILLATOR;
     let mut stepper = method.start(&oscillator, 0.0, &[1.0, 0.0], step).expect("valid");
@@ -109,7 +110,7 @@ fn within<K: Method<Force<f64, 1, 2>>>(method: &K, step: f64) -> [f64; 2] {
     for k in 0..=16 {
         let t = step * f64::from(k) / 16.0;
         let y = stepper.interpolate(&oscillator, t);
-        // What the step itself got wrong is no fault of the interpolation.
+        // The error of the step itself is not attributed to the interpolation.
         let exact = [t.cos() + drift[0] * t / step, -t.sin() + drift[1] * t / step];
         largest = core::array::from_fn(|i| largest[i].max((y[i] - exact[i]).abs()));
     }

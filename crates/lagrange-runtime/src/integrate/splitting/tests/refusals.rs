@@ -1,4 +1,4 @@
-//! Where the methods stop, and where they must not.
+//! States in which the methods stop, and in which they must not.
 
 use std::vec::Vec;
 
@@ -13,7 +13,7 @@ use crate::system::{Component, OdeSystem, StepFailure, Undefined};
 const STIFF: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-1e9 * x] };
 const FREQUENCY: f64 = 31_622.776_601_683_792;
 
-/// The longest stable step that a method names, if it refuses the motion from `start`.
+/// Returns the longest stable step according to a method, if it rejects the motion from `start`.
 fn limit<M, K, const N: usize>(system: &M, start: [f64; N], end: f64, method: &K) -> Option<f64>
 where
     M: OdeSystem<Scalar = f64, State = [f64; N]>,
@@ -75,7 +75,7 @@ fn the_state_of_a_refused_step_is_the_one_before() {
 
 #[test]
 fn a_stiff_part_at_rest_is_found_before_it_shows() {
-    /// A pendulum and a stiff spring that the pendulum hardly pulls.
+    /// A pendulum and a stiff spring that the pendulum hardly excites.
     const BOTH: Force<f64, 2, 4> = Force { acceleration: |_, [x, y]| [-x.sin(), -1e9 * y + 1e-3 * x] };
     let outcome = integrate(&BOTH, 0.0, [1.0, 0.0, 0.0, 0.0], 10.0, &StormerVerlet { step: 1e-3 }, |_, _| {});
     let error = outcome.expect_err("refused");
@@ -125,8 +125,8 @@ fn growth_is_not_stiffness() {
 
 #[test]
 fn scales_of_coordinates_are_not_stiffness() {
-    /// Two coupled oscillators with frequencies 1 and √3, one coordinate in millionths of the
-    /// other.
+    /// Two coupled oscillators with frequencies 1 and √3. One coordinate is measured in millionths
+    /// of the unit of the other.
     const SCALED: Force<f64, 2, 4> =
         Force { acceleration: |_, [x, y]| [1e-6 * y - 2.0 * x, 1e6 * x - 2.0 * y] };
     let start = [1.0, 0.5e6, 0.0, 0.0];

@@ -1,11 +1,11 @@
-//! What the methods keep.
+//! Structure that the methods preserve.
 
 use super::{DRIVEN, Force, HENON_HEILES, KEPLER, PENDULUM, difference, run};
 use crate::integrate::{BlanesMoan4, Method, RungeKutta4, StormerVerlet, SymplecticEuler};
 use crate::run::integrate;
 
-/// Hénon and Heiles with a force that depends on time, and the linear equations of its neighbours:
-/// a method that is a composition of kicks and drifts does the same with both, so that the
+/// The system of Hénon and Heiles with a time-dependent force, and the linear equations of
+/// neighbouring motions. A composition of kicks and drifts treats both in the same way, so
 /// neighbours follow the derivative of its step.
 const NEIGHBOURS: Force<f64, 4, 8> = Force {
     acceleration: |t, [x, y, dx, dy]| {
@@ -15,13 +15,13 @@ const NEIGHBOURS: Force<f64, 4, 8> = Force {
     },
 };
 
-/// Where (δq, δv) leads.
+/// Returns the image of (δq, δv).
 fn neighbour<K: Method<Force<f64, 4, 8>>>(method: &K, [dx, dy, du, dv]: [f64; 4]) -> [f64; 4] {
     let end = run(&NEIGHBOURS, [0.3, -0.2, dx, dy, 0.1, 0.25, du, dv], 2.0, method);
     [end[2], end[3], end[6], end[7]]
 }
 
-/// How far the derivative of two seconds is from keeping Σ dq ∧ dv.
+/// Returns the violation of the conservation of Σ dq ∧ dv by the derivative over two seconds.
 fn defect<K: Method<Force<f64, 4, 8>>>(method: &K) -> f64 {
     let form = |a: &[f64; 4], b: &[f64; 4]| a[0] * b[2] - a[2] * b[0] + a[1] * b[3] - a[3] * b[1];
     let basis: [[f64; 4]; 4] = core::array::from_fn(|i| core::array::from_fn(|j| f64::from(i == j)));

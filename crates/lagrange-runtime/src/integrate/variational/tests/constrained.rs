@@ -1,4 +1,4 @@
-//! Order and structure under constraints.
+//! Order and structure with constraints.
 
 use super::Variational;
 use crate::integrate::doubles::canonical::checks::{distance, reached};
@@ -128,7 +128,7 @@ fn steps_that_lose_their_way_leave_the_last_state() {
     assert_eq!((error.time, error.state), (0.0, fast));
 }
 
-/// Every crank turns as a pendulum; where it lies along the bar, all constraints are one.
+/// Every crank rotates like a pendulum; when it is aligned with the bar, all constraints coincide.
 #[test]
 fn dependent_constraints_and_dead_points_do_not_matter() {
     let end = reached(&Pinned(ThreeCranks), 0.0, [0.0, -1.0, 0.0, 7.0, 0.0, 0.0], 4.0, &method(0.02));

@@ -1,4 +1,4 @@
-//! Forces that are felt for a short time only, and what lies within steps that meet them.
+//! Forces that act only for a short time, and states within the steps that meet them.
 
 use super::{Equation, Oscillator};
 use crate::integrate::{Method, Stepper, Verner98, Work};
@@ -26,8 +26,8 @@ impl Struck {
         (-((t - self.centre) / self.width).powi(2)).exp()
     }
 
-    /// The state at `t` of the motion that begins at rest, by Simpson's rule on ∫ push(s) sin(t −
-    /// s) ds.
+    /// Returns the state at `t` of the motion that begins at rest, by Simpson's rule on ∫ push(s)
+    /// sin(t − s) ds.
     fn exact(&self, t: f64) -> [f64; 2] {
         const PANELS: u32 = 1000;
         let (from, to) = (self.centre - 7.0 * self.width, t.min(self.centre + 7.0 * self.width));
@@ -44,7 +44,7 @@ impl Struck {
     }
 }
 
-/// Numbers in the unit interval that have nothing to do with steps.
+/// Returns numbers in the unit interval that are unrelated to steps.
 fn scattered(count: u32) -> impl Iterator<Item = f64> {
     (1..=count).map(|k| (f64::from(k) * 0.618_033_988_749_894_9).fract())
 }
@@ -53,7 +53,7 @@ fn distance([x, v]: [f64; 2], [a, b]: [f64; 2]) -> f64 {
     (x - a).abs().max((v - b).abs())
 }
 
-/// How far the samples, so far apart, are from the exact motion at most, and the work.
+/// Returns the largest deviation of samples at this interval from the exact motion, and the work.
 fn sampled(system: &Struck, end: f64, tolerance: f64, interval: f64) -> (f64, Work) {
     let method = Verner98::tolerance(tolerance);
     let mut stepper = method.start(system, 0.0, &[0.0; 2], end).expect("starts");
@@ -94,7 +94,7 @@ fn samples_are_no_wilder_than_the_tolerance() {
     }
 }
 
-/// A step is repeated only where the interpolant found what the step did not.
+/// A step is repeated only if the interpolant detects an error that the step did not.
 #[test]
 fn smooth_motions_pay_two_evaluations_for_a_step_that_is_looked_into() {
     for tolerance in [1e-3, 1e-6, 1e-9, 1e-12, 1e-15] {
@@ -115,7 +115,7 @@ fn smooth_motions_pay_two_evaluations_for_a_step_that_is_looked_into() {
 
 #[test]
 fn a_step_that_is_not_confirmed_is_taken_back() {
-    // The stages of a step of one second lie elsewhere.
+    // The stages of a step of one second lie at other places.
     let system = Struck { centre: 0.34, width: 0.01 };
     let method = Verner98 { first_step: Some(1.0), longest_step: Some(1.0), ..Verner98::tolerance(1e-6) };
     let mut stepper = method.start(&system, 0.0, &[0.0; 2], 9.0).expect("starts");

@@ -1,5 +1,5 @@
-//! Differences that count as rounding, from both sides: each test fails if a tolerance is 64 times
-//! smaller or larger.
+//! Differences that count as rounding, tested from both sides: each test fails if a tolerance is 64
+//! times smaller or larger.
 
 use core::cell::Cell;
 
@@ -9,7 +9,7 @@ use crate::integrate::verner::stiffness::Stiffness;
 use crate::integrate::{Method, Stepper};
 use crate::system::OdeSystem;
 
-/// ẏ = 1, and a little more near one time.
+/// ẏ = 1, and slightly more near one time.
 struct Bump {
     time: Cell<f64>,
     height: f64,
