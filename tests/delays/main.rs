@@ -4,3 +4,4 @@ mod jumps;
 mod linear;
 mod loops;
 mod refusals;
+mod switches;

@@ -234,6 +234,7 @@ impl Equations {
         roots.extend(limits.flat_map(|limit| limit.slopes.iter().chain([&limit.free])));
         roots.extend(model.reactions.iter().map(|reaction| reaction.velocity));
         roots.extend(model.states().map(|state| state.rate));
+        roots.extend(model.delays.iter().map(|delay| delay.signal));
         roots
     }
 

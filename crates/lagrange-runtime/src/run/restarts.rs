@@ -113,33 +113,43 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.due.filter(|restart| restart.before == t)
     }
 
-    /// Returns the first restart after `t`.
-    fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S, instant: Option<S>) -> Option<Restart<S>> {
-        let mut named = None;
-        if let Some(time) = system.next_restart(t, self.end) {
-            let is_exact = system.beyond(time, self.end).is_some() || system.is_tick(time);
-            named = Some((time, if is_exact { Roundings::NONE } else { RESTART }));
-        }
-        self.first(t, named, instant)
-    }
-
-    /// Returns the first restart after `t`: a specified one, one provided by the system, or an
+    /// Returns the first restart after `t`: a given time, one that the system provides, or an
     /// instant.
-    fn first(&self, t: S, named: Option<(S, Roundings)>, instant: Option<S>) -> Option<Restart<S>> {
+    fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S, instant: Option<S>) -> Option<Restart<S>> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
         let given = self.given[past..].iter().find_map(|time| self.between(t, *time, RESTART));
-        let named = named.and_then(|(time, roundings)| self.between(t, time, roundings));
         let instant = instant.and_then(|time| self.between(t, time, Roundings::NONE));
-        let known = match (given, named) {
-            (Some(given), Some(named)) if self.is_ahead(given.at, named.at) => Some(given),
-            (given, None) => given,
-            (_, named) => named,
-        };
+        let known = self.first(given, self.provided(system, t));
         match (known, instant) {
             (Some(known), Some(instant)) if self.is_ahead(instant.at, known.before) => Some(instant),
             (None, instant) => instant,
             (known, _) => known,
         }
+    }
+
+    /// Returns the first restart after `t` that the system provides.
+    fn provided<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S) -> Option<Restart<S>> {
+        let after = |from: S| {
+            let time = system.next_restart(from, self.end)?;
+            let is_exact = system.beyond(time, self.end).is_some() || system.is_tick(time);
+            self.between(t, time, if is_exact { Roundings::NONE } else { RESTART })
+        };
+        let first = after(t)?;
+        self.first(Some(first), after(first.at))
+    }
+
+    /// Returns the first of two restarts, or both as one if only rounding separates them. A clock
+    /// then ticks within it, as at 3 · 0.1 for a restart at 0.3.
+    fn first(&self, one: Option<Restart<S>>, other: Option<Restart<S>>) -> Option<Restart<S>> {
+        let (Some(one), Some(other)) = (one, other) else { return one.or(other) };
+        let (first, second) = if self.is_ahead(other.at, one.at) { (other, one) } else { (one, other) };
+        if self.is_ahead(first.after, second.before) {
+            return Some(first);
+        }
+        let exact = if second.before == second.after { second } else { first };
+        let before = if self.is_ahead(second.before, first.before) { second.before } else { first.before };
+        let after = if self.is_ahead(first.after, second.after) { second.after } else { first.after };
+        Some(Restart { before, at: exact.at, after })
     }
 
     /// Returns a restart at `at` on the way from `t`, with this many roundings of time on both

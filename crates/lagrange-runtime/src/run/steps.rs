@@ -173,7 +173,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         if self.ticked.replace(time) == Some(time) {
             return Ok(());
         }
-        self.stepper.restart(system, time, &state)?;
+        self.stepper.restart(system, self.beyond(), &state)?;
         // The stepper may have brought the state nearer to the constraints.
         let admitted = *self.stepper.state();
         self.events.restart(system, time, &admitted, Replacement::Clock);

@@ -20,7 +20,7 @@ pub(in crate::emit) fn write_delays(writer: &mut MethodWriter<'_>) {
     let signals = delays.iter().map(|delay| delay.signal).collect::<Vec<_>>();
     let collect = |results: &[TokenStream]| quote!([#(#results),*]);
     let (lags, _) = writer.lowered_as_declared(&lags, Arguments::None, collect);
-    let (signals, _) = writer.lowered_as_declared(&signals, Arguments::State, collect);
+    let (signals, _) = writer.lowered(&signals, Arguments::State, collect);
     let lags = lags_method(writer.shape, &lags);
     writer.members.hidden.extend(lags);
     let returns = Returns::Vector(delays.len());
