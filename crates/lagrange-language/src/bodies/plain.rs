@@ -28,6 +28,8 @@ pub struct Plain {
     /// Expressions in statements about bodies, so that errors in them are found even if they are
     /// not needed.
     pub mentioned: Vec<AstId>,
+    /// Those of them that are heights of terrain.
+    pub heights: Vec<AstId>,
 }
 
 impl Plain {
