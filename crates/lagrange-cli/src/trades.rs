@@ -11,6 +11,8 @@ use crate::values::value;
 
 /// Seconds of a run after which no finer setting is tried, if nothing else is specified.
 const LONGEST: f64 = 0.2;
+/// Motions with noise have no method with a tolerance as their reference.
+const NOISE: &str = "methods are measured without noise only: compare ends of `lagrange ensemble --method stochastic` with other steps";
 
 /// Measures methods, sets the parameters of the system, and returns the best option for the wanted
 /// error or for several errors. All measurements are saved to a folder if there is one.
@@ -33,6 +35,9 @@ pub(crate) fn text(
         return Err(Failure::Usage("--until 0: the motion has no duration".to_owned()));
     }
     let start = start("start", &options.values, system)?;
+    if !system.programs().noises.is_empty() {
+        return Err(Failure::Ended(NOISE.to_owned()));
+    }
     let report = trade(system, &start, until, longest.unwrap_or(LONGEST));
     if report.rows().is_empty() {
         let reason =

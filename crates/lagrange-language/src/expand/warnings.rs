@@ -67,8 +67,8 @@ fn once_at_each_place(report: &mut Report) {
     report.revise(|diagnostic| diagnostic.severity != Severity::Error || places.insert(place(diagnostic)));
 }
 
-/// Keeps the first error of those that say the same of a place. Formulas that are written out several
-/// times, such as heights of terrain, would repeat them.
+/// Keeps the first error of those that say the same of a place. Formulas that are written out
+/// several times, such as heights of terrain, would repeat them.
 pub fn without_repetitions(report: &mut Report) {
     let mut said = BTreeSet::new();
     report.revise(|diagnostic| {
