@@ -28,7 +28,7 @@ pub struct Plain {
     /// Expressions in statements about bodies, so that errors in them are found even if they are
     /// not needed.
     pub mentioned: Vec<AstId>,
-    /// Those of them that are heights of terrain.
+    /// Heights of terrain, which are among the mentioned expressions.
     pub heights: Vec<AstId>,
 }
 

@@ -60,7 +60,7 @@ pub(super) struct Translation<'a> {
     pub(super) lagrangian: Option<Origin>,
     /// Expressions that the user wrote in statements about bodies.
     pub(super) mentioned: Vec<AstId>,
-    /// Those of them that are heights of terrain.
+    /// Heights of terrain, which are among the mentioned expressions.
     pub(super) heights: Vec<AstId>,
     /// Names of `let`s that are omitted if nothing needs them.
     pub(super) optional: HashSet<String>,
