@@ -61,8 +61,9 @@ fn a_delayed_drift_has_its_stationary_variance() {
     assert_mean(&squares, (1.0 + 0.5_f64.sin()) / (2.0 * 0.5_f64.cos()));
 }
 
-/// E x² is (1 + e^(−2t))/2 up to one, and then obeys d/dt E x² = −2 E x² + (1 + e^(−2(t−1)))/2: what
-/// was does not correlate with what comes, so that the equations of Itô and Stratonovich agree.
+/// E x² is (1 + e^(−2t))/2 up to one, and then obeys d/dt E x² = −2 E x² + (1 + e^(−2(t−1)))/2:
+/// what was does not correlate with what comes, so that the equations of Itô and Stratonovich
+/// agree.
 #[test]
 fn a_delayed_diffusion_has_its_mean_square() {
     let echo = Echo::default();
