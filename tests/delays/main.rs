@@ -1,5 +1,6 @@
 //! Delayed signals follow the method of steps: closed forms, and motions from another tool.
 
+mod combined;
 mod jumps;
 mod linear;
 mod loops;

@@ -2,12 +2,14 @@
 //! something is wrong.
 #![cfg(feature = "ensemble")]
 
+mod beside_noise;
 mod bits;
 #[cfg(feature = "parquet")]
 mod files;
 #[cfg(feature = "parquet")]
 mod folders;
 mod lanes;
+mod late;
 mod noise;
 mod pictures;
 mod refusals;

@@ -92,3 +92,33 @@ fn a_search_that_does_not_end_keeps_its_last_values() {
     assert!(error.to_string().starts_with("no minimum was found in 1 iterations"), "{error}");
     assert!(error.fitted().unwrap().value("g").unwrap() != 9.81);
 }
+
+lagrange::system! {
+    /// A state that noise drives.
+    #[derive(Clone, Debug)]
+    struct Driven;
+    param k = 1;
+    state x = 1;
+    noise w, density: 1;
+    dot(x) = -k * x + w;
+}
+
+lagrange::system! {
+    /// A state that its past drives.
+    #[derive(Clone, Debug)]
+    struct Late;
+    param k = 1;
+    state x = 1;
+    dot(x) = -k * delay(x, 0.5);
+}
+
+#[test]
+fn systems_without_derivatives_are_refused_with_the_cause() {
+    let data = || Data::new([0.0, 0.1, 0.2]).with("x", [1.0, 0.9, 0.8]);
+    let error =
+        Driven::default().fit([1.0], data()).vary("k", 0.1..=9.0).run().expect_err("has noise").to_string();
+    assert!(error.contains("derivatives do not go through white noise"), "{error}");
+    let error =
+        Late::default().fit([1.0], data()).vary("k", 0.1..=9.0).run().expect_err("has delays").to_string();
+    assert!(error.contains("delayed signals need a past"), "{error}");
+}

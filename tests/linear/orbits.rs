@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use lagrange::linear::Linearise;
 use lagrange::orbits::{OrbitError, Orbits};
 
 /// A driven oscillator.
@@ -244,4 +245,25 @@ fn rest_is_an_orbit_of_a_given_period() {
     assert!(!upright.is_stable());
     let hanging = Pendulum::default().orbit([0.0, 0.0], 0.7).solve().expect("rests");
     assert!(hanging.is_stable() && hanging.state == [0.0; 2], "{hanging:?}");
+}
+
+lagrange::system! {
+    /// A pendulum in a liquid.
+    #[derive(Clone, Debug)]
+    struct Shaken;
+    coord theta;
+    noise w, density: 1;
+    kinetic = 1/2 * dot(theta)^2;
+    potential = -cos(theta);
+    force theta = w;
+    emit { jacobian, system_matrix }
+}
+
+#[test]
+fn noise_has_neither_orbits_nor_exponents_but_a_linear_model_without_it() {
+    let error = Shaken.orbit([0.1, 0.0], TAU).solve().map(drop).expect_err("has noise").to_string();
+    assert!(error.contains("derivatives do not go through white noise"), "{error}");
+    let error = Shaken.lyapunov([0.1, 0.0]).run(1.0, 3).expect_err("has noise").to_string();
+    assert!(error.contains("derivatives do not go through white noise"), "{error}");
+    assert_eq!(Shaken.linearise(0.0, [0.0; 2]).expect("a model").a()[(1, 0)], -1.0);
 }

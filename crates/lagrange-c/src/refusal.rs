@@ -37,7 +37,11 @@ impl Display for Refusal {
                 write!(f, "functions of a crate are known to compiled Rust only: {}", quoted(names))
             }
             Refusal::Noise(names) => {
-                write!(f, "written code integrates no white noise: {}", quoted(names))
+                write!(
+                    f,
+                    "white noise runs in compiled Rust and by `lagrange simulate` only: {}",
+                    quoted(names)
+                )
             }
             Refusal::Redundant(names) => write!(
                 f,

@@ -283,6 +283,9 @@ fn systems_that_c_cannot_compute_are_refused_by_name() {
     assert_eq!(touching, Refusal::Touching(vec!["floor".to_owned()]));
     let delayed = refusal(&format!("{base} let past = delay(x, 1); force x = -past;"));
     assert_eq!(delayed, Refusal::Delays(vec!["past".to_owned()]));
+    let noisy = refusal(&format!("{base} noise w, density: 1; force x = w;"));
+    assert_eq!(noisy, Refusal::Noise(vec!["w".to_owned()]));
+    assert!(noisy.to_string().contains("`lagrange simulate`"), "{noisy}");
     let constants = refusal("coord x; kinetic = 1e-200 * dot(x)^2; potential = 1e200 * x;");
     assert!(matches!(constants, Refusal::Constants(_)), "{constants}");
     let beam = "coord x; kinetic = 1/2 * dot(x)^2; constraint a = x - 1; constraint b = sin(x) - 1/2;";

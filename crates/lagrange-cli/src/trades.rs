@@ -11,6 +11,8 @@ use crate::values::value;
 
 /// Duration of a run in seconds after which no finer setting is tried, by default.
 const LONGEST: f64 = 0.2;
+/// Motions with noise have no method with a tolerance as their reference.
+const NOISE: &str = "methods are measured without noise only: compare ends of `lagrange ensemble --method stochastic` with other steps";
 
 /// Measures methods, sets the parameters of the system, and returns the best option for one or
 /// several error goals. All measurements are saved to a folder, if one is given.
@@ -33,6 +35,9 @@ pub(crate) fn text(
         return Err(Failure::Usage("--until 0: the motion has no duration".to_owned()));
     }
     let start = start("start", &options.values, system)?;
+    if !system.programs().noises.is_empty() {
+        return Err(Failure::Ended(NOISE.to_owned()));
+    }
     let report = trade(system, &start, until, longest.unwrap_or(LONGEST));
     if report.rows().is_empty() {
         let reason =

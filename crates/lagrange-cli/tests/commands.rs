@@ -292,3 +292,67 @@ fn declarations_are_found_in_files_of_rust() {
     let piped = run_on(&fs::read_to_string(&one).expect("read"), &["statements", "-"]);
     assert_eq!(output(&piped), written(&["statements", &one]));
 }
+
+/// The errors of commands that each refuse a declaration.
+fn refusals(text: &str, commands: &[&[&str]]) -> Vec<String> {
+    let refused = |command: &&[&str]| {
+        let result = run_on(text, command);
+        assert_ne!(result.status.code(), Some(0), "{command:?}: {}", output(&result));
+        errors(&result)
+    };
+    commands.iter().map(refused).collect()
+}
+
+#[test]
+fn delays_are_refused_by_all_that_knows_no_past() {
+    let folder = temporary("late");
+    let file = folder.to_str().expect("UTF-8");
+    let text = "struct Late; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = -delay(x, 0.1);";
+    let runs = [
+        &["simulate", "-", "--until", "1"][..],
+        &["ensemble", "-", "--until", "1", "--motions", "2"],
+        &["trade", "-", "--until", "1"],
+        &["film", "-", "--until", "1"],
+        &["linearise", "-"],
+    ];
+    for error in refusals(text, &runs) {
+        assert!(error.contains("delayed signals run in compiled code only: `delayed_1`"), "{error}");
+    }
+    let exports = [&["c", "-", "-o", file][..], &["fmu", "-", "-o", file], &["page", "-", "-o", file]];
+    for error in refusals(text, &exports) {
+        assert!(error.contains("delayed signals run in compiled"), "{error}");
+    }
+    let kernel = refusals(text, &[&["kernel", "-"]]);
+    assert!(kernel[0].contains("delayed signals, whose past a run keeps"), "{kernel:?}");
+}
+
+#[test]
+fn noise_is_refused_by_all_that_integrates_none() {
+    let folder = temporary("noisy");
+    let file = folder.to_str().expect("UTF-8");
+    let text = "struct Noisy; coord x = 1; noise w, density: 1; kinetic = 1/2 * dot(x)^2; force x = w - x;";
+    let runs = [
+        &["simulate", "-", "--until", "1"][..],
+        &["ensemble", "-", "--until", "1", "--motions", "2"],
+        &["trade", "-", "--until", "1"],
+    ];
+    for error in refusals(text, &runs) {
+        assert!(error.contains("stochastic"), "{error}");
+    }
+    let exports = [&["c", "-", "-o", file][..], &["fmu", "-", "-o", file], &["page", "-", "-o", file]];
+    for error in refusals(text, &exports) {
+        let said = "white noise runs in compiled Rust and by `lagrange simulate` only: `w`";
+        assert!(error.contains(said), "{error}");
+    }
+    let kernel = refusals(text, &[&["kernel", "-"]]);
+    assert!(kernel[0].contains("cannot be combined with noise"), "{kernel:?}");
+    let plain = run_on("noise w[2], density: [1, 2]; state a; dot(a) = w[0] - w[1];", &["statements", "-"]);
+    assert!(
+        output(&plain).contains("noise w_0, density: 1;\nnoise w_1, density: 2;\n"),
+        "{}",
+        output(&plain)
+    );
+    // A linear model is that without noise.
+    let model = run_on(text, &["linearise", "-"]);
+    assert_eq!(model.status.code(), Some(0), "{}", errors(&model));
+}

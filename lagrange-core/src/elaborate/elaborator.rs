@@ -112,6 +112,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) joints: &'a [Name],
     /// Names of `let`s that are positions, with the items that they position.
     pub(super) places: &'a [(String, String)],
+    /// Heights of terrain.
+    pub(super) heights: &'a [AstId],
     /// Constraints of joints that the coordinates fulfil by themselves.
     pub(super) implied: Vec<String>,
     /// Constraints, with the positions of their names.
@@ -137,10 +139,11 @@ pub(super) struct Elaborator<'a> {
 
 impl<'a> Elaborator<'a> {
     pub(super) fn new(plain: &'a Plain, report: &'a mut Report) -> Elaborator<'a> {
-        let Plain { declaration, joints, places, .. } = plain;
+        let Plain { declaration, joints, places, heights, .. } = plain;
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
+            heights,
             parameters: Vec::new(),
             inputs: Vec::new(),
             noises: Vec::new(),
@@ -294,9 +297,27 @@ impl<'a> Elaborator<'a> {
     ) -> Option<()> {
         let dependencies = self.evaluator.graph.dependencies(value);
         let Some(&kind) = kinds.iter().find(|&&kind| dependencies.intersects(kind)) else { return Some(()) };
+        let (syntax, what, help) = match self.height_with(kind) {
+            Some(height) => (height, messages::events::HEIGHT, messages::events::GAP_HELP),
+            None => (syntax, what, help),
+        };
         let (place, name) = self.evaluator.blame(syntax, kind);
         self.evaluator.report.error(place, messages::must_not_depend(what, kind, &name)).help(help);
         None
+    }
+
+    /// The height of a terrain that depends on what no height may depend on. It is the cause of
+    /// errors in gaps and potentials of contacts.
+    fn height_with(&mut self, kind: Dependencies) -> Option<AstId> {
+        if kind != Dependencies::VELOCITY && !UNKNOWNS.contains(&kind) {
+            return None;
+        }
+        let evaluator = &mut self.evaluator;
+        let mut depends = |height: AstId| match value_of(evaluator, height) {
+            Some(Operand::Scalar(value)) => evaluator.graph.dependencies(value).intersects(kind),
+            _ => false,
+        };
+        self.heights.iter().copied().find(|&height| depends(height))
     }
 
     /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of

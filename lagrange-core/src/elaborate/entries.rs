@@ -1,8 +1,9 @@
 //! Entries of the state that are assigned values, by events and at the start.
 
 use super::elaborator::Elaborator;
+use super::evaluator::Evaluator;
 use super::expression::value_of;
-use super::messages::{events, start, states};
+use super::messages::{events, names, start, states};
 use super::states::state_named;
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::symbol::Symbol;
@@ -62,11 +63,21 @@ fn refuse_unknown<T>(elaborator: &mut Elaborator<'_>, syntax: AstId, text: &str)
     let span = elaborator.evaluator.origin(syntax).start;
     let components = Quaternion::named(Name::new(text, span)).positions.map(|component| component.text);
     if !elaborator.coordinates.iter().any(|(known, _)| known.name == components[0]) {
-        value_of(&mut elaborator.evaluator, syntax);
+        report_undeclared(&mut elaborator.evaluator, syntax, text);
         return None;
     }
     let help = start::whole_quaternion(components.each_ref().map(String::as_str));
     elaborator.evaluator.refuse(syntax, start::whole_orientation(text), &help)
+}
+
+/// Reports an unknown name where an entry of the state is assigned, unless it was reported before.
+fn report_undeclared(evaluator: &mut Evaluator<'_>, syntax: AstId, text: &str) {
+    let mistake = evaluator.report.diagnostics().len();
+    value_of(evaluator, syntax);
+    let reported = evaluator.report.diagnostic_mut(mistake);
+    if let Some(general) = reported.filter(|one| one.help.as_deref() == Some(names::DECLARE_FIRST)) {
+        general.help(start::declare_entry(text));
+    }
 }
 
 /// Returns the index in [q…, v…] of a position or velocity, or of the rate of a coordinate.

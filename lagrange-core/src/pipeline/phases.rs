@@ -11,7 +11,9 @@ use lagrange_expr::diagnostics::Report;
 use lagrange_expr::units::{NamedUnits, momentum_name};
 use lagrange_language::bodies::plain;
 use lagrange_language::dimensions::{check_dimensions, in_coherent_units};
-use lagrange_language::expand::{has_arrays, name_elements, once_for_each_array, without_arrays};
+use lagrange_language::expand::{
+    has_arrays, name_elements, once_for_each_array, without_arrays, without_repetitions,
+};
 use lagrange_language::inline::{name_delays, without_functions};
 use lagrange_language::syntax::ast::{Declaration, Name, momentum_of};
 use lagrange_language::tables::name_files;
@@ -56,6 +58,7 @@ fn checked(mut declaration: Declaration, report: &mut Report) -> (Declaration, O
         name_units(model, &check_dimensions(&plain.declaration, measured, report));
     }
     let model = model.filter(|_| !report.has_errors());
+    without_repetitions(report);
     if is_written_out {
         once_for_each_array(&plain.declaration, report);
         name_elements(&plain.declaration, report);

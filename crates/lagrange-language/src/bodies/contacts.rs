@@ -56,6 +56,10 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     let radius = radius(translation, statement);
     let compliance = compliance(translation, statement);
     let touching = touching_part(translation, statement);
+    if touching.is_none() && is_ground(translation, statement.object) {
+        // What it would touch is the body that was meant.
+        return None;
+    }
     let surface = match is_between_blocks(translation, statement) {
         true => surface_of_block(translation, statement),
         false => surface_named(translation, statement),

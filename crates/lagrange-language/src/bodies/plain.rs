@@ -28,6 +28,8 @@ pub struct Plain {
     /// Expressions in statements about bodies, so that errors in them are found even if they are
     /// not needed.
     pub mentioned: Vec<AstId>,
+    /// Heights of terrain, which are among the mentioned expressions.
+    pub heights: Vec<AstId>,
 }
 
 impl Plain {

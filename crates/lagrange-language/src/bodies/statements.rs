@@ -69,6 +69,7 @@ fn plain_of(translation: Translation<'_>, declaration: Declaration, in_space: Sp
         joints: translation.joints,
         places: translation.places,
         mentioned: translation.mentioned,
+        heights: translation.heights,
     }
 }
 

@@ -133,11 +133,18 @@ fn own_height(translation: &mut Translation<'_>, statement: &ast::Surface) -> Op
         return None;
     }
     let value = plain_expression(translation, written);
+    if let Expression::Tuple(_) = translation.expressions.get(value) {
+        let origin = translation.expressions.origin(written);
+        let message = words::height_not_scalar(&name.text);
+        translation.report.error(origin, message).help(words::HEIGHT_NOT_SCALAR_HELP);
+        return None;
+    }
     let mut terms = translation.terms();
     // To find errors, any changing quantity can represent the coordinates.
     let values = coordinates.iter().map(|_| terms.name("t")).collect::<Vec<_>>();
     let mentioned = terms.with_values(value, &coordinates, &values);
     translation.mentioned.push(mentioned);
+    translation.heights.push(mentioned);
     let fixed = translation.terms().number(0);
     let fixed = vec![fixed; coordinates.len()];
     let fixed = translation.terms().with_values(value, &coordinates, &fixed);

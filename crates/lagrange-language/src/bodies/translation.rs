@@ -60,6 +60,8 @@ pub(super) struct Translation<'a> {
     pub(super) lagrangian: Option<Origin>,
     /// Expressions that the user wrote in statements about bodies.
     pub(super) mentioned: Vec<AstId>,
+    /// Heights of terrain, which are among the mentioned expressions.
+    pub(super) heights: Vec<AstId>,
     /// Names of `let`s that are omitted if nothing needs them.
     pub(super) optional: HashSet<String>,
 }
@@ -91,6 +93,7 @@ impl<'a> Translation<'a> {
             accuracy: declaration.accuracy,
             lagrangian: lagrangian(declaration),
             mentioned: Vec::new(),
+            heights: Vec::new(),
             optional: HashSet::default(),
         }
     }

@@ -51,7 +51,7 @@ use statements::written_out;
 use unrolling::{Unrolled, unroll};
 
 use warnings::say_where_placed;
-pub use warnings::{name_elements, once_for_each_array};
+pub use warnings::{name_elements, once_for_each_array, without_repetitions};
 
 /// Expands arrays, loops and sums. Errors in them are reported, and the result then contains
 /// everything that is still known.

@@ -67,6 +67,15 @@ fn once_at_each_place(report: &mut Report) {
     report.revise(|diagnostic| diagnostic.severity != Severity::Error || places.insert(place(diagnostic)));
 }
 
+/// Keeps the first error of those that say the same of a place. Formulas that are written out
+/// several times, such as heights of terrain, would repeat them.
+pub fn without_repetitions(report: &mut Report) {
+    let mut said = BTreeSet::new();
+    report.revise(|diagnostic| {
+        diagnostic.severity != Severity::Error || said.insert((place(diagnostic), diagnostic.message.clone()))
+    });
+}
+
 /// Adds the placements to errors in parts, and reports each error once.
 pub(super) fn say_where_placed(declaration: &Declaration, report: &mut Report) {
     if declaration.placed.is_empty() {

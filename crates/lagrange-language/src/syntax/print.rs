@@ -71,11 +71,7 @@ impl Printer<'_> {
         match kind {
             StatementKind::Parameters(list) => self.definitions("param ", list),
             StatementKind::Inputs(list) => self.definitions("input ", list),
-            StatementKind::Noises(list) => self.list(list, |printer, Definition { name, value, .. }| {
-                printer.text("noise ");
-                printer.name(name);
-                value.iter().for_each(|density| printer.labelled(", density: ", *density));
-            }),
+            StatementKind::Noises(list) => self.noises(list),
             StatementKind::Constants(list) => self.definitions("const ", list),
             StatementKind::Coordinates(list) => self.definitions("coord ", list),
             StatementKind::States(kind, list) => self.definitions(&format!("{} ", kind.keyword()), list),
@@ -199,6 +195,16 @@ impl Printer<'_> {
             printer.assigned(definition.value);
         });
         self.text(";");
+    }
+
+    /// Prints a statement for each noise, on one line.
+    fn noises(&mut self, noises: &[Definition]) {
+        for (i, Definition { name, value, .. }) in noises.iter().enumerate() {
+            self.text(if i == 0 { "noise " } else { " noise " });
+            self.name(name);
+            value.iter().for_each(|density| self.labelled(", density: ", *density));
+            self.text(";");
+        }
     }
 
     /// Prints ` in 0..=1` or ` > 0`.

@@ -2,7 +2,7 @@
 
 use crate::integrate::compensated::Compensated;
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, SettingError, StateVector, StepFailure};
+use crate::system::{OdeSystem, SettingError, StateVector, StepFailure, check_delays};
 
 /// Checks that time and state are finite, so that a motion can continue from them.
 #[inline]
@@ -42,6 +42,7 @@ pub(super) fn admitted_with_noise<M: OdeSystem + ?Sized>(
     t: M::Scalar,
     y: &M::State,
 ) -> Result<M::State, StepFailure<M::Scalar>> {
+    check_delays::<M>()?;
     check_finite(t, y)?;
     let mut admitted = *y;
     system.admit(t, &mut admitted)?;

@@ -34,7 +34,7 @@ pub trait DelayedSystem: ControlledSystem + MechanicalSystem {
 ///
 /// # Errors
 /// If it has delays.
-pub fn check_delays<M: OdeSystem>() -> Result<(), SettingError<M::Scalar>> {
+pub fn check_delays<M: OdeSystem + ?Sized>() -> Result<(), SettingError<M::Scalar>> {
     match M::HAS_DELAYS {
         true => Err(SettingError::Invalid(
             "delayed signals need a past, which is not kept here: use `.simulate(…)` and `.with_history()`",

@@ -28,6 +28,7 @@ messages! {
     EVENT_IS_HERE = "one is declared here";
 
     GAP = "the gap of a contact";
+    HEIGHT = "the height of a terrain";
     GAP_HELP = "a gap is a function of coordinates and time";
     gap_without_coordinate(name) = "the gap of the contact `{name}` does not depend on any coordinate";
     CROSSING_IMPACT = "an impact needs the side on which the bodies are apart";

@@ -11,6 +11,8 @@ messages! {
     started_twice(target) = "`{target}` has two initial values";
     STARTED_HERE = "the other one is here";
     STARTED_TWICE_HELP = "remove one of them";
+    declare_entry(name) =
+        "declare it before this line, with `coord {name};`, `state {name};` or `discrete {name};`";
     whole_orientation(name) =
         "the orientation `{name}` is assigned by the components of its unit quaternion";
     PART_OF_QUATERNION = "an initial orientation needs all components of its unit quaternion";

@@ -20,6 +20,8 @@ messages! {
     height_in_the_plane(name) = "in the plane, the height of `{name}` depends on one coordinate";
     HEIGHT_IN_THE_PLANE_HELP = "write `height(x): e;`";
     height_in_space(name) = "in space, the height of `{name}` depends on two coordinates";
+    height_not_scalar(name) = "the height of `{name}` must be a scalar, but this is a vector";
+    HEIGHT_NOT_SCALAR_HELP = "write the component across the ground alone";
     HEIGHT_IN_SPACE_HELP = "write `height(x, y): e;`, even if y is not in e";
 
     no_body_touches(contact) = "the contact `{contact}` needs a body or a point of one";

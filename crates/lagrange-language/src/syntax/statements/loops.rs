@@ -41,10 +41,24 @@ impl Parser<'_> {
         let mistakes = self.report.diagnostics().len();
         let lines = self.inside(group, |parser, cursor| Ok(parser.enclosed_lines(cursor, read)));
         let lines = lines.unwrap_or_default();
-        if lines.is_empty() && self.report.diagnostics().len() == mistakes {
+        let is_reported = self.report.diagnostics().len() > mistakes || self.is_unreadable(group);
+        if lines.is_empty() && !is_reported {
             self.report.error(group_origin(group), nothing).help(help);
         }
         lines
+    }
+
+    /// True if a group mentions what could not be read where it is declared. Its lines are omitted.
+    fn is_unreadable(&self, group: &Group) -> bool {
+        let mut pending = group.stream().into_iter().collect::<Vec<_>>();
+        while let Some(token) = pending.pop() {
+            match token {
+                TokenTree::Ident(word) if self.unreadable_words.contains(&word.to_string()) => return true,
+                TokenTree::Group(inner) => pending.extend(inner.stream()),
+                TokenTree::Ident(_) | TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+            }
+        }
+        false
     }
 
     /// Reads lines up to the last token. Unreadable lines are reported and omitted.

@@ -20,6 +20,7 @@ fn statements_are_printed_as_they_are_usually_written() {
 param a, b = 1, c;
 param d > 0 = 1, e in 0..=1 = 1/2, f in 0..1, g in ..2 * pi, h in ..=0, i in 0.. = 3, j > 0 <= 1, k > -1 < 1;
 input u, w = -2;
+noise gust, density: 2 * c;
 const k = 1/2, pi2 = 2 * pi;
 coord x, theta = 0.1;
 start dot(x) = a, theta = 2;

@@ -310,6 +310,10 @@ where
             let what = "sensitivities do not go through sampled controllers, which may have a memory: use `.drive(…)`";
             return Err(SettingError::Invalid(what));
         }
+        if self.closed.noise().acts() {
+            let what = "derivatives do not go through white noise: compare runs along the same path, or replace each noise with an `input`";
+            return Err(SettingError::Invalid(what));
+        }
         let restarts = |closed: &L| {
             let next = |t: &M::Scalar| closed.next_restart(*t, end);
             std::iter::successors(next(&start), next).take(MOST_RESTARTS).collect::<Vec<_>>()

@@ -1,0 +1,122 @@
+//! Noise beside delayed signals: statistics against closed forms, and orders along one path.
+
+use lagrange::ensemble::Moments;
+use lagrange::integrate::{EulerMaruyama, Method, StochasticRungeKutta4, WienerPath};
+use lagrange::{Ensembles, Simulate};
+
+lagrange::system! {
+    /// A process that is drawn back to where it was.
+    #[derive(Clone, Debug)]
+    struct Late;
+
+    param k = 1, lag = 0.5;
+    state x;
+    noise w, density: 1;
+    dot(x) = -k * delay(x, lag) + w;
+}
+
+lagrange::system! {
+    /// A process whose noise is as large as it was.
+    #[derive(Clone, Debug)]
+    struct Echo;
+
+    state x = 1;
+    noise w, density: 1;
+    let before = delay(x, 1);
+    dot(x) = -x + before * w;
+}
+
+fn euler(step: f64, path: WienerPath) -> EulerMaruyama<f64> {
+    EulerMaruyama { step, path }
+}
+
+fn runge_kutta(step: f64, path: WienerPath) -> StochasticRungeKutta4<f64> {
+    StochasticRungeKutta4 { step, path }
+}
+
+/// Adds the square of a number.
+fn add_square(squares: &mut Moments, x: f64) {
+    squares.add(x * x);
+}
+
+/// Asserts a mean within three standard errors, which are small.
+fn assert_mean(numbers: &Moments, exact: f64) {
+    let error = 3.0 * numbers.standard_deviation() / (numbers.count() as f64).sqrt();
+    let mean = numbers.mean();
+    assert!((mean - exact).abs() < error && error < 0.25 * exact, "{mean}, not {exact}, within {error}");
+}
+
+/// The stationary variance (1 + sin kτ)/(2 k cos kτ) for the density 1 (Küchler, Mensch,
+/// "Langevins stochastic differential equation extended by a time-delayed term", *Stochastics and
+/// Stochastics Reports* 40 (1992) 23–42).
+#[test]
+fn a_delayed_drift_has_its_stationary_variance() {
+    let late = Late::default();
+    let motions = late.ensemble(3000).start(|_, _| [0.0]).until(12.0).with_history();
+    let squares = motions
+        .method(runge_kutta(0.0625, WienerPath::of_seed(5)))
+        .reduce(Moments::new(), |squares, motion| add_square(squares, motion.end().x))
+        .expect("runs")
+        .into_value();
+    assert_mean(&squares, (1.0 + 0.5_f64.sin()) / (2.0 * 0.5_f64.cos()));
+}
+
+/// E x² is (1 + e^(−2t))/2 up to one, and then obeys d/dt E x² = −2 E x² + (1 + e^(−2(t−1)))/2:
+/// what was does not correlate with what comes, so that the equations of Itô and Stratonovich
+/// agree.
+#[test]
+fn a_delayed_diffusion_has_its_mean_square() {
+    let echo = Echo::default();
+    let motions = echo.ensemble(3000).start(|_, _| [1.0]).until(2.0).with_history();
+    let squares = motions
+        .method(euler(1.0 / 64.0, WienerPath::of_seed(9)))
+        .reduce(Moments::new(), |squares, motion| add_square(squares, motion.end().x))
+        .expect("runs")
+        .into_value();
+    let decay = (-2.0_f64).exp();
+    assert_mean(&squares, ((1.0 + decay) / 2.0 - 0.25) * decay + 0.25 + decay / 2.0);
+}
+
+/// The end of a motion of [`Late`] in steps of 1/8 that were halved so many times, and so was their
+/// path.
+fn end<K: Method<lagrange::simulate::Remembering<Late>>>(
+    late: &Late,
+    halvings: u32,
+    motion: usize,
+    method: fn(f64, WienerPath) -> K,
+) -> f64 {
+    let (step, path) = (0.125 / f64::from(1 << halvings), WienerPath::of_seed(3).of_motion(motion));
+    let run = late.simulate([0.5]).until(2.0).with_history().method(method(step, path.halved(halvings)));
+    run.run().expect("moves").last()[0]
+}
+
+/// The strong order is one, whether steps divide the delay or not.
+#[test]
+fn a_delayed_drift_has_the_strong_order_one() {
+    for late in [Late::default(), Late { lag: 0.3, ..Late::default() }] {
+        let errors = [1, 3].map(|halvings| {
+            let errors = (0..60).map(|motion| {
+                let exact = end(&late, 7, motion, runge_kutta);
+                [
+                    end(&late, halvings, motion, euler) - exact,
+                    end(&late, halvings, motion, runge_kutta) - exact,
+                ]
+            });
+            errors.fold([0.0; 2], |[a, b], [c, d]| [a + c * c, b + d * d])
+        });
+        for (long, short) in errors[0].iter().zip(errors[1]) {
+            let order = (long / short).log2() / 4.0;
+            assert!((0.8..2.6).contains(&order), "{order} of {errors:?} for {late:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_missing_is_said() {
+    let late = Late::default();
+    let method = runge_kutta(0.1, WienerPath::of_seed(1));
+    let error = late.simulate([1.0]).until(1.0).method(method).run().map(drop).expect_err("has delays");
+    assert!(error.to_string().contains("`.with_history()`"), "{error}");
+    let error = late.simulate([1.0]).until(1.0).with_history().run().map(drop).expect_err("has noise");
+    assert!(error.to_string().contains("`EulerMaruyama` and `StochasticRungeKutta4`"), "{error}");
+}
