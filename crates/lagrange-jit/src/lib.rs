@@ -20,7 +20,7 @@
 //! Products, sums, quotients, roots, magnitudes and conditions are instructions. Other elementary
 //! functions are calls of the functions that the interpreter calls. Tables and solutions of
 //! equations are computed by the functions of the interpreter, too: compiled code calls them back.
-//! Not a number may have another sign or payload, which no operation here depends on.
+//! The sign and payload of NaN may differ; no operation here depends on them.
 //!
 //! All code that is not checked by the compiler of Rust is in one file, `machine.rs`.
 #![deny(unsafe_code)]
@@ -44,13 +44,13 @@ use lagrange_core::program::Program;
 use machine::{Machine, Taken};
 use translate::{Translation, signature};
 
-/// Values, operands and outputs of the largest program that is compiled. Each value may need eight
-/// bytes of the stack, and registers are assigned in a time that grows faster than the size.
+/// Limit on the values, operands and outputs of a program that is compiled. Each value may take
+/// eight bytes of the stack, and the time to assign registers grows faster than the size.
 pub const LARGEST_PROGRAM: usize = 30_000;
 
-/// Settings of Cranelift. Without optimisation, code is made faster and runs as fast: programs are
-/// optimised before. Frames of more than a page touch each of their pages, so that a stack that is
-/// full is noticed.
+/// Settings of Cranelift. It does not optimise: programs are optimised before, so that their code
+/// would take longer to make and run no faster. Frames of more than a page touch each of their
+/// pages, so that a full stack is noticed.
 const SETTINGS: [(&str, &str); 5] = [
     ("opt_level", "none"),
     ("is_pic", "false"),

@@ -1,8 +1,8 @@
 //! Programs that are run again and again: the numbers they take, and machine code for them if a
 //! compiler is at hand.
 //!
-//! This is where a compiler plugs in. The interpreter and compiled code compute the same bits, so
-//! that a program without code is interpreted, and nothing but time tells.
+//! This is where a compiler plugs in. Compiled code computes the bits of the interpreter. A program
+//! without code is interpreted, which changes nothing but the time.
 
 use std::fmt::Debug;
 use std::ptr;
@@ -133,8 +133,8 @@ impl Routines {
         self.routines.get(&address(program)).map_or_else(|| Taken::by(program), |routine| routine.taken)
     }
 
-    /// The code of a program of the system. There is none if it calls functions that may be defined
-    /// later.
+    /// Returns the code of a program of the system. There is none if it calls functions that may be
+    /// defined later.
     pub(super) fn code(
         &self,
         program: &Program,
