@@ -77,10 +77,10 @@ impl Code for Machine {
         if suffices {
             let starts: [*const f64; LISTS] = lists.map(<[f64]>::as_ptr);
             // SAFETY: the code is in memory as long as `self`, which owns it. Nobody writes there
-            // after it was made, so that threads may share it. It reads `starts`, and lists
-            // within the lengths checked above. It writes `taken.outputs` numbers to `outputs`,
-            // which is exclusive. Functions that it calls are kept in `taken`. They do not unwind: a
-            // panic in a function with the calling convention of C ends the process.
+            // after it was made, so that threads may share it. It reads `starts`, and lists within
+            // the lengths checked above. It writes `taken.outputs` numbers to `outputs`, which is
+            // exclusive. Functions that it calls are kept in `taken`. They do not unwind: a panic
+            // in a function with the calling convention of C ends the process.
             unsafe { (self.entry)(numbers.t, starts.as_ptr(), outputs.as_mut_ptr()) };
         }
         suffices
