@@ -49,12 +49,16 @@ class SimulationError(RuntimeError):
 class System:
     """A declared system with values for its parameters."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, *, compile: bool = True) -> None:
         """Derives the equations of a declaration. Raises `DeclarationError` for mistakes, and
-        `ValueError` for what only compiled code can run, as contacts."""
+        `ValueError` for what only compiled Rust can run, as contacts. Each function is compiled to
+        machine code when it is first used, or interpreted with `compile=False`; results are the same."""
     @staticmethod
-    def read(path: str | PathLike[str]) -> System:
+    def read(path: str | PathLike[str], *, compile: bool = True) -> System:
         """Reads a declaration from a file, beside which its tables are."""
+    @property
+    def is_compiled(self) -> bool:
+        """True if functions are compiled to machine code."""
     @property
     def parameters(self) -> dict[str, float]:
         """Values of parameters, then of inputs; NaN for those without one."""
@@ -101,6 +105,7 @@ class System:
         method: str | None = None,
         tolerance: float | None = None,
         step: float | None = None,
+        seed: int | None = None,
         inputs: Callable[[float, Array], float | Sequence[float]] | None = None,
         energy: bool = False,
     ) -> Trajectory:
@@ -108,9 +113,10 @@ class System:
         ones, or as it is declared.
 
         Samples are kept `every` so many seconds, or after every step. Methods are `verner` and
-        `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. `inputs`
-        returns the inputs at a time and a state. What it raises is raised here. Without it, other
-        threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
+        `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. Systems
+        with noise have `maruyama` and `stochastic` with a `step`, whose `seed`, 0 by default, chooses
+        the noise. `inputs` returns the inputs at a time and a state. What it raises is raised here.
+        Without it, other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
         """
     def film(self, motion: Trajectory, *, energy: bool = True, height: int = 640) -> Film:
         """Returns the film of a motion, with the parameters of this system. Each sample is a picture,
@@ -127,6 +133,7 @@ class System:
         method: str | None = None,
         tolerance: float | None = None,
         step: float | None = None,
+        seed: int | None = None,
         threads: int | None = None,
     ) -> Ensemble:
         """Computes many motions over threads, and keeps their ends.
@@ -134,7 +141,7 @@ class System:
         Starts are an array of shape (runs, entries), or numbers and arrays by entry beside the
         declared start. Parameters and inputs are numbers, or arrays with a number for each run.
         Methods are those of `simulate`, and each end has the bits of that of a single run, on any
-        number of threads. Other threads of Python run meanwhile. A run that fails is in `failures`,
+        number of threads. With noise, each run has its own. Other threads of Python run meanwhile. A run that fails is in `failures`,
         and does not end the others.
 
         >>> ends = pendulum.ensemble({"theta": [0.1, 0.2, 0.3]}, until=10, parameters={"l": 2.0})

@@ -17,9 +17,9 @@
 //! ```
 //!
 //! Products, sums, quotients, roots, magnitudes and conditions are instructions. Other elementary
-//! functions are calls of the interpreter's functions. Tables and solutions of equations are also
-//! computed by callbacks to the interpreter's functions. NaN may have a different sign or payload,
-//! on which no operation here depends.
+//! functions are calls of the functions that the interpreter calls. Tables and solutions of
+//! equations are computed by the functions of the interpreter, too: compiled code calls them back.
+//! The sign and payload of NaN may differ; no operation here depends on them.
 //!
 //! All code without the checks of the Rust compiler is in one file, `machine.rs`.
 #![deny(unsafe_code)]
@@ -43,13 +43,13 @@ use lagrange_core::program::Program;
 use machine::{Machine, Taken};
 use translate::{Translation, signature};
 
-/// Maximum size of compiled programs: values, operands and outputs. Each value may need eight bytes
-/// of stack, and the time of register allocation grows faster than the size.
+/// Limit on the values, operands and outputs of a program that is compiled. Each value may take
+/// eight bytes of the stack, and the time to assign registers grows faster than the size.
 pub const LARGEST_PROGRAM: usize = 30_000;
 
-/// Settings of Cranelift. Without optimisation, code is generated faster and runs equally fast,
-/// since programs are already optimised. Frames larger than a page touch each of their pages, so
-/// that stack overflow is detected.
+/// Settings of Cranelift. It does not optimise: programs are optimised before, so that their code
+/// would take longer to make and run no faster. Frames of more than a page touch each of their
+/// pages, so that a full stack is noticed.
 const SETTINGS: [(&str, &str); 5] = [
     ("opt_level", "none"),
     ("is_pic", "false"),

@@ -24,7 +24,7 @@ type Entry = unsafe extern "C" fn(f64, *const *const f64, *mut f64);
 
 /// The machine code of a program.
 pub(crate) struct Machine {
-    /// Owner of the code's memory; only locked by `drop`.
+    /// Owner of the memory that holds the code; only `drop` takes it out.
     module: Mutex<Option<JITModule>>,
     entry: Entry,
     /// Arguments of the code, and functions that it calls by their addresses.
@@ -58,7 +58,7 @@ impl Debug for Machine {
 }
 
 impl Machine {
-    /// Takes ownership of a module whose function `entry` was translated with these arguments.
+    /// Takes over a module; `taken` describes its function `entry`.
     pub(crate) fn new(module: JITModule, entry: FuncId, taken: Taken) -> Machine {
         let address = module.get_finalized_function(entry);
         // SAFETY: the function has the signature of `Entry`, by `translate::signature`, and the
@@ -77,10 +77,10 @@ impl Code for Machine {
         if suffices {
             let starts: [*const f64; LISTS] = lists.map(<[f64]>::as_ptr);
             // SAFETY: the code is in memory as long as `self`, which owns it. Nobody writes there
-            // after it was made, so that threads may share it. It reads `starts`, and lists
-            // within the lengths checked above. It writes `taken.outputs` numbers to `outputs`,
-            // which is exclusive. Functions that it calls are in `taken`, and do not unwind: panics
-            // in functions of the convention of C end the process.
+            // after it was made, so that threads may share it. It reads `starts`, and lists within
+            // the lengths checked above. It writes `taken.outputs` numbers to `outputs`, which is
+            // exclusive. Functions that it calls are kept in `taken`. They do not unwind: a panic
+            // in a function with the calling convention of C ends the process.
             unsafe { (self.entry)(numbers.t, starts.as_ptr(), outputs.as_mut_ptr()) };
         }
         suffices
@@ -98,15 +98,15 @@ impl Drop for Machine {
     }
 }
 
-/// Computes sine and cosine, in this order.
+/// Writes sine and cosine of an angle, in this order.
 pub(crate) extern "C" fn sine_and_cosine(angle: f64, pair: *mut f64) {
     // SAFETY: compiled code passes a place on its stack for two numbers.
     let pair = unsafe { from_raw_parts_mut(pair, 2) };
     pair.copy_from_slice(&[angle.sin(), angle.cos()]);
 }
 
-/// Computes sines and cosines of several angles, in pairs. The results of an angle do not depend on
-/// the others.
+/// Writes sines and cosines of several angles, in pairs. The pair of an angle does not depend on
+/// the other angles.
 pub(crate) extern "C" fn sines_and_cosines(angles: *const f64, pairs: *mut f64, count: usize) {
     // SAFETY: compiled code passes places on its stack: `count` angles, and room for twice as many
     // numbers behind them.
@@ -123,7 +123,7 @@ pub(crate) extern "C" fn sines_and_cosines(angles: *const f64, pairs: *mut f64, 
     }
 }
 
-/// Computes the values of a function without a formula; NaN if there are fewer than expected.
+/// Writes the values of a function without a formula, and NaN where it has fewer than expected.
 pub(crate) extern "C" fn values_of(bound: *const Bound, arguments: *const f64, results: *mut f64) {
     // SAFETY: compiled code passes the address of a function in its `Taken`. It has places on its
     // stack for as many arguments and results.

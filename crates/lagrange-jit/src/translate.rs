@@ -103,7 +103,7 @@ impl<'a, 'b> Translation<'a, 'b> {
         }
     }
 
-    /// Translates all operations, and returns the arguments of the code.
+    /// Translates all operations, and returns what the code takes.
     pub(crate) fn run(mut self) -> Taken {
         for (_, op) in self.program.values() {
             let kept = self.operation(op);

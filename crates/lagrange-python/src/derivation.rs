@@ -1,11 +1,12 @@
 //! Systems from declarations, with additional products derived on demand.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
-use lagrange_core::pipeline::{Derived, Programs, System};
+use lagrange_core::pipeline::{Backend, Derived, Programs, System};
 use lagrange_dynamic::{DeclaredSystem, Source};
+use lagrange_jit::Compiler;
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::{PyResult, Python};
 
@@ -66,7 +67,8 @@ impl Derivatives {
     }
 }
 
-/// The system with a product, and with the values of another.
+/// The system with a product, and with the values of another. Its programs are compiled if those of
+/// the other are.
 fn with_product(
     py: Python<'_>,
     known: &OnceLock<DeclaredSystem>,
@@ -76,7 +78,8 @@ fn with_product(
     let mut system = match known.get() {
         Some(known) => known.clone(),
         None => {
-            let found = runnable(&derive(py, source.system_with(product))?)?;
+            let backend = values.numeric().backend().cloned();
+            let found = runnable(&derive(py, source.system_with(product))?, backend)?;
             known.get_or_init(|| found).clone()
         }
     };
@@ -104,11 +107,29 @@ pub(crate) fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult
     derived.map_err(|report| declaration_error(py, &report))
 }
 
-/// Returns a system that can be run.
+/// Returns a system that can be run, as machine code if there is a compiler.
 ///
 /// # Errors
-/// `ValueError` for what only compiled code can run.
-pub(crate) fn runnable(derived: &Derived) -> PyResult<DeclaredSystem> {
+/// `ValueError` for what only compiled Rust can run.
+pub(crate) fn runnable(derived: &Derived, backend: Option<Arc<dyn Backend>>) -> PyResult<DeclaredSystem> {
     let declared = DeclaredSystem::new(Programs::new(derived));
-    declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))
+    let declared = declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))?;
+    Ok(match backend {
+        Some(backend) => declared.compiled_by(backend),
+        None => declared,
+    })
+}
+
+/// Returns the compiler of machine code, one for all systems.
+///
+/// # Errors
+/// `ValueError` if it does not know the processor.
+pub(crate) fn compiler() -> PyResult<Arc<dyn Backend>> {
+    static COMPILER: OnceLock<Arc<Compiler>> = OnceLock::new();
+    if let Some(known) = COMPILER.get() {
+        return Ok(known.clone());
+    }
+    let unknown = |error| PyValueError::new_err(format!("{error}; `compile=False` interprets the system"));
+    let compiler = Compiler::for_this_processor().map_err(unknown)?;
+    Ok(COMPILER.get_or_init(|| compiler).clone())
 }

@@ -1,7 +1,8 @@
 //! Declared systems as a Python module.
 //!
-//! The module reads declarations as text, and interprets them by `lagrange-dynamic`: motions have
-//! the bits of compiled code. `lagrange.pyi` documents it for those who use it.
+//! The module reads declarations as text, compiles them by `lagrange-jit` and runs them by
+//! `lagrange-dynamic`: motions have the bits of compiled Rust. `lagrange.pyi` documents it for
+//! those who use it.
 #![forbid(unsafe_code)]
 
 mod columns;

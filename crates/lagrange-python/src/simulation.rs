@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use lagrange_dynamic::{DynamicSystem, Inline, RunSettings, Visitor};
+use lagrange_dynamic::{DynamicSystem, Inline, MethodChoice, RunSettings, Visitor};
 use lagrange_runtime::simulate::{SimulationError as RunError, Trajectory};
 use lagrange_runtime::system::{StateVector, StepFailure};
 use numpy::ToPyArray;
@@ -12,6 +12,29 @@ use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python};
 
 use crate::error::SimulationError;
 use crate::motion::{NewTrajectory, PyTrajectory};
+
+/// Returns the method of a name with its settings; a seed chooses the noise.
+///
+/// # Errors
+/// `ValueError` for settings that the method does not have.
+pub(crate) fn chosen(
+    name: Option<&str>,
+    tolerance: Option<f64>,
+    step: Option<f64>,
+    seed: Option<u64>,
+) -> PyResult<MethodChoice> {
+    let method = MethodChoice::new(name, tolerance, step);
+    let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    match (seed, &method) {
+        (None, _) => Ok(method),
+        (Some(seed), MethodChoice::EulerMaruyama { .. } | MethodChoice::StochasticRungeKutta4 { .. }) => {
+            Ok(method.with_seed(seed))
+        }
+        (Some(_), _) => {
+            Err(PyValueError::new_err("`seed` chooses the noise of the methods `maruyama` and `stochastic`"))
+        }
+    }
+}
 
 /// A run whose inputs are constant.
 pub(crate) struct FreeRun(pub(crate) RunSettings);

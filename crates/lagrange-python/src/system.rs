@@ -8,8 +8,7 @@ use lagrange_c::Module;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::Derived;
 use lagrange_dynamic::{
-    DeclaredFilm, DeclaredSystem, EnsembleSettings, FitSettings, MethodChoice, RunSettings, SearchSettings,
-    Source,
+    DeclaredFilm, DeclaredSystem, EnsembleSettings, FitSettings, RunSettings, SearchSettings, Source,
 };
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
@@ -17,14 +16,14 @@ use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
 use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
 use quote::quote;
 
-use crate::derivation::{Derivatives, copy_values, derive, runnable};
+use crate::derivation::{Derivatives, compiler, copy_values, derive, runnable};
 use crate::ensemble::{PyEnsemble, motions};
 use crate::error::declaration_error;
 use crate::fit::{self, PyFit};
 use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::picture::PyFilm;
-use crate::simulation::{DrivenRun, FreeRun};
+use crate::simulation::{DrivenRun, FreeRun, chosen};
 use crate::values::{check_values, pairs, start_of};
 
 /// A declared system with values for its parameters.
@@ -38,14 +37,21 @@ pub(crate) struct PySystem {
 #[pymethods]
 impl PySystem {
     #[new]
-    fn new(py: Python<'_>, text: String) -> PyResult<Self> {
+    #[pyo3(signature = (text, *, compile = true))]
+    fn new(py: Python<'_>, text: String, compile: bool) -> PyResult<Self> {
         let folder = std::env::current_dir().unwrap_or_default();
-        PySystem::of(py, Source { name: "<text>".to_owned(), text, folder })
+        PySystem::of(py, Source { name: "<text>".to_owned(), text, folder }, compile)
     }
 
     #[staticmethod]
-    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        PySystem::of(py, Source::read(&path).map_err(PyOSError::new_err)?)
+    #[pyo3(signature = (path, *, compile = true))]
+    fn read(py: Python<'_>, path: PathBuf, compile: bool) -> PyResult<Self> {
+        PySystem::of(py, Source::read(&path).map_err(PyOSError::new_err)?, compile)
+    }
+
+    #[getter]
+    fn is_compiled(&self) -> bool {
+        self.declared.numeric().backend().is_some()
     }
 
     /// Values of parameters, then of inputs, by name.
@@ -164,7 +170,7 @@ impl PySystem {
         Ok(outputs)
     }
 
-    #[pyo3(signature = (start=None, *, until, every=None, begin=0.0, method=None, tolerance=None, step=None, inputs=None, energy=false))]
+    #[pyo3(signature = (start=None, *, until, every=None, begin=0.0, method=None, tolerance=None, step=None, seed=None, inputs=None, energy=false))]
     #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
     fn simulate(
         &self,
@@ -176,11 +182,11 @@ impl PySystem {
         method: Option<&str>,
         tolerance: Option<f64>,
         step: Option<f64>,
+        seed: Option<u64>,
         inputs: Option<Bound<'_, PyAny>>,
         energy: bool,
     ) -> PyResult<Py<PyTrajectory>> {
-        let method = MethodChoice::new(method, tolerance, step);
-        let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let method = chosen(method, tolerance, step, seed)?;
         if energy && self.declared.programs().product(Product::Energy).is_none() {
             return Err(PyValueError::new_err("the declaration excludes the energy"));
         }
@@ -226,7 +232,7 @@ impl PySystem {
         Ok(PyFilm::new(film, height))
     }
 
-    #[pyo3(signature = (starts=None, *, until, parameters=None, begin=0.0, method=None, tolerance=None, step=None, threads=None))]
+    #[pyo3(signature = (starts=None, *, until, parameters=None, begin=0.0, method=None, tolerance=None, step=None, seed=None, threads=None))]
     #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
     fn ensemble(
         &self,
@@ -238,10 +244,10 @@ impl PySystem {
         method: Option<&str>,
         tolerance: Option<f64>,
         step: Option<f64>,
+        seed: Option<u64>,
         threads: Option<usize>,
     ) -> PyResult<Py<PyEnsemble>> {
-        let method = MethodChoice::new(method, tolerance, step);
-        let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let method = chosen(method, tolerance, step, seed)?;
         let (starts, varied) = motions(&self.declared, starts, parameters)?;
         let settings = EnsembleSettings { starts, varied, from: begin, until, method, threads };
         PyEnsemble::compute(py, &self.declared, &settings)
@@ -336,8 +342,9 @@ impl PySystem {
 }
 
 impl PySystem {
-    fn of(py: Python<'_>, source: Source) -> PyResult<Self> {
-        let declared = runnable(&derive(py, source.system())?)?;
+    fn of(py: Python<'_>, source: Source, compile: bool) -> PyResult<Self> {
+        let backend = compile.then(compiler).transpose()?;
+        let declared = runnable(&derive(py, source.system())?, backend)?;
         Ok(PySystem { source, declared, derivatives: Arc::default() })
     }
 

@@ -55,6 +55,39 @@ def test_rates_are_those_by_hand():
         assert system.outputs(0.0, y) == pytest.approx({"height": height}, abs=1e-14)
 
 
+@pytest.mark.parametrize("text", [DOUBLE, CART.replace("input u;", "input u = 0.3;"), BALL])
+def test_machine_code_has_the_bits_of_the_interpreter(text):
+    compiled, interpreted = lagrange.System(text), lagrange.System(text, compile=False)
+    assert compiled.is_compiled and not interpreted.is_compiled
+    assert compiled.with_parameters().is_compiled
+    motions = [system.simulate(until=2, every=0.1, energy=True) for system in (compiled, interpreted)]
+    np.testing.assert_array_equal(motions[0].y, motions[1].y)
+    np.testing.assert_array_equal(motions[0]["energy"], motions[1]["energy"])
+    assert [event[:2] for event in motions[0].events] == [event[:2] for event in motions[1].events]
+    y = compiled.start(**dict.fromkeys(compiled.state_names, 0.3))
+    for function in ("rhs", "mass_matrix", "jacobian", "parameter_jacobian"):
+        found, wanted = (getattr(system, function)(0.4, y) for system in (compiled, interpreted))
+        np.testing.assert_array_equal(found, wanted)
+
+
+def test_noise_follows_its_seed_and_has_its_density():
+    system = lagrange.System("coord x = 0; kinetic = 1/2 * dot(x)^2; noise push, density: 0.5; force x = push;")
+    for method in ("maruyama", "stochastic"):
+        settings = {"until": 2, "method": method, "step": 0.1}
+        default, zero, other = (system.simulate(**settings, **seed).y for seed in ({}, {"seed": 0}, {"seed": 7}))
+        np.testing.assert_array_equal(default, zero)
+        assert (default[-1] != other[-1]).all()
+        # Velocities are normal, with the variance 0.5 * 2: the bounds are four standard errors.
+        ends = system.ensemble({"x": np.zeros(4000)}, seed=7, **settings).y[:, 1]
+        assert abs(ends.mean()) < 4 / 4000**0.5
+        assert abs(ends.var() - 1) < 4 * (2 / 4000) ** 0.5
+    for wrong in ({}, {"method": "rk4", "step": 0.1}):
+        with pytest.raises(ValueError, match="`seed` chooses the noise"):
+            system.simulate(until=1, seed=1, **wrong)
+        with pytest.raises(ValueError, match="`seed` chooses the noise"):
+            system.ensemble(until=1, seed=1, **wrong)
+
+
 def test_motions_are_those_of_scipy():
     system = lagrange.System(DOUBLE)
     motion = system.simulate(until=5, every=0.5, tolerance=1e-12, energy=True)

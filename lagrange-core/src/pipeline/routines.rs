@@ -1,7 +1,7 @@
 //! Repeatedly run programs: their arguments, and their machine code if a compiler is available.
 //!
-//! This is the interface for compilers. The interpreter and compiled code give bit-identical
-//! results, so programs without code are interpreted, with no difference except in speed.
+//! This is where a compiler plugs in. Compiled code computes the bits of the interpreter. A program
+//! without code is interpreted, which changes nothing but the time.
 
 use std::fmt::Debug;
 use std::ptr;
@@ -132,8 +132,8 @@ impl Routines {
         self.routines.get(&address(program)).map_or_else(|| Taken::by(program), |routine| routine.taken)
     }
 
-    /// Returns the code of a program of the system; none if it calls functions that may be defined
-    /// later.
+    /// Returns the code of a program of the system. There is none if it calls functions that may be
+    /// defined later.
     pub(super) fn code(
         &self,
         program: &Program,
