@@ -1,5 +1,5 @@
-//! The price of the contact points of two cuboids: face on face, edge across edge, corner beside
-//! corner and far apart, and of a capsule on a face. `docs/contacts.md` has the table.
+//! The price of the contact points of two blocks that touch with faces, edges or corners, or are
+//! far apart. `docs/contacts.md` has the numbers.
 //!
 //! `cargo bench -p lagrange-benches --bench touches`
 

@@ -19,9 +19,9 @@
 //! A face takes precedence over edges that separate blocks by 10⁻⁹ of their size more. Contact
 //! points of a block at rest would otherwise change with rounding.
 //!
-//! A cube with the side 2 at the height 1.9 over another one of that size touches it in four
-//! points with the gap −0.1 and the normal (0, 0, 1). Moved by 1 along x, it keeps four points, of
-//! which two are at x = 0, where the upper cube ends, and two at x = 1, where the lower one does.
+//! A cube with the side 2 lies at the height 1.9 over another one. They touch in four points with
+//! the gap −0.1 and the normal (0, 0, 1). Moved by 1 along x, the upper cube keeps four points. Two
+//! are at x = 0, where it ends, and two at x = 1, where the lower one does.
 //!
 //! Source of separating axes: Gottschalk, Lin, Manocha, "OBBTree", *SIGGRAPH* 1996, §5. Of closest
 //! segments: Ericson, *Real-Time Collision Detection*, §5.1.9. Of clipping: Sutherland, Hodgman,
@@ -180,8 +180,8 @@ fn slack<S: Scalar>(size: S) -> S {
 ///
 /// They are the places in the coordinates of both blocks, the normal n, a tangent, and the gap less
 /// n·(p₁ − p₂). Both blocks are given by their centre, their axes and half sizes, and the radius
-/// around them. Nothing touches in places beyond the last contact point: the first one is repeated
-/// there, with a gap that is larger by the size of the blocks.
+/// around them. Places beyond the last contact point repeat the first one, with a gap that is
+/// larger by the size of the blocks. Nothing touches there.
 pub fn touches<S: Scalar, const M: usize>(numbers: [S; 32]) -> [S; M] {
     let block = |at: usize| {
         let triple = |from: usize| array::from_fn(|i| numbers[at + from + i]);

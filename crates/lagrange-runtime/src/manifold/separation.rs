@@ -1,10 +1,10 @@
 //! The direction in which two cuboids are farthest apart, or overlap least.
 //!
-//! The cuboids are apart along the unit vector n by n·d − Σ |n·a| h, where d is the vector between
-//! their centres and a h are their half sides. Normals of the faces of both and the products of
+//! Along the unit vector n, the cuboids are apart by n·d − Σ |n·a| h. Here, d is the vector between
+//! their centres, and a h are their half sides. Normals of the faces of both and the products of
 //! their edges are tried. If the largest of these distances is positive, they are apart, and it is
-//! a lower bound of their distance. Otherwise, it is the negative depth. A cuboid without a size along two axes
-//! is a segment and has no faces, one without any is a point.
+//! a lower bound of their distance. Otherwise, it is the negative depth. A cuboid without a size
+//! along two axes is a segment and has no faces, one without any is a point.
 
 use super::{Block, slack};
 use crate::linalg::space::{Triple, cross, multiple, norm};
