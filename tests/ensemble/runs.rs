@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use lagrange::Ensembles;
+use lagrange::contact::Stepped;
 use lagrange::ensemble::Moments;
 use lagrange::integrate::RungeKutta4;
 use lagrange::simulate::{Simulate, Trajectory};
@@ -33,6 +34,17 @@ lagrange::system! {
     event bounce = y, falling => impact(e);
 }
 
+lagrange::system! {
+    /// A wheel that falls on a floor with friction.
+    #[derive(Clone, Debug)]
+    struct Wheel;
+    param mu = 0.3, bounce = 0.5;
+    coord x, y, phi;
+    gravity = (0, -9.81);
+    body wheel { mass: 1; center: (x, y); angle: phi; shape: disk(0.2); }
+    contact touch = wheel on ground { friction: mu; restitution: bounce; }
+}
+
 #[test]
 fn another_method_is_that_of_a_single_run() {
     let pendulum = DoublePendulum::default();
@@ -47,6 +59,30 @@ fn another_method_is_that_of_a_single_run() {
             |found: &Trajectory<DoublePendulum>| found.column("energy").expect("known").last().copied();
         assert_eq!(ends.column("energy").expect("known").get(index).copied(), energy(&trajectory));
     }
+}
+
+#[test]
+fn steps_of_contacts_have_the_bits_of_single_runs() {
+    let wheel = Wheel::default();
+    let vary = |index: usize, wheel: &mut Wheel| wheel.mu = 0.02 * index as f64;
+    let start = |index: usize| [0.0, 0.3, 0.0, 1.0 + index as f64, 0.0, 0.0];
+    let ensemble = || wheel.ensemble(12).start(move |index, _| start(index)).parameters(vary).until(0.5);
+    let method = Stepped::every(1e-3);
+    let ends = ensemble().method(method).threads(2).run().expect("runs");
+    let samples = ensemble().method(method).every(0.05).run().expect("runs");
+    assert!(!ensemble().method(method).is_in_lanes() && ends.failures().is_empty());
+    for index in 0..12 {
+        let mut alone = wheel.clone();
+        vary(index, &mut alone);
+        let simulate = || alone.simulate(start(index)).until(0.5).method(method);
+        let bits = |state: [f64; 6]| state.map(f64::to_bits);
+        assert_eq!(ends.state(index).map(bits), Some(bits(simulate().run().expect("runs").last())));
+        let single = simulate().every(0.05).run().expect("runs");
+        let motion = samples.motion(index).expect("is there").expect("does not fail");
+        assert_eq!((single.x(), single.phi()), (motion.x(), motion.phi()));
+    }
+    let turned = [0, 11].map(|index| ends.phi()[index]);
+    assert!(turned[0] == 0.0 && turned[1] < -1.0, "friction turns the wheel: {turned:?}");
 }
 
 #[test]

@@ -74,6 +74,27 @@ mod bar {
 }
 use bar::Bar;
 
+/// Rods in parts of parts, with units and single precision.
+mod rafts {
+    lagrange::system! {
+        #[scalar(f32)]
+        #[derive(Clone, Debug)]
+        pub struct Rafts;
+        param m: kg = 1, j: kg*m^2 = 0.1, l: m = 1, r: m = 0.1;
+        part Pair(m, j, l, r) {
+            for i in 0..2 {
+                body log[i] { mass: m; inertia: (j / 10, j, j); shape: slender_rod(l); }
+                free log[i];
+            }
+            contact touch = log[1] on log[0] { friction: 0.5; radius: r; }
+        }
+        part Raft(m, j, l, r) { pair[i in 0..2]: Pair { m: m; j: j; l: l; r: r; } }
+        raft: Raft { m: m; j: j; l: l; r: r; }
+        output gap = raft.pair[1].touch[0].gap;
+    }
+}
+use rafts::Rafts;
+
 /// A place at rest, upright.
 fn at(x: f64, y: f64, z: f64) -> [f64; 7] {
     [x, y, z, 1.0, 0.0, 0.0, 0.0]
@@ -194,6 +215,24 @@ fn a_bar_rolls_over_faces() {
         assert!((run.last()[15] - path).abs() < 0.5 * h, "{} {path}", run.last()[15]);
         assert!((run.last()[16] - 0.5).abs() < 1e-6, "{}", run.last()[16]);
     }
+}
+
+/// Parallel rods and crossed ones meet with 1 m/s, and move on together with half of it.
+#[test]
+fn rods_of_parts_in_parts_meet_in_single_precision() {
+    let places = [at(0.0, 0.0, 0.0), at(0.0, 0.0, 0.15), at(0.0, 5.0, 0.0), at(0.0, 5.0, 0.15)];
+    let mut start = state::<4, 52>(places).map(|entry| entry as f32);
+    let across = std::f32::consts::FRAC_1_SQRT_2;
+    (start[24], start[27]) = (across, across);
+    (start[36], start[48]) = (-1.0, -1.0);
+    let rafts = Rafts::default();
+    let run = rafts.simulate(start).until(0.2).method(Stepped::every(1e-3)).record("gap");
+    let run = run.run().expect("they meet");
+    for entry in [30, 36, 42, 48] {
+        assert!((run.last()[entry] + 0.5).abs() < 1e-4, "{entry}: {:?}", run.last());
+    }
+    let gap = run.column("gap").expect("recorded");
+    assert!((gap[0] - 0.05).abs() < 1e-6 && gap[gap.len() - 1].abs() < 1e-5, "{gap:?}");
 }
 
 fn random(seed: &mut u64) -> f64 {

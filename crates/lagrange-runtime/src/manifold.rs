@@ -7,38 +7,39 @@
 //!
 //! 1. **Separation** (`separation`): the faces of both cuboids and the products of their edges are
 //!    all directions in which they may be apart, or overlap least.
-//! 2. **Faces** (`faces`): if a face separates them most, the opposite face is clipped by its
-//!    sides. Each corner of what remains is a contact point, with its own gap along the normal.
-//! 3. **Features** (`features`): where two edges, an edge and a corner or two corners are closest,
-//!    their closest points are the only contact. Parallel edges have one at either end.
+//! 2. **Faces** (`faces`): if a face separates them most, its sides clip the opposite face. Each
+//!    corner of what remains is a contact point, with its own gap along the normal.
+//! 3. **Features** (`features`): otherwise, edges or corners are closest. Their closest points are
+//!    the only contact, but parallel edges have one at either end of what they share.
 //!
 //! The smallest gap is the distance of the blocks, and if they overlap the negative depth. The
 //! depth is the length of the shortest displacement that separates them. Blocks that are farther
-//! apart than their sizes have one contact with a lower bound of their distance. A face takes
-//! precedence over edges that separate blocks by 10⁻⁹ of their size more: those of a block at rest
-//! would otherwise change with rounding.
+//! apart than their sizes have one contact with a lower bound of their distance.
 //!
-//! A cube with the side 2 at the height 1.9 over another one of that size touches it in four
-//! points with the gap −0.1 and the normal (0, 0, 1). Moved by 1 along x, it keeps four points, of
-//! which two are at x = 0, where the upper cube ends, and two at x = 1, where the lower one does.
+//! A face takes precedence over edges that separate blocks by 10⁻⁹ of their size more. Contact
+//! points of a block at rest would otherwise change with rounding.
 //!
-//! Sources: Gottschalk, Lin, Manocha, "OBBTree", *SIGGRAPH* 1996, §5, on separating axes; Ericson,
-//! *Real-Time Collision Detection*, §5.1.9, on segments; Sutherland, Hodgman, "Reentrant polygon
-//! clipping", *Commun. ACM* 17 (1974) 32–42.
+//! A cube with the side 2 lies at the height 1.9 over another one. They touch in four points with
+//! the gap −0.1 and the normal (0, 0, 1). Moved by 1 along x, the upper cube keeps four points. Two
+//! are at x = 0, where it ends, and two at x = 1, where the lower one does.
+//!
+//! Source of separating axes: Gottschalk, Lin, Manocha, "OBBTree", *SIGGRAPH* 1996, §5. Of closest
+//! segments: Ericson, *Real-Time Collision Detection*, §5.1.9. Of clipping: Sutherland, Hodgman,
+//! "Reentrant polygon clipping", *Commun. ACM* 17 (1974) 32–42.
 
 mod faces;
 mod features;
 mod separation;
 #[cfg(test)]
 mod tests;
-mod vectors;
 
 use core::array;
 
 use self::faces::between_faces;
 use self::features::closest_features;
 use self::separation::{Separation, separation};
-use self::vectors::{Vector, along, inner, minus, norm, scaled};
+use crate::linalg::space::{Triple, multiple, norm};
+use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 
 /// The largest number of points in which two blocks touch.
@@ -92,24 +93,24 @@ impl<S: Scalar> Block<S> {
     }
 
     /// The place of a point in its axes, from its centre.
-    fn own(&self, point: &Vector<S>) -> Vector<S> {
-        let arm = minus(point, &self.center);
-        self.axes.map(|axis| inner(&axis, &arm))
+    fn own(&self, point: &Triple<S>) -> Triple<S> {
+        let arm = difference(point, &self.center);
+        self.axes.map(|axis| dot(&axis, &arm))
     }
 
     /// The place of own coordinates.
-    fn place(&self, own: &Vector<S>) -> Vector<S> {
+    fn place(&self, own: &Triple<S>) -> Triple<S> {
         let mut place = self.center;
         for (axis, &length) in self.axes.iter().zip(own) {
-            place = along(&place, length, axis);
+            place = combined(&place, length, axis);
         }
         place
     }
 
     /// Half of the extent along a direction.
-    fn reach(&self, direction: &Vector<S>) -> S {
+    fn reach(&self, direction: &Triple<S>) -> S {
         let shares = self.axes.iter().zip(&self.half);
-        shares.fold(S::ZERO, |sum, (axis, half)| inner(axis, direction).abs().multiply_add(*half, sum))
+        shares.fold(S::ZERO, |sum, (axis, half)| dot(axis, direction).abs().multiply_add(*half, sum))
     }
 }
 
@@ -175,13 +176,12 @@ fn slack<S: Scalar>(size: S) -> S {
     S::from_f64(0.0625) * S::epsilon().sqrt() * size
 }
 
-/// Returns the first K contact points of two blocks as numbers: for each its places in the
-/// coordinates of both blocks, its normal, a tangent, and what is to be added to n·(p₁ − p₂) for
-/// the gap.
+/// Returns the first contact points of two blocks as numbers.
 ///
-/// Both blocks are given by their centre, their axes and half sizes, and the radius around them.
-/// Places without a contact point have the first one with a gap that is larger by the size of the
-/// blocks, so that nothing touches there.
+/// They are the places in the coordinates of both blocks, the normal n, a tangent, and the gap less
+/// n·(p₁ − p₂). Both blocks are given by their centre, their axes and half sizes, and the radius
+/// around them. Places beyond the last contact point repeat the first one, with a gap that is
+/// larger by the size of the blocks. Nothing touches there.
 pub fn touches<S: Scalar, const M: usize>(numbers: [S; 32]) -> [S; M] {
     let block = |at: usize| {
         let triple = |from: usize| array::from_fn(|i| numbers[at + from + i]);
@@ -194,7 +194,7 @@ pub fn touches<S: Scalar, const M: usize>(numbers: [S; 32]) -> [S; M] {
     for (k, results) in results.chunks_mut(TOUCH_LENGTH).enumerate() {
         let is_present = k < found.count;
         let touch = &found.touches[if is_present { k } else { 0 }];
-        let core = inner(&touch.normal, &minus(&touch.on_first, &touch.on_second));
+        let core = dot(&touch.normal, &difference(&touch.on_first, &touch.on_second));
         let beyond = if is_present { S::ZERO } else { first.size() + second.size() };
         let [a, b] = [first.own(&touch.on_first), second.own(&touch.on_second)];
         let tangent = tangent(&second, &touch.normal);
@@ -206,10 +206,10 @@ pub fn touches<S: Scalar, const M: usize>(numbers: [S; 32]) -> [S; M] {
 }
 
 /// The unit vector across a normal that is closest to the axis of a block the least along it.
-fn tangent<S: Scalar>(block: &Block<S>, normal: &Vector<S>) -> Vector<S> {
-    let slope = |axis: usize| inner(&block.axes[axis], normal).abs();
+fn tangent<S: Scalar>(block: &Block<S>, normal: &Triple<S>) -> Triple<S> {
+    let slope = |axis: usize| dot(&block.axes[axis], normal).abs();
     let least = (1..3).fold(0, |least, axis| if slope(axis) < slope(least) { axis } else { least });
     let axis = &block.axes[least];
-    let across = along(axis, -inner(axis, normal), normal);
-    scaled(S::ONE / norm(&across), &across)
+    let across = combined(axis, -dot(axis, normal), normal);
+    multiple(S::ONE / norm(&across), &across)
 }

@@ -126,8 +126,8 @@ impl Opaque {
         matches!(self.function.source, Source::ContactPoints { .. })
     }
 
-    /// Returns the place among the values that are computed together. It is 0 but for parts of the
-    /// solution of several equations, and of contact points.
+    /// Returns the place among the values that are computed together: those of several equations,
+    /// or of contact points. It is 0 for others.
     pub fn place(&self) -> usize {
         match self.function.source {
             Source::Equation { place, .. } | Source::ContactPoints { place, .. } => place,

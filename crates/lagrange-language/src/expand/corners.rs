@@ -25,7 +25,7 @@ const POINTS_OF_RODS: usize = 2;
 /// their arrays.
 type CornerCounts = HashMap<String, [usize; 2]>;
 
-/// What touches: a function of a body, and the number of its values.
+/// Touching points: a function of a body, and the number of its values.
 struct Numbered {
     body: AstId,
     function: &'static str,

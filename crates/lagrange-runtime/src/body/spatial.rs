@@ -11,9 +11,8 @@
 //! Mechanics*, §4.9, 5.1 and 5.3.
 
 use crate::Scalar;
-
-/// A vector in space.
-type Vector<S> = [S; 3];
+use crate::linalg::space::{Triple, cross, multiple};
+use crate::linalg::vector::{combined, difference, dot};
 
 /// The motion of a rigid body in space at one moment.
 ///
@@ -46,50 +45,51 @@ pub struct SpatialMotion<S> {
     /// The mass.
     pub mass: S,
     /// The tensor of inertia about the centre of mass in the body's own axes, in rows. It is zero
-    /// for a body that never rotates and declares none.
-    pub inertia: [Vector<S>; 3],
+    /// for a body that never turns and declares none.
+    pub inertia: [Triple<S>; 3],
     /// The centre of mass in own coordinates.
-    pub centroid: Vector<S>,
+    pub centroid: Triple<S>,
     /// The position of the centre of mass.
-    pub center: Vector<S>,
-    /// The rotation R from own axes to world axes, in rows: its columns are the body's axes.
-    pub rotation: [Vector<S>; 3],
+    pub center: Triple<S>,
+    /// The rotation R from own axes to those of the world, in rows: its columns are the body's
+    /// axes.
+    pub rotation: [Triple<S>; 3],
     /// The velocity of the centre of mass.
-    pub velocity: Vector<S>,
+    pub velocity: Triple<S>,
     /// The angular velocity ω.
-    pub angular_velocity: Vector<S>,
+    pub angular_velocity: Triple<S>,
     /// The acceleration of the centre of mass.
-    pub acceleration: Vector<S>,
+    pub acceleration: Triple<S>,
     /// The angular acceleration ω̇.
-    pub angular_acceleration: Vector<S>,
+    pub angular_acceleration: Triple<S>,
 }
 
 /// Places and directions.
 impl<S: Scalar> SpatialMotion<S> {
     /// Computes R a: rotates a direction from own axes into the world.
     #[must_use]
-    pub fn vector(&self, own: Vector<S>) -> Vector<S> {
-        self.rotation.map(|row| inner(row, own))
+    pub fn vector(&self, own: Triple<S>) -> Triple<S> {
+        self.rotation.map(|row| dot(&row, &own))
     }
 
     /// Computes Rᵀ v, the components of a world vector in own axes: the inverse of
     /// [`vector`](SpatialMotion::vector).
     #[must_use]
-    pub fn to_body(self, vector: Vector<S>) -> Vector<S> {
+    pub fn to_body(self, vector: Triple<S>) -> Triple<S> {
         let [x, y, z] = self.rotation;
-        let [along_x, along_y] = [scaled(vector[0], x), scaled(vector[1], y)];
-        sum(sum(along_x, along_y), scaled(vector[2], z))
+        let [along_x, along_y] = [multiple(vector[0], &x), multiple(vector[1], &y)];
+        sum(sum(along_x, along_y), multiple(vector[2], &z))
     }
 
     /// Returns the place of the point with these own coordinates.
     #[must_use]
-    pub fn point(&self, own: Vector<S>) -> Vector<S> {
+    pub fn point(&self, own: Triple<S>) -> Triple<S> {
         sum(self.center, self.arm(own))
     }
 
-    /// Returns ρ from the centre of mass to a point.
-    fn arm(&self, own: Vector<S>) -> Vector<S> {
-        self.vector(difference(own, self.centroid))
+    /// ρ from the centre of mass to a point.
+    fn arm(&self, own: Triple<S>) -> Triple<S> {
+        self.vector(difference(&own, &self.centroid))
     }
 }
 
@@ -97,16 +97,16 @@ impl<S: Scalar> SpatialMotion<S> {
 impl<S: Scalar> SpatialMotion<S> {
     /// Returns the velocity v_S + ω × ρ of the point with these own coordinates.
     #[must_use]
-    pub fn velocity_of(&self, own: Vector<S>) -> Vector<S> {
-        sum(self.velocity, cross(self.angular_velocity, self.arm(own)))
+    pub fn velocity_of(&self, own: Triple<S>) -> Triple<S> {
+        sum(self.velocity, cross(&self.angular_velocity, &self.arm(own)))
     }
 
     /// Returns the acceleration a_S + α × ρ + ω × (ω × ρ) of the point with these own coordinates.
     #[must_use]
-    pub fn acceleration_of(&self, own: Vector<S>) -> Vector<S> {
+    pub fn acceleration_of(&self, own: Triple<S>) -> Triple<S> {
         let (arm, spin) = (self.arm(own), self.angular_velocity);
-        let tangential = cross(self.angular_acceleration, arm);
-        let centripetal = cross(spin, cross(spin, arm));
+        let tangential = cross(&self.angular_acceleration, &arm);
+        let centripetal = cross(&spin, &cross(&spin, &arm));
         sum(self.acceleration, sum(tangential, centripetal))
     }
 }
@@ -115,20 +115,20 @@ impl<S: Scalar> SpatialMotion<S> {
 impl<S: Scalar> SpatialMotion<S> {
     /// Computes m v_S.
     #[must_use]
-    pub fn linear_momentum(&self) -> Vector<S> {
-        scaled(self.mass, self.velocity)
+    pub fn linear_momentum(&self) -> Triple<S> {
+        multiple(self.mass, &self.velocity)
     }
 
     /// Returns the angular momentum m r_S × v_S + R J Rᵀ ω about the origin of the world.
     #[must_use]
-    pub fn angular_momentum(&self) -> Vector<S> {
+    pub fn angular_momentum(&self) -> Triple<S> {
         self.angular_momentum_about([S::ZERO; 3])
     }
 
     /// Returns the angular momentum m (r_S − r_P) × v_S + R J Rᵀ ω about a place P at rest.
     #[must_use]
-    pub fn angular_momentum_about(&self, place: Vector<S>) -> Vector<S> {
-        let orbital = cross(difference(self.center, place), self.linear_momentum());
+    pub fn angular_momentum_about(&self, place: Triple<S>) -> Triple<S> {
+        let orbital = cross(&difference(&self.center, &place), &self.linear_momentum());
         sum(orbital, self.vector(self.own_spin()[1]))
     }
 
@@ -136,35 +136,19 @@ impl<S: Scalar> SpatialMotion<S> {
     #[must_use]
     pub fn kinetic_energy(&self) -> S {
         let [own, momentum] = self.own_spin();
-        let twice = self.mass * inner(self.velocity, self.velocity) + inner(own, momentum);
+        let twice = self.mass * dot(&self.velocity, &self.velocity) + dot(&own, &momentum);
         S::from_f64(0.5) * twice
     }
 
-    /// Returns ω and J ω in own axes.
-    fn own_spin(&self) -> [Vector<S>; 2] {
+    /// ω and J ω in own axes.
+    fn own_spin(&self) -> [Triple<S>; 2] {
         let own = self.to_body(self.angular_velocity);
-        [own, self.inertia.map(|row| inner(row, own))]
+        [own, self.inertia.map(|row| dot(&row, &own))]
     }
 }
 
-fn sum<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-fn difference<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn scaled<S: Scalar>(factor: S, a: Vector<S>) -> Vector<S> {
-    a.map(|component| factor * component)
-}
-
-fn inner<S: Scalar>(a: Vector<S>, b: Vector<S>) -> S {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+fn sum<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Triple<S> {
+    combined(&a, S::ONE, &b)
 }
 
 #[cfg(test)]

@@ -13,4 +13,5 @@ pub(crate) mod ranked;
 pub(crate) mod singular;
 #[cfg(any(feature = "linear", feature = "fit"))]
 pub(crate) mod singular_values;
+pub(crate) mod space;
 pub(crate) mod vector;

@@ -1,8 +1,9 @@
 //! Contact points of a face and what lies on it.
 
 use super::separation::Separation;
-use super::vectors::{Vector, along, inner, minus};
 use super::{Block, Manifold, Touch};
+use crate::linalg::space::Triple;
+use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 
 /// Corners of a face that is clipped by four planes.
@@ -10,7 +11,7 @@ const MOST_CORNERS: usize = 8;
 
 /// A convex polygon.
 struct Polygon<S> {
-    corners: [Vector<S>; MOST_CORNERS],
+    corners: [Triple<S>; MOST_CORNERS],
     count: usize,
 }
 
@@ -19,12 +20,12 @@ impl<S: Scalar> Polygon<S> {
         Polygon { corners: [[S::ZERO; 3]; MOST_CORNERS], count: 0 }
     }
 
-    fn corners(&self) -> &[Vector<S>] {
+    fn corners(&self) -> &[Triple<S>] {
         &self.corners[..self.count]
     }
 
     /// Adds a corner, unless it is there already. Segments and points count as polygons.
-    fn push(&mut self, corner: Vector<S>) {
+    fn push(&mut self, corner: Triple<S>) {
         if self.count < MOST_CORNERS && !self.corners().contains(&corner) {
             self.corners[self.count] = corner;
             self.count += 1;
@@ -32,9 +33,9 @@ impl<S: Scalar> Polygon<S> {
     }
 
     /// The part of it in which n·p ≤ limit.
-    fn clipped(&self, normal: &Vector<S>, limit: S) -> Self {
+    fn clipped(&self, normal: &Triple<S>, limit: S) -> Self {
         let mut clipped = Polygon::new();
-        let beyond = |corner: &Vector<S>| inner(normal, corner) - limit;
+        let beyond = |corner: &Triple<S>| dot(normal, corner) - limit;
         for (k, corner) in self.corners().iter().enumerate() {
             let next = &self.corners()[(k + 1) % self.count];
             let (here, there) = (beyond(corner), beyond(next));
@@ -43,9 +44,9 @@ impl<S: Scalar> Polygon<S> {
             }
             // From inside to outside, so that a segment is cut in the same point both ways.
             if here < S::ZERO && there > S::ZERO {
-                clipped.push(along(corner, here / (here - there), &minus(next, corner)));
+                clipped.push(combined(corner, here / (here - there), &difference(next, corner)));
             } else if there < S::ZERO && here > S::ZERO {
-                clipped.push(along(next, there / (there - here), &minus(corner, next)));
+                clipped.push(combined(next, there / (there - here), &difference(corner, next)));
             }
         }
         clipped
@@ -66,14 +67,14 @@ pub(super) fn between_faces<S: Scalar>(
     let mut polygon = facing(other, &outward);
     for side in (0..3).filter(|&side| side != axis) {
         let (direction, half) = (owner.axes[side], owner.half[side]);
-        let middle = inner(&direction, &owner.center);
+        let middle = dot(&direction, &owner.center);
         polygon = polygon.clipped(&direction, middle + half);
         polygon = polygon.clipped(&direction.map(|component| -component), half - middle);
     }
-    let level = inner(&outward, &owner.center) + owner.half[axis];
+    let level = dot(&outward, &owner.center) + owner.half[axis];
     for corner in polygon.corners() {
-        let gap = inner(&outward, corner) - level;
-        let foot = along(corner, -gap, &outward);
+        let gap = dot(&outward, corner) - level;
+        let foot = combined(corner, -gap, &outward);
         let (on_first, on_second) = if is_first { (foot, *corner) } else { (*corner, foot) };
         manifold.push(Touch { on_first, on_second, normal: found.normal, gap });
     }
@@ -81,8 +82,8 @@ pub(super) fn between_faces<S: Scalar>(
 }
 
 /// The face of a cuboid that lies against a direction the most; of a segment an end or all of it.
-fn facing<S: Scalar>(block: &Block<S>, outward: &Vector<S>) -> Polygon<S> {
-    let slope = |axis: usize| inner(&block.axes[axis], outward);
+fn facing<S: Scalar>(block: &Block<S>, outward: &Triple<S>) -> Polygon<S> {
+    let slope = |axis: usize| dot(&block.axes[axis], outward);
     let steepest =
         (1..3).fold(0, |best, axis| if slope(axis).abs() > slope(best).abs() { axis } else { best });
     let [u, v] = [(steepest + 1) % 3, (steepest + 2) % 3];

@@ -1,23 +1,24 @@
 //! Closest points of corners, edges and faces.
 
 use super::separation::{Separation, parallel};
-use super::vectors::{Vector, along, clamped, cross, inner, minus, norm, scaled};
 use super::{Block, Manifold, Touch, slack};
+use crate::linalg::space::{Triple, cross, multiple, norm};
+use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 
 /// A pair of points in both cuboids.
 #[derive(Clone, Copy)]
 struct Pair<S> {
-    on_first: Vector<S>,
-    on_second: Vector<S>,
+    on_first: Triple<S>,
+    on_second: Triple<S>,
     distance: S,
 }
 
 /// An edge: its middle, its direction and half of its length.
 #[derive(Clone, Copy)]
 struct Edge<S> {
-    middle: Vector<S>,
-    direction: Vector<S>,
+    middle: Triple<S>,
+    direction: Triple<S>,
     half: S,
 }
 
@@ -35,7 +36,7 @@ pub(super) fn closest_features<S: Scalar>(
     let mut manifold = Manifold::new();
     if let Some((i, j)) = found.edges {
         let [a, b] = [(first, i, -S::ONE), (second, j, S::ONE)]
-            .map(|(block, axis, side)| supporting(block, axis, &scaled(side, &found.normal)));
+            .map(|(block, axis, side)| supporting(block, axis, &multiple(side, &found.normal)));
         let pair = nearest(&a, &b);
         if (pair.distance - found.distance.abs()).abs() <= slack(size) {
             let Pair { on_first, on_second, .. } = pair;
@@ -47,7 +48,7 @@ pub(super) fn closest_features<S: Scalar>(
     let Some(pair) = pair else { return undefined(manifold) };
     let is_apart = found.distance > S::ZERO || pair.distance > slack(size);
     let normal = match is_apart && pair.distance > S::ZERO {
-        true => scaled(S::ONE / pair.distance, &minus(&pair.on_first, &pair.on_second)),
+        true => multiple(S::ONE / pair.distance, &difference(&pair.on_first, &pair.on_second)),
         false => found.normal,
     };
     let gap = if is_apart { pair.distance } else { found.distance };
@@ -69,10 +70,10 @@ fn undefined<S: Scalar>(mut manifold: Manifold<S>) -> Manifold<S> {
 }
 
 /// The edge along an axis that reaches farthest in a direction.
-fn supporting<S: Scalar>(block: &Block<S>, axis: usize, direction: &Vector<S>) -> Edge<S> {
+fn supporting<S: Scalar>(block: &Block<S>, axis: usize, direction: &Triple<S>) -> Edge<S> {
     let own = [0, 1, 2].map(|other| match other == axis {
         true => S::ZERO,
-        false if inner(&block.axes[other], direction) < S::ZERO => -block.half[other],
+        false if dot(&block.axes[other], direction) < S::ZERO => -block.half[other],
         false => block.half[other],
     });
     Edge { middle: block.place(&own), direction: block.axes[axis], half: block.half[axis] }
@@ -92,11 +93,11 @@ fn closest_pair<S: Scalar>(first: &Block<S>, second: &Block<S>) -> (Option<Pair<
     }
     let corners = corners(first).map(|corner| {
         let on_second = within(second, &corner);
-        Pair { on_first: corner, on_second, distance: norm(&minus(&corner, &on_second)) }
+        Pair { on_first: corner, on_second, distance: norm(&difference(&corner, &on_second)) }
     });
     let others = self::corners(second).map(|corner| {
         let on_first = within(first, &corner);
-        Pair { on_first, on_second: corner, distance: norm(&minus(&corner, &on_first)) }
+        Pair { on_first, on_second: corner, distance: norm(&difference(&corner, &on_first)) }
     });
     for pair in corners.chain(others) {
         // Equal distances are those of edges, of which two points are known.
@@ -108,7 +109,7 @@ fn closest_pair<S: Scalar>(first: &Block<S>, second: &Block<S>) -> (Option<Pair<
 }
 
 /// The corners of a cuboid, each once.
-fn corners<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Vector<S>> + '_ {
+fn corners<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Triple<S>> + '_ {
     (0..8).filter_map(move |number| {
         let is_above = |axis: usize| number >> axis & 1 == 1;
         let is_repeated = (0..3).any(|axis| is_above(axis) && !block.extends(axis));
@@ -135,18 +136,18 @@ fn edges<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Edge<S>> + '_ {
 }
 
 /// The point of a cuboid that is closest to another.
-fn within<S: Scalar>(block: &Block<S>, point: &Vector<S>) -> Vector<S> {
+fn within<S: Scalar>(block: &Block<S>, point: &Triple<S>) -> Triple<S> {
     let own = block.own(point);
     block.place(&[0, 1, 2].map(|axis| clamped(own[axis], block.half[axis])))
 }
 
 /// The closest points of two edges; of parallel ones those at the middle of what they share.
 fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {
-    let arm = minus(&a.middle, &b.middle);
-    let cosine = inner(&a.direction, &b.direction);
-    let (on_a, on_b) = (inner(&a.direction, &arm), inner(&b.direction, &arm));
+    let arm = difference(&a.middle, &b.middle);
+    let cosine = dot(&a.direction, &b.direction);
+    let (on_a, on_b) = (dot(&a.direction, &arm), dot(&b.direction, &arm));
     let across = cross(&a.direction, &b.direction);
-    let square = inner(&across, &across);
+    let square = dot(&across, &across);
     let at = |first: S| clamped(cosine.multiply_add(first, on_b), b.half);
     if square <= parallel::<S>() * parallel::<S>()
         && let Some([from, to]) = shared(a, b)
@@ -161,14 +162,14 @@ fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {
 }
 
 fn pair_at<S: Scalar>(a: &Edge<S>, b: &Edge<S>, first: S, second: S) -> Pair<S> {
-    let on_first = along(&a.middle, first, &a.direction);
-    let on_second = along(&b.middle, second, &b.direction);
-    Pair { on_first, on_second, distance: norm(&minus(&on_first, &on_second)) }
+    let on_first = combined(&a.middle, first, &a.direction);
+    let on_second = combined(&b.middle, second, &b.direction);
+    Pair { on_first, on_second, distance: norm(&difference(&on_first, &on_second)) }
 }
 
 /// The part of the first of two parallel edges that is beside the second.
 fn shared<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[S; 2]> {
-    let offset = inner(&a.direction, &minus(&b.middle, &a.middle));
+    let offset = dot(&a.direction, &difference(&b.middle, &a.middle));
     let from = (offset - b.half).max(-a.half);
     let to = (offset + b.half).min(a.half);
     (from < to).then_some([from, to])
@@ -180,8 +181,19 @@ fn shared_ends<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[Pair<S>; 2]> {
     if norm(&across) > parallel() {
         return None;
     }
-    let arm = minus(&a.middle, &b.middle);
-    let (on_b, cosine) = (inner(&b.direction, &arm), inner(&a.direction, &b.direction));
+    let arm = difference(&a.middle, &b.middle);
+    let (on_b, cosine) = (dot(&b.direction, &arm), dot(&a.direction, &b.direction));
     let at = |first: S| pair_at(a, b, first, clamped(cosine.multiply_add(first, on_b), b.half));
     shared(a, b).map(|ends| ends.map(at))
+}
+
+/// A number moved into [−limit, limit]. If it is NaN, it stays so.
+fn clamped<S: Scalar>(value: S, limit: S) -> S {
+    if value > limit {
+        limit
+    } else if value < -limit {
+        -limit
+    } else {
+        value
+    }
 }

@@ -1,19 +1,20 @@
 //! The direction in which two cuboids are farthest apart, or overlap least.
 //!
-//! The cuboids are apart along the unit vector n by n·d − Σ |n·a| h, where d is the vector between
-//! their centres and a h are their half sides. The largest of these distances over the faces of
-//! both and the products of their edges is positive if they are apart, and is then a lower bound
-//! of their distance. Otherwise, it is the negative depth. A cuboid without a size along two axes
-//! is a segment and has no faces, one without any is a point.
+//! Along the unit vector n, the cuboids are apart by n·d − Σ |n·a| h. Here, d is the vector between
+//! their centres, and a h are their half sides. Normals of the faces of both and the products of
+//! their edges are tried. If the largest of these distances is positive, they are apart, and it is
+//! a lower bound of their distance. Otherwise, it is the negative depth. A cuboid without a size
+//! along two axes is a segment and has no faces, one without any is a point.
 
-use super::vectors::{Vector, cross, inner, minus, norm, scaled};
 use super::{Block, slack};
+use crate::linalg::space::{Triple, cross, multiple, norm};
+use crate::linalg::vector::{difference, dot};
 use crate::scalar::Scalar;
 
 /// A direction with the distance along it.
 pub(super) struct Separation<S> {
     /// The unit vector from the second cuboid to the first.
-    pub(super) normal: Vector<S>,
+    pub(super) normal: Triple<S>,
     pub(super) distance: S,
     /// The face whose normal it is: whether of the first cuboid, and its axis.
     pub(super) face: Option<(bool, usize)>,
@@ -23,9 +24,9 @@ pub(super) struct Separation<S> {
 
 /// The direction in which two cuboids are farthest apart. A face takes precedence over edges.
 pub(super) fn separation<S: Scalar>(first: &Block<S>, second: &Block<S>, size: S) -> Separation<S> {
-    let arm = minus(&first.center, &second.center);
-    let measure = |normal: Vector<S>, face, edges| {
-        let ahead = inner(&normal, &arm);
+    let arm = difference(&first.center, &second.center);
+    let measure = |normal: Triple<S>, face, edges| {
+        let ahead = dot(&normal, &arm);
         let normal = if ahead < S::ZERO { normal.map(|component| -component) } else { normal };
         let distance = ahead.abs() - first.reach(&normal) - second.reach(&normal);
         Separation { normal, distance, face, edges }
@@ -65,28 +66,28 @@ pub(super) fn parallel<S: Scalar>() -> S {
 }
 
 /// The unit vector across two edges; `None` if they are parallel.
-fn product<S: Scalar>(a: &Vector<S>, b: &Vector<S>) -> Option<Vector<S>> {
+fn product<S: Scalar>(a: &Triple<S>, b: &Triple<S>) -> Option<Triple<S>> {
     let across = cross(a, b);
     let length = norm(&across);
-    (length > parallel()).then(|| scaled(S::ONE / length, &across))
+    (length > parallel()).then(|| multiple(S::ONE / length, &across))
 }
 
 /// A direction for parallel segments or points: that of the vector between them, or if they
 /// overlap any across.
-fn aside<S: Scalar>(first: &Block<S>, second: &Block<S>, arm: &Vector<S>) -> Vector<S> {
+fn aside<S: Scalar>(first: &Block<S>, second: &Block<S>, arm: &Triple<S>) -> Triple<S> {
     let segment = [first, second].into_iter().find_map(|block| {
         let axis = (0..3).find(|&axis| block.extends(axis))?;
         Some(block.axes[axis])
     });
     let axis = segment.unwrap_or([S::ZERO; 3]);
-    let across = minus(arm, &scaled(inner(&axis, arm), &axis));
+    let across = difference(arm, &multiple(dot(&axis, arm), &axis));
     let length = norm(&across);
     if length > S::ZERO {
-        return scaled(S::ONE / length, &across);
+        return multiple(S::ONE / length, &across);
     }
     let least = (0..3).fold(0, |least, i| if axis[i].abs() < axis[least].abs() { i } else { least });
     let mut other = [S::ZERO; 3];
     other[least] = S::ONE;
-    let across = minus(&other, &scaled(inner(&axis, &other), &axis));
-    scaled(S::ONE / norm(&across), &across)
+    let across = difference(&other, &multiple(dot(&axis, &other), &axis));
+    multiple(S::ONE / norm(&across), &across)
 }

@@ -3,8 +3,9 @@
 
 use std::vec::Vec;
 
-use super::vectors::{along, inner, minus, norm};
 use super::{Block, Manifold, Touch, manifold, touches};
+use crate::linalg::space::norm;
+use crate::linalg::vector::{combined, difference, dot};
 
 /// `tools/manifold.py` writes it, and has the same generator.
 const GAPS: &str = include_str!("tests/gaps.csv");
@@ -62,13 +63,13 @@ fn check(first: &Block<f64>, second: &Block<f64>, found: &Manifold<f64>) {
             let is_within = (0..3).all(|axis| own[axis].abs() < block.half[axis] + 1e-9 || *gap < 0.0);
             assert!(is_within || own.iter().all(|x| x.abs() < 4.0), "{own:?} {block:?}");
         }
-        let apart = inner(normal, &minus(on_first, on_second)) - first.radius - second.radius;
+        let apart = dot(normal, &difference(on_first, on_second)) - first.radius - second.radius;
         assert!((apart - gap).abs() < 1e-8, "{apart} {gap} {first:?} {second:?}");
     }
     let gap = found.gap();
     if gap < -1e-9 {
         let deepest = found.touches().iter().find(|touch| touch.gap == gap).expect("one is the deepest");
-        let moved = Block { center: along(&first.center, 1e-9 - gap, &deepest.normal), ..*first };
+        let moved = Block { center: combined(&first.center, 1e-9 - gap, &deepest.normal), ..*first };
         assert!(manifold(&moved, second).gap() > -1e-8, "{first:?} {second:?}");
     }
 }
@@ -115,7 +116,7 @@ fn a_cube_on_another_has_four_corners_in_their_places() {
         let still = places(0.5, gap);
         let pushed = places(0.5 + 1e-6, gap);
         for (before, after) in still.iter().zip(&pushed) {
-            assert!(norm(&minus(before, after)) < 2e-6, "{before:?} {after:?}");
+            assert!(norm(&difference(before, after)) < 2e-6, "{before:?} {after:?}");
         }
         assert!(still.iter().all(|[x, y, z]| (*x == 1.0 || *x == -0.5) && y.abs() == 1.0 && *z == 1.0));
     }

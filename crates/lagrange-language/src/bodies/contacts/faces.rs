@@ -1,13 +1,13 @@
 //! Contacts of cuboids and rods by their faces and edges.
 //!
 //! The run time finds the contact points (`lagrange::manifold`). Each has a place p₁ in the first
-//! block and p₂ in the second, both in the coordinates of the blocks, a normal n, and a number c.
-//! The gap is n·(R₁ p₁ + x₁ − R₂ p₂ − x₂) + c. As long as p₁, p₂ and n stay as they are, its
-//! gradient is that of the distance, since closest points move at right angles to n. The rate of n
-//! is not a part of the equations. Its effect on a step is of second order in the step.
+//! block and p₂ in the second, in their axes. It also has a normal n and a number c. The gap is
+//! n·(R₁ p₁ + x₁ − R₂ p₂ − x₂) + c. Closest points move at right angles to n. Its gradient for
+//! fixed p₁, p₂ and n is therefore that of the distance. The rate of n is not a part of the
+//! equations. Its effect on a step is of second order in the step.
 //!
-//! A cube with the side 1 on another one at x = (0, 0, 1) has the corner p₁ = (½, ½, −½) on p₂ =
-//! (½, ½, ½) with n = (0, 0, 1) and c = 0: the gap is 1 − ½ − ½ = 0.
+//! A cube with the side 1 lies on another one, with its centre at (0, 0, 1). Its corner p₁ = (½, ½,
+//! −½) is on p₂ = (½, ½, ½), with n = (0, 0, 1) and c = 0. The gap is 1 − ½ − ½ = 0.
 
 use super::geometry::ContactGeometry;
 use crate::bodies::constants::number;

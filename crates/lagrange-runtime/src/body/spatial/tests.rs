@@ -1,6 +1,6 @@
 //! The laws of motion in space for random bodies, each verified in an independent way.
 
-use super::{SpatialMotion, Vector, cross, difference, inner, scaled, sum};
+use super::{SpatialMotion, Triple, cross, difference, dot, multiple, sum};
 
 /// Number of random motions for each law.
 const TRIALS: u64 = 100;
@@ -16,18 +16,18 @@ impl Random {
         (self.0 >> 32) as f64 / f64::from(u32::MAX) * 4.0 - 2.0
     }
 
-    fn vector(&mut self) -> Vector<f64> {
+    fn vector(&mut self) -> Triple<f64> {
         [self.number(), self.number(), self.number()]
     }
 
-    /// Creates a body of eight equal point masses, with their places in own coordinates.
-    fn body(&mut self) -> (SpatialMotion<f64>, [Vector<f64>; 8]) {
+    /// A body of eight equal point masses, with the places that these have in own coordinates.
+    fn body(&mut self) -> (SpatialMotion<f64>, [Triple<f64>; 8]) {
         let points = [(); 8].map(|()| self.vector());
-        let weigh = |f: &dyn Fn(Vector<f64>) -> f64| points.iter().map(|&point| f(point)).sum::<f64>();
+        let weigh = |f: &dyn Fn(Triple<f64>) -> f64| points.iter().map(|&point| f(point)).sum::<f64>();
         let centroid = [0, 1, 2].map(|i| weigh(&|point| point[i]) / 8.0);
-        let about = |point| difference(point, centroid);
+        let about = |point| difference(&point, &centroid);
         let entry = |i: usize, j: usize| {
-            let square = |arm: Vector<f64>| if i == j { inner(arm, arm) } else { 0.0 };
+            let square = |arm: Triple<f64>| if i == j { dot(&arm, &arm) } else { 0.0 };
             weigh(&|point| square(about(point)) - about(point)[i] * about(point)[j])
         };
         let motion = SpatialMotion {
@@ -45,19 +45,19 @@ impl Random {
     }
 }
 
-const IDENTITY: [Vector<f64>; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const IDENTITY: [Triple<f64>; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Returns a rotation followed by another one about a vector, by an angle equal to its length
 /// (Rodrigues).
-fn turned(by: Vector<f64>, rotation: [Vector<f64>; 3]) -> [Vector<f64>; 3] {
-    let angle = inner(by, by).sqrt();
+fn turned(by: Triple<f64>, rotation: [Triple<f64>; 3]) -> [Triple<f64>; 3] {
+    let angle = dot(&by, &by).sqrt();
     if angle == 0.0 {
         return rotation;
     }
-    let axis = scaled(1.0 / angle, by);
-    let turn = |a: Vector<f64>| {
-        let across = sum(scaled(angle.cos(), a), scaled(angle.sin(), cross(axis, a)));
-        sum(across, scaled((1.0 - angle.cos()) * inner(axis, a), axis))
+    let axis = multiple(1.0 / angle, &by);
+    let turn = |a: Triple<f64>| {
+        let across = sum(multiple(angle.cos(), &a), multiple(angle.sin(), &cross(&axis, &a)));
+        sum(across, multiple((1.0 - angle.cos()) * dot(&axis, &a), &axis))
     };
     let columns = [0, 1, 2].map(|j| turn([0, 1, 2].map(|i| rotation[i][j])));
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[j][i]))
@@ -65,8 +65,8 @@ fn turned(by: Vector<f64>, rotation: [Vector<f64>; 3]) -> [Vector<f64>; 3] {
 
 /// Returns the motion a short time later, with constant accelerations; exact to first order.
 fn later(motion: &SpatialMotion<f64>, time: f64) -> SpatialMotion<f64> {
-    let gained = |v: Vector<f64>, a: Vector<f64>| sum(v, scaled(time, a));
-    let half = |v: Vector<f64>, a: Vector<f64>| scaled(time, sum(v, scaled(0.5 * time, a)));
+    let gained = |v: Triple<f64>, a: Triple<f64>| sum(v, multiple(time, &a));
+    let half = |v: Triple<f64>, a: Triple<f64>| multiple(time, &sum(v, multiple(0.5 * time, &a)));
     let spin = half(motion.angular_velocity, motion.angular_acceleration);
     SpatialMotion {
         center: sum(motion.center, half(motion.velocity, motion.acceleration)),
@@ -77,22 +77,22 @@ fn later(motion: &SpatialMotion<f64>, time: f64) -> SpatialMotion<f64> {
     }
 }
 
-/// Computes the rate of a function of time, by differences of sixth order.
-fn rate(f: impl Fn(f64) -> Vector<f64>) -> Vector<f64> {
+/// The rate of a function of time, by differences of sixth order.
+fn rate(f: impl Fn(f64) -> Triple<f64>) -> Triple<f64> {
     const STEP: f64 = 1e-3;
-    let odd = |k: f64| difference(f(k * STEP), f(-k * STEP));
-    let weighed = sum(scaled(45.0, odd(1.0)), difference(odd(3.0), scaled(9.0, odd(2.0))));
-    scaled(1.0 / (60.0 * STEP), weighed)
+    let odd = |k: f64| difference(&f(k * STEP), &f(-k * STEP));
+    let weighed = sum(multiple(45.0, &odd(1.0)), difference(&odd(3.0), &multiple(9.0, &odd(2.0))));
+    multiple(1.0 / (60.0 * STEP), &weighed)
 }
 
 #[track_caller]
-fn assert_near(found: Vector<f64>, expected: Vector<f64>, tolerance: f64) {
-    let scale = inner(expected, expected).sqrt().max(1.0);
-    let error = difference(found, expected);
-    assert!(inner(error, error).sqrt() <= tolerance * scale, "{found:?} is not {expected:?}");
+fn assert_near(found: Triple<f64>, expected: Triple<f64>, tolerance: f64) {
+    let scale = dot(&expected, &expected).sqrt().max(1.0);
+    let error = difference(&found, &expected);
+    assert!(dot(&error, &error).sqrt() <= tolerance * scale, "{found:?} is not {expected:?}");
 }
 
-fn bodies() -> impl Iterator<Item = (SpatialMotion<f64>, [Vector<f64>; 8], Random)> {
+fn bodies() -> impl Iterator<Item = (SpatialMotion<f64>, [Triple<f64>; 8], Random)> {
     (0..TRIALS).map(|seed| {
         let mut random = Random(seed);
         // The first numbers of neighbouring seeds are similar.
@@ -118,7 +118,7 @@ fn own_components_are_those_along_the_axes_of_the_body() {
     for (motion, _, mut random) in bodies() {
         let vector = random.vector();
         let axes = IDENTITY.map(|axis| motion.vector(axis));
-        assert_near(motion.to_body(vector), axes.map(|axis| inner(axis, vector)), 1e-14);
+        assert_near(motion.to_body(vector), axes.map(|axis| dot(&axis, &vector)), 1e-14);
         assert_near(motion.vector(motion.to_body(vector)), vector, 1e-14);
         assert_eq!(motion.point(motion.centroid), motion.center);
     }
@@ -131,14 +131,14 @@ fn momenta_and_energy_are_those_of_the_point_masses() {
         for point in points {
             let velocity = motion.velocity_of(point);
             linear = sum(linear, velocity);
-            angular = sum(angular, cross(difference(motion.point(point), place), velocity));
-            energy += 0.5 * inner(velocity, velocity);
+            angular = sum(angular, cross(&difference(&motion.point(point), &place), &velocity));
+            energy += 0.5 * dot(&velocity, &velocity);
         }
         assert_near(motion.linear_momentum(), linear, 1e-13);
         assert_near(motion.angular_momentum_about(place), angular, 1e-12);
-        let carried = cross(place, linear);
+        let carried = cross(&place, &linear);
         assert_near(
-            difference(motion.angular_momentum(), motion.angular_momentum_about(place)),
+            difference(&motion.angular_momentum(), &motion.angular_momentum_about(place)),
             carried,
             1e-12,
         );
