@@ -72,3 +72,19 @@ fn clocks_tick_within_roundings_of_restarts() {
     assert_eq!(run.last()[1], 10.0);
     assert!((run.last()[0] - 5.5).abs() < 1e-12, "{:?}", run.last());
 }
+
+#[test]
+fn many_delays_cost_a_bounded_number_of_steps() {
+    lagrange::system! {
+        /// A state with many pasts.
+        struct Many;
+        state x = 1;
+        dot(x) = -0.1 * (delay(x, 0.31) + delay(x, 0.43) + delay(x, 0.59) + delay(x, 0.67)
+            + delay(x, 0.71) + delay(x, 0.83) + delay(x, 0.97) + delay(x, 1.03));
+    }
+    let many = Many::default();
+    let run = many.simulate(many.start()).until(10.0).with_history().run().unwrap();
+    assert!(run.work().steps < 1000, "{:?}", run.work());
+    let fine = many.simulate(many.start()).until(10.0).tolerance(1e-12).with_history().run().unwrap();
+    assert!((run.last()[0] - fine.last()[0]).abs() < 1e-8);
+}

@@ -41,3 +41,39 @@ fn derivatives_do_not_go_through_noise() {
     let error = run().method(method).gradient(["k"], |_, [x, _], _| *x).expect_err("has noise").to_string();
     assert!(error.contains(said), "{error}");
 }
+
+lagrange::system! {
+    /// A state that noise multiplies by an input.
+    #[derive(Clone)]
+    struct Scaled;
+    input u;
+    state z = 1;
+    noise w, density: 0.25;
+    dot(z) = u * w;
+}
+
+/// A feedback law makes the input a function of the state: the solution is that of Stratonovich.
+#[test]
+fn laws_make_noise_multiplicative() {
+    let scaled = Scaled::default();
+    let path = WienerPath::of_seed(3);
+    let law = |_: &Scaled, _: f64, y: ScaledState| ScaledInputs { u: y.z };
+    let end = |halvings: u32| {
+        let method =
+            StochasticRungeKutta4 { step: 0.0625 / f64::from(1 << halvings), path: path.halved(halvings) };
+        scaled.simulate([1.0]).until(4.0).method(method).drive(law).run().unwrap().last()[0]
+    };
+    lagrange::system! {
+        /// The same as one equation.
+        struct Grown;
+        state z = 1;
+        noise w, density: 0.25;
+        dot(z) = z * w;
+    }
+    let method = StochasticRungeKutta4 { step: 0.0625 / 16.0, path: path.halved(4) };
+    let declared = Grown::default().simulate([1.0]).until(4.0).method(method).run().unwrap().last()[0];
+    assert!((end(4) - declared).abs() < 1e-12, "{} {declared}", end(4));
+    assert!((end(0) - declared).abs() < 0.1);
+    let euler = scaled.simulate([1.0]).until(4.0).method(EulerMaruyama { step: 0.01, path }).drive(law).run();
+    assert!(euler.is_err());
+}

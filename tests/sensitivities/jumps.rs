@@ -250,3 +250,41 @@ fn an_event_of_zero_rate_has_no_derivative_in_either_direction() {
     let forwards = run().sensitivities(["v"]).run().expect_err("flat");
     assert!(matches!(forwards.cause, StepFailure::NotDifferentiable { .. }), "{forwards}");
 }
+
+lagrange::system! {
+    /// A ball on a shaken table, beside an unrelated pressure.
+    #[derive(Clone, Debug)]
+    struct Shaken;
+    param a = 0.1, w = 50, e = 0.6, g = 9.81;
+    coord h;
+    state p = 0;
+    kinetic = 1/2 * dot(h)^2;
+    potential = g * h;
+    dot(p) = 0;
+    event table = h - a * sin(w * t), falling => { dot(h) = (1 + e) * a * w * cos(w * t) - e * dot(h); }
+    emit { jacobian }
+}
+
+#[test]
+fn large_states_beside_small_ones_do_not_disturb_derivatives() {
+    let shaken = Shaken::default();
+    let start = |p: f64| [1.0, p, 0.0];
+    let run = |p: f64| shaken.simulate(start(p)).until(0.7).tolerance(1e-12);
+    let cost = |_: f64, y: &[f64; 3], slope: &mut [f64; 3]| {
+        slope[0] = 1.0;
+        y[0]
+    };
+    let height = |by: f64| {
+        let shaken = Shaken { a: 0.1 + by, ..shaken.clone() };
+        shaken.simulate(start(0.0)).until(0.7).tolerance(1e-13).run().unwrap().last()[0]
+    };
+    let central = |h: f64| (height(h) - height(-h)) / (2.0 * h);
+    let difference = (4.0 * central(1e-5) - central(2e-5)) / 3.0;
+    for p in [0.0, 300.0, 1e5, 1e9] {
+        let gradient = run(p).gradient(["a"], cost).unwrap();
+        assert!((gradient.by[0] / difference - 1.0).abs() < 1e-6, "{p}: {} {difference}", gradient.by[0]);
+        let motion = run(p).sensitivities(["a"]).run().unwrap();
+        let slope = *motion.column("d(h)/d(a)").unwrap().last().unwrap();
+        assert!((slope / difference - 1.0).abs() < 1e-6, "{p}: {slope} {difference}");
+    }
+}

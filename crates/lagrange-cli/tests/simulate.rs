@@ -117,7 +117,7 @@ fn options_that_make_no_sense_are_named() {
         (&["--until", "1", "--set", "m"], "has no value"),
         (&["--until", "1", "--set", "m=1/0"], "--set m=1/0: "),
         (&["--until", "1", "--start", "phi=1"], "no `phi`; known are `theta`, `theta_dot`"),
-        (&["--until", "1", "--method", "euler"], "`verner`, `radau`, `rk4` and `gauss`"),
+        (&["--until", "1", "--method", "euler"], "`gauss`, `maruyama`, `stochastic`"),
         (&["--until", "1", "--method", "rk4"], "write `--step 0.01`"),
         (&["--until", "1", "--step", "0.1"], "has no `--step`"),
         (&["--until", "1", "--tolerance=-1"], "tolerances must be"),

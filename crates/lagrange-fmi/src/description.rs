@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use lagrange_core::pipeline::Programs;
+use lagrange_core::pipeline::{Programs, Reaction};
 
 use crate::dependencies::Dependencies;
 use crate::quantities::Definitions;
@@ -36,7 +36,9 @@ pub(crate) fn description(
         }
         Version::Three => ("instantiationToken", String::new()),
     };
-    let listed = variables.iter().enumerate().map(|(index, variable)| written(version, index, variable));
+    let jumps = has_jumps(programs);
+    let listed =
+        variables.iter().enumerate().map(|(index, variable)| written((version, jumps), index, variable));
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <fmiModelDescription fmiVersion=\"{}\" modelName=\"{}\" {token}=\"{}\"\n    \
@@ -114,11 +116,18 @@ fn convention(variables: &[Variable]) -> &'static str {
     }
 }
 
-/// Returns the element of a variable.
-fn written(version: Version, reference: usize, variable: &Variable) -> String {
+/// True if events or ticks of clocks replace the state.
+fn has_jumps(programs: &Programs) -> bool {
+    let replaces = |reaction: &Reaction| matches!(reaction, Reaction::Replace(_));
+    !programs.clocks.is_empty() || programs.reactions.iter().any(replaces)
+}
+
+/// Returns the element of a variable. Importers reinitialise states only if the state `jumps`.
+fn written((version, jumps): (Version, bool), reference: usize, variable: &Variable) -> String {
+    let state = |value| format!("{}{}", start(value), if jumps { " reinit=\"true\"" } else { "" });
     let (role, value) = match variable.kind {
-        Kind::State(value, false) => ("causality=\"local\" initial=\"exact\"", start(value)),
-        Kind::State(value, true) => ("causality=\"local\" initial=\"approx\"", start(value)),
+        Kind::State(value, false) => ("causality=\"local\" initial=\"exact\"", state(value)),
+        Kind::State(value, true) => ("causality=\"local\" initial=\"approx\"", state(value)),
         Kind::Rate(state) => (
             "causality=\"local\" initial=\"calculated\"",
             format!(" derivative=\"{}\"", number(version, state)),

@@ -96,9 +96,17 @@ fn accelerations(model: &mut Model, forms: &mut Forms) -> Vec<Vec<ExprId>> {
 }
 
 /// Determines the dependence of the diffusions g on the state. All (gⱼ·∇) gₖ vanish if no diffusion
-/// depends on an entry that one of them drives.
+/// depends on an entry that one of them drives. An input counts as such an entry, since a feedback
+/// law may make it a function of the state.
 fn kind(model: &mut Model, columns: &[Vec<ExprId>]) -> DiffusionKind {
     let entries = columns.concat();
+    let is_set = |&input: &usize| model.delays.iter().all(|delay| delay.input != input);
+    let inputs = (0..model.inputs.len()).filter(is_set).map(|input| model.inputs[input].symbol);
+    let inputs = inputs.collect::<Vec<_>>();
+    let by_inputs = jacobian(&mut model.graph, &entries, &inputs).concat();
+    if !by_inputs.iter().all(|&slope| model.graph.is_zero(slope)) {
+        return DiffusionKind::Multiplicative;
+    }
     let state = Dependencies::COORDINATE | Dependencies::VELOCITY | Dependencies::STATE;
     if !entries.iter().any(|&entry| model.graph.dependencies(entry).intersects(state)) {
         return DiffusionKind::Additive;

@@ -76,7 +76,7 @@ impl WienerPath {
     /// Returns the path for steps whose length was halved this number of times, at most 31.
     #[must_use]
     pub const fn halved(self, times: u32) -> Self {
-        WienerPath { halvings: self.halvings + times, ..self }
+        WienerPath { halvings: self.halvings.saturating_add(times), ..self }
     }
 
     /// Returns the number of halvings from a cell to a step.

@@ -44,6 +44,7 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
     /// that are given jump at the times `restarts`.
     pub(super) fn new(start: S, lags: Y, order: u32, restarts: &[S]) -> Self {
         let (before, steps) = (unknown(lags), Dense::new(order));
+        let order = order.min(highest_order(lags.as_ref().len()));
         let mut history = History { lags, before, steps, breaks: Vec::new(), order, from: start };
         history.spread(start, 1);
         restarts.iter().filter(|time| **time > start).for_each(|time| history.spread(*time, 0));
@@ -151,6 +152,22 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
             }
         }
     }
+}
+
+/// Maximum number of breaks that one jump causes.
+const MOST_BREAKS: u64 = 300;
+
+/// Returns the highest order of derivatives whose jumps are followed. One jump causes as many breaks
+/// of the orders up to n as there are sums of up to n of the lags, (lags + n)!/(lags! n!) − 1. For
+/// eight lags that is 44 for n = 2, and 164 for n = 3. Jumps of higher orders are left to the
+/// control of errors.
+fn highest_order(lags: usize) -> u32 {
+    let (mut sums, mut order) = (1, 0);
+    while sums <= MOST_BREAKS && order < u32::from(u8::MAX) {
+        order += 1;
+        sums = sums * (lags as u64 + u64::from(order)) / u64::from(order);
+    }
+    (order - 1).max(1)
 }
 
 /// Returns unknown signals, as many as these.

@@ -129,8 +129,7 @@ where
         variable: Option<&Varied<M::Scalar>>,
         mut function: impl FnMut(&L, M::Scalar, &M::State) -> Option<[M::Scalar; C]>,
     ) -> Option<[M::Scalar; C]> {
-        let size = largest(y);
-        let part = if size > Number::ZERO { largest(dy) / size } else { largest(dy) };
+        let part = relative(dy, y);
         let is_number = |variable: &&Varied<M::Scalar>| matches!(variable.place, VariedPlace::Number(_));
         let weight = variable.filter(is_number).map_or(Number::ZERO, |variable| variable.weight);
         let mut rate = part.max(weight);
@@ -373,7 +372,12 @@ where
     }
 }
 
-/// Returns the largest magnitude of an entry.
-fn largest<S: Scalar>(vector: &[S]) -> S {
-    vector.iter().fold(S::ZERO, |most, entry| most.max(entry.abs()))
+/// Returns the largest relative change of an entry. Entries count as no smaller than one, or than
+/// the largest if that is below one. An entry that does not change, such as a large pressure beside
+/// a small angle, has no effect.
+fn relative<S: Scalar>(change: &[S], state: &[S]) -> S {
+    let size = state.iter().fold(S::ZERO, |most, entry| most.max(entry.abs()));
+    let least = if size > S::ZERO { size.min(S::ONE) } else { S::ONE };
+    let parts = change.iter().zip(state).map(|(change, entry)| change.abs() / entry.abs().max(least));
+    parts.fold(S::ZERO, S::max)
 }
