@@ -1,7 +1,7 @@
 //! What noise goes with, and what refuses it.
 
 use lagrange::Simulate;
-use lagrange::integrate::{EulerMaruyama, RungeKutta4, WienerPath};
+use lagrange::integrate::{EulerMaruyama, RungeKutta4, StochasticRungeKutta4, WienerPath};
 use lagrange::system::OdeSystem;
 
 lagrange::system! {

@@ -272,10 +272,11 @@ const RUNTIME: &[Layer] = &[
                   table, with reasons and the tests that depend on them",
     },
     Layer {
-        modules: &["body", "inertia", "linalg", "manifold", "root", "table"],
-        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; contact \
-                  points of blocks; algebraic unknowns and tables of declarations",
+        modules: &["inertia", "linalg", "root", "table"],
+        purpose: "mass distributions; small matrices and vectors; algebraic unknowns and tables of \
+                  declarations",
     },
+    Layer { modules: &["body", "manifold"], purpose: "motion of a rigid body; contact points of blocks" },
     Layer {
         modules: &["system"],
         purpose: "the traits that emitted types implement, and the plain data in their methods",

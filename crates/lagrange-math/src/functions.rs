@@ -65,7 +65,7 @@ macro_rules! functions {
                 /// Computes the angle in [−π, π] of the point with ordinate `self` and the given
                 /// abscissa.
                 ///
-                /// As in IEEE 754, the sign of a zero determines the side of the cut: the angle is
+                /// As in IEEE 754, the sign of a zero determines the side of the cut. The angle is
                 /// ±π for (±0, −1) and ±0 for (±0, 1). The origin counts as a point of the axis
                 /// given by the signs of its zeros.
                 fn(self, abscissa);

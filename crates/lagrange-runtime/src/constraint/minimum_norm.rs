@@ -150,7 +150,7 @@ pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
 /// The equations in coordinates with masses near one, with the gradients of the constraints scaled
 /// to length one.
 ///
-/// The result does not depend on units: if masses or lengths are multiplied by a power of two, all
+/// The result does not depend on units. If masses or lengths are multiplied by a power of two, all
 /// scaled quantities remain identical bit by bit. Masses are first brought near one by a power of
 /// two, since the root of an odd power of two would not be exact.
 #[derive(Debug)]

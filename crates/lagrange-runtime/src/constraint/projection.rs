@@ -111,8 +111,8 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
     if is_found { Ok(found) } else { Err(of_velocities(system, t, (q, v)).violation) }
 }
 
-/// Brings a state of a motion back onto the constraints, as [`project`] does, but without checking
-/// the remainder: the sizes of the corrections prove that it is small.
+/// Brings a state of a motion back onto the constraints as [`project`] does, without checking the
+/// remainder. The sizes of the corrections prove that it is small.
 /// [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types calls it.
 ///
 /// # Errors

@@ -3,8 +3,8 @@
 //! Impacts that follow each other ever faster end after a finite time. A contact that rises with
 //! speed s under the downward acceleration a returns after τ = 2 s/a. If several contacts hit in
 //! turn, such as the corners of a box that rocks to rest, another contact caused its rise. The
-//! contacts of such a group approach each other with the energy E = ½ ṡᵀ G⁻¹ ṡ, of which the
-//! fraction r² remains after the impact. The remaining hops therefore last about τ/(1 − r). This is
+//! contacts of such a group approach with the energy E = ½ ṡᵀ G⁻¹ ṡ. The fraction r² of it remains
+//! after the impact. The remaining hops therefore last about τ/(1 − r). This is
 //! exact for one contact, where r is the coefficient of restitution. Once this time is too short to
 //! be resolved, the rates of all contacts of the group become zero together. This is done by the
 //! smallest change of the velocities in the measure of the mass matrix, which never adds energy.

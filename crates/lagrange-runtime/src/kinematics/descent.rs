@@ -1,11 +1,11 @@
 //! A damped Gauss–Newton method between limits.
 //!
-//! A step δ of the degrees of freedom minimises |e − J δ|² + λ |δ|², with the rotation vectors and
-//! displacements e that lead to the goals. λ is proportional to |e|², so that steps stay short far
-//! from the goal and in singular postures, and converge quadratically near it. Degrees of freedom
-//! at a limit are fixed if the gradient pushes against it. If a step would pass a limit, the degree
-//! of freedom stops there, and the step of the others is recomputed. Displacements are measured in
-//! units of the largest lever arm for comparison with rotations. Sources: Sugihara,
+//! A step δ of the degrees of freedom minimises |e − J δ|² + λ |δ|². Here e are the rotation
+//! vectors and displacements that lead to the goals. λ is proportional to |e|², so that steps stay
+//! short far from the goal and in singular postures, and converge quadratically near it. Degrees of
+//! freedom at a limit are fixed if the gradient pushes against it. If a step would pass a limit,
+//! the degree of freedom stops there, and the step of the others is recomputed. Displacements are
+//! measured in units of the largest lever arm for comparison with rotations. Sources: Sugihara,
 //! "Solvability-unconcerned inverse kinematics by the Levenberg–Marquardt method", *IEEE Trans.
 //! Robotics* 27 (2011) 984–991; Fan, Yuan, "On the quadratic convergence of the Levenberg–Marquardt
 //! method without nonsingularity assumption", *Computing* 74 (2005) 23–39.

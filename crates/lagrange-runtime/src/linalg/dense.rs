@@ -136,8 +136,8 @@ impl DenseMatrix {
         self.entries.iter().all(|entry| entry.is_finite())
     }
 
-    /// Returns the solution x of A x = b. `None` if A is not square, if its number of rows differs
-    /// from the length of b, or if a pivot is zero or not finite.
+    /// Returns the solution x of A x = b. `None` if a pivot is zero or not finite, or if A is
+    /// not square and as long as b.
     ///
     /// ```
     /// use lagrange::linear::DenseMatrix;

@@ -11,8 +11,8 @@ use crate::scalar::Scalar;
 /// The factors Q and R of a matrix with these `columns`, in pivot order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> {
-    /// The column taken k-th: R above row k and, if k is below the rank, the vector u of the
-    /// reflection I − u uᵀ from row k on.
+    /// The column taken k-th, with R above row k. If k is below the rank, the vector u of the
+    /// reflection I − u uᵀ follows from row k on.
     columns: [[S; ROWS]; COLUMNS],
     /// The diagonal of R.
     diagonal: [S; COLUMNS],
@@ -146,9 +146,9 @@ fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], rows: Range<usiz
     most
 }
 
-/// Reflects the remainder of the first column in these rows, which has this length, onto the first
-/// of them, and applies the reflection to the other columns. The reflection replaces the remainder.
-/// Returns the diagonal entry.
+/// Reflects the remainder of the first column in these rows onto the first of them; `length` is its
+/// length. The reflection is also applied to the other columns. The reflection replaces the
+/// remainder. Returns the diagonal entry.
 fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], rows: Range<usize>, length: S) -> S {
     let Some((column, others)) = columns.split_first_mut() else { return S::ZERO };
     let diagonal = reflector(&mut column[rows.clone()], length);

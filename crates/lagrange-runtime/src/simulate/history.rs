@@ -157,9 +157,9 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
 /// Maximum number of breaks that one jump causes.
 const MOST_BREAKS: u64 = 300;
 
-/// Returns the highest order of derivatives whose jumps are followed. One jump causes as many breaks
-/// of the orders up to n as there are sums of up to n of the lags, (lags + n)!/(lags! n!) − 1. For
-/// eight lags that is 44 for n = 2, and 164 for n = 3. Jumps of higher orders are left to the
+/// Returns the highest order of derivatives whose jumps are followed. One jump causes as many
+/// breaks of the orders up to n as there are sums of up to n of the lags, (lags + n)!/(lags! n!) − 1.
+/// For eight lags that is 44 for n = 2, and 164 for n = 3. Jumps of higher orders are left to the
 /// control of errors.
 fn highest_order(lags: usize) -> u32 {
     let (mut sums, mut order) = (1, 0);

@@ -81,7 +81,6 @@ impl Direction {
 pub struct Response<M, S, Y> {
     /// Action.
     pub action: Action<Y>,
-    /// The system that continues, if it differs: with other contacts closed, other friction
     /// The system that continues, if it differs: with other contacts closed, or other friction
     /// sticking.
     pub system: Option<M>,

@@ -7,7 +7,7 @@ use crate::scalar::{Lanes, Number, Scalar};
 pub trait SideBySide: Number {
     /// The type of the number in one lane.
     type Element: Number;
-    /// The same kind of number with a single lane, which computes what one of these lanes does.
+    /// A number of this kind with a single lane, which has the results of one of these lanes.
     type One: SideBySide<Element = Self::Element>;
     /// Number of lanes.
     const LANES: usize;

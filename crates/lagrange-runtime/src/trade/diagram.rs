@@ -14,8 +14,8 @@ const SIZE: (u32, u32) = (860, 420);
 /// Errors above this only indicate that the motion was lost.
 const LOST: f64 = 10.0;
 
-/// Draws time against error. The upper panels contain methods on the first system in its original
-/// and in canonical variables, and the lower one variants with the most accurate method.
+/// Draws time against error. The upper panels contain methods on the first system, in its original
+/// and in canonical variables. The lower one contains variants with the most accurate method.
 pub(super) fn diagram(report: &Report) -> Figure {
     let first = report.rows.first();
     let is_first = |row: &MeasuredRun| {

@@ -8,8 +8,8 @@
 //!
 //! and a method composes kicks β₀, β₁, … and drifts α₁, α₂, …: first the kick β₀, then each drift
 //! αᵢ with the kick βᵢ after it. Every part is symplectic in (q, M v) with the constant mass matrix
-//! M, and so is their composition, for any dependence of the forces on time. Each kick and drift
-//! also conserves the momenta of linear symmetries, such as the angular momentum in Cartesian
+//! M, for any dependence of the forces on time. Their composition is symplectic, too. Each kick and
+//! drift also conserves the momenta of linear symmetries, such as the angular momentum in Cartesian
 //! coordinates. The last kick of a step shares its acceleration with the first kick of the next
 //! step.
 //!

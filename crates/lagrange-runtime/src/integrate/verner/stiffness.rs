@@ -48,8 +48,8 @@ impl<S: Scalar> Fading<S> {
     /// No observation yet.
     pub(super) const UNKNOWN: Self = Fading { first: None, last: 0 };
 
-    /// True if the longest stable step, after this number of steps, has changed fast enough since
-    /// the first observation, or if this is the first one.
+    /// True if the longest stable step has changed fast enough since the first observation, or
+    /// if this is the first one.
     pub(super) fn is_fading(&mut self, steps: u64, limit: S) -> bool {
         let known = self.first.filter(|_| steps - self.last <= FORGOTTEN);
         self.last = steps;
