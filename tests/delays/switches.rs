@@ -66,7 +66,7 @@ fn clocks_tick_within_roundings_of_restarts() {
         dot(x) = u;
         every 0.1 => { u = u + 1; }
     }
-    let plain = Plain::default();
+    let plain = Plain;
     let restarts = [0.1 + 0.2, 0.4, 0.1 + 0.5, 0.7000000000000001, 0.8];
     let run = plain.simulate(plain.start()).until(1.0).restart_at(restarts).run().unwrap();
     assert_eq!(run.last()[1], 10.0);

@@ -71,7 +71,7 @@ fn laws_make_noise_multiplicative() {
         dot(z) = z * w;
     }
     let method = StochasticRungeKutta4 { step: 0.0625 / 16.0, path: path.halved(4) };
-    let declared = Grown::default().simulate([1.0]).until(4.0).method(method).run().unwrap().last()[0];
+    let declared = Grown.simulate([1.0]).until(4.0).method(method).run().unwrap().last()[0];
     assert!((end(4) - declared).abs() < 1e-12, "{} {declared}", end(4));
     assert!((end(0) - declared).abs() < 0.1);
     let euler = scaled.simulate([1.0]).until(4.0).method(EulerMaruyama { step: 0.01, path }).drive(law).run();

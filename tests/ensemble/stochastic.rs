@@ -183,8 +183,7 @@ fn multiplicative_noise_is_that_of_stratonovich() {
         let [_, w] = end((&free, [0.0, 0.0]), 6, motion, euler);
         let size = integrate(&Growth::default(), 0.0, [1.0], DURATION, &method, |_, _| {}).expect("grows")[0];
         assert!((size / (w / 2.0 - DURATION / 4.0).exp() - 1.0).abs() < 1e-6, "{size}");
-        let [a, b] =
-            integrate(&Kubo::default(), 0.0, [1.0, 0.0], DURATION, &method, |_, _| {}).expect("turns");
+        let [a, b] = integrate(&Kubo, 0.0, [1.0, 0.0], DURATION, &method, |_, _| {}).expect("turns");
         let (sin, cos) = (2.0 * DURATION + 0.5_f64.sqrt() * w).sin_cos();
         assert!((a - cos).hypot(b - sin) < 1e-5 && (a.hypot(b) - 1.0).abs() < 1e-5, "{a} {b}");
     }
@@ -265,8 +264,8 @@ fn bits_depend_on_seed_and_index_alone() {
 }
 
 /// The words of a run that fails.
-fn failure<K: Method<Particle>>(particle: &Particle, method: K) -> String {
-    let run = integrate(particle, 0.0, [0.0, 1.5], 1.0, &method, |_, _| {});
+fn failure<K: Method<Particle>>(particle: &Particle, method: &K) -> String {
+    let run = integrate(particle, 0.0, [0.0, 1.5], 1.0, method, |_, _| {});
     run.expect_err("does not run").to_string()
 }
 
@@ -275,10 +274,10 @@ fn what_cannot_be_integrated_is_said() {
     let particle = Particle::default();
     let by_default = particle.simulate([0.0, 1.5]).until(1.0).run().map(drop).expect_err("has noise");
     assert!(by_default.to_string().contains("`EulerMaruyama` and `StochasticRungeKutta4`"), "{by_default}");
-    let verner = failure(&particle, lagrange::integrate::Verner98::tolerance(1e-6));
+    let verner = failure(&particle, &lagrange::integrate::Verner98::tolerance(1e-6));
     assert!(verner.contains("`EulerMaruyama` and `StochasticRungeKutta4`"), "{verner}");
     let negative = Particle { density: -0.1, ..particle.clone() };
-    let said = failure(&negative, euler(0.1, WienerPath::of_seed(1)));
+    let said = failure(&negative, &euler(0.1, WienerPath::of_seed(1)));
     assert!(said.contains("is the density of a noise negative here?"), "{said}");
     // Without a density there is no noise.
     let silent = Particle { density: 0.0, ..particle };

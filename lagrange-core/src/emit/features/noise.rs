@@ -34,8 +34,8 @@ pub(in crate::emit) fn noise_members(shape: &Shape<'_>, members: &Members) -> Op
     let Noisy { count, kind } = members.noise?;
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
-    let [increments, increment, change, column, entry, factor] =
-        ["increments", "increment", "change", "column", "entry", "factor"].map(local);
+    let [increments, increment, change, column, entry, factor, sum] =
+        ["increments", "increment", "change", "column", "entry", "factor", "sum"].map(local);
     let kind = match kind {
         DiffusionKind::Additive => quote!(Additive),
         DiffusionKind::Unambiguous => quote!(Unambiguous),
@@ -57,7 +57,8 @@ pub(in crate::emit) fn noise_members(shape: &Shape<'_>, members: &Members) -> Op
             let mut #change = [<#scalar as #krate::Number>::ZERO; #all];
             for (#column, #increment) in self.diffusion(#time, #state).iter().zip(#increments) {
                 for (#entry, #factor) in #change.iter_mut().zip(#column) {
-                    *#entry = *#entry + *#factor * *#increment;
+                    let #sum = *#entry + *#factor * *#increment;
+                    *#entry = #sum;
                 }
             }
             #change

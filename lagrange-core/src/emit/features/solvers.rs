@@ -63,6 +63,7 @@ fn contact_points(writer: &MethodWriter<'_>, function: &Opaque) -> TokenStream {
     let found = array(&number, function.unknowns().len());
     quote! {
         #docs
+        #[allow(clippy::too_many_arguments, reason = "they are the numbers of two blocks")]
         fn #name #generics(#(#blocks: #number),*) -> #found {
             #krate::manifold::touches([#(#blocks),*])
         }
