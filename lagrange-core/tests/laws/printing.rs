@@ -9,6 +9,7 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::elaborate::elaborate;
 use lagrange_core::expand::without_arrays;
+use lagrange_core::inline::name_delays;
 use lagrange_core::pipeline::System;
 use lagrange_core::syntax::ast::{Declaration, Statement};
 use lagrange_core::syntax::{parse_text, print};
@@ -28,7 +29,9 @@ pub(crate) fn read(text: &str) -> Declaration {
 /// The code for a declaration, or what is wrong with it.
 pub(crate) fn emitted(declaration: Declaration) -> Result<String, String> {
     let mut report = Report::default();
-    let plain = plain(without_arrays(declaration, &mut report), &mut report);
+    let mut declaration = without_arrays(declaration, &mut report);
+    name_delays(&mut declaration);
+    let plain = plain(declaration, &mut report);
     let Some(model) = elaborate(&plain, &mut report) else { return Err(messages(&report)) };
     let system = System { declaration: plain.without(&model.implied), model, report };
     let derived = system.derive(StrategyChoice::Cheapest);
