@@ -161,9 +161,10 @@ macro_rules! __hints {
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
             Constraints as _, Energy as _, Forcing as _, GeneralisedForces as _, InverseDynamics as _,
             Jacobian as _, KernelF32 as _, KernelF64 as _, KineticEnergy as _, LagrangianFunction as _,
-            Lanes as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
-            ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _, Regressor as _,
-            Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _, Taylor as _,
+            LagrangianHessian as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
+            MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
+            Regressor as _, Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _,
+            Taylor as _,
         };
     };
     (default) => {
