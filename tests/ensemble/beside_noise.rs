@@ -1,4 +1,4 @@
-//! What noise goes with, and what refuses it.
+//! Features that noise can be combined with, and those that refuse it.
 
 use lagrange::Simulate;
 use lagrange::integrate::{EulerMaruyama, RungeKutta4, StochasticRungeKutta4, WienerPath};

@@ -30,7 +30,7 @@ const VECTORS: u64 = 16;
 static COMPILER: LazyLock<Arc<Compiler>> =
     LazyLock::new(|| Compiler::for_this_processor().expect("a known processor"));
 
-/// What was checked.
+/// Counts of compared items.
 #[derive(Default, Debug)]
 pub(crate) struct Checked {
     /// Programs.
@@ -39,7 +39,7 @@ pub(crate) struct Checked {
     pub(crate) too_large: usize,
     /// Outputs that were compared.
     pub(crate) outputs: usize,
-    /// Of these, how many are finite.
+    /// Outputs that were compared and are finite.
     pub(crate) finite: usize,
     /// Names of the operations in the programs.
     pub(crate) kinds: BTreeSet<String>,
