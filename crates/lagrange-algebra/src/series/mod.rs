@@ -53,6 +53,7 @@
 //! computed together, in [groups](Groups). Multiples of the same values share a sum unless the
 //! system is small.
 
+mod coefficients;
 mod functions;
 mod groups;
 mod kinds;
@@ -62,9 +63,9 @@ mod schedule;
 mod slots;
 
 use crate::program::{Program, ValueId};
+use coefficients::{Coefficients, Constants};
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
-use recurrence::{Constants, Recurrence};
 use schedule::Schedule;
 
 pub use functions::{function_rates, without_long_powers};
@@ -166,7 +167,7 @@ const MAX_WAITING: usize = 8;
 /// If a value that the motion depends on has no series.
 pub fn expand(motion: &Motion<'_>) -> Result<SeriesPrograms, NoSeries> {
     let schedule = Schedule::new(motion)?;
-    let programs = |constants| Recurrence::new(motion, &schedule, constants).programs();
+    let programs = |constants| Coefficients::new(motion, &schedule, constants).programs();
     let fewest = programs(Constants::BeforeSums);
     if fewest.sums.len() > MAX_WAITING {
         return Ok(fewest);
