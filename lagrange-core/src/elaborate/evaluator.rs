@@ -276,6 +276,8 @@ impl<'a> Evaluator<'a> {
         }
         let name = match self.syntax(culprit) {
             Expression::Name(name) => self.symbol_behind(name, culprit, kinds),
+            // The rate of a state.
+            _ if kinds == Dependencies::NOISE => self.symbol_behind("", culprit, kinds),
             _ => String::new(),
         };
         (self.origin(culprit), name)
