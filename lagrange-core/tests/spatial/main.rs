@@ -1,6 +1,5 @@
 //! Bodies in space against independent answers: other people's algorithms for models of robots,
-//! Newton–Euler in the world with many digits for random trees, and motions that are known in
-//! closed form.
+//! Newton–Euler equations in the world with many digits for random trees, and closed-form motions.
 
 mod additions;
 mod cases;
