@@ -117,8 +117,8 @@ fn assignments_are_made_at_once() {
     assert_eq!(run.events().len(), 1);
 }
 
-/// From m v²/l − m g cos = tension and the energy: slack at the height (v₀² − 2 g l) / (3 g) above
-/// the pivot.
+/// From m v²/l − m g cos = tension and the energy: the string becomes slack at the height (v₀² − 2
+/// g l) / (3 g) above the pivot.
 #[test]
 fn a_string_becomes_slack_where_its_force_would_turn() {
     let ball = Ball::default();

@@ -15,7 +15,7 @@ use crate::imports::{Crate, Import};
 /// The first import of each file from each other file.
 type Graph<'a> = BTreeMap<usize, BTreeMap<usize, &'a Import>>;
 
-/// Every knot of files, with the shortest circle through each of its files.
+/// Returns every knot of files, with the shortest circle through each of its files.
 pub(crate) fn circles(krate: &Crate) -> Vec<String> {
     let graph = graph(krate);
     let knots = components(&graph).into_iter().filter(|component| component.len() > 1);
@@ -46,14 +46,15 @@ fn describe(krate: &Crate, graph: &Graph, knot: &BTreeSet<usize>) -> String {
     lines.join("\n")
 }
 
-/// The same circle, told from its first file on.
+/// Returns the same circle, beginning with its first file.
 fn from_least(mut circle: Vec<usize>) -> Vec<usize> {
     let least = (0..circle.len()).min_by_key(|at| circle[*at]).unwrap_or_default();
     circle.rotate_left(least);
     circle
 }
 
-/// Files of the shortest circle through a file, by breadth-first search within its knot.
+/// Returns the files of the shortest circle through a file, by breadth-first search within its
+/// knot.
 fn shortest_circle(graph: &Graph, knot: &BTreeSet<usize>, start: usize) -> Option<Vec<usize>> {
     let mut before = BTreeMap::new();
     let mut pending = VecDeque::from([start]);
@@ -85,9 +86,9 @@ fn components(graph: &Graph) -> Vec<BTreeSet<usize>> {
 /// State of Tarjan's search.
 #[derive(Default)]
 struct Search {
-    /// Order in which files were met.
+    /// Order in which files were discovered.
     order: BTreeMap<usize, usize>,
-    /// Earliest file on the stack that is reached from a file.
+    /// Earliest file on the stack that a file reaches.
     low: BTreeMap<usize, usize>,
     stack: Vec<usize>,
     components: Vec<BTreeSet<usize>>,
