@@ -90,7 +90,7 @@ def module(name, lines):
 
 {declaration(fast, lines + only)}
 
-/// The same for algorithms by hand.
+/// The robot for handwritten algorithms.
 #[rustfmt::skip]
 pub(crate) const JOINTS: [Joint; {len(rows)}] = [
 {table}
@@ -118,7 +118,7 @@ def with_parameters(lines):
 
 def prepared(name, lines):
     head = [
-        f"/// `{name}` of `lagrange-core/tests/spatial/models`; what is known of its inertia are parameters.",
+        f"/// `{name}` of `lagrange-core/tests/spatial/models`; its inertias are parameters.",
         f"pub(crate) struct {name.title()};",
     ]
     only = ["emit { prepared, no momenta, no forcing, no kinetic_energy, no potential_energy, no energy }"]
@@ -131,7 +131,7 @@ def main():
         lines = (MODELS / f"{name}.lag").read_text().splitlines()
         (TARGET / f"{name}.rs").write_text(module(name, lines))
     robots = [prepared(name, (MODELS / f"{name}.lag").read_text().splitlines()) for name in ["ur5", "panda"]]
-    head = "//! Robots whose inertia is made of parameters. Written by `tools/spatial_benches.py`."
+    head = "//! Robots with inertia as parameters. Written by `tools/spatial_benches.py`."
     PREPARED.parent.mkdir(parents=True, exist_ok=True)
     PREPARED.write_text("\n\n".join([head, *robots]) + "\n")
     modules = "\n".join(f"pub(crate) mod {name};" for name in sorted(ROBOTS))
