@@ -24,8 +24,8 @@ trait Compiled: Subject {
 
 /// Declares a system, compiled at two levels of accuracy, with its tests:
 /// `declare! { name, energies: …, mass_matrix: …; statements }`. The two words determine its
-/// methods: `kinetic_energy` and `potential_energy` only for `separate` energies, and `mass_matrix`
-/// as a function of the `positions` or of the whole `state`.
+/// methods. `kinetic_energy` and `potential_energy` exist only for `separate` energies;
+/// `mass_matrix` is a function of the `positions` or of the whole `state`.
 macro_rules! declare {
     ($name:ident, energies: $energies:ident, mass_matrix: $mass_matrix:ident; $($declaration:tt)*) => {
         mod $name {

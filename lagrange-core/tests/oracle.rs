@@ -38,7 +38,7 @@ fn every_strategy_agrees_with_the_references() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Where a sine or a cosine vanishes, the equations must not divide by it. The reference is inverse
+/// The equations must not divide by a sine or a cosine that vanishes. The reference is inverse
 /// dynamics, which never divides.
 #[test]
 fn right_angles_are_no_singularities() {

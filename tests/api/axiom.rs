@@ -1,8 +1,8 @@
 //! Newton's and Euler's laws for every body of random scenes: the forces handed out for drawing are
 //! complete.
 //!
-//! With ρ from P to the centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z = M_P for any point P of
-//! the body.
+//! With ρ from P to the centre of mass, `m a = F` and `J_P ω̇ + m (ρ × a_P)_z = M_P` for any point
+//! P of the body.
 
 use lagrange::body::Motion;
 use lagrange::scene::{Item, Plane, Scene};

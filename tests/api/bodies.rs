@@ -37,7 +37,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same numbers in single precision.
+    /// A rod in single precision.
     #[scalar(f32)]
     pub struct Rod;
 

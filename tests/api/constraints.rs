@@ -162,7 +162,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same rod with stabilisation.
+    /// The point mass on a rod with stabilisation.
     struct Stabilised;
 
     param m = 2.0, l = 1.0, g = 9.81, rate = 20.0;

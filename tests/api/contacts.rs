@@ -152,7 +152,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same block on one foot.
+    /// A block on one of these feet.
     #[derive(Clone, Debug)]
     struct OneFooted;
 

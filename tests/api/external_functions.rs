@@ -29,7 +29,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same bead with the formula of the road.
+    /// The bead with the formula of the road.
     #[derive(Clone, Debug)]
     struct Written;
     let road(x) = x^2 / 2 + cos(x);
@@ -40,7 +40,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same bead in any number type.
+    /// The bead in any number type.
     struct AnyBead<S>;
     function road(x) { derivative: road_derivative; second_derivative: road_second_derivative; }
     param m = 2, g = 9.81;
@@ -156,7 +156,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same balls with the formulas.
+    /// The bouncing balls with the formulas.
     struct BouncingByFormulas;
     let three_halves(x) = x^(3/2);
     let five_thirds(x) = x^(5/3);

@@ -73,8 +73,8 @@ fn valleys_are_crossed_in_single_precision_too() {
 }
 
 lagrange::system! {
-    /// The same valley by its force x |x|ⁿ⁻¹, whose factors are 0 and infinite in the middle for n
-    /// below one.
+    /// The valley by its force x |x|ⁿ⁻¹, whose factors are 0 and infinite in the middle for n below
+    /// one.
     #[derive(Clone, Debug)]
     struct Pulled<S>;
 

@@ -258,7 +258,7 @@ mod guided {
         constraint slot = y;
     }
     lagrange::system! {
-        /// The same rod with a constraint that no position satisfies.
+        /// The rod with a constraint that no position satisfies.
         #[derive(Clone, Debug)]
         pub struct Impossible;
         emit { frames, frame_jacobians }
@@ -305,7 +305,7 @@ use five_bar::FiveBar;
 
 mod turning_five_bar {
     lagrange::system! {
-        /// The same mechanism on a base that turns at a given speed.
+        /// The five-bar mechanism on a base that turns at a given speed.
         #[derive(Clone, Debug)]
         pub struct Turning;
         param w = 100;

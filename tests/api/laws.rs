@@ -19,7 +19,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same cart in any number type.
+    /// The cart in any number type.
     #[derive(Debug)]
     struct Generic<S>;
 

@@ -70,7 +70,7 @@ fn nan_is_in_no_range() {
 }
 
 lagrange::system! {
-    /// The same range in any number type.
+    /// A range in any number type.
     struct Ball<S>;
 
     param g > 0 = 9.81, bounce in 0..=1 = 0.5, radius in 0..;

@@ -17,7 +17,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same transformer by arrays, with a matrix of inductances.
+    /// The transformer by arrays, with a matrix of inductances.
     struct Coils;
 
     param L[2][2] = [[0.5, 0.3], [0.3, 0.5]], r = 2;

@@ -169,7 +169,7 @@ lagrange::system! {
     event shelf = y + c - (a + b), falling => impact(1/2);
 }
 
-/// Where the coordinates are zero, the gap is the rounding error of parameters that are lengths.
+/// If the coordinates are zero, the gap is the rounding error of parameters that are lengths.
 #[test]
 fn a_start_where_all_coordinates_are_zero_may_be_rounding_below_the_floor() {
     for (a, b, c) in [(0.1, 0.2, 0.3), (0.1, 0.7, 0.8), (1.1, 2.2, 3.3), (0.3, 0.3, 0.6)] {
@@ -198,8 +198,8 @@ lagrange::system! {
     friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
 }
 
-/// A block that rocks without slipping keeps the fraction r = 1 − 3/2 sin² α of its rate at each
-/// impact, where α is the angle at its corner (Housner, *Bull. Seismol. Soc. Am.* 53 (1963)
+/// A block that rocks without slipping keeps the fraction `r = 1 − 3/2 sin² α` of its rate at each
+/// impact. Here α is the angle at its corner (Housner, *Bull. Seismol. Soc. Am.* 53 (1963)
 /// 403–417). So it comes to rest on both feet after infinitely many impacts.
 #[test]
 fn a_block_that_rocks_from_foot_to_foot_comes_to_rest_on_both() {

@@ -1,4 +1,4 @@
-//! The same system in every number type.
+//! One system in every number type.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -48,7 +48,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same bead in single precision, in lanes.
+    /// The bead in single precision, in lanes.
     #[scalar(f32)]
     struct Single;
     coord x;
@@ -91,7 +91,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same equations in single precision, in lanes.
+    /// Coupled equations in single precision, in lanes.
     #[scalar(f32)]
     struct SingleLinked;
     coord x;

@@ -323,7 +323,7 @@ fn steps_that_times_so_far_from_zero_cannot_tell_are_refused() {
     }
 }
 
-/// The same instants backwards, where a function that increases in time decreases along the run.
+/// Runs backwards have the same instants. A function that increases in time decreases along them.
 #[test]
 fn directions_of_events_are_those_along_the_run() {
     let system = Swing;

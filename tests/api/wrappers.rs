@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same rod with the control in its equations.
+    /// The rod with the control in its equations.
     struct Controlled;
 
     param m = 2.0, g = 9.81;
@@ -96,7 +96,7 @@ impl Wrapper for Driven {
     }
 }
 
-/// The same rod with the work of the control behind the state.
+/// The rod under control, with its work behind the state.
 struct WithWork(Rod);
 
 impl Wrapper for WithWork {

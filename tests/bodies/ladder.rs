@@ -7,7 +7,8 @@ use crate::assert_within;
 use crate::pairs::Random;
 
 lagrange::system! {
-    /// By the angle of the left half to the floor; the coordinate satisfies joints and floor.
+    /// A step ladder by the angle of its left half to the floor; the coordinate satisfies joints
+    /// and floor.
     #[derive(Debug)]
     struct Ladder;
 

@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same carts without parts.
+    /// The carts without parts.
     #[derive(Clone, Debug)]
     struct Flat;
     coord x[2] = 1;

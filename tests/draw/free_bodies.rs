@@ -26,7 +26,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same pole on a hinge with multipliers.
+    /// The pole on a hinge with multipliers.
     struct Pole;
 
     param m = 1.0, l = 1.0, g = 9.81;

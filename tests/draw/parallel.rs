@@ -57,7 +57,7 @@ const PAIR: Puppet = Puppet(|angle, visit| {
     let tip = [0.8 * angle.cos(), 0.8 * angle.sin()];
     pair(tip, visit);
 });
-/// The same pair, whose ends meet where the coordinate is zero.
+/// A pair whose ends meet where the coordinate is zero.
 const MEETING: Puppet = Puppet(|s, visit| pair([0.6 * s, 0.8 * s], visit));
 
 fn pair(tip: [f64; 2], visit: &mut dyn FnMut(Item<'_, f64>)) {

@@ -65,7 +65,7 @@ fn laws_make_noise_multiplicative() {
         scaled.simulate([1.0]).until(4.0).method(method).drive(law).run().unwrap().last()[0]
     };
     lagrange::system! {
-        /// The same as one equation.
+        /// The law and the state as one equation.
         struct Grown;
         state z = 1;
         noise w, density: 0.25;

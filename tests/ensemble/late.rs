@@ -46,9 +46,9 @@ fn assert_mean(numbers: &Moments, exact: f64) {
     assert!((mean - exact).abs() < error && error < 0.25 * exact, "{mean}, not {exact}, within {error}");
 }
 
-/// The stationary variance is (1 + sin kτ)/(2 k cos kτ) for the density 1 (Küchler, Mensch,
+/// The stationary variance is `(1 + sin kτ)/(2 k cos kτ)` for the density 1. See Küchler, Mensch,
 /// "Langevins stochastic differential equation extended by a time-delayed term", *Stochastics and
-/// Stochastics Reports* 40 (1992) 23–42).
+/// Stochastics Reports* 40 (1992) 23–42.
 #[test]
 fn a_delayed_drift_has_its_stationary_variance() {
     let late = Late::default();

@@ -1,11 +1,11 @@
 //! Circles of files: strongly connected components of the imports (R. Tarjan, *Depth-first search
 //! and linear graph algorithms*, 1972).
 //!
-//! The file of a module and the files of its direct children are one unit to a reader, so that
-//! imports between them make no circle, in neither direction. Nor does a re-export of what is in
-//! the module's own folder. Everything else does: siblings that import each other, a file that
-//! imports from what calls it by way of a re-export, and a module that imports from its
-//! grandchildren what these have from it.
+//! To a reader, the file of a module and the files of its direct children are one unit. Imports
+//! between them make no circle, in either direction, and neither does a re-export from the module's
+//! own folder. Everything else does: siblings that import each other, and a file that imports from
+//! its caller by way of a re-export. So do a module and its grandchildren if each imports from the
+//! other.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};

@@ -99,7 +99,7 @@ impl Names {
         found
     }
 
-    /// What `name` is within what was found so far.
+    /// Returns the meanings of `name` within an earlier result.
     fn enter(&self, found: Found, name: &str, pending: &mut Vec<(usize, String)>) -> Vec<Found> {
         match found {
             (Target::Module(module), _) if name == "super" => {

@@ -238,7 +238,7 @@ impl Walk<'_> {
         self.variables.truncate(before);
     }
 
-    /// Imports methods of one name in the crate, where their type is named in the file, and counts
+    /// Imports methods with a single definition of their name, if the file names their type. Counts
     /// calls that may be of methods in several files.
     fn calls(&mut self) {
         for Call { from, method, line } in std::mem::take(&mut self.calls) {

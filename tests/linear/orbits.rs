@@ -142,8 +142,9 @@ fn a_pendulum_that_turns_over_advances_by_a_turn() {
     assert!((orbit.period - period).abs() < 1e-9, "{orbit:?} {period}");
 }
 
-/// The period to 12 digits: Andersen, Geer, "Power series expansions for the frequency and period
-/// of the limit cycle of the van der Pol equation", *SIAM J. Appl. Math.* 42 (1982) 678–693.
+/// The period is known to 12 digits. Source: Andersen, Geer, "Power series expansions for the
+/// frequency and period of the limit cycle of the van der Pol equation", *SIAM J. Appl. Math.* 42
+/// (1982) 678–693.
 #[test]
 fn the_limit_cycle_of_van_der_pol_has_its_published_period() {
     let orbit = VanDerPol::default().orbit([2.0, 0.1], 6.0).free_period().solve().expect("a limit cycle");

@@ -22,8 +22,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same mechanism with the ball joint in the tree, so that the orientation of the rod is a
-    /// unit quaternion; the universal joint closes the loop.
+    /// The slider-crank with the ball joint in the tree: the orientation of the rod is a unit
+    /// quaternion. The universal joint closes the loop.
     #[derive(Clone, Debug)]
     pub(crate) struct BallSliderCrank;
 

@@ -39,8 +39,9 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// Returns derivatives by g, e and the first height H of the height at time t between the first and
-/// the second bounce: h = e v s − g s²/2 with v = √(2 g H), s = t − √(2 H/g).
+/// Returns derivatives of the height at time t by g, e and the first height H, between the first
+/// and the second bounce. The height is `h = e v s − g s²/2` with `v = √(2 g H)`,
+/// `s = t − √(2 H/g)`.
 fn slopes(t: f64, g: f64, e: f64, height: f64) -> [f64; 3] {
     let (v, fall) = ((2.0 * g * height).sqrt(), (2.0 * height / g).sqrt());
     let (s, rate) = (t - fall, e * v - g * (t - fall));

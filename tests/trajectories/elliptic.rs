@@ -45,7 +45,7 @@ impl Elliptic {
     }
 }
 
-/// By mpmath, `ellipk` and `ellipfun` with m = 0.81 at u = 7/4.
+/// Values by mpmath, `ellipk` and `ellipfun` with m = 0.81 at u = 7/4.
 const QUARTER: f64 = 2.280_549_138_422_770_2;
 const KNOWN: [f64; 3] = [0.971_325_976_186_824_7, 0.237_751_651_907_430_47, 0.485_577_941_084_247_26];
 

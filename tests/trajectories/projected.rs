@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same rod with stabilisation.
+    /// The rod with stabilisation.
     #[derive(Clone, Debug)]
     pub(crate) struct StabilisedRod;
 
@@ -33,7 +33,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same pendulum in an angle.
+    /// The pendulum of the rod in an angle.
     #[derive(Clone, Debug)]
     pub(crate) struct Angle;
 

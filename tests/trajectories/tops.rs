@@ -100,7 +100,7 @@ impl FreeTop {
     }
 
     /// Returns the angle of rotation about the angular momentum in one period: (37.17) by the
-    /// trapezoidal rule, which converges faster than any power for periodic integrands.
+    /// trapezoidal rule. For periodic integrands it converges faster than any power.
     fn turn_in_a_period(&self) -> f64 {
         let points = 128;
         let rate = |index: i32| {

@@ -42,8 +42,8 @@ fn declaration(name: &str, text: &str) -> String {
     path.to_str().expect("UTF-8").to_owned()
 }
 
-/// At θ = π: (M + m) ẍ − m l θ̈ = u and l θ̈ − ẍ = g δ, so that ẍ = (u + m g δ)/M and
-/// θ̈ = (ẍ + g δ)/l.
+/// At θ = π: `(M + m) ẍ − m l θ̈ = u` and `l θ̈ − ẍ = g δ`, so that `ẍ = (u + m g δ)/M` and
+/// `θ̈ = (ẍ + g δ)/l`.
 #[test]
 fn the_pole_on_a_cart_is_that_by_hand() {
     let at = [CART, "--equilibrium", "--at", "x=50 cm", "--hold", "x", "--set", "m=300 g", "--set", "u=0"];

@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Systems with the times of the comparison: events, a stop, switches in time and state, a closed
-/// loop, a quaternion, clocks, a table, an unknown, a rolling constraint.
+/// Systems with the times of the comparison. They have events, a stop, switches in time and state,
+/// a closed loop, a quaternion, clocks, a table, an unknown or a rolling constraint.
 const SYSTEMS: [(&str, &str, f64); 9] = [
     (
         "double",

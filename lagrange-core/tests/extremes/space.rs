@@ -1,7 +1,7 @@
 //! Bodies in space, one of which is 10⁹ times as heavy, as light, as long or as short as the
 //! others.
 //!
-//! Errors are judged as in [`sweep`](crate::sweep), in units of rounding by κ + c: the
+//! Errors are judged as in [`sweep`](crate::sweep), in units of rounding by `κ + c`. This is the
 //! magnification of rounded inputs plus the condition of the scaled mass matrix. All levels keep
 //! that bound everywhere. With three degrees of freedom `strict` keeps κ + √c, as in the plane.
 //! With more it is never worse than `standard`, and mostly better where lengths differ: see

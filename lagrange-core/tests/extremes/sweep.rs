@@ -2,9 +2,10 @@
 //!
 //! Two numbers predict the error in units of rounding. The magnification κ of rounded inputs
 //! affects every algorithm that computes sines and products of the inputs. The other is the
-//! condition number c of the mass matrix scaled to a unit diagonal. Elimination by pivots loses κ +
-//! c. Elimination by rotations of velocities weighted with the roots of their masses loses κ + √c
-//! (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §10.1 and §20.1).
+//! condition number c of the mass matrix scaled to a unit diagonal. Elimination by pivots loses
+//! `κ + c`. Elimination by rotations loses `κ + √c` if velocities are weighted with the roots of
+//! their masses. See Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §10.1 and
+//! §20.1.
 
 use std::f64::consts::PI;
 

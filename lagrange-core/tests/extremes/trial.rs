@@ -141,7 +141,7 @@ impl Reference {
 pub(crate) struct Magnification {
     /// Σⱼ |xⱼ ∂äᵢ/∂xⱼ| / |äᵢ|
     pub(crate) components: Vec<f64>,
-    /// The same for the largest acceleration, in the scales of [`Errors::scaled`].
+    /// That magnification of the largest acceleration, in the scales of [`Errors::scaled`].
     pub(crate) scaled: f64,
 }
 

@@ -15,8 +15,8 @@ fn system(text: &str) -> NumericSystem {
     NumericSystem::new(&derived.expect("a regular system"))
 }
 
-/// Returns a crank of length 1 that drives a rocker of length 3 through a coupler of length 4, on a
-/// base of length 3.5, with a mass on the coupler and a spring at the rocker.
+/// Returns a crank of length 1 that drives a rocker of length 3 through a coupler of length 4. The
+/// base has the length 3.5, the coupler carries a mass, and a spring holds the rocker.
 fn four_bar(unknowns: &str) -> String {
     format!(
         "param a = 1, b = 4, c = 3, d = 7/2, m = 2, k = 5, g = 9.81; coord phi;

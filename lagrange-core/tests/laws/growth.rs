@@ -49,8 +49,8 @@ fn without_mass_matrix(text: &str) -> String {
     format!("{text} emit {{ no mass_matrix }}")
 }
 
-/// Returns a tree in which the parent of each body is drawn from all before it, by a linear
-/// congruential generator (Knuth, *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line
+/// Returns a tree in which the parent of each body is drawn from all before it. The generator is
+/// linear congruential (Knuth, *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line
 /// 26).
 fn tree(n: usize, relative: bool) -> String {
     let mut state = 1_u64;

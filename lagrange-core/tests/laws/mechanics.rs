@@ -17,7 +17,7 @@ use crate::trees::trees;
 const DIFFERENCED: f64 = 1e-6;
 /// Bounds rounding in differently ordered sums and eliminations.
 const ROUNDED: f64 = 1e-9;
-/// The same bound for trees of well-conditioned bodies.
+/// Bounds rounding in trees of well-conditioned bodies.
 const ROUNDED_IN_TREES: f64 = 1e-11;
 
 /// A machine's model beside the equations derived from it, at its state.

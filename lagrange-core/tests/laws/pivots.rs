@@ -29,7 +29,7 @@ fn constraints_make_up_for_masses_that_are_zero() {
     }
 }
 
-/// By hand: sin x ẍ + ½ cos x ẋ² + ÿ + 1 = 0 and ẍ + y = 0.
+/// The equations are sin x ẍ + ½ cos x ẋ² + ÿ + 1 = 0 and ẍ + y = 0.
 #[test]
 fn a_zero_pivot_of_a_regular_matrix_is_no_singularity() {
     let system = numeric("coord x, y; lagrangian = 1/2*sin(x)*dot(x)^2 + dot(x)*dot(y) - 1/2*y^2 - x;");

@@ -14,7 +14,7 @@ const ROUNDED: f64 = 1e-9;
 /// Step of first differences, short enough that squares such as |v| v are invisible, and the bound
 /// of their error.
 const SLOPE: (f64, f64) = (1e-7, 1e-5);
-/// The same for second differences.
+/// Step of second differences, and the bound of their error.
 const BEND: (f64, f64) = (3e-4, 1e-4);
 
 /// A machine beside a reduced one. Positions of reduced coordinates avoid kinks, which are at
@@ -116,8 +116,8 @@ proptest! {
         prop_assert!(largest(&free) <= ROUNDED * pair.scale(), "{free:?}: {}", pair.machine.text);
     }
 
-    /// With deviations and their rates of order ε, the error of forces is of order ε³ on
-    /// coordinates that are not small, and ε² on small ones.
+    /// Deviations and their rates are of order ε. Then forces have errors of order ε² on small
+    /// coordinates, and ε³ on the others.
     #[test]
     fn what_is_small_is_linear(
         machine in machines(),

@@ -179,8 +179,8 @@ impl Scene {
     }
 }
 
-/// Returns m a of a body, and J_P ω̇ + m (ρ × a_P)_z for the point P at ρ before the centre of
-/// mass, with the position of P.
+/// Returns `m a` of a body, and `J_P ω̇ + m (ρ × a_P)_z` with the position of P, which is at ρ
+/// before the centre of mass.
 fn rates(motion: &[f64], rho: [f64; 2]) -> ([f64; 2], f64, [f64; 2]) {
     let &[m, j, _, _, x, y, _, _, _, omega, ax, ay, alpha] = motion else { panic!("{motion:?}") };
     let acceleration =

@@ -179,8 +179,8 @@ fn units_are_those_of_entries() {
     assert_eq!(report.matches("error at").count(), 1, "{report}");
 }
 
-/// The accelerations of a spherical pendulum by vectors agree with its closed form: ä = sin a cos a
-/// ḃ² − g/l sin a, b̈ = −2 cot a ȧ ḃ.
+/// The accelerations of a spherical pendulum by vectors agree with `ä = sin a cos a ḃ² − g/l sin a`
+/// and `b̈ = −2 cot a ȧ ḃ`.
 #[test]
 fn a_spherical_pendulum_is_that_of_textbooks() {
     let pendulum = numeric(

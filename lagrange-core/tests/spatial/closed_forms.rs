@@ -25,8 +25,8 @@ const STATES: [([f64; 3], [f64; 3]); 4] = [
     ([0.0, 0.625, 0.0], [0.75, 0.5, -0.25]),
 ];
 
-/// Angles a about x and b about the rotated y: b̈ = −sin b cos b ȧ² − g/l cos a sin b, ä = 2 tan b
-/// ȧ ḃ − g/l sin a / cos b.
+/// Angles a about x and b about the rotated y satisfy `b̈ = −sin b cos b ȧ² − g/l cos a sin b` and
+/// `ä = 2 tan b ȧ ḃ − g/l sin a / cos b`.
 #[test]
 fn a_spherical_pendulum_swings_as_its_two_equations_say() {
     let system = system(
@@ -55,8 +55,8 @@ fn a_spherical_pendulum_swings_as_its_two_equations_say() {
     }
 }
 
-/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where A cos
-/// θ ψ̇² − C ω₃ ψ̇ + m g l = 0.
+/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where
+/// `A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0`.
 #[test]
 fn a_gyroscope_precesses_steadily_at_both_of_its_rates() {
     let (mass, length, across, along) = (1.25, 0.4, 0.05, 0.02);

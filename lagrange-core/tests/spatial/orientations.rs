@@ -102,9 +102,9 @@ fn a_thrown_body_falls_and_turns_as_euler_says() {
     }
 }
 
-/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where A cos
-/// θ ψ̇² − C ω₃ ψ̇ + m g l = 0. In the axes of the body, the vertical then turns by −φ̇ about the
-/// axis.
+/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where
+/// `A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0`. In the axes of the body, the vertical then turns by −φ̇
+/// about the axis.
 #[test]
 fn a_gyroscope_on_a_ball_precesses_steadily_at_both_of_its_rates() {
     let (mass, length, across, along) = (1.25, 0.4, 0.05, 0.02);

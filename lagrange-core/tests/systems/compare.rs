@@ -2,9 +2,9 @@
 //!
 //! The scale of an error is the change of the result when each operation of the reference is
 //! perturbed at random by a relative 2⁻⁶⁴. It shows how roundings grow from energies to results,
-//! including cancellation and the condition of all matrices (Vignes, "A stochastic arithmetic for
-//! reliable scientific computation", Mathematics and Computers in Simulation 35 (1993) 233–261). So
-//! a wrong term stands out, and digits that no algorithm keeps are not blamed.
+//! including cancellation and the condition of all matrices. See Vignes, "A stochastic arithmetic
+//! for reliable scientific computation", Mathematics and Computers in Simulation 35 (1993) 233–261.
+//! So a wrong term stands out, and digits that no algorithm keeps are not blamed.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;

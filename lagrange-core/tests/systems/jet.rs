@@ -2,7 +2,7 @@
 //!
 //! A jet is x(τ) = x₀ + x₁ τ + x₂ τ² along a motion, with its first-order change along neighbouring
 //! motions. Arithmetic with jets needs nothing but the chain rule (Griewank and Walther,
-//! *Evaluating Derivatives*, 2nd ed., chapter 13), and the rate of a jet is its derivative by τ. No
+//! *Evaluating Derivatives*, 2nd ed., chapter 13). The rate of a jet is its derivative by τ. No
 //! formula is ever differentiated.
 
 use std::collections::HashMap;

@@ -5,10 +5,10 @@
 //! motions (`world`, `jet`), and coefficients of these give Lagrange's equations (`reference`).
 //!
 //! The declarations (`generate`) contain machines and lattices of points, bodies in the plane and
-//! in space, arrays, first-order states, algebraic unknowns, tables, units, quaternions and
-//! functions. They also contain constraints, loads, losses, kinks and jumps. They are derived at
-//! all levels of accuracy and by all strategies. Each is judged at two states: a random one, and
-//! one of zeros, equal numbers and quarter turns.
+//! in space, arrays and first-order states. They also contain algebraic unknowns, tables, units,
+//! quaternions, functions, constraints, loads, losses, kinks and jumps. They are derived at all
+//! levels of accuracy and by all strategies. Each is judged at two states: a random one, and one of
+//! zeros, equal numbers and quarter turns.
 //!
 //! Accelerations, multipliers, rates of states, mass matrix, forcing, momenta, energies, inverse
 //! dynamics and outputs of the interpreter are compared, as described in `compare`.

@@ -1,11 +1,11 @@
 //! Equations of motion from energies alone.
 //!
-//! Let δL be the change of L(τ) under a displacement η of a velocity's positions. With F = ∂L/∂q
-//! and p = ∂L/∂q̇ it is F η + p η̇, so that η = 1 gives F, and η = τ gives p and F + ṗ. So ṗ − F,
-//! the left side of Lagrange's equations, is a coefficient of a series (Goldstein, Poole and Safko,
-//! *Classical Mechanics*, 3rd ed., §2.2), for rotations and other quasi-coordinates, too. It is
-//! affine in the accelerations, and so are second rates of constraints. Hence one more motion for
-//! each acceleration gives M, A and the remainders of both.
+//! Let δL be the change of L(τ) under a displacement η of a velocity's positions. With `F = ∂L/∂q`
+//! and `p = ∂L/∂q̇` it is `F η + p η̇`, so that `η = 1` gives F, and `η = τ` gives p and `F + ṗ`.
+//! So `ṗ − F`, the left side of Lagrange's equations, is a coefficient of a series, for rotations
+//! and other quasi-coordinates, too. See Goldstein, Poole and Safko, *Classical Mechanics*, 3rd
+//! ed., §2.2. It is affine in the accelerations, and so are second rates of constraints. Hence one
+//! more motion for each acceleration gives M, A and the remainders of both.
 
 use std::collections::HashMap;
 

@@ -1,8 +1,8 @@
 //! Rigid bodies and joints along a motion: rotation matrices as jets, and energies from their
 //! rates.
 //!
-//! T = ½ m ċ·ċ + ½ ω·J ω with ω of Rᵀ Ṙ in the axes of the body (Goldstein, Poole and Safko, *Classical
-//! Mechanics*, 3rd ed., §5.3).
+//! The kinetic energy is `T = ½ m ċ·ċ + ½ ω·J ω` with ω of `Rᵀ Ṙ` in the axes of the body
+//! (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §5.3).
 
 use lagrange_core::expr::Function;
 

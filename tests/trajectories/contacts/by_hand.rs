@@ -1,4 +1,4 @@
-//! The same motions as handwritten declarations.
+//! Motions of `contact` statements against handwritten declarations.
 
 use lagrange::Simulate;
 use lagrange::integrate::Radau5;

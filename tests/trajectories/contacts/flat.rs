@@ -45,7 +45,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with numbers.
+    /// The incline with numbers.
     #[derive(Clone, Debug)]
     struct InclineInNumbers;
 

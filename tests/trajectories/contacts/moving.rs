@@ -68,7 +68,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in the plane.
+    /// The box with a ball in the plane.
     #[derive(Clone, Debug)]
     struct LidInThePlane;
 

@@ -13,8 +13,8 @@ use compiled::{Walker, WalkerState};
 
 /// Weight of the trunk, the legs, the mast and its load.
 pub(super) const WEIGHT: f64 = G * (4.0 + 4.0 * 0.3 + 0.5 + 0.2);
-/// Coefficient of friction of the feet, and the dry friction of the mast: its own, plus half of
-/// that of the weight that follows it at half its speed.
+/// Coefficient of friction of the feet, and the dry friction of the mast. This is its own, plus
+/// half of that of the weight, which follows at half its speed.
 const FRICTION: [f64; 2] = [0.6, 0.5 + 0.5 * 0.2];
 const TOLERANCE: f64 = 1e-8;
 

@@ -89,7 +89,7 @@ mod pushed {
 }
 use pushed::{Pushed, PushedInputs};
 
-/// The same in single precision.
+/// The block in single precision.
 mod single {
     lagrange::system! {
         #[derive(Clone, Debug)]

@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same coin with other axes, on a plane that is the ground, at a point that is the centre.
+    /// The coin with other axes, on a plane that is the ground, at a point that is the centre.
     #[derive(Clone, Debug)]
     struct Turned;
 
@@ -143,7 +143,7 @@ fn axis_and_plane_are_any() {
 }
 
 /// A coin of moments A and C leans by θ, with the rate n of its heading and the spin ω₃ about its
-/// axis. It runs in a circle if A n² sin θ cos θ − (C + m r²) n sin θ ω₃ = m g r cos θ (Neimark,
+/// axis. It runs in a circle if `A n² sin θ cos θ − (C + m r²) n sin θ ω₃ = m g r cos θ` (Neimark,
 /// Fufaev, *Dynamics of Nonholonomic Systems*).
 #[test]
 fn leaning_coins_run_in_circles() {

@@ -123,7 +123,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same ball with a stiffness.
+    /// The ball with a stiffness.
     #[derive(Clone, Debug)]
     struct SoftBall;
 

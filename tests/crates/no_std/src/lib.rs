@@ -18,7 +18,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same pendulum in single precision, as on a microcontroller.
+    /// A pendulum in single precision, as on a microcontroller.
     #[scalar(f32)]
     #[derive(Clone, Copy, Debug)]
     pub struct SmallPendulum;

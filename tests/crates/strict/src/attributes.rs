@@ -26,7 +26,7 @@ lagrange::system! {
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     potential = cos(x) + y^2;
 
-    /// The same.
+    /// A deprecated part.
     reduce OldPart { freeze y = 0; }
 }
 

@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same capital letter as a type and as a value.
+    /// One capital letter as a type and as a value.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Capital<S>;
 

@@ -52,7 +52,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in any number type.
+    /// A ball in any number type.
     #[derive(Clone, Copy, Debug)]
     pub struct AnyBall<T>;
 
