@@ -2,8 +2,8 @@
 """Writes the robots of benches/spatial and benches/prepared: `tools/spatial_benches.py` fills benches/spatial/robots/ and
 benches/prepared/robots.rs from the declarations in `lagrange-core/tests/spatial/models`, which `tools/spatial_models.py` has written.
 
-Each file of the former holds a declaration as it is at two levels of accuracy, and the same numbers joint by joint for what is written by
-hand; the latter holds declarations with the numbers of bodies as parameters.
+Each file of the former contains a declaration at two levels of accuracy, and the same numbers joint by joint for handwritten
+algorithms; the latter contains declarations with the numbers of bodies as parameters.
 """
 
 import math
@@ -33,7 +33,7 @@ def number(text):
 
 
 def array(text, size=3):
-    """A vector of the language in Rust."""
+    """Returns a vector of the language in Rust."""
     entries = [number(entry.strip()) for entry in text.strip("()").split(",")]
     return f"[{', '.join(entries + ['0.0'] * (size - len(entries)))}]"
 
@@ -43,7 +43,7 @@ def labels(text):
 
 
 def joints(lines):
-    """Rows in Rust: each joint with the link that it carries, which has no mass between the two axes of a universal joint."""
+    """Returns rows in Rust: each joint with its link, which is massless between the two axes of a universal joint."""
     zero, links, rows, last = "(0, 0, 0)", {}, [], "ground"
     for line in lines:
         if line == GRAVITY:
@@ -99,7 +99,7 @@ pub(crate) const JOINTS: [Joint; {len(rows)}] = [
 
 
 def with_parameters(lines):
-    """The statements with every number of a body that is not zero as the default of a parameter, these first."""
+    """Returns the statements with every nonzero number of a body as the default of a parameter; parameters come first."""
     parameters = []
 
     def parameter(text):
