@@ -1,6 +1,6 @@
-//! Emitted code against the best by hand, in turns: rows of a Markdown table.
+//! Emitted code against the best handwritten code, in alternation: rows of a Markdown table.
 //!
-//! Three are handwritten:
+//! Three implementations are handwritten:
 //! - straight-line assembly and factorisation of the mass matrix;
 //! - articulated bodies as usually written for any plane mechanism;
 //! - articulated bodies specialised to massless rods, for which a single number represents a
@@ -31,7 +31,7 @@ use handwritten::{
 };
 use timing::{Times, in_turns};
 
-/// Chains of a level of accuracy.
+/// Defines chains at a level of accuracy.
 macro_rules! chains {
     ($chains:ident $(, $level:ident)?) => {
         mod $chains {
@@ -68,7 +68,7 @@ fn parameters<const N: usize>() -> Parameters<N> {
     (from_fn(|k| 1.0 + 0.1 * k as f64), from_fn(|k| 0.8 + 0.05 * k as f64), GRAVITY)
 }
 
-/// An emitted type with these parameters, as a function.
+/// Returns an emitted type with these parameters as a function.
 fn emitted<const N: usize, M>(
     (m, l, g): &Parameters<N>,
     build: fn(&[f64; N], &[f64; N], f64) -> M,
@@ -80,7 +80,7 @@ where
     move |q, v| black_box(&system).acceleration(0.0, q, v)
 }
 
-/// Times the emitted type that `build` makes, and a function by hand.
+/// Times the emitted type that `build` makes, and a handwritten function.
 fn beside_by_hand<const N: usize, M>(
     build: fn(&[f64; N], &[f64; N], f64) -> M,
     by_hand: impl Fn(&[f64; N], &[f64; N], &[f64; N], &[f64; N], f64) -> [f64; N],
@@ -117,7 +117,7 @@ const STRAIGHT: &str = "straight line";
 const ARTICULATED: &str = "articulated";
 const MASSLESS: &str = "massless rods";
 
-/// Chains of a level beside functions by hand that take their sines from one place.
+/// Compares chains at a level with handwritten functions that take their sines from one source.
 macro_rules! beside_by_hand {
     ($level:literal, $chains:ident, $waves:ident:
      $($chain:ident, $n:literal: $($way:ident = $by_hand:ident),+;)*) => {
@@ -145,7 +145,7 @@ macro_rules! beside_by_hand {
     };
 }
 
-/// Chains of the level `strict` beside the same with `standard`.
+/// Compares chains at the level `strict` with the same at `standard`.
 macro_rules! beside_standard {
     ($($chain:ident),+) => {
         $(

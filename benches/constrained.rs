@@ -1,5 +1,5 @@
-//! Emitted right-hand sides of constrained systems beside those by hand, in turns: rows of a
-//! Markdown table.
+//! Emitted right-hand sides of constrained systems against handwritten ones, in alternation: rows
+//! of a Markdown table.
 //!
 //! Handwritten means the code of a good engineer: mass matrix, forces and constraints in closed
 //! form, and each sine and cosine once. An LDLᵀ factorisation of the whole system, on the stack
@@ -10,8 +10,8 @@
 //! ⎣ A  0  ⎦ ⎣ −λ ⎦ = ⎣ −γ ⎦ ,    γ = c̈ at zero acceleration.
 //! ```
 //!
-//! No pivots are looked for: M is definite, and so is A M⁻¹ Aᵀ. Times are minima, ratios medians
-//! (`timing.rs`).
+//! There is no search for pivots: M is definite, and so is A M⁻¹ Aᵀ. Times are minima, ratios
+//! medians (`timing.rs`).
 
 #[path = "../tests/mechanisms/four_bar.rs"]
 mod four_bar;
@@ -27,15 +27,15 @@ use handwritten::solve_in_place;
 use squeezer::{Squeezer, SqueezerState};
 use timing::in_turns;
 
-/// Accelerations from the system above: N coordinates, K unknowns in all, the upper triangle of the
-/// matrix.
+/// Solves the system above for accelerations: N coordinates, K unknowns in total, the upper
+/// triangle of the matrix.
 #[inline(always)]
 fn solved<const N: usize, const K: usize>(mut matrix: [[f64; K]; K], mut right: [f64; K]) -> [f64; N] {
     solve_in_place(&mut matrix, &mut right);
     std::array::from_fn(|i| right[i])
 }
 
-/// Accelerations of the four-bar linkage.
+/// Computes accelerations of the four-bar linkage.
 fn four_bar_by_hand(p: &FourBar, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
     let [(s1, c1), (s2, c2), (s3, c3)] = q.map(f64::sin_cos);
     let [w1, w2, w3] = v.map(|rate| rate * rate);
@@ -59,7 +59,7 @@ fn four_bar_by_hand(p: &FourBar, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
     solved(matrix, right)
 }
 
-/// Accelerations of the squeezing mechanism.
+/// Computes accelerations of the squeezing mechanism.
 fn squeezer_by_hand(p: &Squeezer, q: &[f64; 7], v: &[f64; 7]) -> [f64; 7] {
     let &[beta, theta, gamma, phi, delta, omega, eps] = q;
     let &[beta_dot, theta_dot, gamma_dot, phi_dot, delta_dot, omega_dot, eps_dot] = v;
@@ -122,7 +122,7 @@ fn squeezer_by_hand(p: &Squeezer, q: &[f64; 7], v: &[f64; 7]) -> [f64; 7] {
     solved(matrix, right)
 }
 
-/// Both ways agree at this state.
+/// Asserts that both ways agree at this state.
 #[track_caller]
 fn assert_same<const N: usize>(emitted: &[f64; N], by_hand: &[f64; N]) {
     let largest = emitted.iter().fold(0.0_f64, |largest, a| largest.max(a.abs()));

@@ -1,8 +1,8 @@
-//! The price of motions with contacts, by adaptive methods and by fixed steps: the error at the
-//! end, evaluations and time. `docs/contacts.md` has the table.
+//! The price of motions with contacts, by adaptive methods and by fixed steps: the final error,
+//! evaluations and time. `docs/contacts.md` has the table.
 //!
-//! Errors are those of the position at the end, beside closed forms, which those of compliant
-//! contacts include: they creep, and sink by 0.1 mm.
+//! Errors are those of the final position, against closed forms. For compliant contacts these
+//! include creep and the depth of 0.1 mm.
 //!
 //! `cargo bench -p lagrange-benches --bench contacts`
 
@@ -14,7 +14,7 @@ use lagrange::contact::Stepped;
 use lagrange::integrate::{Radau5, RungeKutta4, Verner98};
 
 lagrange::system! {
-    /// A block that slides.
+    /// A sliding block.
     #[derive(Clone, Debug)]
     pub struct Block;
 
@@ -27,7 +27,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball that bounces.
+    /// A bouncing ball.
     #[derive(Clone, Debug)]
     pub struct Ball;
 
@@ -113,7 +113,7 @@ macro_rules! scene {
     }};
 }
 
-/// Runs, of which the shortest counts.
+/// Number of runs, the shortest of which counts.
 const REPEATS: usize = 20;
 /// The box on its corners, pushed along the diagonal.
 const START: [f64; 13] = [0.0, 0.0, 0.05, 1.0, 0.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.0];
@@ -140,14 +140,14 @@ fn main() {
     }
 }
 
-/// The state of the box at rest on soft ground, with its velocities.
+/// Returns the state of the box at rest on soft ground, with its velocities.
 fn sunk(start: [f64; 13]) -> [f64; 13] {
     let mut sunk = start;
     sunk[2] -= DEPTH;
     sunk
 }
 
-/// Height of a ball that is let go at a height, with this coefficient of restitution.
+/// Returns the height of a ball dropped from a height, with this coefficient of restitution.
 fn bounced(height: f64, restitution: f64, end: f64) -> f64 {
     let g = 9.81;
     let (mut speed, mut t) = ((2.0 * g * height).sqrt(), (2.0 * height / g).sqrt());

@@ -1,9 +1,9 @@
-//! Time to derive the equations of pendulum chains, phase by phase: what the macro adds to a user's
-//! build.
+//! Time to derive the equations of pendulum chains, phase by phase: the share of the macro in a
+//! user's build.
 //!
-//! Proc-macros run unoptimised in most builds, so that the figures which matter are those of
+//! Proc-macros run unoptimised in most builds, so the relevant figures are those of
 //! `cargo bench --profile dev -p lagrange-benches --bench derivation`. `tools/compile_time.py`
-//! measures the whole of what a user waits for, with the compilation of the emitted code.
+//! measures a user's whole wait, including the compilation of the emitted code.
 
 use criterion::{BatchSize, Criterion, SamplingMode, criterion_group, criterion_main};
 use lagrange_core::derive::StrategyChoice;

@@ -1,4 +1,4 @@
-//! Ensembles of 10 s, in lanes and one by one, beside a handwritten loop of single runs, and with
+//! Ensembles of 10 s, in lanes and one by one, against a handwritten loop of single runs, and with
 //! different numbers of threads.
 //!
 //! All variants compute the same motions in each round, in alternation, so that all see the same
@@ -74,7 +74,7 @@ const SEED: u64 = 7;
 const STEP: f64 = 0.01;
 const INTERVAL: f64 = 0.1;
 
-/// A system, and where its motions start.
+/// A system with the starts of its motions.
 trait Subject: SharedSystem<Scalar = f64, Columns<Table<f64>>: Send> {
     /// Number of motions: few for a large system.
     const MOTIONS: usize = MOTIONS;
@@ -109,7 +109,7 @@ impl Subject for Chain {
     }
 }
 
-/// Ends of single runs, one after the other.
+/// Computes the ends of single runs, one after the other.
 fn by_hand<M: Subject>(system: &M, tolerance: f64) -> f64 {
     let ends = (0..M::MOTIONS).map(|index| {
         let run = system.simulate(M::start(&mut Random::start(SEED, index))).until(UNTIL);
@@ -123,7 +123,7 @@ fn ensemble<M: Subject>(system: &M, tolerance: f64, threads: usize) -> Ensemble<
     motions.tolerance(tolerance).seed(SEED).threads(threads)
 }
 
-/// Microseconds.
+/// Returns a time in microseconds.
 fn time(compute: &dyn Fn() -> f64) -> f64 {
     let began = Instant::now();
     black_box(compute());
@@ -135,7 +135,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// The ways to compute so many motions, in turns.
+/// Measures several ways of computing motions, in alternation.
 fn measure<const N: usize>(what: &str, motions: usize, ways: [(&str, &dyn Fn() -> f64); N]) {
     let rounds: Vec<_> = (0..ROUNDS).map(|_| ways.map(|(_, compute)| time(compute))).collect();
     for (index, (name, _)) in ways.iter().enumerate() {
@@ -145,12 +145,12 @@ fn measure<const N: usize>(what: &str, motions: usize, ways: [(&str, &dyn Fn() -
     }
 }
 
-/// A number of the last motion.
+/// Returns a number of the last motion.
 fn last<M: Subject>(ends: &Ends<M>) -> f64 {
     ends.state(M::MOTIONS - 1).expect("ended").as_ref()[0]
 }
 
-/// A number of its trajectory.
+/// Returns a number of its trajectory.
 fn last_sample<M: Subject>(samples: &Samples<M>) -> f64 {
     samples.iter().last().expect("ended").1.last().as_ref()[0]
 }
@@ -184,7 +184,7 @@ fn measure_all<M: Subject>(name: &str, system: &M) {
     measure_equal(name, system, "RK4", RungeKutta4 { step: STEP });
 }
 
-/// A method in equal steps.
+/// Measures a method with equal steps.
 fn measure_equal<M: Subject, K>(name: &str, system: &M, method: &str, settings: K)
 where
     K: Method<M> + Copy + Sync,

@@ -1,8 +1,7 @@
-//! Time per evaluation of the accelerations: emitted code beside hand-written code.
+//! Time per evaluation of the accelerations: emitted against handwritten code.
 //!
-//! Every evaluation waits for the one before, as in an integrator, so that latency counts. All
-//! parameters are read anew in each call; what depends on nothing else is not carried over from
-//! call to call.
+//! Every evaluation waits for the previous one, as in an integrator, so latency counts. All
+//! parameters are read again in each call, and nothing is carried over from call to call.
 
 #[macro_use]
 #[path = "chains/declared.rs"]
@@ -44,7 +43,7 @@ impl<const N: usize> Chain<N> {
 
 type Group<'a> = BenchmarkGroup<'a, WallTime>;
 
-/// Times `accelerations(q, v)` with q that depends on the result before, although not in value.
+/// Times `accelerations(q, v)` with a q that depends on the previous result, though not in value.
 fn time<const N: usize>(
     group: &mut Group<'_>,
     name: &str,

@@ -1,7 +1,7 @@
-//! Jacobians of right-hand sides: emitted beside differences of the right-hand side.
+//! Jacobians of right-hand sides: emitted ones against differences of the right-hand side.
 //!
 //! Differences take one evaluation for each entry of the state beside the one at the state itself,
-//! and half of the digits. Each case is one Jacobian at a state that the compiler does not know.
+//! and lose half of the digits. Each case is one Jacobian at a state unknown to the compiler.
 
 use std::hint::black_box;
 

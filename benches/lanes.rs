@@ -56,15 +56,15 @@ chains! {
     Chain30 30;
 }
 
-/// States that are evaluated one after the other.
+/// Number of states evaluated one after the other.
 const STATES: usize = 64;
 const ROUNDS: usize = 60;
-/// Nanoseconds, roughly, that a cell takes in a round.
+/// Approximate nanoseconds of a cell per round.
 const ROUND: f64 = 2e5;
 /// True if the build has fused products.
 const FUSED: bool = cfg!(target_feature = "fma");
 
-/// With which instructions.
+/// The level of instructions.
 #[derive(Clone, Copy)]
 enum Level {
     Build,
@@ -116,10 +116,10 @@ impl Level {
     }
 }
 
-/// Something that is measured in every round.
+/// A measurement taken in every round.
 type Cell = Box<dyn FnMut() -> f64>;
 
-/// Nanoseconds a motion of a system in numbers of the type S.
+/// Returns nanoseconds per motion of a system in numbers of the type S.
 fn cell<S, M>(level: Level) -> Cell
 where
     S: SideBySide,
@@ -144,7 +144,7 @@ where
     })
 }
 
-/// A state whose lanes differ.
+/// Returns a state whose lanes differ.
 fn state<S, M>(group: usize) -> <M::Lanes<S> as Equations<S>>::State
 where
     S: SideBySide,
@@ -194,8 +194,7 @@ fn start(motion: usize) -> [f64; 4] {
     [2.0 + 1e-3 * motion as f64, 1.0, 0.0, 0.0]
 }
 
-/// Ends of all motions, eight at a time, by a loop that knows nothing of what an ensemble does
-/// beside.
+/// Ends of all motions, eight at a time, by a loop without the other work of an ensemble.
 struct Loop<'a, M>(&'a M, &'a mut f64);
 
 impl<M> NullaryFnOnce for Loop<'_, M>
@@ -220,7 +219,7 @@ where
     }
 }
 
-/// The sum of the ends of motions that go in equal steps.
+/// Returns the sum of the ends of motions in equal steps.
 #[inline(always)]
 fn run_to_end<S, E>(motions: &mut impl LanesStepper<S, E>, equations: &E) -> f64
 where
@@ -233,7 +232,7 @@ where
     (0..S::LANES).map(|lane| motions.state()[0].lane(lane)).sum()
 }
 
-/// Microseconds a motion by that loop and by an ensemble on one thread, in turns.
+/// Prints microseconds per motion of that loop and of an ensemble on one thread, in alternation.
 fn beside_builder<M>(name: &str)
 where
     M: LanesSystem<

@@ -16,7 +16,7 @@ use lagrange::{Number, Portable, Scalar};
 
 const ROUNDS: usize = 40;
 
-/// A chain with this number of links at each level.
+/// Declares a chain with this number of links at each level.
 macro_rules! chains {
     ($($module:ident $n:literal;)*) => {
         $(mod $module {
@@ -47,7 +47,7 @@ chains! {
     chain_20 20;
 }
 
-/// Microseconds of a motion from rest.
+/// Returns microseconds of a motion from rest.
 fn time<M, K>(system: &M, end: f64, method: &K) -> f64
 where
     M: OdeSystem,
@@ -73,7 +73,7 @@ fn by_tolerance<S: Scalar>() -> Verner98<S> {
     Verner98::tolerance(S::from_f64(1e-9))
 }
 
-/// Times each variant in turns, and prints a row.
+/// Times each variant in alternation, and prints a row.
 fn report(chain: &str, method: &str, variants: &[&dyn Fn() -> f64]) {
     let mut least = vec![f64::INFINITY; variants.len()];
     for _ in 0..ROUNDS {
@@ -85,7 +85,7 @@ fn report(chain: &str, method: &str, variants: &[&dyn Fn() -> f64]) {
     println!("| {chain} | {method} | {:.0} | {} |", least[0], others.collect::<Vec<_>>().join(" | "));
 }
 
-/// Reports a chain in both kinds of steps.
+/// Reports a chain with both kinds of steps.
 macro_rules! report {
     ($($module:ident $chain:literal;)*) => {
         $(

@@ -1,6 +1,6 @@
-//! The cost that projection adds to a step, as rows of a Markdown table. The same steps with and
-//! without it, in turns; times are minima, ratios medians over rounds, so other work on the machine
-//! disturbs them little.
+//! The cost that projection adds to a step, as rows of a Markdown table. The same steps run with
+//! and without it, in alternation. Times are minima, ratios medians over rounds, so other load on
+//! the machine has little effect.
 
 #[path = "../tests/mechanisms/four_bar.rs"]
 mod four_bar;
@@ -31,7 +31,7 @@ lagrange::system! {
 const ROUNDS: usize = 101;
 const STEPS: u32 = 400;
 
-/// Nanoseconds of a step, of so many from the same start.
+/// Returns nanoseconds per step, over this number of steps from the same start.
 #[inline(never)]
 fn time<M, K>(system: &M, start: &M::State, method: &K) -> f64
 where
@@ -47,7 +47,7 @@ where
     began.elapsed().as_nanos() as f64 / f64::from(STEPS)
 }
 
-/// A row: steps with projection, steps without, and how many times longer the first take.
+/// Prints a row: steps with projection, steps without, and their ratio.
 fn row<M, K>(name: &str, system: &M, start: M::State, method: &K)
 where
     M: ConstrainedSystem<Scalar = f64> + Clone,
@@ -63,7 +63,7 @@ where
     println!("| {name} | {method} | {:.0} | {:.0} | {:.2} |", least(0), least(1), ratios[ROUNDS / 2]);
 }
 
-/// Steps by both methods, of this length at most.
+/// Prints rows of steps by both methods, of at most this length.
 fn rows<M>(name: &str, system: &M, start: M::State, step: f64)
 where
     M: ConstrainedSystem<Scalar = f64> + Clone,

@@ -1,8 +1,8 @@
-//! Taylor series beside the default pair: a row for each motion and tolerance, with steps, errors
+//! Taylor series against the default pair: a row for each motion and tolerance, with steps, errors
 //! and microseconds of both.
 //!
-//! `cargo bench -p lagrange-benches --bench series`. The two take turns, and each time is the
-//! shortest of many. Errors are those of the state at the end, in its largest component, against a
+//! `cargo bench -p lagrange-benches --bench series`. The two alternate, and each time is the
+//! shortest of many. Errors are those of the final state, in its largest component, against a
 //! series of order 36.
 
 use std::hint::black_box;
@@ -50,7 +50,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A heavy body with one fixed point.
+    /// A heavy body with a fixed point.
     struct Top;
 
     param a = 1.0, c = 0.5, h = 0.7;
@@ -63,7 +63,7 @@ lagrange::system! {
 const REPEATS: usize = 40;
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 
-/// The end of a motion, and its number of steps.
+/// Returns the end of a motion, and its number of steps.
 fn end<M: OdeSystem<Scalar = f64>>(
     system: &M,
     start: &M::State,
@@ -77,7 +77,7 @@ fn end<M: OdeSystem<Scalar = f64>>(
     (*stepper.state(), stepper.work().steps)
 }
 
-/// Microseconds that a run takes.
+/// Returns the microseconds of a run.
 fn microseconds<T>(run: impl FnOnce() -> T) -> f64 {
     let began = Instant::now();
     black_box(run());

@@ -1,7 +1,7 @@
-//! Steps of equal length beside loops that are written by hand for one system.
+//! Steps of equal length against handwritten loops for one system.
 //!
-//! The loops take the same emitted right-hand sides and do what one would write: no compensated
-//! sums, no check for NaN, no look at stability. Each case is ten thousand steps.
+//! The loops take the same emitted right-hand sides and contain what one would write: no
+//! compensated sums, no check for NaN, no test of stability. Each case is ten thousand steps.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -46,7 +46,7 @@ where
     integrate(system, 0.0, black_box(start), end, method, |_, _| {}).expect("a finite motion")
 }
 
-/// y + c k
+/// Returns y + c k.
 fn moved(y: &[f64; 4], c: f64, k: &[f64; 4]) -> [f64; 4] {
     std::array::from_fn(|i| y[i] + c * k[i])
 }

@@ -44,7 +44,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A block that a spring pulls over ground with LuGre friction.
+    /// A block pulled by a spring over ground with LuGre friction.
     struct StickSlip;
 
     const stiffness = 1e5, pull = 0.1;
@@ -57,7 +57,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// A motion with the state at its end.
+/// A motion with its final state.
 struct Case<Y, const N: usize> {
     name: &'static str,
     start: Y,
@@ -68,7 +68,7 @@ struct Case<Y, const N: usize> {
 
 const REPEATS: usize = 20;
 
-/// The shortest time of a run, and its result.
+/// Returns the shortest time of a run, and its result.
 fn shortest<T>(run: impl Fn() -> T) -> (T, f64) {
     let timed = || {
         let began = Instant::now();

@@ -31,12 +31,12 @@ fn main() {
     row("far apart", &cube([9.0, 2.0, 1.0], UPRIGHT), &floor);
 }
 
-/// A cube with the side 2.
+/// Returns a cube of side 2.
 fn cube(center: [f64; 3], axes: [[f64; 3]; 3]) -> Block<f64> {
     Block { center, axes, half: [1.0; 3], radius: 0.0 }
 }
 
-/// Prints the least time of a call. Each moves the first block by a rounding error or less.
+/// Prints the shortest time of a call. Each call moves the first block by at most a rounding error.
 fn row(name: &str, first: &Block<f64>, second: &Block<f64>) {
     let mut least = f64::INFINITY;
     for _ in 0..ROUNDS {

@@ -23,7 +23,7 @@ use lagrange::Simulate;
 use lagrange::contact::EventKind;
 
 lagrange::system! {
-    /// A block on a belt; x is how far its spring is stretched.
+    /// A block on a belt; x is the extension of its spring.
     #[derive(Clone, Debug)]
     pub struct Block;
 

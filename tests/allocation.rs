@@ -1,6 +1,6 @@
-//! No method asks for memory while it steps: not on a microcontroller, not in the loop of a game.
+//! No method allocates memory while stepping, as microcontrollers and game loops require.
 //!
-//! A test binary of its own, since it replaces the allocator.
+//! These tests have their own binary, since it replaces the allocator.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -51,10 +51,10 @@ thread_local! {
     static REQUESTS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// The allocator of the platform, whose requests are counted in each thread.
+/// The allocator of the platform, with a count of the requests in each thread.
 struct Counting;
 
-// SAFETY: all requests go to the allocator of the platform as they are.
+// SAFETY: all requests reach the allocator of the platform unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         REQUESTS.set(REQUESTS.get() + 1);
@@ -71,7 +71,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// How often memory is asked for from the start on, over steps and states between them.
+/// Counts memory requests from the start on, over steps and the states between them.
 fn requests(method: &impl Method<Pendulum>) -> u64 {
     let pendulum = Pendulum::default();
     let before = REQUESTS.get();

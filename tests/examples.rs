@@ -1,5 +1,5 @@
-//! Every example runs to its end, which means that it agrees with its reference. One does not: it
-//! measures for minutes.
+//! Every example runs to its end, which means that it agrees with its reference. One is left out:
+//! it measures for minutes.
 
 use std::env;
 use std::fs::read_dir;
@@ -8,7 +8,7 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, available_parallelism};
 
-/// What measures and checks nothing.
+/// An example that measures and checks nothing.
 const MEASUREMENT: &str = "trade";
 
 fn examples() -> Vec<String> {
@@ -25,7 +25,7 @@ fn examples() -> Vec<String> {
     names
 }
 
-/// The packages and features of `cargo verify`, for which examples are built already.
+/// The packages and features of `cargo verify`, for which examples are already built.
 const AS_VERIFIED: [&str; 4] = [
     "--workspace",
     "--exclude=lagrange-adapters-tests",
@@ -33,7 +33,7 @@ const AS_VERIFIED: [&str; 4] = [
     "--features=lagrange/symbolic,lagrange/trade,lagrange-tests/draw,lagrange-tests/ensemble,lagrange-tests/fit,lagrange-tests/linear,lagrange-tests/parquet,lagrange-tests/plot,xtask/performance",
 ];
 
-/// The folder in which cargo puts examples: this test is in the one beside it.
+/// Returns the folder in which cargo puts examples, beside that of this test.
 fn folder_of_examples() -> PathBuf {
     let this = env::current_exe().expect("this test is a file");
     this.parent().and_then(Path::parent).expect("a folder of tests in a folder of a profile").join("examples")
@@ -55,7 +55,7 @@ fn agree_with_their_references() {
     let output = cargo.expect("cargo starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let (folder, at_once) = (folder_of_examples(), available_parallelism().map_or(1, usize::from));
-    // Some take seconds, most do not: each thread takes the next one.
+    // Some take seconds, most do not, so each thread takes the next one.
     let next = AtomicUsize::new(0);
     let run_next = || examples.get(next.fetch_add(1, Ordering::Relaxed)).map(|name| run(&folder, name));
     thread::scope(|scope| {

@@ -4,7 +4,7 @@
 const DECLARATION: &str = include_str!("extremes/double_pendulum.lag");
 const TABLE: &str = include_str!("extremes/double_pendulum.csv");
 
-/// A level of accuracy as a module with the declaration and its tests.
+/// Declares a module for a level of accuracy, with the declaration and its tests.
 macro_rules! level {
     ($level:ident; $($declaration:tt)*) => {
         mod $level {
@@ -86,7 +86,7 @@ fn judge(column: &str, accelerations: impl Fn(&Row<'_>) -> [f64; 2]) {
     }
 }
 
-/// The tokens of a declaration, without comments and spaces.
+/// Returns the tokens of a declaration, without comments and spaces.
 fn packed(declaration: &str) -> String {
     let code = declaration.lines().map(|line| line.split("//").next().unwrap_or_default());
     code.flat_map(|line| line.chars().filter(|c| !c.is_whitespace())).collect()

@@ -23,15 +23,15 @@ relative!(relative_200, 200);
 const ABSOLUTE: &str = include_str!("../benches/chains/absolute.lag");
 const RELATIVE: &str = include_str!("../benches/chains/relative.lag");
 const GRAVITY: f64 = 9.81;
-/// Bounds what fused multiply-adds may change, against the largest acceleration.
+/// Bounds the effect of fused multiply-adds, relative to the largest acceleration.
 const ROUNDED: f64 = 1e-9;
 
-/// The numbers of a chain in some configuration.
+/// Returns the numbers of a chain in some configuration.
 fn spread<const N: usize>(from: f64, step: f64) -> [f64; N] {
     from_fn(|k| from + step * k as f64)
 }
 
-/// What the interpreter makes of a declaration.
+/// Returns the interpreter's results for a declaration.
 fn interpreted<const N: usize>(
     declaration: &str,
     m: &[f64; N],

@@ -1,5 +1,5 @@
-//! Compiled systems against reference values that an independent derivation computed with many
-//! digits (see `tests/oracle/README.md`) and, bit for bit, against the interpreter of programs.
+//! Compiled systems against reference values of an independent derivation with many digits (see
+//! `tests/oracle/README.md`) and, bit for bit, against the interpreter of programs.
 
 #[path = "oracle/complex.rs"]
 mod complex;
@@ -15,17 +15,17 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 use complex::Complex;
 use reference::{Reference, Subject, names};
 
-/// What the references do not hold of a system.
+/// Results of a system that the references lack.
 trait Compiled: Subject {
     fn momentum_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64>;
-    /// The right-hand side, and what the type for numbers side by side has for it with one number.
+    /// Returns the right-hand side, and that of the lanes type with one number.
     fn both_rhs(&self, t: f64, y: &[f64]) -> [Vec<f64>; 2];
 }
 
-/// A system, compiled at two levels of accuracy, as tests of its own:
-/// `declare! { name, energies: …, mass_matrix: …; statements }`. The two words say which methods it
-/// has: `kinetic_energy` and `potential_energy` only for `separate` energies, and `mass_matrix` as
-/// a function of the `positions` or of the whole `state`.
+/// Declares a system, compiled at two levels of accuracy, with its tests:
+/// `declare! { name, energies: …, mass_matrix: …; statements }`. The two words determine its
+/// methods. `kinetic_energy` and `potential_energy` exist only for `separate` energies;
+/// `mass_matrix` is a function of the `positions` or of the whole `state`.
 macro_rules! declare {
     ($name:ident, energies: $energies:ident, mass_matrix: $mass_matrix:ident; $($declaration:tt)*) => {
         mod $name {
@@ -181,8 +181,8 @@ fn check(name: &str, level: &str, declaration: &str, compiled: &impl Compiled) {
     }
 }
 
-/// Holds the type for numbers side by side to the bits of the system at a state, and where one of
-/// its entries is zero or no number.
+/// Compares the lanes type with the bits of the system at a state, and where one of its entries is
+/// zero or NaN.
 fn check_lanes(compiled: &impl Compiled, t: f64, y: &[f64]) {
     let others =
         (0..y.len()).flat_map(|entry| [0.0, -0.0, f64::NAN, f64::INFINITY].map(|value| (entry, value)));
@@ -198,12 +198,12 @@ fn check_lanes(compiled: &impl Compiled, t: f64, y: &[f64]) {
     }
 }
 
-/// A compiled system with its Jacobians, rows one after the other.
+/// A compiled system with its Jacobians, row by row.
 trait Differentiated {
     fn jacobian(&self, t: f64, y: &[f64]) -> Vec<f64>;
-    /// The names of the columns, too.
+    /// Returns the parameter Jacobian with the names of its columns.
     fn parameter_jacobian(&self, t: f64, y: &[f64]) -> (Vec<&'static str>, Vec<f64>);
-    /// The right-hand side in complex numbers.
+    /// Returns the right-hand side in complex numbers.
     fn complex_rhs(&self, t: Complex, y: &[Complex]) -> Vec<Complex>;
 }
 
@@ -241,9 +241,9 @@ fn check_jacobians(name: &str, compiled: &impl Differentiated) {
     }
 }
 
-/// The derivative of the right-hand side by entry `j` of the state: the imaginary part of it at a
-/// state with a tiny imaginary part there, over that. Nothing is subtracted, so that it is exact to
-/// rounding (Squire and Trapp 1998).
+/// Returns the derivative of the right-hand side by entry `j` of the state. It is the imaginary
+/// part at a state with a tiny imaginary part in that entry, divided by it. Nothing is subtracted,
+/// so the result is exact to rounding (Squire and Trapp 1998).
 fn complex_slope(compiled: &impl Differentiated, t: f64, y: &[f64], j: usize) -> Vec<f64> {
     const STEP: f64 = 1e-100;
     let mut at = y.iter().map(|&y| Complex::from_real(y)).collect::<Vec<_>>();
@@ -252,7 +252,7 @@ fn complex_slope(compiled: &impl Differentiated, t: f64, y: &[f64], j: usize) ->
     rate.iter().map(|rate| rate.imaginary / STEP).collect()
 }
 
-/// The tokens of a declaration, without comments and spaces.
+/// Returns the tokens of a declaration, without comments and spaces.
 fn packed(declaration: &str) -> String {
     let code = declaration.lines().map(|line| line.split("//").next().unwrap_or_default());
     code.flat_map(|line| line.chars().filter(|c| !c.is_whitespace())).collect()

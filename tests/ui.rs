@@ -1,4 +1,4 @@
-//! What the compiler says about mistakes: each file of `ui/`, in the folder of the rule that it
+//! The compiler's messages about mistakes: each file of `ui/`, in the folder of the rule that it
 //! breaks.
 
 use std::fs;
@@ -9,15 +9,15 @@ fn mistakes_are_explained_where_they_are() {
     trybuild::TestCases::new().compile_fail("ui/*/*.rs");
 }
 
-/// Features that are missing; `cargo test -p lagrange-tests --test ui`, without any.
+/// Messages about missing features; `cargo test -p lagrange-tests --test ui`, without any feature.
 #[cfg(not(any(feature = "plot", feature = "parquet", feature = "draw")))]
 #[test]
 fn missing_features_are_named() {
     trybuild::TestCases::new().compile_fail("ui_without_features/*.rs");
 }
 
-/// Each declaration in the folder `one_mistake` holds one, of which the compiler makes no second
-/// error.
+/// Each declaration in the folder `one_mistake` contains one mistake, for which the compiler
+/// reports no second error.
 #[test]
 fn one_mistake_is_one_error() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("ui/one_mistake");
@@ -36,7 +36,7 @@ fn one_mistake_is_one_error() {
     assert!(declarations > 15, "{declarations}");
 }
 
-/// Related places stand in the text of an error, with file, line and column.
+/// Errors include related locations in their text, with file, line and column.
 #[test]
 fn no_error_is_a_note() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("ui");

@@ -1,7 +1,7 @@
 """Solutions of equations with one unknown, by mpmath with 60 digits.
 
-Writes `crates/lagrange-runtime/src/root/solutions.csv`: equation, x, and for each solution y in ascending order y and what one rounding error in
-every term of the equation makes of it, the sum of the magnitudes of the terms over that of the slope. No solution, no further columns.
+Writes `crates/lagrange-runtime/src/root/solutions.csv`: equation and x, then two columns for each solution in ascending order. These are y, and
+its error if every term of the equation has one rounding error: the sum of the magnitudes of the terms over that of the slope.
 
     python3 tools/algebraic_unknowns.py
 """
@@ -99,7 +99,7 @@ EQUATIONS = [
 
 
 def points(random):
-    """Numbers of single precision: zero, ones, near and far ones of both signs."""
+    """Returns numbers of single precision: zero, ones, small and large ones of both signs."""
     yield from [0.0, 1.0, -1.0, 0.5, -0.5]
     for _ in range(POINTS - 5):
         x = random.choice([-1, 1]) * 10 ** random.choice([random.uniform(-12, 6), random.uniform(-1, 1)])
@@ -113,7 +113,7 @@ def spread(terms, y, x):
 
 
 def _value(terms, y, x):
-    """The terms without those that only say how much rounding there is."""
+    """Returns the terms without those that only measure rounding."""
     found = terms(y, x)
     return found[1:] if terms in EXTRA else found
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Builds the book of docs/ into target/book and follows its links; `tools/book.py --open` shows it, too.
+"""Builds the book of docs/ into target/book and follows its links; `tools/book.py --open` also shows it.
 
-mdBook is the one on the path or in target/mdbook, where it is installed if there is none. Its warnings are failures, and so is a
+mdBook is taken from the path or from target/mdbook, where it is installed if missing. Its warnings are failures, and so is a
 link to a page or heading that does not exist.
 
-mdBook calls this file in turn as a preprocessor, for what a book needs beyond pages of a repository:
+mdBook in turn calls this file as a preprocessor, which adapts pages of a repository to a book:
 
 - a link to a file outside of docs/ leads to a page with the text of that file, a folder to a list of such pages;
 - sections of src/language.md are spread over the pages of docs/language, and links between them follow;
@@ -35,10 +35,10 @@ LINK = re.compile(r"\]\(([^()\s]+)\)")
 CODE_SPAN = re.compile(r"(`[^`]+`)")
 ITEM_OF_RUST = re.compile(r"\[([^\[\]]+)\]\((?:mod@)?crate::[^()]*\)")
 FENCE = re.compile(r"^\s*```")
-# mdBook makes these the indices of their folders, and leaves links to them alone.
+# mdBook makes these the indices of their folders, and does not change links to them.
 BOOK_README = re.compile(r"(^|/)README\.md$")
 HEADING = re.compile(r"^#+ ")
-# What highlights code, by the ends of the names of files.
+# Languages for highlighting, by file name extension.
 LANGUAGES = {".rs": "rust", ".py": "python", ".toml": "toml", ".sh": "sh"}
 
 
@@ -72,7 +72,7 @@ def mdbook():
     own = OWN_MDBOOK / "bin" / "mdbook"
     found = shutil.which("mdbook") or (own if own.is_file() else None)
     if not found:
-        # It is compiled once and runs for a second: less optimised it is there sooner.
+        # It is compiled once and runs for a second, so less optimisation is faster.
         settings = {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "1", "CARGO_PROFILE_RELEASE_LTO": "off"}
         install = ["cargo", "install", "--locked", f"mdbook@{MDBOOK_VERSION}", "--no-default-features", "--features", "search", "--root"]
         subprocess.run([*install, OWN_MDBOOK], env={**os.environ, **settings}, check=True, cwd="/")
@@ -80,7 +80,7 @@ def mdbook():
 
 
 class Page(HTMLParser):
-    """The links of a built page, and the names to which links can lead."""
+    """The links of a built page, and the names to which links may lead."""
 
     def __init__(self, path):
         super().__init__()
@@ -93,7 +93,7 @@ class Page(HTMLParser):
         self.links += [attributes[key] for key in ("href", "src") if attributes.get(key)]
 
     def dead_links(self, pages):
-        # The page of errors is made for any address.
+        # The error page is made for any address.
         for link in self.links if self.path.name != "404.html" else []:
             parts = urlsplit(link)
             if parts.scheme or parts.netloc:
@@ -150,7 +150,7 @@ class Sources:
         source = ROOT / file
         if source.is_dir():
             listed = subprocess.run(["git", "ls-files", "."], cwd=source, capture_output=True, text=True, check=True).stdout.split()
-            # The names of programs tell what there is; data are not for readers.
+            # The names of programs suffice; data are not for readers.
             listed = [name for name in listed if Path(name).suffix in {*LANGUAGES, ".md", ".lag"}]
             text = "".join(f"- [`{name}`]({name})\n" for name in listed)
             return self.with_links(f"# `{file}`\n\n{text}", file + "/", path)
@@ -183,7 +183,7 @@ class Sources:
             if target not in self.files:
                 self.files.append(target)
             target = page_of(target)
-        # Those of headings of the same page stay short.
+        # Links to headings of the same page stay short.
         way = "" if target == path and parts.fragment else relpath(target, dirname(path) or ".")
         return way + (f"#{parts.fragment}" if parts.fragment else "")
 

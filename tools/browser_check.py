@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Plays films and live pages in a real browser: `tools/browser_check.py film.html film.svg page.html …`
 
-Starts chromium without a window, opens each file and does what a user does: waits, presses buttons and keys, moves the slider. The
-files must have something in them that moves. Needs Python 3 and chromium, nothing else: commands go through the browser's own pipe
-(https://chromedevtools.github.io/devtools-protocol/, option --remote-debugging-pipe). With `--pictures FOLDER` it leaves
+Starts chromium without a window, opens each file and acts like a user: waits, presses buttons and keys, moves the slider. The
+files must contain something that moves. Needs only Python 3 and chromium: commands go through the browser's own pipe
+(https://chromedevtools.github.io/devtools-protocol/, option --remote-debugging-pipe). With `--pictures FOLDER` it saves
 screenshots there, light and dark, of the start and of the middle.
 """
 
@@ -22,11 +22,11 @@ FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync", "--window-size=900,1000", "--remote-debugging-pipe",
 ]
-# Pages of bodies in space have a graphics processor that is a program.
+# Pages of bodies in space use a software renderer.
 WITH_GRAPHICS = [flag for flag in FLAGS if flag != "--disable-gpu"] + [
     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
 ]
-# What is drawn where: of everything that is seen in the picture its place on the screen and its shape.
+# Position on the screen and shape of everything visible in the picture.
 SEEN = """(() => {
   const picture = document.querySelector("#picture svg") || document.documentElement;
   const marks = [...picture.querySelectorAll("path, text")].map((mark) => [mark, getComputedStyle(mark)]);
@@ -35,7 +35,7 @@ SEEN = """(() => {
     return [box.x, box.y, box.width, box.height].map(Math.round).join(" ") + style.d + style.strokeDashoffset;
   }));
 })()"""
-# The same in the picture's own units, for pages that have more room for it.
+# The same in the picture's own units, for pages with more room.
 SHAPES = """(() => {
   const picture = document.querySelector("#picture svg");
   const marks = [...picture.querySelectorAll("path, text")].map((mark) => [mark, getComputedStyle(mark)]);
@@ -44,7 +44,7 @@ SHAPES = """(() => {
     return [a, b, c, d, e, f].map((part) => Math.round(100 * part)).join(" ") + style.d + style.strokeDashoffset;
   }));
 })()"""
-# How much of the window the picture and the plot have, and whether all of the page is in it.
+# Shares of the picture and the plot in the window, and true if the whole page fits.
 FILLED = """(() => {
   const areas = [...document.querySelectorAll("#picture, .plot")].map((part) => part.getBoundingClientRect());
   const part = areas.reduce((sum, area) => sum + area.width * area.height, 0) / (innerWidth * innerHeight);
@@ -55,7 +55,7 @@ CURSOR = "document.querySelector('#cursor').getBoundingClientRect().x"
 
 
 class Browser:
-    """A browser at the other end of a pipe."""
+    """A browser controlled through a pipe."""
 
     def __init__(self, program, flags=FLAGS):
         self.profile = tempfile.mkdtemp()
@@ -160,7 +160,7 @@ class Checks:
 
 
 def moves(browser, seconds=0.6):
-    """Whether something in the picture changes within this time."""
+    """True if something in the picture changes within this time."""
     before = browser.evaluate(SEEN)
     time.sleep(seconds)
     return browser.evaluate(SEEN) != before
@@ -255,7 +255,7 @@ def check_page(browser, path, checks, pictures):
         browser.picture(pictures / f"{path.stem}-no-script.png")
 
 
-# What a live page shows: a hash of the pixels of its picture, in the same task in which they are drawn.
+# A hash of the pixels of a live page, in the same task in which they are drawn.
 PIXELS = """(() => {
   const shown = document.querySelector("#picture canvas");
   if (!shown) return null;
@@ -272,7 +272,7 @@ PIXELS = """(() => {
   }
   return JSON.stringify({ sum, ink });
 })()"""
-# The largest distance between the places of things at the start as the page computes them, and as they are written for films.
+# Largest distance between initial positions as the page computes them and as they are written for films.
 APART = """(() => {
   restart();
   const { space } = model.scene;
@@ -283,7 +283,7 @@ APART = """(() => {
   });
   return Math.max(...apart);
 })()"""
-# Milliseconds of a frame, on average.
+# Average milliseconds per frame.
 FRAME = "(() => { const t = performance.now(); for (let k = 0; k < 20; k++) goOn(1 / 60); return (performance.now() - t) / 20; })()"
 OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
 WIDTHS = [(400, 800), (900, 1000), (1600, 900)]
@@ -294,7 +294,7 @@ def check_live(browser, path, checks, pictures):
         return json.loads(browser.evaluate(PIXELS) or "null")
 
     def slide(selector, part):
-        """Puts the slider a part of its way by a press of the mouse."""
+        """Moves the slider to a fraction of its range by a click."""
         browser.evaluate(f"document.querySelector({json.dumps(selector)}).scrollIntoView({{ block: 'center' }})")
         script = f"JSON.stringify(document.querySelector({json.dumps(selector)}).getBoundingClientRect())"
         box = json.loads(browser.evaluate(script))

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Measures what a declaration adds to the time that the compiler takes for a crate.
+"""Measures the time that a declaration adds to the compilation of a crate.
 
-A fresh crate that depends on this one is compiled with and without the declaration, in turns; its source changes
-before every run. Prints medians, as the tables of docs/performance.md.
+A fresh crate that depends on this one is compiled with and without the declaration, in alternation; its source changes
+before every run. Prints medians, in the form of the tables of docs/performance.md.
 
-    tools/compile_time.py [REPETITIONS]           chains, checked and optimised, beside chains written by hand
+    tools/compile_time.py [REPETITIONS]           chains, checked and optimised, beside handwritten chains
     tools/compile_time.py --large [REPETITIONS]   large declarations, with the memory that they take
     tools/compile_time.py --pinned [REPETITIONS]  chains of pinned bodies, checked, with the memory that they take
 """
@@ -31,7 +31,7 @@ MARKS = {
     ("absolute", 200): None,
     ("relative", 200): None,
 }
-# Chains that benches/handwritten.rs has, and the function there.
+# Chains of benches/handwritten.rs, with the functions there.
 BY_HAND = [
     ("absolute", 10, "absolute_chain"),
     ("absolute", 20, "absolute_chain"),
@@ -51,7 +51,7 @@ CHECK, DEBUG, RELEASE = ["check"], ["build"], ["build", "--release"]
 
 
 def springs(n):
-    """A wide potential: n particles in the plane with a spring between every two. Gives the declaration as lines,
+    """Returns a wide potential: n particles in the plane with a spring between every two. The result is the declaration as lines,
     the name of its type and the number of coordinates."""
     lines = ["pub struct Springs;", "param k, l0, m;", f"coord {', '.join(f'x{i}, y{i}' for i in range(n))};"]
     lines += [f"kinetic = 1/2 * m * (dot(x{i})^2 + dot(y{i})^2);" for i in range(n)]
@@ -61,20 +61,20 @@ def springs(n):
 
 
 def nested(n):
-    """A deep potential: n definitions, each in terms of the one before."""
+    """Returns a deep potential: n definitions, each in terms of the previous one."""
     lines = ["pub struct Nested;", "param a;", "coord x;", "let z0 = x;"]
     lines += [f"let z{i} = sin(z{i - 1}) + a * z{i - 1};" for i in range(1, n + 1)]
     return lines + ["kinetic = 1/2 * dot(x)^2;", f"potential = z{n};"], "Nested", 1
 
 
 def product(n):
-    """A potential with n distinct factors."""
+    """Returns a potential with n distinct factors."""
     factors = " * ".join(f"(x + {i})" for i in range(1, n + 1))
     return ["pub struct Product;", "coord x;", "kinetic = 1/2 * dot(x)^2;", f"potential = {factors};"], "Product", 1
 
 
 def pinned(n):
-    """A chain of n rods pinned to each other, each with its place and its angle as coordinates."""
+    """Returns a chain of n rods pinned to each other, each with its position and its angle as coordinates."""
     lines = ["pub struct Pinned;", "param m, l, g;", "gravity = (0, -g);"]
     for i in range(n):
         lines += [
@@ -100,12 +100,12 @@ LARGE = {
 }
 
 
-# Bodies of chains with pins.
+# Numbers of bodies of chains with pins.
 PINNED = [24, 48, 96, 192, 384, 768]
 
 
 def declared(system, methods):
-    """A crate that declares a system and calls its acceleration, or all of its methods, or none."""
+    """Returns a crate that declares a system and calls its acceleration, or all of its methods, or none."""
     lines, name, n = system
     calls = {
         None: "",
@@ -120,7 +120,7 @@ def declared(system, methods):
 
 
 def written(function, n):
-    """A crate with the chains written by hand, one of which is called."""
+    """Returns a crate with the handwritten chains, one of which is called."""
     source = (ROOT / "benches" / "handwritten.rs").read_text()
     body = "\n".join(line for line in source.splitlines() if not line.startswith(("//!", "#![")))
     arguments = ", ".join(f"{name}: &[f64; {n}]" for name in "qvml")
@@ -129,7 +129,7 @@ def written(function, n):
 
 
 class Crate:
-    """A crate in a folder that is compiled again and again."""
+    """A crate in a folder that is compiled repeatedly."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -140,7 +140,7 @@ class Crate:
             self.compile("", command)  # The dependencies.
 
     def compile(self, source, command):
-        """Seconds and gigabytes of one run of cargo."""
+        """Returns seconds and gigabytes of one run of cargo."""
         self.revision += 1
         (self.folder / "src" / "lib.rs").write_text(f"{source}\npub const REVISION: u32 = {self.revision};\n")
         environment = os.environ | {"CARGO_TARGET_DIR": str(self.folder / "target")}
@@ -153,7 +153,7 @@ class Crate:
         return time.perf_counter() - start, usage.ru_maxrss * 1024 / 1e9
 
     def measure(self, runs, repetitions):
-        """The medians of seconds over those of an empty crate, and the gigabytes, by the name of the run."""
+        """Returns the medians of seconds beyond those of an empty crate, and the gigabytes, by name of the run."""
         results = {name: [] for name in runs}
         for _ in range(repetitions):
             empty = {}

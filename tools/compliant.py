@@ -1,8 +1,8 @@
-"""Impacts on a contact of Hunt and Crossley: the reference of tests/trajectories/compliant.
+"""Impacts on a Hunt–Crossley contact: the reference of tests/trajectories/compliant.
 
     python3 tools/compliant.py      writes tests/trajectories/compliant/impacts.csv (a minute)
 
-A mass m hits a contact of the stiffness k with the speed v. At the depth x the force is k x (1 + d x'). Taylor's method
+A mass m hits a contact of stiffness k at the speed v. At the depth x the force is k x (1 + d x'). Taylor's method
 of mpmath integrates m x'' = m g - k x (1 + d x') until x = 0. The ratio of the speeds and the duration are written with
 15 digits. Without gravity, x dx = -m/k u du / (1 + d u) has the solution u - ln(1 + d u) / d = const at x = 0, so that
 w = 1 - d e v satisfies w - ln w = 1 + d v - ln(1 + d v): w = -W(-(1 + d v) exp(-(1 + d v))) with Lambert's W. Both must
@@ -20,7 +20,7 @@ TARGET = Path(__file__).resolve().parent.parent / "tests" / "trajectories" / "co
 
 
 def impact(d, v, g):
-    """The ratio of the speeds after and before, and the duration."""
+    """Returns the ratio of the speeds after and before, and the duration."""
     omega = sqrt(STIFFNESS / MASS)
     motion = odefun(lambda t, y: [y[1], g - omega**2 * y[0] * (1 + d * y[1])], 0, [mpf(0), v])
     end = mpf("1.5") / omega

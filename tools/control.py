@@ -2,20 +2,20 @@
 
     python3 tools/control.py            writes tests/references/control.csv (a minute)
 
-Equations of motion, control laws and sampled controllers are written by hand below; nothing comes from this project. Motions
-between two instants at which a controller acts are integrated by the extrapolated modified midpoint rule (Hairer, Norsett, Wanner,
+Equations of motion, control laws and sampled controllers are handwritten below; nothing comes from this project. Motions
+between two sampling instants of a controller are integrated by the extrapolated modified midpoint rule (Hairer, Norsett, Wanner,
 *Solving Ordinary Differential Equations I*, section II.9) in multi-precision arithmetic. Everything is computed twice, with different
 steps and orders, and written only if both agree to DIGITS digits. The columns are those of `tests/references/states.csv`; all numbers
-stand for themselves.
+are exact decimals.
 
 - cart_pole: a cart that carries a pendulum, with friction in the joint, under a linear feedback.
 - sampled_cart_pole: the same with the force held for 0.02 s.
-- arm: two links of which the controller knows a wrong mass, on a path by computed torque (Spong, Hutchinson, Vidyasagar, *Robot
+- arm: two links whose controller assumes a wrong mass, on a path by computed torque (Spong, Hutchinson, Vidyasagar, *Robot
   Modeling and Control*, section 8.3).
-- integral_cart_pole: the cart with the pendulum in wind, under a linear feedback and the integral of its position.
-- motor_arm: an arm that a motor with inductance and a gear turns against gravity, with the energy that is supplied to it and the heat.
-- dynamo: a weight that turns a dynamo, which loads a resistor through a diode (Shockley's equation).
-- pid: a mass with spring and damper, a sampled PID controller whose output saturates and whose integral waits while it does
+- integral_cart_pole: the cart with the pendulum in wind, under a linear feedback with the integral of its position.
+- motor_arm: an arm turned against gravity by a motor with inductance and a gear, with the supplied energy and the heat.
+- dynamo: a weight that turns a dynamo, which feeds a resistor through a diode (Shockley's equation).
+- pid: a mass with spring and damper, a sampled PID controller whose output saturates, and whose integral is then frozen
   (Astrom, Hagglund, *Advanced PID Control*, section 3.5).
 """
 
@@ -30,7 +30,7 @@ TARGET = Path(__file__).resolve().parent.parent / "tests" / "references" / "cont
 
 
 def midpoint(rates, t, y, step, count):
-    """The modified midpoint rule with its smoothing step, in an even number of parts."""
+    """Applies the modified midpoint rule with its smoothing step, in an even number of parts."""
     h = step / count
     before, here = y, [a + h * b for a, b in zip(y, rates(t, y))]
     for k in range(1, count):
@@ -120,7 +120,7 @@ def motor_arm(step, columns):
 
 
 def diode_drop(emf, r, leak, thermal):
-    """The voltage across a diode behind a resistor, by Newton's method until nothing changes any more."""
+    """Returns the voltage across a diode in series with a resistor, by Newton's method until nothing changes."""
     drop = thermal * log(1 + max(emf, mpf(0)) / (r * leak))
     for _ in range(200):
         grown = exp(drop / thermal)
@@ -145,8 +145,8 @@ def dynamo(step, columns):
 
 
 def arm_dynamics(load, q1, q2, w1, w2):
-    """Mass matrix and the other forces of two links of 1 m with point masses at their ends, the second of them `load`, angles
-    relative to each other, gravity 9.81 m/s^2 downwards and q1 = 0 horizontal."""
+    """Returns the mass matrix and the other forces of two links of 1 m with point masses at their ends, the second of them `load`. Angles
+    are relative to each other, gravity is 9.81 m/s^2 downwards, and q1 = 0 is horizontal."""
     m1, m2, g = mpf("1.5"), load, mpf("9.81")
     c2, s2 = cos(q2), sin(q2)
     m = [[m1 + 2 * m2 + 2 * m2 * c2, m2 + m2 * c2], [m2 + m2 * c2, m2]]

@@ -2,10 +2,10 @@
 
     python3 tools/delay.py        writes tests/references/delay.csv (a second)
 
-The method of steps: in the k-th interval of the length TAU the delayed values are those of the interval before, at the same places. Each
+The method of steps: in the k-th interval of length TAU the delayed values are those of the previous interval, at the same points. Each
 interval is solved by Chebyshev collocation: with y at the Chebyshev points, y = y(0) + integral of the rates is iterated to a fixed
-point, and polynomials of two degrees must agree to DIGITS digits. Jumps of derivatives lie at the ends of intervals only, so that
-convergence is spectral. Equations are written by hand; nothing comes from this project.
+point, and polynomials of two degrees must agree to DIGITS digits. Jumps of derivatives only lie at the ends of intervals, so
+convergence is spectral. Equations are handwritten; nothing comes from this project.
 """
 
 from pathlib import Path
@@ -20,7 +20,7 @@ START, END, INTERVAL = (0.3, 0.0), 4.0, 0.2
 
 
 def integration(degree):
-    """Chebyshev points from -1 to 1, and the matrix of integrals from -1 to each of them."""
+    """Returns Chebyshev points from -1 to 1, and the matrix of integrals from -1 to each of them."""
     points = -np.cos(np.pi * np.arange(degree + 1) / degree)
     values = np.linalg.inv(chebyshev.chebvander(points, degree))
     integrals = np.array([chebyshev.chebval(points, chebyshev.chebint(column, lbnd=-1)) for column in values.T])
@@ -34,7 +34,7 @@ def rates(state, delayed):
 
 
 def motion(degree):
-    """States at the ends of all intervals."""
+    """Returns the states at the ends of all intervals."""
     matrix = integration(degree) * TAU / 2
     delayed = np.repeat(np.array(START)[:, None], degree + 1, axis=1)
     ends = [np.array(START)]

@@ -2,7 +2,7 @@
 
     python3 tools/double.py            writes crates/lagrange-double/tests/functions.csv
 
-Arguments are sums of two doubles, as bits; values are mpmath's at 1500 digits of working precision where angles are huge.
+Arguments are sums of two doubles, as bits; values are by mpmath, with 1500 digits of working precision where angles are huge.
 """
 
 import random
@@ -21,13 +21,13 @@ def bits(x):
 
 
 def double(x):
-    """The nearest sum of two doubles."""
+    """Returns the nearest sum of two doubles."""
     upper = float(x)
     return (upper, float(x - mpf(upper)))
 
 
 def near(x, rng):
-    """A number a few units of the last place from x."""
+    """Returns a number a few units in the last place from x."""
     return double(mpf(x) * (1 + mpf(rng.randint(-9, 9)) * mpf(2) ** -rng.choice([106, 104, 80, 53, 20])))
 
 
@@ -132,7 +132,7 @@ def main():
         for _ in range(3):
             words.append(float(rest))
             rest -= mpf(words[-1])
-        # Results beyond the range in which both parts are normal are tested apart.
+        # Results beyond the range in which both parts are normal are tested separately.
         if value == 0 or 1e-270 < abs(value) < 1e300:
             lines.append(",".join([name, *map(bits, [*x, *y, *words])]))
     TARGET.write_text("\n".join(lines) + "\n")

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """The numbers behind the elementary functions of `lagrange-math` other than sine and cosine (`tools/sin_cos.py`).
 
-    tools/elementary.py constants      parts of ln 2 and pi/4 and coefficients, as they stand in the sources
+    tools/elementary.py constants      parts of ln 2 and pi/4 and coefficients, as in the sources
     tools/elementary.py data [--check] writes, or compares, crates/lagrange-math/tests/elementary/reference.txt
     cargo test -p lagrange-math --test elementary sweep -- --ignored --nocapture | tools/elementary.py sweep
-                                       the largest errors among many more arguments, in some minutes
+                                       the largest errors over many more arguments, within minutes
 
 Needs mpmath. Sources: J.-M. Muller, "Elementary Functions", 3rd ed., 2016, ch. 3 (minimax polynomials) and ch. 11
 (reduction); W. J. Cody, W. Waite, "Software Manual for the Elementary Functions", 1980, ch. 5, 6, 11 and 12.
@@ -22,19 +22,19 @@ from sin_cos import bits, horner, large_angles, nearest_angles, remez
 
 mp.prec = 300
 REFERENCE = Path(__file__).resolve().parent.parent / "crates" / "lagrange-math" / "tests" / "elementary" / "reference.txt"
-# What is reduced may exceed the interval by the rounding error of the multiple that is taken off.
+# A reduced number may exceed the interval by the rounding error of the subtracted multiple.
 MARGIN = 1 + mpf(10) ** -9
 
 
 def first_part(number, length):
-    """The first bits of a number, and the double nearest to the rest."""
+    """Returns the first bits of a number, and the double nearest to the rest."""
     unit = mpf(2) ** (floor(log(number, 2)) - length + 1)
     first = nint(number / unit) * unit
     return float(first), float(number - first)
 
 
 def series(term, z):
-    """The sum of term(k) z^k."""
+    """Returns the sum of term(k) z^k."""
     total, k = mpf(0), 0
     while k < 3 or abs(term(k) * z**k) > mpf(2) ** -250:
         total += term(k) * z**k
@@ -62,7 +62,7 @@ def atan_tail(z):
     return series(lambda k: mpf((-1) ** (k + 1)) / (2 * k + 3), z)
 
 
-# Of each polynomial: the function, what an error of it makes of the result, relative to that, the number of
+# For each polynomial: the function, the relative effect of its error on the result, the number of
 # coefficients and the largest argument.
 POLYNOMIALS = {
     "sinh": (sinh_tail, lambda z: z / (1 + z * sinh_tail(z)), 5, (log(2) / 2 * MARGIN) ** 2),
@@ -73,7 +73,7 @@ POLYNOMIALS = {
 
 
 def rounded_coefficients(function, weight, count, end):
-    """Doubles, each fixed with the best continuation of those before it, and the largest relative error."""
+    """Returns doubles, each fixed with the best continuation of the previous ones, and the largest relative error."""
     fixed = []
     for k in range(count):
         rest = lambda z: function(z) - horner(fixed, z)
@@ -83,7 +83,7 @@ def rounded_coefficients(function, weight, count, end):
 
 
 def show_constants():
-    # Multiples of ln 2 have 11 bits and those of pi/4 three, so that they times the first part are exact.
+    # Multiples of ln 2 have 11 bits and those of pi/4 three, so their products with the first part are exact.
     for name, number, length in [("ln 2", log(2), 42), ("pi/4", pi / 4, 50)]:
         for part in first_part(number, length):
             print(f"{name:<6} 0x{bits(part):016x}  {part!r}")
@@ -99,7 +99,7 @@ def near(x):
 
 
 def magnitudes(draw, first, last, count):
-    """Numbers of both signs whose exponents are spread from the first to the last."""
+    """Returns numbers of both signs with exponents spread from the first to the last."""
     return [math.ldexp(1 + draw.random(), draw.randint(first, last)) * draw.choice([-1, 1]) for _ in range(count)]
 
 
@@ -108,7 +108,7 @@ def uniform(draw, first, last, count):
 
 
 def halfway(draw, first, last, unit, count):
-    """Numbers halfway between multiples of a unit, where the reduced number is largest."""
+    """Returns numbers halfway between multiples of a unit, where the reduced number is largest."""
     return [y for _ in range(count) for y in near(float((draw.randint(first, last) + mpf(1) / 2) * unit))]
 
 
@@ -170,7 +170,7 @@ def bases_and_exponents(draw):
     return found + [(x, float(draw.randint(-9, 9))) for x in uniform(draw, -4, 4, 80)]
 
 
-# Of each function: its name in mpmath and the arguments at which mistakes would show.
+# For each function: its name in mpmath and the arguments at which mistakes would be visible.
 FUNCTIONS = {
     "tan": (tan, angles),
     "asin": (asin, sines),
@@ -192,7 +192,7 @@ def unit_in_last_place(x):
 
 
 def nearest(value):
-    """The nearest double, subnormal ones too, which mpmath truncates."""
+    """Returns the nearest double, including subnormal ones, which mpmath truncates."""
     if 0 < abs(value) < mpf(2) ** -1021:
         return math.ldexp(float(nint(value * mpf(2) ** 1074)), -1074)
     return float(value)
@@ -215,7 +215,7 @@ def data():
 
 
 def sweep():
-    """The largest error of each function among lines as those of the reference, with what the library found for the value."""
+    """Prints the largest error of each function over lines like those of the reference, with the library's results as values."""
     mp.prec = 160
     largest = {}
     for line in sys.stdin:

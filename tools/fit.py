@@ -2,10 +2,10 @@
 
     python3 tools/fit.py        writes examples/data/double_pendulum.csv, prints the references (half a minute)
 
-A double pendulum with friction in both joints is integrated by the Runge-Kutta method DOP853 of SciPy, its angles are rounded after
-noise was added, and some are left out, as if a camera had not seen a mark. SciPy's `least_squares` finds the masses, friction and
-initial angles that fit, with derivatives by differences of motions; standard errors follow from its Jacobian. Equations of motion are
-written by hand; nothing comes from this project.
+A double pendulum with friction in both joints is integrated by the Runge-Kutta method DOP853 of SciPy. Its angles get noise and are
+rounded, and some are left out, as if a camera had not seen a mark. SciPy's `least_squares` fits the masses, friction and
+initial angles, with derivatives by differences of motions; standard errors follow from its Jacobian. Equations of motion are
+handwritten; nothing comes from this project.
 """
 
 from pathlib import Path
@@ -61,7 +61,7 @@ def read():
 
 
 def fit(names, bounds, start):
-    """Prints the fit of these variables; others have the values that are true."""
+    """Prints the fit of these variables; the others have their true values."""
     times, *measured = read()
     levels = np.array([[level] for level in NOISE.values()])
 
@@ -84,5 +84,5 @@ if __name__ == "__main__":
     write()
     free = (-np.inf, np.inf)
     fit(list(TRUE), free, [0.5, 0.02, 0.02, 1.1, -0.4])
-    # Friction in the second joint may be half of what it is.
+    # The bound on the second friction is half of its true value.
     fit(["m2", "c1", "c2"], ([0.01, 0.0, 0.0], [5.0, 1.0, 0.002]), [0.5, 0.02, 0.001])

@@ -1,13 +1,13 @@
-"""The references of `examples/flip_map.rs`: equations of motion written by hand, for SciPy.
+"""References of `examples/flip_map.rs`: handwritten equations of motion, for SciPy.
 
     python3 tools/flip_map.py
 
-Two equal masses on rods of equal lengths l, let go at rest, in absolute angles a and b:
+Two equal masses on rods of equal lengths l, released at rest, in absolute angles a and b:
 
     2 a'' + cos(a - b) b'' = -sin(a - b) b'^2 - 2 g/l sin a
     cos(a - b) a'' + b''   =  sin(a - b) a'^2 -   g/l sin b
 
-Printed are the times at which b first passes pi or -pi, found by DOP853 in steps of two sizes, if these agree.
+Prints the times at which b first passes pi or -pi, by DOP853 with two tolerances, if these agree.
 """
 
 import numpy

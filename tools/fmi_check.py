@@ -67,7 +67,7 @@ event middle = x, crossing => { dot(x) = 0.9 * dot(x); }"""
 
 END, EVERY = 3.0, 0.0625
 
-# Declaration, values of parameters, of the state at the start, and of inputs.
+# Declaration, values of parameters, of the initial state, and of inputs.
 SYSTEMS = {
     "double pendulum": (PENDULUM, {}, {}, {}),
     "bounce": (BOUNCE, {}, {}, {}),
@@ -83,7 +83,7 @@ SYSTEMS = {
 
 VERSIONS = (2, 3)
 
-# Largest differences that are accepted, of co-simulation and of model exchange by CVode.
+# Largest accepted differences of co-simulation and of model exchange by CVode.
 STEPPING, EXCHANGE = 1e-9, 1e-7
 
 
@@ -138,7 +138,7 @@ def compare_version(lagrange, folder, name, version, reference):
     differences, last = [], None
     for kind, limit in (("CoSimulation", STEPPING), ("ModelExchange", EXCHANGE)):
         result = simulated(unit, kind, names, parameters, inputs)
-        # Where events fall, there are two rows: the last is that behind them.
+        # At events there are two rows, the last of which is after them.
         times = result["time"]
         rows = [np.flatnonzero(np.abs(times - t) < 1e-9)[-1] for t in reference["t"]]
         scale = {column: max(1.0, np.abs(reference[column]).max()) for column in names}
@@ -161,7 +161,7 @@ def pendulum_rates(_, y):
 
 
 def bounced():
-    """The ball after its bounces, in closed form."""
+    """Returns the ball after its bounces, in closed form."""
     g, e, t = 9.81, 0.8, math.sqrt(2 / 9.81)
     speed = e * g * t
     while t + 2 * speed / g < END:
@@ -204,7 +204,7 @@ def compare_signal(folder, version):
 
 
 class Opened:
-    """A unit by the functions of the standard, the same for both versions."""
+    """A unit under the functions of the standard, with one interface for both versions."""
 
     def __init__(self, unit, is_exchange, guid=None):
         self.description = read_model_description(str(unit))
@@ -251,7 +251,7 @@ def fails(action):
 
 
 def check_sizes(opened):
-    """Version 3.0 passes numbers of values along."""
+    """Returns arguments; version 3.0 also passes numbers of values."""
     fmu, one = opened.fmu, [opened.reference["angle"]]
     for action in (
         lambda: fmu.getFloat64(one, nValues=2),
@@ -285,7 +285,7 @@ def check_errors(folder, version):
         fails(action)
     if version == 3:
         check_sizes(opened)
-    # It goes on after all of these.
+    # It continues after all of these.
     fmu.doStep(0.0, 0.5)
     state = fmu.getFMUState()
     before = opened.get("angle", "angle_dot", "t")
@@ -306,7 +306,7 @@ def check_errors(folder, version):
 
 
 def check_derivatives(folder, version):
-    """Derivatives of the servo, by hand."""
+    """Checks derivatives of the servo, by hand."""
     opened = Opened(folder / f"servo_{version}.fmu", True)
     fmu = opened.start()
     angle = 0.9
@@ -322,7 +322,7 @@ def check_derivatives(folder, version):
     if version == 3:
         found = fmu.getAdjointDerivative(unknowns, knowns, [2.0, 3.0, -1.0])
         assert np.allclose(found, np.array(list(answers.values())) @ [2.0, 3.0, -1.0], rtol=1e-14), found
-    # Parameters are no knowns, rates neither; parameters are no unknowns.
+    # Parameters and rates are not knowns; parameters are not unknowns.
     for name in ("k", "der(angle)"):
         fails(lambda: fmu.getDirectionalDerivative(unknowns, [opened.reference[name]], [1.0]))
     fails(lambda: fmu.getDirectionalDerivative([opened.reference["j"]], knowns[:1], [1.0]))
@@ -331,7 +331,7 @@ def check_derivatives(folder, version):
 
 
 def check_end(lagrange, folder):
-    """A declared end: version 2.0 discards the step, version 3.0 asks for the end."""
+    """Checks a declared end: version 2.0 discards the step, version 3.0 requests the end."""
     file, unit = folder / "drop.lag", folder / "drop.fmu"
     file.write_text(BOUNCE.replace("{ dot(h) = -e * dot(h); }", "stop;"))
     command(lagrange, "fmu", file, "--fmi", 3, "-o", unit)
@@ -342,7 +342,7 @@ def check_end(lagrange, folder):
 
 
 def check_failure(lagrange, folder, version):
-    """A motion that cannot go on stands at its last good state."""
+    """Checks that a motion that cannot continue stops at its last good state."""
     file, unit = folder / "root.lag", folder / "root.fmu"
     file.write_text("struct Root; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = -1 - 0.1 * sqrt(x);")
     command(lagrange, "fmu", file, "--fmi", version, "-o", unit)

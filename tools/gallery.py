@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Makes the pictures of docs/gallery again, by the commands in its README.md.
+"""Regenerates the pictures of docs/gallery by the commands in its README.md.
 
     tools/gallery.py            writes the pictures into docs/gallery
-    tools/gallery.py --check    says which of them differ, and fails if one does
-    tools/gallery.py --check --made     the same of what lies in target/gallery already, and of live pages
+    tools/gallery.py --check    lists those that differ, and fails if any does
+    tools/gallery.py --check --made     does the same for existing pictures in target/gallery, and for live pages
 
-Each command is run as it stands there and writes its pictures to target/gallery. Those with `--release` take minutes, of chaotic
-motions, which round differently elsewhere: they are run only by the first of these lines. Text (SVG, HTML) may differ by a
-hundredth of a pixel in numbers, since elementary functions of platforms differ in their last bit; all else byte by byte.
+Each command is run as written there, and writes its pictures to target/gallery. Those with `--release` take minutes and show chaotic
+motions, which round differently elsewhere, so only the first of these lines runs them. Numbers in text (SVG, HTML) may differ by a
+hundredth of a pixel, since elementary functions of platforms differ in their last bit; everything else must be identical.
 """
 
 import re
@@ -34,7 +34,7 @@ def main():
     for command in [command for command in commands if "--made" not in sys.argv[1:] or QUICK in command]:
         print(command, flush=True)
         subprocess.run(command.split(), cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    # The pictures of each command stand before it.
+    # The pictures of each command precede it.
     *parts, _ = COMMAND.split(text)
     shown = {name: command for before, command in zip(parts[::2], parts[1::2]) for name in PICTURE.findall(before)}
     missing = [name for name in shown if "--check" in sys.argv[1:] and not (KEPT / name).is_file()]
@@ -47,7 +47,7 @@ def main():
 
 
 def keep(name):
-    """Copies a picture, or says how it differs if only that is asked for."""
+    """Copies a picture, or describes how it differs if only checking."""
     made, kept = MADE / name, KEPT / name
     if not made.is_file():
         return f"{name} is written by no command"

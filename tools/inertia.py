@@ -2,9 +2,9 @@
 
     python3 tools/inertia.py        writes tests/references/inertia.csv and prints the formulas (a minute)
 
-A solid is a map of intervals to the plane with the amount of mass per unit of the parameters. Its mass, its centre of mass and its moment
-of inertia about that are integrals over the intervals; dimensions stay symbols until the formulas are evaluated. Regular
-polygons have their centre of mass in the middle, so that one of their n triangles tells everything. Values are for a mass of one.
+A solid is a map of intervals to the plane with the mass per unit of the parameters. Its mass, its centre of mass and its moment
+of inertia about that are integrals over the intervals; dimensions remain symbols until the formulas are evaluated. Regular
+polygons have their centre of mass in the middle, so one of their n triangles suffices. Values are for a mass of one.
 """
 
 import csv
@@ -21,7 +21,7 @@ u, v = symbols("u v", real=True)
 
 
 def measure(pieces, center=None):
-    """Moment of inertia for a mass of one, and centre of mass, of pieces (x, y, amount, intervals)."""
+    """Returns the moment of inertia for a mass of one, and the centre of mass, of pieces (x, y, amount, intervals)."""
 
     def total(of):
         terms = 0
@@ -40,7 +40,7 @@ def measure(pieces, center=None):
 
 
 def polar(inner, outer, start, end, axes=(1, 1)):
-    """What lies between two radii, stretched, and two angles."""
+    """Returns the region between two radii, stretched, and two angles."""
     return axes[0] * u * cos(v), axes[1] * u * sin(v), axes[0] * axes[1] * u, [(u, inner, outer), (v, start, end)]
 
 
@@ -49,7 +49,7 @@ def rectangle(x, y):
 
 
 def triangle(first, second, third):
-    """Lines from the first corner to the opposite side."""
+    """Returns a triangle by lines from the first corner to the opposite side."""
     sides = [[corner[i] - first[i] for i in (0, 1)] for corner in (second, third)]
     area = sides[0][0] * sides[1][1] - sides[0][1] * sides[1][0]
     place = [first[i] + u * (sides[0][i] * (1 - v) + sides[1][i] * v) for i in (0, 1)]
@@ -57,7 +57,7 @@ def triangle(first, second, third):
 
 
 def ring(radius, amount, interval):
-    """Rings about the origin: of the radius and the amount of mass that belong to each v."""
+    """Returns rings about the origin, with the radius and the amount of mass for each v."""
     return radius, 0 * v, amount, [interval]
 
 
@@ -67,7 +67,7 @@ def three_sides():
 
 
 def symmetric(piece):
-    """Something whose centre of mass is the origin, from one of its equal pieces."""
+    """Returns a solid whose centre of mass is the origin, from one of its equal pieces."""
     return measure([piece], center=[0, 0])
 
 
@@ -80,7 +80,7 @@ PROFILE_CORNERS = "1 2 4 2 4 2.5 1.4 2.5 1.4 4.5 1 4.5"
 QUADRANGLE = [(0, 0), (2, Rational(3, 10)), (Rational(17, 10), Rational(7, 5)), (Rational(-11, 10), Rational(4, 5))]
 QUADRANGLE_CORNERS = "0 0 2 0.3 1.7 1.4 -1.1 0.8"
 
-# Name, symbols of the dimensions, values to be written, how the formula is found.
+# Name, symbols of the dimensions, values to write, derivation of the formula.
 SOLIDS = [
     ("point_mass", [], [""], lambda: (0 * a, [0, 0])),
     ("slender_rod", [a], ["3", "0.7"], lambda: measure([(u, 0 * u, 1 + 0 * u, [(u, -a / 2, a / 2)])])),

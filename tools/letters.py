@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Makes the fonts of crates/lagrange-plot/letters: those characters of STIX Two that labels of mechanics need, and no tables beside.
+"""Makes the fonts of crates/lagrange-plot/letters: the characters of STIX Two that labels of mechanics need, without further tables.
 
     tools/letters.py FOLDER     with STIXTwoText-Regular.ttf, STIXTwoText-Italic.ttf, STIXTwoMath-Regular.ttf and OFL.txt of version
                                 2.13 b171: https://github.com/stipub/stixfonts/tree/v2.13b171, fonts/static_ttf
 
-Needs Python 3 and fontTools 4.68 (`pip install fonttools==4.68.0`; other versions may order bytes otherwise). The same files give the
-same bytes. Pairs of letters that stand closer are written as a table `kern`, which is read in a few lines, other than the
-tables of layout where they come from. Italics are for symbols: letters only.
+Needs Python 3 and fontTools 4.68 (`pip install fonttools==4.68.0`; other versions may order bytes differently). The same files give the
+same bytes. Kerning pairs are written as a table `kern`, which takes a few lines to read, unlike the layout tables from
+which they come. Italics are for symbols: letters only.
 
-The licence is that of the fonts, the SIL Open Font License 1.1, whose text goes along. The name that it reserves, "TM Math", is that of
-a font from which STIX descends; the subsets are called Lagrange Letters nevertheless, since they are not what is known as STIX Two.
+The licence is that of the fonts, the SIL Open Font License 1.1, whose text is included. The name that it reserves, "TM Math", belongs to
+a font from which STIX descends. The subsets are called Lagrange Letters, since they are not the complete STIX Two.
 """
 
 import hashlib
@@ -74,7 +74,7 @@ def read(path, digest):
 
 
 def subset(data, wanted):
-    """A font with these characters and what their outlines consist of; its box for all others stays."""
+    """Returns a font with these characters and the components of their outlines; it keeps its box for all others."""
     options = Options()
     options.layout_features = []
     options.notdef_outline = True
@@ -103,7 +103,7 @@ def merged(*fonts):
 
 
 def kerning(data, kept):
-    """Pairs of characters of ASCII and Greek letters that the layout tables move, and by how much."""
+    """Returns pairs of ASCII characters and Greek letters that the layout tables move, with the distances."""
     font = TTFont(io.BytesIO(data))
     glyphs = {glyph: code for code, glyph in font.getBestCmap().items() if code in PAIRED}
     table = font["GPOS"].table
@@ -115,7 +115,7 @@ def kerning(data, kept):
         for part in table.LookupList.Lookup[index].SubTable:
             part = part.ExtSubTable if part.LookupType == 9 else part
             if part.LookupType == 2:
-                # The first subtable that knows a pair decides.
+                # The first subtable with a pair decides.
                 for pair, value in adjusted(part, glyphs):
                     found.setdefault(pair, value)
         for pair, value in found.items():
@@ -127,7 +127,7 @@ PAIRED = LATIN | {ord(c) for c in " .,;:()[]-–’'\"/0123456789"}
 
 
 def adjusted(part, glyphs):
-    """Pairs of characters of one subtable."""
+    """Returns pairs of characters of one subtable."""
     advance = lambda value: getattr(value, "XAdvance", 0) or 0
     firsts = [glyph for glyph in part.Coverage.glyphs if glyph in glyphs]
     if part.Format == 1:

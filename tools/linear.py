@@ -1,9 +1,10 @@
-"""Eigenvalues by NumPy and Riccati equations by SciPy, beside which the feature `linear` is tested.
+"""Eigenvalues by NumPy and Riccati equations by SciPy: references of the feature `linear`.
 
-Writes `tests/linear/eigenvalues.csv`: those of 1,000 matrices, one a line, as real and imaginary parts in turns; and
-`tests/linear/riccati.csv`: weights of the states and of the input, then the gains of the upright cart-pole of `tests/linear/regulators.rs`; and
-`tests/linear/designs.csv`: of the same, the kind, the period, four weights and one, then the gain, or A and B over a period.
-Matrices come from a generator that the tests repeat. Takes seconds.
+Writes three files within seconds:
+- `tests/linear/eigenvalues.csv`: eigenvalues of 1,000 matrices, one per line, as alternating real and imaginary parts. The tests repeat the
+  generator of the matrices.
+- `tests/linear/riccati.csv`: weights of the states and of the input, then the gains of the upright cart-pole of `tests/linear/regulators.rs`.
+- `tests/linear/designs.csv`: for the same system the kind, the period, four weights and one, then the gain, or A and B over a period.
 
     pip install numpy scipy
     python3 tools/linear.py
@@ -18,7 +19,7 @@ TARGET = Path(__file__).parent.parent / "tests" / "linear"
 
 
 class Generator:
-    """Numbers from -1/2 to 1/2 by Knuth's linear congruences."""
+    """Numbers from -1/2 to 1/2 by Knuth's linear congruential generator."""
 
     def __init__(self):
         self.state = 1
@@ -29,7 +30,7 @@ class Generator:
 
 
 def matrix(generator, index):
-    """A full, sparse, badly scaled or antisymmetric matrix of one to six rows."""
+    """Returns a full, sparse, badly scaled or antisymmetric matrix of one to six rows."""
     n = 1 + index % 6
     a = np.array([[generator.next() for _ in range(n)] for _ in range(n)])
     kind = index // 6 % 4
@@ -43,7 +44,7 @@ def matrix(generator, index):
 
 
 def cart_pole():
-    """A and B of a cart of 1 kg with a pole of 0.1 kg at 0.5 m, upright."""
+    """Returns A and B of a cart of 1 kg with a pole of 0.1 kg at 0.5 m, upright."""
     cart, pole, length, g = 1.0, 0.1, 0.5, 9.81
     a, b = np.zeros((4, 4)), np.zeros((4, 1))
     a[0, 2] = a[1, 3] = 1
@@ -54,7 +55,7 @@ def cart_pole():
 
 
 def designs():
-    """Sampled models, their regulators and Kalman gains, and Kalman gains in continuous time; the position of the tip is measured."""
+    """Returns sampled models, their regulators and Kalman gains, and Kalman gains in continuous time; the position of the tip is measured."""
     a, b = cart_pole()
     c = np.array([[1, -0.5, 0, 0]])
     weights = [([1, 1, 1, 1], 1), ([10, 100, 1, 1], 0.1), ([1e-4] * 4, 1e4), ([1, 0, 0, 0], 1)]

@@ -1,9 +1,9 @@
 """Reference motion of the machine in `tests/api/parts.rs`.
 
-    python3 tools/machine_of_parts.py        prints the state at the end (a few seconds)
+    python3 tools/machine_of_parts.py        prints the final state (a few seconds)
 
-A motor with a controller turns a drum through a gear with backlash, an angle filter in the loop. The equations are written by hand.
-SciPy's DOP853 is started anew wherever the teeth touch or part, where the moment jumps; the events are located to rounding. The state
+A motor with a controller turns a drum through a gear with backlash, with an angle filter in the loop. The equations are handwritten.
+SciPy's DOP853 restarts wherever the teeth touch or separate, since the moment jumps there; events are located to rounding. The state
 is printed if two tolerances agree to DIGITS digits.
 """
 
@@ -23,7 +23,7 @@ def twist(y):
 
 
 def rates(side):
-    """`side` is 1, 0 or -1: which flanks touch, if any."""
+    """Returns the rates; `side` is 1, 0 or -1, for the flanks in contact, if any."""
 
     def of(t, y):
         phi, theta, measured, integral, smoothed, current, phi_dot, theta_dot = y
@@ -47,7 +47,7 @@ def rates(side):
 
 
 def surfaces(side):
-    """The flanks that the twist can reach from this side."""
+    """Returns the flanks that the twist can reach from this side."""
     found = []
     for flank, other in ((1, 1), (-1, -1)):
         if side in (0, flank):

@@ -5,7 +5,7 @@ crates/lagrange-runtime/src/manifold/tests.rs.
 
 The distance of the cores is a least-squares problem with bounds, min |p - q| over the points of both, solved by the
 active sets of SciPy (BVLS). The depth is the distance of the origin from the nearest facet of the convex hull of all
-differences of corners, by Qhull. Neither knows of separating axes. Pairs follow from a linear congruential generator.
+differences of corners, by Qhull. Neither uses separating axes. Pairs come from a linear congruential generator.
 """
 
 from itertools import product
@@ -29,7 +29,7 @@ def within(a, b):
 
 
 def block(reach, is_aligned):
-    """Centre, axes in rows, half sizes and radius. Aligned blocks have sizes and places in tenths."""
+    """Returns centre, axes in rows, half sizes and radius. Aligned blocks have sizes and positions in tenths."""
     grid = (lambda x: np.floor(10 * x) / 10) if is_aligned else (lambda x: x)
     is_cuboid = within(0, 1) < 0.6
     half = [grid(within(0.1, 1.1)) for _ in range(3)]
@@ -49,7 +49,7 @@ def block(reach, is_aligned):
 
 
 def distance(first, second):
-    """The distance of the cores."""
+    """Returns the distance of the cores."""
     (c1, a1, h1, _), (c2, a2, h2, _) = first, second
     columns = [h * a for h, a in zip(h1, a1) if h > 0] + [-h * a for h, a in zip(h2, a2) if h > 0]
     found = lsq_linear(np.array(columns).T, c2 - c1, (-1, 1), "bvls", tol=1e-15)
@@ -57,7 +57,7 @@ def distance(first, second):
 
 
 def depth(first, second):
-    """The depth of overlapping cores; zero if they are flat together."""
+    """Returns the depth of overlapping cores; zero if they are flat together."""
     corners = lambda c, a, h: [c + np.array(s) * h @ a for s in product([-1, 1], repeat=3)]
     a, b = (np.unique(np.round(corners(*block[:3]), 15), axis=0) for block in (first, second))
     if len(a) == len(b) == 2:

@@ -1,13 +1,13 @@
-"""The references of `examples/long_chain.rs` and `examples/spring_lattice.rs`: equations of motion written by hand, for SciPy.
+"""References of `examples/long_chain.rs` and `examples/spring_lattice.rs`: handwritten equations of motion, for SciPy.
 
     python3 tools/many_of_a_kind.py
 
-Of the chain of n point masses on massless rods, in absolute angles,
+The chain of n point masses on massless rods, in absolute angles, obeys
 
     sum_j S_ij l^2 cos(a_i - a_j) a_j'' = -sum_j S_ij l^2 sin(a_i - a_j) a_j'^2 - S_ii g l sin a_i,
 
-S_ij being the mass below the joint that is lower; of the lattice Newton's law with the forces of its springs. Both are integrated by
-DOP853 in steps of two sizes, and printed if they agree to the digits that the examples compare.
+where S_ij is the mass below the lower joint. The lattice obeys Newton's law with the forces of its springs. Both are integrated by
+DOP853 with two tolerances, and printed if they agree to the digits that the examples compare.
 """
 
 import numpy
@@ -43,7 +43,7 @@ def lattice_rates(t, y, n=5, k=20.0, rest=1.0):
 
 
 def integrated(rates, start, end):
-    """The state at the end, if steps of both sizes agree about it."""
+    """Returns the final state, if both tolerances agree."""
     found = [
         solve_ivp(rates, (0, end), start, method="DOP853", rtol=1e-13, atol=1e-15, max_step=step).y[:, -1]
         for step in (5e-4, 2.5e-4)

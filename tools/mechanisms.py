@@ -1,15 +1,15 @@
-"""Reference motions of 30 digits for mechanisms, found without constraints, multipliers or accelerations.
+"""Reference motions of mechanisms with 30 digits, without constraints, multipliers or accelerations.
 
     python3 tools/mechanisms.py            writes tests/references/mechanisms.csv (a few minutes)
-    python3 tools/mechanisms.py NAME...    computes these cases only and keeps the others
+    python3 tools/mechanisms.py NAME...    computes only these cases and keeps the others
 
-- A mechanism with one degree of freedom and no losses has T = I(s) s'^2/2, so that its energy gives time as a quadrature,
+- A mechanism with one degree of freedom and no losses has T = I(s) s'^2/2, so its energy gives time as a quadrature,
   t = integral of sqrt(I/(2 (E - V))) ds (Landau, Lifshitz, *Mechanics*, section 11). Other coordinates follow
   from s by geometry: circles that meet, right triangles.
 - A sleigh on a blade: its body velocities in closed form (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*),
-  its place by quadrature.
-- A disk that rolls on a plane: Newton's and Euler's equations in the frame of its axis and its track, with the forces of the
-  ground eliminated by hand, and Taylor's method of `tools/references.py`.
+  its position by quadrature.
+- A disk that rolls on a plane: Newton's and Euler's equations in the frame of its axis and its track, with the ground forces
+  eliminated by hand, and Taylor's method of `tools/references.py`.
 
 Everything is computed twice with different numbers of digits, and written only if both agree to DIGITS + 1 digits. The columns
 are those of `tests/references/states.csv`; times are nearest numbers of 53 bits for the column `binary`.
@@ -28,14 +28,14 @@ TARGET = Path(__file__).resolve().parent.parent / "tests" / "references" / "mech
 
 
 def panels(function, start, end, size):
-    """The integral of an analytic function over panels that are not longer than `size`."""
+    """Integrates an analytic function over panels of at most `size`."""
     count = max(1, int(mp.ceil(abs(end - start) / size)))
     points = [start + (end - start) * k / count for k in range(count + 1)]
     return quad(function, points)
 
 
 class OneFreedom:
-    """s turns round and round: 2 E = inertia(s) s'^2 + 2 potential(s)."""
+    """A motion in which s turns continuously: 2 E = inertia(s) s'^2 + 2 potential(s)."""
 
     def __init__(self, inertia, potential, start, rate):
         self.inertia, self.potential, self.start = inertia, potential, start
@@ -50,7 +50,7 @@ class OneFreedom:
         return panels(lambda s: 1 / self.rate(s), self.start, self.start + travelled, pi / 8)
 
     def at(self, t):
-        """s and its rate; whole turns are counted and the rest is found by Newton's method."""
+        """Returns s and its rate, by counting whole turns and Newton's method for the remainder."""
         turns = floor(t / self.turn)
         rest = t - turns * self.turn
         s = self.sign * 2 * pi * rest / self.turn
@@ -69,7 +69,7 @@ def four_bar(of):
     m1, m2, m3 = mpf(1), mpf(3), mpf(3)
 
     def angles(s):
-        """Of coupler and rocker: the joint between them is where two circles meet, above the line of their centres."""
+        """Returns the angles of coupler and rocker: their joint is the intersection of two circles above the line of their centres."""
         x, y = a * cos(s), a * sin(s)
         dx, dy = d - x, -y
         squared = dx * dx + dy * dy
@@ -79,7 +79,7 @@ def four_bar(of):
         return atan2(jy, jx), atan2(y + jy, x + jx - d)
 
     def ratios(s):
-        """Rates of the angles of coupler and rocker per rate of the crank: the velocity of the joint along either bar."""
+        """Returns the rates of the angles of coupler and rocker per rate of the crank, from the velocity of the joint along either bar."""
         p, r = angles(s)
         return a * sin(r - s) / (b * sin(p - r)), a * sin(p - s) / (c * sin(p - r))
 
@@ -103,7 +103,7 @@ def four_bar(of):
 
 
 def n_four_bar(of):
-    """Forty windows of bars of 1 m and 1 kg, all cranks parallel; upright, and the upper joints move with 1 m/s."""
+    """Forty windows of bars of 1 m and 1 kg with parallel cranks; upright, the upper joints move at 1 m/s."""
     windows, g = 40, of("9.81")
     inertia = mpf(windows + 1) / 3 + windows
     weight = g * (mpf(windows + 1) / 2 + windows)
@@ -117,7 +117,7 @@ def n_four_bar(of):
 
 
 def sleigh(of):
-    """m = 1.2, j = 0.3, centre of mass 0.4 ahead of the blade; at rest but for turning at 2 rad/s."""
+    """m = 1.2, j = 0.3, centre of mass 0.4 ahead of the blade; at rest except for a rotation at 2 rad/s."""
     m, j, a = of("1.2"), of("0.3"), of("0.4")
     turning = mpf(2)
     about_blade = j + m * a * a
@@ -143,10 +143,10 @@ def ladder(of):
     l, g = of("3"), of("9.81")
     start = of(nstr(pi / 3, 60))
     end = asin(2 * sin(start) / 3)
-    # With angle = start - u^2 the square root at the start goes away, and differences of sines are products.
+    # With angle = start - u^2 the square root at the start vanishes, and differences of sines are products.
     slope = lambda u: cos(start - u * u / 2) * mp.sinc(u * u / 2)
     leaving = panels(lambda u: 2 / sqrt(3 * g / l * slope(u)), mpf(0), sqrt(start - end), mpf(1) / 8)
-    # Afterwards the centre moves sideways at a constant speed; the rest of the energy turns and drops the ladder.
+    # Afterwards the centre moves sideways at a constant speed; the rest of the energy rotates and drops the ladder.
     sideways = sqrt(g * l * sin(start) ** 3) / 3
     rate = lambda s: sqrt((g * l * sin(start) - sideways**2 - g * l * sin(s)) / (l * l * (cos(s) ** 2 / 4 + mpf(1) / 12)))
     landing = leaving + panels(lambda s: 1 / rate(s), mpf(0), end, mpf(1) / 8)
@@ -154,7 +154,7 @@ def ladder(of):
 
 
 def rolling_disk(of):
-    """m = r = 1, A = 1/4, C = 1/2. State: x y phi theta psi and, in the place of rates, angular velocities 1 2 3."""
+    """m = r = 1, A = 1/4, C = 1/2. State: x y phi theta psi and, instead of rates, angular velocities 1 2 3."""
     g, inertia, axial = of("9.81"), mpf(1) / 4, mpf(1) / 2
 
     def build(x):
@@ -203,14 +203,14 @@ CASES = {
 
 
 def times_of(texts, turn, numbers):
-    """End times; those of the column `binary` are numbers of 53 bits."""
+    """Returns end times; those of the column `binary` are numbers of 53 bits."""
     for text in texts:
         t = turn * int(text.split()[1]) if text.startswith("turn") else mpf(text)
         yield mpf(float(t)) if numbers == "binary" else t
 
 
 def rows_of(case, numbers):
-    """Times with their components."""
+    """Returns times with their components."""
     system, _, texts = CASES[case]
     found = system(converter(numbers))
     if texts is None:
@@ -220,7 +220,7 @@ def rows_of(case, numbers):
 
 
 def checked(case, numbers):
-    """The rows, if two computations agree."""
+    """Returns the rows, if two computations agree."""
     results = []
     for digits in ACCURACIES:
         mp.dps = digits
@@ -232,7 +232,7 @@ def checked(case, numbers):
 
 
 def kept():
-    """The rows of the table, by case."""
+    """Returns the rows of the table, by case."""
     rows = {}
     if TARGET.exists():
         with TARGET.open(newline="") as file:

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Runs an ensemble over the processes of an MPI job and kills one of them: `tools/mpi_check.py [--motions 20000] [--parts 40]`
 
-The program `examples/mpi` saves double pendulums and sums them up, with 1, 2 and 4 processes. Then one of four
-processes is killed (SIGKILL) in the middle, which ends the others, and the job goes on with four, and another one with two. All files must have
+The program `examples/mpi` saves double pendulums and sums them, with 1, 2 and 4 processes. Then one of four
+processes is killed (SIGKILL) midway, which ends the others. The job resumes with four, and another one with two. All files must have
 the SHA-256 of those of a single process, and all sums its bits. Before that an error in one process must end the others.
 
-Needs Python 3, Rust, Open MPI with its headers, and libclang, by which Rust reads them. On Debian they are installed if they are missing and
-this runs as root. The machine may have fewer processors than there are processes.
+Needs Python 3, Rust, Open MPI with its headers, and libclang, which Rust uses to read them. On Debian missing ones are installed if
+this runs as root. The machine may have fewer processors than processes.
 """
 
 import argparse
@@ -23,12 +23,12 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PACKAGES = ["libopenmpi-dev", "openmpi-bin", "libclang-dev"]
 LAUNCHER = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n"]
-# An error that nobody waits for ends the job; one that is waited for ends nothing.
+# An error for which nobody waits ends the job; one that is awaited ends nothing.
 SECONDS = 300
 
 
 def install():
-    """Open MPI and libclang, where they are missing."""
+    """Installs Open MPI and libclang where they are missing."""
     if shutil.which("mpicc") and shutil.which("mpirun") and list(pathlib.Path("/usr/lib").glob("**/libclang*.so*")):
         return
     if not shutil.which("apt-get") or os.geteuid() != 0:
@@ -40,7 +40,7 @@ def install():
 
 
 def build():
-    """The program, optimised; its path."""
+    """Builds the optimised program, and returns its path."""
     target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "mpi"
     folder = ROOT / "examples" / "mpi"
     for command in (["fmt", "--check"], ["clippy", "--release", "--locked", "--target-dir", target, "--", "-D", "warnings"]):
@@ -50,7 +50,7 @@ def build():
 
 
 class Job:
-    """Runs of the program, of so many motions in so many parts."""
+    """Runs of the program, with given numbers of motions and parts."""
 
     def __init__(self, program, motions, parts):
         self.program, self.motions, self.parts = program, motions, parts
@@ -60,7 +60,7 @@ class Job:
         return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def run(self, processes, folder):
-        """What the first process says of the sums."""
+        """Returns the sums as printed by the first process."""
         began = time.monotonic()
         job = self.start(processes, folder)
         output, errors = job.communicate(timeout=SECONDS)
@@ -73,7 +73,7 @@ class Job:
 
 
 def digests(folder):
-    """The SHA-256 of all parts by name; nothing else may be there."""
+    """Returns the SHA-256 of all parts by name; nothing else may exist."""
     return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in folder.iterdir()}
 
 
@@ -82,7 +82,7 @@ def saved(folder):
 
 
 def kill_one(job, folder):
-    """Kills one of four processes when a quarter of all parts is there, which must end the others."""
+    """Kills one of four processes when a quarter of all parts exists, which must end the others."""
     running = job.start(4, folder)
     while saved(folder) < job.parts // 4:
         if running.poll() is not None:
@@ -102,9 +102,9 @@ def kill_one(job, folder):
 
 
 def error_in_one(job, folder):
-    """A process that fails must be an error of all."""
+    """Checks that a failing process is an error in all."""
     folder.mkdir()
-    # A folder in the place of the lock of rank 1 of 2.
+    # A folder instead of the lock of rank 1 of 2.
     (folder / "shard-1-of-2.lock").mkdir()
     running = job.start(2, folder)
     _, errors = running.communicate(timeout=SECONDS)

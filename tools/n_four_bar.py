@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Writes tests/mechanisms/n_four_bar.rs: `tools/n_four_bar.py`.
 
-N windows side by side: N + 1 cranks on fixed joints, one metre apart, whose ends N couplers join. All bars are uniform, 1 m
-long and 1 kg. The cranks stay parallel, so that one degree of freedom is left; when all bars lie in a line, the constraints
-depend on each other. Definition: González, Dopico, Naya, Cuadrado, *A benchmarking system for MBS simulation software*, Multibody
+N windows side by side: N + 1 cranks on fixed joints, one metre apart, with ends connected by N couplers. All bars are uniform, 1 m
+long and 1 kg. The cranks stay parallel, so one degree of freedom remains; when all bars are aligned, the constraints
+are dependent. Definition: González, Dopico, Naya, Cuadrado, *A benchmarking system for MBS simulation software*, Multibody
 System Dynamics 16 (2006), after Bayo and Avello, *Singularity-free augmented Lagrangian algorithms for constrained multibody
 dynamics*, Nonlinear Dynamics 5 (1994). Coordinates are the angles of all bars; each window is a loop to be closed.
 """
@@ -47,7 +47,7 @@ lagrange::system! {{
     emit {{ no inverse_dynamics, no forcing }}
 }}
 
-/// All cranks at this angle, turning at this rate; the couplers between them level.
+/// Returns all cranks at an angle, turning at a rate; the couplers between them are level.
 pub(crate) fn state(crank: f64, rate: f64) -> [f64; {2 * (2 * WINDOWS + 1)}] {{
     std::array::from_fn(|i| match (i / {2 * WINDOWS + 1}, i % {2 * WINDOWS + 1} % 2) {{
         (_, 1) => 0.0,

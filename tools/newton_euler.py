@@ -1,16 +1,16 @@
-"""Newton's and Euler's equations of rigid bodies in the world, with many digits: the ground of `tools/spatial_trees.py`.
+"""Newton's and Euler's equations of rigid bodies in the world, with many digits: the basis of `tools/spatial_trees.py`.
 
-Nothing here is recursive in the axes of bodies and nothing is derived from energies. A pose is a homogeneous transformation
-whose entries are power series in a time that passes, cut behind the square. Their coefficients are velocities and accelerations: along
-q + e_k s with time at rest the columns J_k of the Jacobians of points and of angular velocities, along q + v s + 0 s^2 the parts of
-accelerations that hold no q''. With them
+Nothing here is recursive in the axes of bodies, and nothing is derived from energies. A pose is a homogeneous transformation
+whose entries are power series in time, truncated after the square. Their coefficients are velocities and accelerations. Along
+q + e_k s at a fixed time they are the columns J_k of the Jacobians of points and of angular velocities. Along q + v s + 0 s^2 they are
+the accelerations without q''. With them
 
     sum of J_S^T (m a_S - F) + J_w^T (J w' + w x J w - M) = A^T lambda,    A q'' = -gamma,
 
 which are linear in q'' and lambda (Kane, Levinson, *Dynamics: Theory and Applications*, sections 4.11 and 6.1).
 
-Orientations may be unit quaternions r, the scalar part first, which turn v to r v r* and whose velocities are an angular velocity u in the
-turned axes, r' = r u / 2. Along them J_k is a partial velocity, for u = e_k, and q'' stands for u'.
+Orientations may be unit quaternions r, the scalar part first, which rotate v to r v r*. Their velocities are an angular velocity u in the
+rotated axes, r' = r u / 2. Along them J_k is a partial velocity, for u = e_k, and q'' stands for u'.
 """
 
 from mpmath import cos, mpf, sin, sqrt
@@ -51,7 +51,7 @@ class Series:
     __radd__, __rmul__ = __add__, __mul__
 
     def composed(self, value, first, second):
-        """f of it, from f(x0), f'(x0), f''(x0)."""
+        """Returns f of the series, from f(x0), f'(x0), f''(x0)."""
         _, x1, x2 = self.c
         return Series(value, first * x1, first * x2 + second * x1**2 / 2)
 
@@ -63,7 +63,7 @@ class Series:
 
 
 def product(a, b):
-    """Of matrices in rows, of numbers or of series; zeros cost nothing."""
+    """Multiplies matrices in rows, of numbers or of series; zeros cost nothing."""
     def entry(row, column):
         total = 0
         for x, other in zip(row, b):
@@ -120,7 +120,7 @@ def direction(a):
 
 
 def rotation(axis, angle):
-    """About a direction of length one, c 1 + s n x + (1 - c) n n^T (Rodrigues)."""
+    """Returns the rotation about a unit vector, c 1 + s n x + (1 - c) n n^T (Rodrigues)."""
     angle = Series.of(angle)
     c, s = angle.cos(), angle.sin()
     x, y, z = axis
@@ -136,20 +136,20 @@ def turned(axis, angle):
 
 
 def hamilton(a, b):
-    """Product of quaternions: a0 b0 - a.b and a0 b + b0 a + a x b."""
+    """Multiplies quaternions: a0 b0 - a.b and a0 b + b0 a + a x b."""
     (scalar, *left), (other, *right) = a, b
     inner = left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
     return [scalar * other - inner, *(scalar * y + other * x + z for x, y, z in zip(left, right, cross(left, right)))]
 
 
 def oriented(r):
-    """The rotation of a unit quaternion: its columns are r e r* of the axes e."""
+    """Returns the rotation of a unit quaternion: its columns are r e r* for the axes e."""
     conjugate = [r[0], *(-c for c in r[1:])]
     return transposed([hamilton(hamilton(r, [0, *axis]), conjugate)[1:] for axis in IDENTITY])
 
 
 def moved(q, u, orientations):
-    """Positions along constant velocities: q + u s, and of quaternions, which begin at some indices, r exp(u s / 2)."""
+    """Returns positions along constant velocities: q + u s, and r exp(u s / 2) for quaternions, which begin at some indices."""
     places, rest = [], iter(u)
     while len(places) < len(q):
         first = len(places)
@@ -163,7 +163,7 @@ def moved(q, u, orientations):
 
 
 def normalised(q, orientations):
-    """With quaternions of length one."""
+    """Returns positions with unit quaternions."""
     q = list(q)
     for first in orientations:
         q[first : first + 4] = direction(q[first : first + 4])
@@ -171,7 +171,7 @@ def normalised(q, orientations):
 
 
 def of_numbers(m):
-    """The constant parts."""
+    """Returns the constant parts."""
     return [[Series.of(entry).c[0] for entry in row] for row in m]
 
 
@@ -186,7 +186,7 @@ def coefficient(m, order):
 
 
 class Placed:
-    """Pose of a frame along one motion, as far as it matters."""
+    """Pose of a frame along one motion, up to second order."""
 
     def __init__(self, pose):
         orders = [coefficient(pose, order) for order in ORDERS]
@@ -194,7 +194,7 @@ class Placed:
         self.places = [[row[3] for row in m[:3]] for m in orders]
 
     def point(self, own, order):
-        """A derivative of the place of a point."""
+        """Returns a derivative of the position of a point."""
         factor = mpf(2) if order == 2 else mpf(1)
         return times(factor, plus(self.places[order], applied(self.rotations[order], own)))
 
@@ -202,7 +202,7 @@ class Placed:
         return axial(product(self.rotations[1], transposed(self.rotations[0])))
 
     def angular_acceleration(self):
-        """Of the motion itself: the axial vector of R'' R^T + R' R'^T."""
+        """Returns the angular acceleration: the axial vector of R'' R^T + R' R'^T."""
         r0, r1, r2 = self.rotations
         twice = [[2 * entry for entry in row] for row in r2]
         terms = product(twice, transposed(r0)), product(r1, transposed(r1))
@@ -218,7 +218,7 @@ def placed(poses):
 
 
 class Kinematics:
-    """All frames at a state: `poses(q, t)` gives series for series. Quaternions begin at the positions `orientations`."""
+    """All frames at a state: `poses(q, t)` maps series to series. Quaternions begin at the indices `orientations`."""
 
     def __init__(self, poses, t, q, v, orientations=()):
         self.t, self.v = mpf(t), [mpf(x) for x in v]
@@ -227,7 +227,7 @@ class Kinematics:
         moving = moved(self.q, self.v, orientations)
         units = ([int(k == column) for k in range(self.size)] for column in range(self.size))
         shifted = [moved(self.q, unit, orientations) for unit in units]
-        # Of the positions, and of each with respect to the velocities.
+        # Series of the positions, and their derivatives by the velocities.
         self.rates = [x.c[1] for x in moving]
         self.rate_columns = [[x.c[1] for x in column] for column in shifted]
         self.motion = placed(poses(moving, Series(self.t, 1)))
@@ -240,7 +240,7 @@ class Kinematics:
         return self.motion[frame].point(own, 1)
 
     def jacobian(self, frame, own):
-        """A list of columns."""
+        """Returns a list of columns."""
         return [column[frame].point(own, 1) for column in self.columns]
 
     def spin(self, frame):
@@ -270,7 +270,7 @@ def along(columns, factors, start):
 
 
 class Body:
-    """Mass, centre of mass in own coordinates, tensor of inertia about it in own axes."""
+    """Mass, centre of mass in body coordinates, tensor of inertia about it in body axes."""
 
     def __init__(self, frame, mass, centroid, tensor):
         self.frame, self.mass, self.centroid, self.tensor = frame, mass, centroid, tensor
@@ -293,7 +293,7 @@ class Body:
 
 
 def undivided(kinematics, bodies):
-    """M and c of M q'' + c = Q."""
+    """Returns M and c of M q'' + c = Q."""
     n = kinematics.size
     mass_matrix, bias = [[mpf(0)] * n for _ in range(n)], [mpf(0)] * n
     for body in bodies:
@@ -313,7 +313,7 @@ def undivided(kinematics, bodies):
 
 
 def solved(mass_matrix, right, constraints, drifts):
-    """q'' and lambda of M q'' = right + A^T lambda, A q'' = -drifts, and the condition number of the matrix of both."""
+    """Returns q'' and lambda of M q'' = right + A^T lambda, A q'' = -drifts, and the condition number of the combined matrix."""
     n, m = len(right), len(constraints)
     rows = [[*row, *(-constraint[i] for constraint in constraints)] for i, row in enumerate(mass_matrix)]
     rows += [[*constraint, *[mpf(0)] * m] for constraint in constraints]
@@ -325,7 +325,7 @@ def solved(mass_matrix, right, constraints, drifts):
 
 
 def eliminated(rows):
-    """What stands behind a square matrix, divided by it, by Gauss's and Jordan's elimination; a matrix without inverse has no pivot."""
+    """Solves for the columns behind a square matrix by Gauss-Jordan elimination; a singular matrix has no pivot."""
     rows = [list(row) for row in rows]
     for k in range(len(rows)):
         pivot = max(range(k, len(rows)), key=lambda i: abs(rows[i][k]))

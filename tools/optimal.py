@@ -2,16 +2,16 @@
 
     python3 tools/optimal.py            prints them (some seconds)
 
-Equations of motion are written by hand below; nothing comes from this project. SciPy solves the Riccati equations and computes the
+Equations of motion are handwritten below; nothing comes from this project. SciPy solves the Riccati equations and computes the
 characteristic values of Mathieu's equation. CasADi with Ipopt solves the optimal swing-up (`pip install casadi`), twice, by two
 transcriptions: trapezoids and Hermite-Simpson with separate midpoints, each on several grids.
 
 - cart_pole: gain of u = -K x about the upright, weights 10 1/m^2, 10 1/rad^2, 1, 1 and 0.1 1/N^2.
-- quadcopter: gain about hovering of a rigid body under four thrusts, weights 10 1/m^2 of places, 4 1/rad^2 of rotations, 1 of
+- quadcopter: gain about hovering of a rigid body under four thrusts, weights 10 1/m^2 of positions, 4 1/rad^2 of rotations, 1 of
   velocities and 1/N^2.
 - both: the state of the nonlinear motion under that feedback, by DOP853.
 - swing_up: Kelly, "An introduction to trajectory optimization", SIAM Review 59 (2017) 849-904, section 6 and appendix E.1: a cart of
-  1 kg with a pole of 0.3 kg at 0.5 m that swings up within 2 s while the cart moves by 1 m, |u| <= 20 N, with the least integral of u^2.
+  1 kg with a pole of 0.3 kg at 0.5 m that swings up within 2 s while the cart moves by 1 m, |u| <= 20 N, with the smallest integral of u^2.
 - kapitza: the boundary of stability of the upright, by Mathieu's equation.
 """
 
@@ -41,7 +41,7 @@ def end(rates, y, until):
 
 
 def balanced_cart_pole(k):
-    """x theta x' theta' 3 s after a start half a radian from the upright."""
+    """Returns x theta x' theta' 3 s after a start half a radian from the upright."""
     mc, mp, l, c, g = 1.0, 0.1, 0.5, 0.01, 9.81
 
     def rates(y):
@@ -55,8 +55,8 @@ def balanced_cart_pole(k):
 
 
 def hovering_quadcopter(k):
-    """Position of the origin, quaternion, velocity of the origin and angular velocity along the axes of the body after 2 s. It starts
-    from (1, -0.5, 0.3), turned by 0.4 rad about (2, -1, 2)/3, at rest."""
+    """Returns position of the origin, quaternion, velocity of the origin and angular velocity along the body axes after 2 s. The start
+    is at rest at (1, -0.5, 0.3), rotated by 0.4 rad about (2, -1, 2)/3."""
     arm, d, g, m, h = 0.25, 0.02, 9.81, 1.22, 0.003934426229508197
     inertia = np.array([0.008559448087431695, 0.008559448087431695, 0.016232666666666666])
 
@@ -90,7 +90,7 @@ def hovering_quadcopter(k):
 def quadcopter():
     """Rows f1..f4; columns x y z, rotations about X Y Z, velocities of the centre of mass, angular velocities.
 
-    The state of the model is the origin of the body, below the centre of mass by h: x_c = x + h rotation_y, y_c = y - h rotation_x.
+    The state of the model refers to the origin of the body, which is below the centre of mass by h: x_c = x + h rotation_y, y_c = y - h rotation_x.
     """
     arm, d, g = 0.25, 0.02, 9.81
     m, h, jx, jz = 1.22, 0.003934426229508197, 0.008559448087431695, 0.016232666666666666
@@ -145,8 +145,8 @@ def swing_up(n, scheme):
 
 
 def kapitza(ratio):
-    """The drive w/w0 at which the upright becomes stable for a/l = ratio, w0^2 = g/l: with 2 s = w t, the deviation obeys
-    d'' + (a - 2 q cos 2 s) d = 0, a = -4 (w0/w)^2 and q = 2 ratio. Stable between a_0(q) and b_1(q)."""
+    """Returns the drive w/w0 at which the upright becomes stable for a/l = ratio, w0^2 = g/l. With 2 s = w t, the deviation obeys
+    d'' + (a - 2 q cos 2 s) d = 0, a = -4 (w0/w)^2 and q = 2 ratio. It is stable between a_0(q) and b_1(q)."""
     q = 2 * ratio
     low = -4 / mathieu_a(0, q)
     high = -4 / mathieu_b(1, q) if mathieu_b(1, q) < 0 else np.inf

@@ -4,10 +4,9 @@
     python3 tools/plates.py            writes tests/trajectories/plates.csv
 
 A plate of mass 1 and moment of inertia 0.02, seen from above, slides on feet whose friction is 1 each.
-The friction is regularised as -s/sqrt(|s|^2 + w^2) and integrated by SciPy's Radau method; what is left
-at w = 1e-6 of the difference to the law is proportional to w, and removed by extrapolation from 2e-6.
-Positions are those at the first time at which all speeds are below 1e-5, from where plates move less
-than 1e-9.
+The friction is regularised as -s/sqrt(|s|^2 + w^2) and integrated by SciPy's Radau method. The remaining
+error at w = 1e-6 is proportional to w, and removed by extrapolation from 2e-6. Positions are taken when
+all speeds first fall below 1e-5; afterwards plates move less than 1e-9.
 """
 
 from pathlib import Path

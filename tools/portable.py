@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """The bits of `Portable` numbers on every target: builds and runs `tests/crates/portable`, unoptimised and optimised.
 
-    tools/portable.py              all targets, as far as this machine can build and run for them
-    tools/portable.py --install    first installs targets of Rust, and with apt a linker and an emulator for aarch64, and node
-    tools/portable.py --native     only x86-64, optimised, with the instruction sets that this processor has; tests run unoptimised
+    tools/portable.py              all targets that this machine can build and run
+    tools/portable.py --install    first installs Rust targets, and with apt a linker and an emulator for aarch64, and node
+    tools/portable.py --native     only x86-64, optimised, with the instruction sets of this processor; tests run unoptimised
 
-A target that cannot be run here is compiled only, and so printed. Fails if a hash differs from the constant in the sources.
+A target that cannot run here is only compiled, which is reported. Fails if a hash differs from the constant in the sources.
 """
 
 import os
@@ -43,14 +43,14 @@ def build(target, level, flags, arguments):
         "CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER": "aarch64-linux-gnu-gcc",
         "RUSTFLAGS": flags,
     }
-    # With a target, flags are not for macros, which all builds share. The macro is named so that it is that of tests.
+    # With a target, flags do not apply to macros, which all builds share. The macro is named so that tests share it, too.
     command = ["cargo", "build", "--quiet", "-p", "portable", "-p", "lagrange-macro", "--target", target, *arguments]
     subprocess.run(command, cwd=ROOT, env=environment, check=True)
     return ROOT / "target" / target / "debug"
 
 
 def run(name, target, level, flags="", arguments=(), command=()):
-    """Builds and, if there is a command, runs; a command ends in the suffix of the program."""
+    """Builds and, if there is a command, runs. The command ends with the suffix of the program."""
     folder = build(target, level, flags, arguments)
     if not command:
         print(f"compiled only  {name}, opt-level {level}", flush=True)

@@ -1,4 +1,4 @@
-"""The reference of `examples/quadcopter.rs`: Newton's and Euler's equations of a quadcopter, written by hand.
+"""Reference of `examples/quadcopter.rs`: handwritten Newton-Euler equations of a quadcopter.
 
     python3 tools/quadcopter.py
 
@@ -7,8 +7,8 @@ Mass, centre of mass and moments of inertia are sums over the parts, by the para
     m r'' = -m g e_z + R e_z (f1 + f2 + f3 + f4),   J w' = M - w x J w,   q' = q (0, w) / 2,
     M = (a (f2 - f4), a (f3 - f1), d (f1 - f2 + f3 - f4)),
 
-r being the centre of mass and w in body axes. Thrusts are scripted, f = m g/4 (1 + c sin(s t)). Integrated twice in multi-precision
-arithmetic by `tools/control.py`, and printed if both agree to its DIGITS.
+where r is the centre of mass, and w is in body axes. Thrusts are scripted, f = m g/4 (1 + c sin(s t)). The motion is integrated twice in
+multi-precision arithmetic by `tools/control.py`, and printed if both agree to its DIGITS.
 """
 
 from mpmath import mp, mpf, nstr, sin
@@ -21,7 +21,7 @@ END = mpf("1.5")
 
 
 def parts():
-    """Mass, moments of inertia about the own centre, and centre."""
+    """Mass, moments of inertia about its own centre, and the centre."""
     a, h, r = mpf("0.25"), mpf("0.04"), mpf("0.11")
     m = mpf("0.9")
     wide, high = mpf("0.16"), mpf("0.06")
@@ -36,7 +36,7 @@ def parts():
 
 
 def geometry():
-    """Mass, height of the centre of mass, and principal moments about it; products vanish by symmetry."""
+    """Returns mass, height of the centre of mass, and principal moments about it; products vanish by symmetry."""
     mass = sum(m for m, _, _ in parts())
     height = sum(m * at[2] for m, _, at in parts()) / mass
     inertia = [mpf(0)] * 3

@@ -2,11 +2,11 @@
 
     python3 tools/quarter_car.py        writes examples/data/road.csv, prints the reference (a few seconds)
 
-The road stands for a measured one: heights every 0.25 m, rounded to 0.1 mm, of sines whose amplitudes fall with the square of their
-wave number, as those of the road profiles of ISO 8608 do. The motion of the car over the natural cubic spline through them (SciPy's
-`CubicSpline`) is computed in two ways, and printed if both agree to DIGITS digits: by the Runge-Kutta method DOP853, which is started
-anew at each point of the table, where the third derivative of the road jumps; and by matrix exponentials of the linear equations,
-with the cubic polynomial of each piece among their unknowns. Equations of motion are written by hand; nothing comes from this project.
+The road represents a measured one: heights every 0.25 m, rounded to 0.1 mm, of sines whose amplitudes decrease with the square of
+their wave number, as in the road profiles of ISO 8608. The motion of the car over the natural cubic spline through them (SciPy's
+`CubicSpline`) is computed in two ways, and printed if both agree to DIGITS digits. The Runge-Kutta method DOP853 restarts at each
+point of the table, where the third derivative of the road jumps. Matrix exponentials of the linear equations have the cubic
+polynomial of each piece among their unknowns. Equations of motion are handwritten; nothing comes from this project.
 """
 
 from pathlib import Path
@@ -23,7 +23,7 @@ BODY, WHEEL, SPRING, DAMPER, TYRE = 290.0, 59.0, 16800.0, 1000.0, 190000.0
 
 
 def road():
-    """Points of the road; it is level at its start."""
+    """Returns the points of the road, which is level at its start."""
     x = np.arange(0.0, LENGTH + SPACING / 2, SPACING)
     waves = np.arange(1, 41)
     phases = 2 * np.pi * ((waves * (1 + 5**0.5) / 2) % 1)
@@ -51,7 +51,7 @@ def by_runge_kutta(x, spline):
 
 
 def by_exponentials(x, spline):
-    """Unknowns: the state, then the height of the road and its first three derivatives by time."""
+    """Returns the equations for the state, the height of the road and its first three derivatives by time."""
     matrix = np.zeros((8, 8))
     matrix[0, 2] = matrix[1, 3] = 1
     matrix[2, :4] = np.array([-SPRING, SPRING, -DAMPER, DAMPER]) / BODY

@@ -1,16 +1,16 @@
 """Reference trajectories of 30 digits for tests, benches and `docs/trade.md`.
 
     python3 tools/references.py            writes tests/references/states.csv (ten minutes on an idle machine)
-    python3 tools/references.py NAME...    computes these cases only and keeps the others
+    python3 tools/references.py NAME...    computes only these cases and keeps the others
 
 Taylor's method: the coefficients of the solution are computed to a high order by recurrences for sums, products,
-quotients, powers, sines and cosines, and the step is chosen from the last of them (Jorba and Zou, *A software package
+quotients, powers, sines and cosines. The last of them determine the step (Jorba and Zou, *A software package
 for the numerical integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005).
 Each trajectory is computed twice, with different order, working precision and hence step count, and written only if
 both agree to DIGITS + 1 digits relative to the largest component. Kepler's problem and the pendulum are solved in closed form.
 
-The column `numbers` says what the decimals of a declaration stand for: `decimal` themselves, `binary` the nearest
-numbers of 53 bits, which is what a program in `f64` computes with. The two trajectories differ by a rounding error of the
+The column `numbers` gives the meaning of the decimals in a declaration: `decimal` for the exact values, `binary` for the nearest
+numbers of 53 bits, which a program in `f64` uses. The two trajectories differ by the rounding errors of the
 parameters, amplified by the motion. End times and starts are rounded in the same way.
 """
 
@@ -82,7 +82,7 @@ class Series:
         return self._new(sine), self._new(cosine)
 
     def expand(self, state, rates, order):
-        """Coefficients up to `order` of the solution through `state`."""
+        """Returns coefficients up to `order` of the solution through `state`."""
         for value in self.values:
             value.clear()
         for index, y in enumerate(state):
@@ -96,7 +96,7 @@ class Series:
 
 
 def taylor(build, state, times, order):
-    """The states at the given times; `build(series)` returns the series of the rates."""
+    """Returns the states at the given times; `build(series)` returns the series of the rates."""
     series = Series(len(state))
     rates = build(series)
     t, states, steps = mpf(0), [], 0
@@ -104,7 +104,7 @@ def taylor(build, state, times, order):
         while t < end:
             coefficients = series.expand(state, rates, order)
             largest = lambda k: max(abs(c[k]) for c in coefficients)
-            # Symmetric starts have coefficients of zero; no more than three in a row.
+            # Symmetric starts have vanishing coefficients, at most three in a row.
             radii = [(mp.eps / (largest(k) / (1 + largest(0)))) ** (mpf(1) / k) for k in range(order - 3, order + 1) if largest(k)]
             h = min(radii + [end - t])
             state = [mp.polyval(c[::-1], h) for c in coefficients]
@@ -114,7 +114,7 @@ def taylor(build, state, times, order):
 
 
 def converter(numbers):
-    """What a decimal stands for."""
+    """Returns the number that a decimal stands for."""
     return (lambda text: mpf(text)) if numbers == "decimal" else (lambda text: mpf(float(text)))
 
 
@@ -130,7 +130,7 @@ def pendulum(of, start, times):
 
 
 def kepler(of, start, times):
-    """Closed form by Kepler's equation; mu = 1, started at the pericentre."""
+    """Closed form by Kepler's equation; mu = 1, from the pericentre."""
     r0, rate = start[0], start[3]
     momentum = r0 * r0 * rate
     a = 1 / (2 / r0 - (r0 * rate) ** 2)
@@ -273,7 +273,7 @@ CASES = [
     ("pleiades", names(*BODIES), PLEIADES, ["3"], pleiades),
 ]
 
-# Components that others computed: case, time, component, value.
+# Components from the literature: case, time, component, value.
 PUBLISHED = [
     ("double_pendulum_horizontal", "1", "theta2", "-1.0345850856800123406"),
     ("double_pendulum_horizontal", "10", "theta2_dot", "-9.6813606817088787581"),
@@ -297,7 +297,7 @@ def states_of(case, numbers, order):
 
 
 def trajectory(case, numbers):
-    """The states at the end times, each component to DIGITS digits of the largest one."""
+    """Returns the states at the end times, each component to DIGITS digits of the largest one."""
     results = []
     for digits, order in RUNS:
         mp.dps = digits
@@ -311,12 +311,12 @@ def trajectory(case, numbers):
 
 
 def rounded(value):
-    """DIGITS decimals after the point, which is DIGITS digits or more of what is not small."""
+    """Formats DIGITS decimals after the point, hence at least DIGITS digits of any number that is not small."""
     return nstr(value, DIGITS + max(0, int(floor(log10(abs(value)))) + 1) if value else 1, strip_zeros=False)
 
 
 def check_published(found):
-    """Against what others computed; the end of pleiades in the ODE test sets is good to 15 digits."""
+    """Compares with the literature; the end of pleiades in the ODE test sets is accurate to 15 digits."""
     for case, t, name, value in PUBLISHED:
         if (case, "decimal", t, name) in found:
             off = abs(found[case, "decimal", t, name] - mpf(value))
@@ -325,7 +325,7 @@ def check_published(found):
 
 
 def kept():
-    """The rows of the table, by case and numbers."""
+    """Returns the rows of the table, by case and numbers."""
     rows = {}
     if TARGET.exists():
         with TARGET.open(newline="") as file:

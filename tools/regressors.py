@@ -5,7 +5,7 @@
 
 The declarations are those of `tools/spatial_models.py`. Pinocchio's `computeJointTorqueRegressor` orders the parameters of a body m, h_x,
 h_y, h_z, J_xx, J_xy, J_yy, J_xz, J_yz, J_zz about the origin of its joint: Garofalo, Ott, Albu-Schäffer, "On the closed form computation of
-the dynamic matrices and their differentiations", IROS 2013. Columns stand in lines `column BODY.PARAMETER`; those that are zero in all states
+the dynamic matrices and their differentiations", IROS 2013. Columns are in lines `column BODY.PARAMETER`; those that vanish in all states
 are left out. `rank` is the number of base parameters: the rank of the regressors of many states, by singular values.
 """
 
@@ -17,7 +17,7 @@ import spatial_models as robots
 
 TARGET = Path(__file__).resolve().parent.parent / "lagrange-core" / "tests" / "spatial" / "regressors.txt"
 NAMES = ("mass", "mx", "my", "mz", "xx", "xy", "yy", "xz", "yz", "zz")
-# Number of states, and of bodies whose columns are written.
+# Number of states, and of bodies with written columns.
 WRITTEN = {"ur5": (3, 6), "panda": (2, 7), "ball_2": (3, 2), "go2_free": (1, 4)}
 SAMPLES = 200
 GAP = 1e-9

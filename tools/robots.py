@@ -1,11 +1,11 @@
-"""What Pinocchio computes of the robots in `examples/panda.rs` and `examples/quadruped.rs`.
+"""Pinocchio's results for the robots in `examples/panda.rs` and `examples/quadruped.rs`.
 
     pip install pin example-robot-data
     python3 tools/robots.py
 
-Models are those of `tools/spatial_models.py`. Of the arm: torques that hold it, torques for accelerations in motion (`rnea`; Featherstone,
-*Rigid Body Dynamics Algorithms*, chapter 5), and where its hand is and moves. Of the quadruped in the air: accelerations (`aba`, chapter
-7) under the moments in the joints, and energy. Numbers are printed as Rust has them.
+Models are those of `tools/spatial_models.py`. For the arm: torques that hold it, torques for accelerations in motion (`rnea`; Featherstone,
+*Rigid Body Dynamics Algorithms*, chapter 5), and position and velocity of its hand. For the quadruped in the air: accelerations (`aba`,
+chapter 7) under the moments in the joints, and energy. Numbers are printed in the form of Rust.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""Taylor series of this crate and of heyoka in turns, for docs/peers.md.
+"""Taylor series of this crate and of heyoka in alternation, for docs/peers.md.
 
 The first argument is the built benchmark `series`, which prints the rows of this crate:
 
@@ -6,8 +6,8 @@ The first argument is the built benchmark `series`, which prints the rows of thi
     cargo bench -p lagrange-benches --bench series --no-run
     python3 tools/series_peers.py target/release/deps/series-…
 
-heyoka integrates accelerations written by hand. Times are the shortest of some turns, errors those of the largest component of the
-state at the end, against heyoka at 1e-18. Times at equal errors are interpolated between tolerances, by logarithms.
+heyoka integrates handwritten accelerations. Times are the shortest of several runs, errors those of the largest component of the
+final state, against heyoka at 1e-18. Times at equal errors are interpolated between tolerances, in logarithms.
 """
 
 import math
@@ -45,7 +45,7 @@ MOTIONS = {
 
 
 def of_heyoka(integrator, start, end):
-    """Microseconds and the state at the end."""
+    """Returns microseconds and the final state."""
     best = math.inf
     for _ in range(RUNS):
         integrator.time, integrator.state[:] = 0.0, start
@@ -57,14 +57,14 @@ def of_heyoka(integrator, start, end):
 
 
 def of_this_crate(benchmark):
-    """Errors and microseconds by motion and tolerance."""
+    """Returns errors and microseconds by motion and tolerance."""
     output = subprocess.run([benchmark], capture_output=True, text=True, check=True).stdout
     row = r"\s*(.+?) (\S+): series\s+\d+ steps (\S+)\s+(\S+) "
     return {(m[1], float(m[2])): (float(m[3]), float(m[4])) for m in re.finditer(row, output)}
 
 
 def at(error, points):
-    """The time at an error, between neighbours; none if it is not reached."""
+    """Returns the time at an error, between neighbours, or None if it is not reached."""
     points = sorted(points, reverse=True)
     if points[-1][0] > error:
         return None

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The numbers behind `lagrange-math`: constants of sine and cosine, the hardest angles, reference values.
 
-    tools/sin_cos.py constants      parts of pi/2 and coefficients, as they stand in the sources
-    tools/sin_cos.py angles         how near a double comes to a multiple of pi/2, and what reduction makes of it
+    tools/sin_cos.py constants      parts of pi/2 and coefficients, as in the sources
+    tools/sin_cos.py angles         the doubles nearest to multiples of pi/2, and their reduction
     tools/sin_cos.py data [--check] writes, or compares, crates/lagrange-math/tests/sin_cos/reference.txt
 
 Needs mpmath. Sources: W. J. Cody, W. Waite, "Software Manual for the Elementary Functions", 1980, ch. 8
@@ -22,7 +22,7 @@ from mpmath import cos, floor, log, lu_solve, matrix, mp, mpf, nint, pi, sin, wo
 mp.prec = 300
 REFERENCE = Path(__file__).resolve().parent.parent / "crates" / "lagrange-math" / "tests" / "sin_cos" / "reference.txt"
 LIMIT = 1e5
-# Multiples of pi/2 below the limit have 16 bits, so that they times a part of 37 bits are exact.
+# Multiples of pi/2 below the limit have 16 bits, so their products with a part of 37 bits are exact.
 PART_BITS = [37, 37, 53]
 COEFFICIENTS = 6
 # The reduced angle may exceed pi/4 by the rounding error of x * 2/pi.
@@ -30,7 +30,7 @@ LARGEST = pi / 4 * (1 + mpf(10) ** -9)
 
 
 def parts_of_half_pi():
-    """Doubles of the given lengths whose sum is nearly pi/2."""
+    """Returns doubles of the given lengths whose sum is nearly pi/2."""
     rest, parts = pi / 2, []
     for bits in PART_BITS:
         unit = mpf(2) ** (floor(log(abs(rest), 2)) - bits + 1)
@@ -60,7 +60,7 @@ def cosine_tail(z):
 
 
 def sine_weight(z):
-    """What an error of p makes of sin r, relative to it."""
+    """Returns the relative effect of an error of p on sin r."""
     return z / (1 + z * sine_tail(z))
 
 
@@ -76,7 +76,7 @@ def horner(coefficients, z):
 
 
 def extrema(error, end, count):
-    """The places of alternating largest errors on (0, end]."""
+    """Returns the locations of alternating largest errors on (0, end]."""
     grid = [end * (1 - cos(pi * i / 400)) / 2 for i in range(1, 401)]
     values = [error(z) for z in grid]
     runs = [[0]]
@@ -92,7 +92,7 @@ def extrema(error, end, count):
 
 
 def remez(function, weight, first, count, end):
-    """c_0 ... with weight * |function - z^first (c_0 + c_1 z + ...)| minimal on [0, end], and that error."""
+    """Returns c_0 ... with weight * |function - z^first (c_0 + c_1 z + ...)| minimal on [0, end], and that error."""
     places = [end * (1 - cos(pi * (i + mpf(1) / 2) / (count + 1))) / 2 for i in range(count + 1)]
     for _ in range(30):
         system, right = matrix(count + 1, count + 1), matrix(count + 1, 1)
@@ -113,7 +113,7 @@ def remez(function, weight, first, count, end):
 
 
 def rounded_coefficients(function, weight):
-    """Doubles, each fixed with the best continuation of those before it, and the largest relative error."""
+    """Returns doubles, each fixed with the best continuation of the previous ones, and the largest relative error."""
     end, fixed = LARGEST**2, []
     for k in range(COEFFICIENTS):
         rest = lambda z: function(z) - horner(fixed, z)
@@ -139,7 +139,7 @@ def show_constants():
 
 
 def reduced(x, parts):
-    """n, and x - n pi/2 as a sum of two doubles: the algorithm of the library."""
+    """Returns n, and x - n pi/2 as a sum of two doubles, by the algorithm of the library."""
     shift = 1.5 * 2.0**52
     n = x * (2 / math.pi) + shift - shift
     first = x - n * parts[0]
@@ -149,7 +149,7 @@ def reduced(x, parts):
 
 
 def nearest_angles():
-    """For every multiple of pi/2 up to the limit: the distance of the nearest double, and both."""
+    """Returns the distance of the nearest double for every multiple of pi/2 up to the limit, and both."""
     multiples = range(1, int(LIMIT / (math.pi / 2)) + 1)
     exact = [(n, float(n * pi / 2)) for n in multiples]
     return sorted((abs(mpf(x) - n * pi / 2), n, x) for n, x in exact if x <= LIMIT)
@@ -173,7 +173,7 @@ def show_angles():
 
 
 def sample_angles():
-    """Angles at which mistakes would show: all scales, multiples of pi/2, quadrant boundaries, the limit."""
+    """Returns angles at which mistakes would be visible: all scales, multiples of pi/2, quadrant boundaries, the limit."""
     draw = random.Random(20)
     angles = [x for _, _, x in nearest_angles()[:300]]
     for k in [*range(40), *(draw.randrange(127000) for _ in range(100))]:
@@ -187,7 +187,7 @@ def sample_angles():
 
 
 def large_angles(draw):
-    """Angles beyond the limit: all scales, and those that are near a multiple of pi/2."""
+    """Returns angles beyond the limit: all scales, and those near a multiple of pi/2."""
     angles = [math.nextafter(LIMIT, math.inf), 1e22, sys.float_info.max, *HARDEST]
     angles += [math.ldexp(1 + draw.random(), exponent) for exponent in range(17, 1024) for _ in range(2)]
     for exponent in range(17, 53):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Turns films of bodies in space in a real browser: `tools/space_check.py film.html …`
+"""Rotates films of bodies in space in a real browser: `tools/space_check.py film.html …`
 
-Opens each page without a window, with a graphics processor that is a program, and does what a user does: plays, drags, zooms, presses
-keys, moves the slider. The films must have something in them that moves, and a name. Needs Python 3 and chromium, nothing else. With
-`--pictures FOLDER` it leaves screenshots there.
+Opens each page without a window, with a software renderer, and acts like a user: plays, drags, zooms, presses
+keys, moves the slider. The films must contain something that moves, and a name. Needs only Python 3 and chromium. With
+`--pictures FOLDER` it saves screenshots there.
 """
 
 import argparse
@@ -50,7 +50,7 @@ def box(browser):
 
 
 def settle(browser):
-    """Waits for the next picture, which is drawn after the hand has moved."""
+    """Waits for the next picture, which is drawn after the pointer has moved."""
     browser.evaluate("window.isSettled = false; requestAnimationFrame(() => requestAnimationFrame(() => { isSettled = true; }))")
     browser.wait(lambda: browser.evaluate("isSettled"), "a picture is drawn")
 
@@ -142,7 +142,7 @@ def check_hands(browser, checks):
 
 
 def check_directions(browser, checks):
-    """Nothing of the picture reaches its border, from wherever it is seen."""
+    """Checks that the picture never reaches its border, from any viewpoint."""
     border = """(() => {
       show(now);
       const gl = canvas.getContext("webgl2");

@@ -2,8 +2,8 @@
 """Writes the robots of benches/spatial and benches/prepared: `tools/spatial_benches.py` fills benches/spatial/robots/ and
 benches/prepared/robots.rs from the declarations in `lagrange-core/tests/spatial/models`, which `tools/spatial_models.py` has written.
 
-Each file of the former holds a declaration as it is at two levels of accuracy, and the same numbers joint by joint for what is written by
-hand; the latter holds declarations with the numbers of bodies as parameters.
+Each file of the former contains a declaration at two levels of accuracy, and the same numbers joint by joint for handwritten
+algorithms; the latter contains declarations with the numbers of bodies as parameters.
 """
 
 import math
@@ -33,7 +33,7 @@ def number(text):
 
 
 def array(text, size=3):
-    """A vector of the language in Rust."""
+    """Returns a vector of the language in Rust."""
     entries = [number(entry.strip()) for entry in text.strip("()").split(",")]
     return f"[{', '.join(entries + ['0.0'] * (size - len(entries)))}]"
 
@@ -43,7 +43,7 @@ def labels(text):
 
 
 def joints(lines):
-    """Rows in Rust: each joint with the link that it carries, which has no mass between the two axes of a universal joint."""
+    """Returns rows in Rust: each joint with its link, which is massless between the two axes of a universal joint."""
     zero, links, rows, last = "(0, 0, 0)", {}, [], "ground"
     for line in lines:
         if line == GRAVITY:
@@ -90,7 +90,7 @@ def module(name, lines):
 
 {declaration(fast, lines + only)}
 
-/// The same for algorithms by hand.
+/// The robot for handwritten algorithms.
 #[rustfmt::skip]
 pub(crate) const JOINTS: [Joint; {len(rows)}] = [
 {table}
@@ -99,7 +99,7 @@ pub(crate) const JOINTS: [Joint; {len(rows)}] = [
 
 
 def with_parameters(lines):
-    """The statements with every number of a body that is not zero as the default of a parameter, these first."""
+    """Returns the statements with every nonzero number of a body as the default of a parameter; parameters come first."""
     parameters = []
 
     def parameter(text):
@@ -118,7 +118,7 @@ def with_parameters(lines):
 
 def prepared(name, lines):
     head = [
-        f"/// `{name}` of `lagrange-core/tests/spatial/models`; what is known of its inertia are parameters.",
+        f"/// `{name}` of `lagrange-core/tests/spatial/models`; its inertias are parameters.",
         f"pub(crate) struct {name.title()};",
     ]
     only = ["emit { prepared, no momenta, no forcing, no kinetic_energy, no potential_energy, no energy }"]
@@ -131,7 +131,7 @@ def main():
         lines = (MODELS / f"{name}.lag").read_text().splitlines()
         (TARGET / f"{name}.rs").write_text(module(name, lines))
     robots = [prepared(name, (MODELS / f"{name}.lag").read_text().splitlines()) for name in ["ur5", "panda"]]
-    head = "//! Robots whose inertia is made of parameters. Written by `tools/spatial_benches.py`."
+    head = "//! Robots with inertia as parameters. Written by `tools/spatial_benches.py`."
     PREPARED.parent.mkdir(parents=True, exist_ok=True)
     PREPARED.write_text("\n\n".join([head, *robots]) + "\n")
     modules = "\n".join(f"pub(crate) mod {name};" for name in sorted(ROBOTS))

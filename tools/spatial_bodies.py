@@ -1,4 +1,4 @@
-"""Random bodies in space for `tools/spatial_trees.py`: the text that describes one, its mass, its centre of mass and its tensor of inertia.
+"""Random bodies in space for `tools/spatial_trees.py`: their text, mass, centre of mass and tensor of inertia.
 
 Moments of solids: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4.
 """
@@ -7,7 +7,7 @@ from mpmath import mpf, pi
 
 import newton_euler as ne
 
-# Principal moments for a mass of one; lengths, radii and sides have the names of the table.
+# Principal moments for unit mass; lengths, radii and sides have the names of the table.
 SOLIDS = {
     "point_mass": (0, lambda: (0, 0, 0)),
     "slender_rod": (1, lambda l: (0, l**2 / 12, l**2 / 12)),
@@ -21,7 +21,7 @@ SOLIDS = {
     "hollow_cylinder": (3, lambda i, o, h: (*[(3 * (i**2 + o**2) + h**2) / 12] * 2, (i**2 + o**2) / 2)),
     "cone": (2, lambda r, h: (*[3 * (4 * r**2 + h**2) / 80] * 2, 3 * r**2 / 10)),
 }
-# Volumes of those that are cut out.
+# Volumes of solids that are cut out.
 HOLES = {
     "solid_sphere": lambda r: 4 * pi * r**3 / 3,
     "solid_cylinder": lambda r, h: pi * r**2 * h,
@@ -30,7 +30,7 @@ HOLES = {
 
 
 def matter(tree):
-    """Text, mass, centre of mass and tensor of a body."""
+    """Returns text, mass, centre of mass and tensor of a body."""
     kinds = [with_tensor, with_tensor, with_principal_moments, with_shape, with_shape, compound]
     return tree.rng.choice(kinds)(tree)
 
@@ -47,7 +47,7 @@ def with_centroid(tree):
 
 
 def second_moments(tree):
-    """Sum of w p p^T over some points, with few digits."""
+    """Returns the sum of w p p^T over some points, with few digits."""
     total = [[mpf("0.05") if i == j else mpf(0) for j in range(3)] for i in range(3)]
     for _ in range(4):
         weight, point = tree.rng.uniform(0.1, 1), [tree.rng.uniform(-0.5, 0.5) for _ in range(3)]
@@ -79,7 +79,7 @@ def with_principal_moments(tree):
 
 
 def solid(tree, names=tuple(SOLIDS), low=0.2, high=0.8):
-    """Text, name, dimensions."""
+    """Returns text, name, dimensions."""
     name = tree.rng.choice(names)
     dimensions = sorted(tree.decimal(low, high) for _ in range(SOLIDS[name][0]))
     if name == "hollow_cylinder":
@@ -88,7 +88,7 @@ def solid(tree, names=tuple(SOLIDS), low=0.2, high=0.8):
 
 
 def of_solid(name, dimensions, mass):
-    """Centre of mass and tensor about it in the solid's coordinates."""
+    """Returns the centre of mass and the tensor about it in the solid's coordinates."""
     centroid = [mpf(0), mpf(0), dimensions[1] / 4 if name == "cone" else mpf(0)]
     return centroid, diagonal([mass * mpf(moment) for moment in SOLIDS[name][1](*dimensions)])
 
@@ -101,7 +101,7 @@ def with_shape(tree):
 
 
 def compound(tree):
-    """A block with a hole, and what is fixed to it."""
+    """Returns a block with a hole, and parts fixed to it."""
     text, name, sides = solid(tree, ["cuboid"], 0.6, 0.9)
     mass_text, mass = tree.number(2, 5)
     lines, parts = [f"{text}, mass: {mass_text};"], [(mass, *of_solid(name, sides, mass))]
@@ -122,7 +122,7 @@ def compound(tree):
 
 
 def added(tree, lines, parts, text, described, sign, reach):
-    """A part with its place; the mass of a hole counts negative, and its tensor with it."""
+    """Returns a part with its position; a hole has negative mass and tensor."""
     name, dimensions, mass = described
     centroid, tensor = of_solid(name, dimensions, sign * mpf(mass))
     line, at, rotation = f"{text}, mass: {mass}", [mpf(0)] * 3, ne.IDENTITY
@@ -139,7 +139,7 @@ def added(tree, lines, parts, text, described, sign, reach):
 
 
 def about(part, point):
-    """The tensor of a part about a point (Steiner, Huygens)."""
+    """Returns the tensor of a part about a point (Steiner, Huygens)."""
     mass, centroid, tensor = part
     d = ne.minus(centroid, point)
     square = ne.dot(d, d)

@@ -4,7 +4,7 @@
     pip install mpmath
     tools/spatial_examples.py
 
-Nothing here knows of the equations that the library derives: the gyroscope and the handle are solved by quadratures and
+Nothing here uses the equations that the library derives. The gyroscope and the handle are solved by quadratures and
 elliptic integrals (Goldstein, Poole, Safko, Classical Mechanics, 5.7; Landau, Lifshitz, Mechanics, 37), the Furuta
 pendulum by Taylor series of the equations of Cazzolato, Prime, On the Dynamics of the Furuta Pendulum, Journal of Control
 Science and Engineering (2011), eqs. 33 and 34, without damping and torques.
@@ -20,7 +20,7 @@ def show(name, *values):
 
 
 def gyroscope():
-    """A disk on a thin axle, let go at 60 degrees from the vertical with 60 rad/s about its axis."""
+    """A disk on a thin axle, released at 60 degrees from the vertical with 60 rad/s about its axis."""
     m, r, h, l, g = mpf(1), mpf("0.1"), mpf("0.02"), mpf("0.12"), mpf("9.81")
     axial = m * r**2 / 2
     mass, length = mpf("0.05"), mpf("0.2")
@@ -28,10 +28,10 @@ def gyroscope():
     moment = (m * l + mass * length / 2) * g
     spin, start = mpf(60), cos(pi / 3)
     a, b = axial * spin / across, 2 * moment / across
-    # u' ^ 2 = (u0 - u) (b (1 - u^2) - a^2 (u0 - u)), u = cos(theta); u1 is where it turns.
+    # u' ^ 2 = (u0 - u) (b (1 - u^2) - a^2 (u0 - u)), u = cos(theta); u1 is the turning point.
     root = sqrt(a**4 - 4 * b * (a**2 * start - b))
     low, high = (a**2 - root) / (2 * b), (a**2 + root) / (2 * b)
-    # u = u1 + (u0 - u1) sin(x)^2 takes the square roots away.
+    # u = u1 + (u0 - u1) sin(x)^2 removes the square roots.
     place = lambda x: low + (start - low) * sin(x) ** 2
     rate = lambda x: 2 / sqrt(b * (high - place(x)))
     turn = lambda x: a * (start - place(x)) / (1 - place(x) ** 2)
@@ -41,7 +41,7 @@ def gyroscope():
 
 
 def t_handle():
-    """Two cylinders of steel; it turns about the axis of the middle moment of inertia, a little disturbed."""
+    """Two cylinders of steel, which rotate about the axis of the middle moment of inertia, slightly disturbed."""
     r, bar, stem, density = mpf("0.01"), mpf("0.10"), mpf("0.06"), mpf(7800)
     masses = [density * pi * r**2 * length for length in (bar, stem)]
     # The bar along y with its middle in the origin, the stem along x from the bar on.
@@ -72,7 +72,7 @@ def t_handle():
 
 
 def furuta():
-    """A horizontal arm about the vertical with a pendulum at its end, let go."""
+    """A horizontal arm about the vertical with a pendulum at its end, released from rest."""
     m1, m2, l1, l2, g = mpf("0.3"), mpf("0.075"), mpf("0.278"), mpf("0.3"), mpf("9.81")
     # Thin rods: centres of mass in their middles.
     j0 = m1 * l1**2 / 3 + m2 * l1**2

@@ -1,9 +1,9 @@
-"""Accelerations of bodies in space of which one is far heavier, lighter, longer or shorter, for tests/extremes/space.
+"""Accelerations of bodies in space, one of which is far heavier, lighter, longer or shorter, for tests/extremes/space.
 
     python3 tools/spatial_extremes.py          writes tests/extremes/space/*.csv (seconds)
 
-The scenes are those of tests/extremes/space/*.lag, written a second time as poses for `tools/newton_euler.py`, which solves Newton's and Euler's
-equations in the world with sixty digits; positions and velocities are fractions of 64, quaternions are made of length one. Twenty digits
+The scenes are those of tests/extremes/space/*.lag, repeated as poses for `tools/newton_euler.py`, which solves Newton's and Euler's
+equations in the world with sixty digits. Positions and velocities are fractions of 64, and quaternions are normalised. Twenty digits
 are printed. Nothing comes from this project.
 """
 
@@ -21,7 +21,7 @@ DIGITS = 20
 TARGET = Path(__file__).resolve().parent.parent / "tests" / "extremes" / "space"
 X, Y, Z = IDENTITY
 GRAVITY = mpf(9.81)  # the nearest number of 53 bits
-# One parameter each time that is not 1.
+# One parameter at a time differs from 1.
 ROWS = [{}, {"m1": 1e9}, {"m1": 1e-9}, {"m2": 1e9}, {"m2": 1e-9}, {"l1": 1e9}, {"l1": 1e-9}, {"l2": 1e9}, {"l2": 1e-9}]
 
 
@@ -33,7 +33,7 @@ def chained(*poses):
 
 
 def oriented(w, x, y, z):
-    """The rotation that a unit quaternion says."""
+    """Returns the rotation of a unit quaternion."""
     rows = [
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
         [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
@@ -123,7 +123,7 @@ SCENES = {
 
 
 class Oriented(Kinematics):
-    """The same with quaternions among the positions: `rates(velocities, q)` are q' and q'' at constant velocities."""
+    """Solves with quaternions among the positions: `rates(velocities, q)` are q' and q'' at constant velocities."""
 
     def __init__(self, poses, rates, q, v):
         self.rates = rates
@@ -140,12 +140,12 @@ class Oriented(Kinematics):
 
 
 def quaternions(names):
-    """Indices of scalar parts."""
+    """Returns the indices of scalar parts."""
     return [i for i, name in enumerate(names) if name.endswith("_qw")]
 
 
 def turning(quaternion, w):
-    """q times (0, w) / 2."""
+    """Returns q times (0, w) / 2."""
     s, v = quaternion[0], quaternion[1:]
     return [-ne.dot(v, w) / 2, *(x / 2 for x in ne.plus(ne.times(s, w), ne.cross(v, w)))]
 

@@ -1,4 +1,4 @@
-"""Joints of the random trees of `tools/spatial_trees.py`: statements with the motions that they mean."""
+"""Joints of the random trees of `tools/spatial_trees.py`: statements with their motions."""
 
 from mpmath import mpf, pi
 
@@ -9,12 +9,12 @@ KINDS = [
     "revolute", "revolute", "revolute", "revolute", "prismatic", "prismatic", "screw", "cylindrical", "universal",
     "planar", "weld",
 ]
-# Of trees with orientations.
+# For trees with orientations.
 BALLS = ["ball"] * 11
 
 
 class Joints:
-    """Each makes names of coordinates, a motion and lines of its statement."""
+    """Joints, each of which makes names of coordinates, a motion and lines of its statement."""
 
     def joint_frame(self):
         lines, fixed = [], ne.translation(0, 0, 0)
@@ -30,7 +30,7 @@ class Joints:
         return lines, fixed
 
     def axis(self):
-        """The line that says it, and the direction."""
+        """Returns a direction with its line."""
         if self.chance(0.3):
             return [], AXES["z"]
         if self.chance(0.6):
@@ -43,7 +43,7 @@ class Joints:
         return [f"axis: {text};"], ne.direction(value)
 
     def damping(self, count=1):
-        """Of the joint whose velocities are the last ones."""
+        """Adds damping to the joint with the last velocities."""
         if not self.chance(0.2):
             return []
         text, value = self.number(0.1, 0.9)
@@ -101,7 +101,7 @@ class Joints:
         return [name], lambda x: ne.homogeneous(ne.oriented(x[q : q + 4]), [0, 0, 0]), self.damping(3)
 
     def free(self, name):
-        """Says it of a body or frame."""
+        """Writes the statement for a body or frame."""
         self.say(f"free {name};")
         first = len(self.names)
         self.names += [f"{name}_{axis}" for axis in "xyz"]
@@ -112,7 +112,7 @@ class Joints:
         self.frames[name] = ("ground", motion)
 
     def orientation(self, name):
-        """Names of a quaternion and of its angular velocity; where the quaternion begins."""
+        """Returns names of a quaternion and of its angular velocity, and the index where the quaternion begins."""
         first = len(self.names)
         self.orientations.append(first)
         self.names += [f"{name}_q{part}" for part in "wxyz"]

@@ -1,4 +1,4 @@
-"""What acts on the random trees of `tools/spatial_trees.py`, and what is seen of them: statements with what they mean."""
+"""Loads and outputs of the random trees of `tools/spatial_trees.py`: statements with their meanings."""
 
 from mpmath import mpf
 
@@ -6,12 +6,12 @@ import newton_euler as ne
 
 SHORTEST = 0.05  # of a spring, in states that are kept
 LOADS = ["force", "force", "drag", "torque", "torque", "drive", "spring", "spring", "damper"]
-# Of trees with orientations.
+# For trees with orientations.
 TURNING = ["drive", "bend", "bend"]
 
 
 class Unsuitable(Exception):
-    """A tree that says nothing."""
+    """A tree without any load or output."""
 
 
 class Loads:
@@ -24,7 +24,7 @@ class Loads:
             self.pin(links)
 
     def point(self, links):
-        """A point of a body or frame: text, body, own coordinates. The name of a frame stands for its origin."""
+        """Returns a point of a body or frame: text, body, body coordinates. The name of a frame stands for its origin."""
         name = self.rng.choice(links)
         centroid = next((body.centroid for body in self.bodies if body.frame == name), None)
         choice = self.rng.random()
@@ -43,7 +43,7 @@ class Loads:
         return text, name, own
 
     def end(self, links):
-        """A point of a body or of the ground: text; at a state its place, its velocity, columns of its Jacobian and γ."""
+        """A point of a body or of the ground: its text, and at a state its position, its velocity, columns of its Jacobian and γ."""
         if self.chance(0.3):
             text, place = self.vector(-2, 2, 0)
             zero = [mpf(0)] * 3
@@ -53,7 +53,7 @@ class Loads:
         return text, lambda k: (k.place(name, own), k.velocity(name, own), k.jacobian(name, own), drift(k))
 
     def load(self, links):
-        """A vector that may belong to a body: text, components in the world at a state."""
+        """Returns a vector that may belong to a body: text, and components in the world at a state."""
         choice = self.rng.random()
         text, value = self.vector(-3, 3)
         if choice < 0.4:
@@ -94,7 +94,7 @@ class Loads:
         self.loads.append(lambda k: [(mpf(value) - k.v[x] / 4) * int(i == x) for i in range(k.size)])
 
     def bend(self, _):
-        """A potential of positions, which may be components of quaternions: forces are its changes along the velocities."""
+        """Adds a potential of positions, which may be components of quaternions. Forces are its changes along the velocities."""
         i, j = self.rng.randrange(len(self.names)), self.rng.randrange(len(self.names))
         text, stiffness = self.number(0.5, 4)
         self.say(f"potential = {text}*({self.names[i]}^2/2 + {self.names[i]}*{self.names[j]});")
@@ -139,7 +139,7 @@ class Loads:
 
 
 class Outputs:
-    """What is observed of a tree."""
+    """Outputs of a tree."""
 
     def observed(self, text, value):
         name = f"o{len(self.outputs) + 1}"
@@ -151,7 +151,7 @@ class Outputs:
             getattr(self, self.rng.choice(OUTPUTS + TURNS * 2 * self.has_orientations))(links)
 
     def axes(self, links):
-        """`in name`, or nothing: text, components of a vector there."""
+        """Returns `in name` or an empty text, and the components of a vector there."""
         if self.chance(0.5):
             return "", lambda k, vector: vector
         name = self.rng.choice([*self.frames])
@@ -211,13 +211,13 @@ class Outputs:
 
 
 class Ends:
-    """Two ends of a spring or damper."""
+    """Returns two ends of a spring or damper."""
 
     def __init__(self, text, here, there):
         self.text, self.here, self.there = text, here, there
 
     def length(self, k):
-        """Length, its rate, direction from one end to the other."""
+        """Returns length, its rate, and the direction from one end to the other."""
         (p, p_rate, *_), (q, q_rate, *_) = self.here(k), self.there(k)
         d = ne.minus(q, p)
         length = ne.sqrt(ne.dot(d, d))
@@ -234,5 +234,5 @@ class Ends:
 
 
 OUTPUTS = [name for name in vars(Outputs) if name.startswith("see_")]
-# Of trees with orientations.
+# For trees with orientations.
 TURNS = [name for name in vars(Outputs) if name.startswith("turn_")]

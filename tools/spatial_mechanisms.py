@@ -1,22 +1,22 @@
-"""Reference motions of mechanisms in space, found without constraints, multipliers or the kinematics of bodies in their own axes.
+"""Reference motions of mechanisms in space, without constraints, multipliers or kinematics in body axes.
 
     python3 tools/spatial_mechanisms.py            writes tests/references/spatial_mechanisms.csv (some minutes)
-    python3 tools/spatial_mechanisms.py NAME...    computes these cases only and keeps the others
+    python3 tools/spatial_mechanisms.py NAME...    computes only these cases and keeps the others
 
 - bricard: five rods and six revolute joints (benchmark A04 of the IFToMM library of González, Dopico, Naya and Cuadrado, *A benchmarking
   system for MBS simulation software*, Multibody System Dynamics 16, 2006). The angles between neighbours are a, b, a, b, a, b with
   2 cos(a/2) cos(b/2) = 1 (Chen, You, Tarnai, *Threefold-symmetric Bricard linkages for deployable structures*, International Journal of
-  Solids and Structures 42, 2005: cos a + cos b + cos a cos b = 0 at right twists). That curve is closed and gets a smooth parameter p;
-  T = I(p) p'^2/2, so that energy gives time as a quadrature. The mechanism swings between two places of rest, where
-  p = middle - half cos(x) takes the roots out of the integrand; its Fourier series is integrated term by term. That all joints close is
-  asserted at every place that is written.
-  x, y, z are those of P3, where second and third rod meet; they lie on the published curves as far as one can read them.
+  Solids and Structures 42, 2005: cos a + cos b + cos a cos b = 0 at right twists). That curve is closed and has a smooth parameter p;
+  T = I(p) p'^2/2, so energy gives time as a quadrature. The mechanism swings between two positions of rest, where
+  p = middle - half cos(x) removes the roots from the integrand; its Fourier series is integrated term by term. Every written
+  position is asserted to close all joints.
+  x, y, z are those of P3, where second and third rod meet; they lie on the published curves as far as these can be read.
 - slider_crank: a crank about the x axis, a rod with a ball joint and a universal joint, a slider along the x axis (the spatial slider-crank
-  of the IFToMM library, after Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems*, 1989). The crank turns round and
-  round; time is a quadrature again. Angles of the universal joint follow from where the end of the crank is.
-- governor: the stiff flyball governor (benchmark A05). The angular momentum about the axis is kept, so that two freedoms are left, angle of the
-  rods and height of the slider; Lagrange's equations for them by hand, and Taylor's method of `tools/references.py`.
-  The height lies on the published curve as far as one can read it.
+  of the IFToMM library, after Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems*, 1989). The crank turns
+  continuously; time is a quadrature again. Angles of the universal joint follow from the position of the crank's end.
+- governor: the stiff flyball governor (benchmark A05). The angular momentum about the axis is conserved, which leaves two degrees of
+  freedom, the angle of the rods and the height of the slider. Their Lagrange equations are handwritten, and solved by Taylor's method of `tools/references.py`.
+  The height lies on the published curve as far as that can be read.
 
 Everything is computed twice with different numbers of digits, and written only if both agree to DIGITS + 1 digits. The columns
 are those of `tests/references/states.csv`; times are nearest numbers of 53 bits for the column `binary`.
@@ -40,12 +40,12 @@ TARGET = Path(__file__).resolve().parent.parent / "tests" / "references" / "spat
 
 
 def cuboid(m, a, b, c):
-    """Principal moments."""
+    """Returns principal moments."""
     return [m * (b * b + c * c) / 12, m * (c * c + a * a) / 12, m * (a * a + b * b) / 12]
 
 
 class Swing:
-    """p swings between rest at `start` and rest at `end`: 2 E = inertia(p) p'^2 + 2 potential(p)."""
+    """A motion in which p swings between rest at `start` and rest at `end`: 2 E = inertia(p) p'^2 + 2 potential(p)."""
 
     def __init__(self, inertia, potential, start, end, count):
         self.middle, self.half = (start + end) / 2, (end - start) / 2
@@ -69,7 +69,7 @@ class Swing:
         return 1 / mp.fsum(c * cos(j * x) for j, c in enumerate(self.terms))
 
     def at(self, t):
-        """p and its rate."""
+        """Returns p and its rate."""
         turns = floor(t / self.turn)
         rest = t - turns * self.turn
         x = 2 * pi * rest / self.turn
@@ -81,13 +81,13 @@ class Swing:
         raise ArithmeticError("no place is found")
 
 
-# Joints in turn: axis, and direction of the rod behind it; the last rod is the ground. Axes are parallel to those of the world at the start.
+# Joints in order: axis, and direction of the rod behind it; the last rod is the ground. Initially all axes are parallel to those of the world.
 X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
 BRICARD = [(Y, X), (Z, ne.times(-1, Y)), (X, Z), (Y, ne.times(-1, X)), (Z, Y), (X, ne.times(-1, Z))]
 
 
 def bricard_angles(p):
-    """Angles of the six joints and their slopes, zero where p = pi/4: sin(a/2) = r cos p, sin(b/2) = r sin p."""
+    """Returns the angles of the six joints and their slopes, zero at p = pi/4: sin(a/2) = r cos p, sin(b/2) = r sin p."""
     s, c = sin(2 * p), cos(2 * p)
     root = sqrt(1 - 3 * s * s / 4)
     squared = mpf(3) / 2 / (1 + root)
@@ -100,7 +100,7 @@ def bricard_angles(p):
 
 
 def bricard_frames(angles, slopes):
-    """Frames behind the six joints as they move with p."""
+    """Returns the frames behind the six joints as functions of p."""
     pose, frames = ne.translation(0, 0, 0), []
     for (axis, along), angle, slope in zip(BRICARD, angles, slopes):
         pose = ne.product(pose, ne.turned(axis, Series(angle, slope)))
@@ -142,7 +142,7 @@ def bricard(of):
 
 
 def assert_closed(frame):
-    """Behind the last rod the ground is where it was."""
+    """Asserts that the chain of rods closes at the ground."""
     off = [x - y for row, unit in zip(frame.rotations[0], ne.IDENTITY) for x, y in zip(row, unit)]
     assert max(abs(x) for x in (*off, *frame.places[0])) < mpf(10) ** (4 - mp.dps)
 
@@ -154,12 +154,12 @@ def slider_crank(of):
     ix, iy, iz = of("4e-4"), of("4e-3"), of("4e-3")
 
     def place(s):
-        """The end of the crank and its slopes, and the slider."""
+        """Returns the end of the crank and its slopes, and the slider."""
         y, z, y1, z1 = beside - crank * sin(s), above + crank * cos(s), -crank * cos(s), -crank * sin(s)
         return y, z, y1, z1, sqrt(rod**2 - y * y - z * z)
 
     def slopes(s):
-        """Of the slider's place and of the angles of the universal joint."""
+        """Returns slopes of the slider's position and of the angles of the universal joint."""
         y, z, y1, z1, x = place(s)
         squared, along = y * y + z * z, y * y1 + z * z1
         return -along / x, (y * z1 - y1 * z) / squared, along / sqrt(squared) / x
@@ -182,7 +182,7 @@ def slider_crank(of):
 
 
 def governor(of):
-    """Rods of 1 m on a shaft of 1 m with balls of 5 kg, each held in its middle by a spring and a damper to a slider of 3 kg; 2 pi rad/s."""
+    """Rods of 1 m on a shaft of 1 m with balls of 5 kg, each connected in its middle by a spring and a damper to a slider of 3 kg; 2 pi rad/s."""
     g, e, k, damping = of("9.81"), of("0.05"), mpf(800000), mpf(40000)
     m, ball, slider, half, rest = of("0.3"), mpf(5), mpf(3), mpf(1) / 2, mpf(1) / 2
     along, across, _ = cuboid(m, 1, of("0.01"), of("0.01"))
@@ -247,7 +247,7 @@ CASES = {
 
 
 def checked(case, numbers):
-    """Times with their components, if two computations agree."""
+    """Returns times with their components, if two computations agree."""
     system, _, texts = CASES[case]
     results = []
     for digits in ACCURACIES:
@@ -278,7 +278,7 @@ def main():
 
 
 def kept():
-    """The rows of the table, by case."""
+    """Returns the rows of the table, by case."""
     rows = {}
     if TARGET.exists():
         with TARGET.open(newline="") as file:

@@ -1,17 +1,17 @@
-"""Public models of robots as declarations of the language, with what Pinocchio computes of them, in `lagrange-core/tests/spatial/models`.
+"""Public models of robots as declarations of the language, with Pinocchio's results, in `lagrange-core/tests/spatial/models`.
 
     pip install pin example-robot-data
     python3 tools/spatial_models.py
 
-Arms and a quadruped come from their public descriptions, chains of universal and of ball joints are made here. The base of the quadruped
-is free, and in a second model carried by three prismatic joints along x, y, z and three revolute ones about z, y, x, on frames. Pinocchio
-keeps the scalar part of a quaternion last and velocities of free bodies in their own axes; the files hold what the language says: scalar
-parts first, velocities of free bodies in the world, angular velocities in turned axes. References are accelerations without torques
+Arms and a quadruped come from their public descriptions; chains of universal and of ball joints are built here. The base of the quadruped
+is free; a second model carries it by three prismatic joints along x, y, z and three revolute ones about z, y, x, on frames. Pinocchio
+keeps the scalar part of a quaternion last and velocities of free bodies in their own axes; the files follow the language: scalar
+parts first, velocities of free bodies in the world, angular velocities in rotated axes. References are accelerations without torques
 (articulated bodies, Pinocchio's `aba`), torques for accelerations (`rnea`) and the mass matrix (`crba`): Featherstone, *Rigid Body Dynamics
-Algorithms*, chapters 5 to 7. Declarations and references are made from the same model: descriptions print pi/2 with eleven digits, so
-that entries of rotations which are nearly 0, 1 or -1 are made exactly that first.
+Algorithms*, chapters 5 to 7. Declarations and references are made from the same model. Descriptions print pi/2 with eleven digits, so
+entries of rotations that are nearly 0, 1 or -1 are rounded to these first.
 
-NAME.lag is the declaration, NAME.txt holds its states in the lines that `lagrange-core/tests/spatial/cases.rs` describes.
+NAME.lag is the declaration; NAME.txt contains its states in the lines that `lagrange-core/tests/spatial/cases.rs` describes.
 """
 
 import sys
@@ -24,8 +24,8 @@ TARGET = Path(__file__).resolve().parent.parent / "lagrange-core" / "tests" / "s
 ROBOTS = "cmeel.prefix/share/example-robot-data/robots"
 SNAPPED = 1e-9  # distance from 0, 1 and -1 within which an entry of a rotation is that number
 STATES = 8
-MATRIX_EVERY = 5  # states, so that the last one, where all is zero, has one
-NEGLIGIBLE = 1e-15  # of centres of mass in metres: sums of links that are symmetric leave such rests
+MATRIX_EVERY = 5  # states, so that the last one, with zeros only, has a matrix
+NEGLIGIBLE = 1e-15  # of centres of mass in metres, such as rounding errors in sums of symmetric links
 AXES = {"X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
 FULL = {"Spherical": "ball", "FreeFlyer": "free"}
 BASE = [pin.JointModelPX, pin.JointModelPY, pin.JointModelPZ, pin.JointModelRZ, pin.JointModelRY, pin.JointModelRX]
@@ -44,7 +44,7 @@ def ur5():
 
 
 def panda():
-    """Without motion of the fingers."""
+    """Returns the model without motion of the fingers."""
     model = description("panda_description/urdf/panda.urdf")
     fingers = [model.getJointId(name) for name in model.names if "finger" in name]
     return pin.buildReducedModel(model, fingers, pin.neutral(model))
@@ -62,7 +62,7 @@ def go2():
 
 
 def universal(count):
-    """Rods of length one, each on a universal joint at the end of the one before."""
+    """Returns rods of unit length, each on a universal joint at the end of the previous one."""
     model, carrier = pin.Model(), 0
     inertia = pin.Inertia(1.0, np.array([0, 0, -0.5]), np.diag([1 / 12, 1 / 12, 0.005]))
     for k in range(1, count + 1):
@@ -74,7 +74,7 @@ def universal(count):
 
 
 def balls(count):
-    """The same rods on ball joints."""
+    """Returns the same rods on ball joints."""
     model, carrier = pin.Model(), 0
     inertia = pin.Inertia(1.0, np.array([0, 0, -0.5]), np.diag([1 / 12, 1 / 12, 0.005]))
     for k in range(1, count + 1):
@@ -98,7 +98,7 @@ MODELS = {
 
 
 def joints_of(model):
-    """Name, kind, axis, carrier, placement and inertia of every joint, those of a composite one by one; carriers by number, -1 is the ground."""
+    """Returns name, kind, axis, carrier, placement and inertia of every joint. Composite joints are split; carriers are numbers, -1 for the ground."""
     rows, last = [], {0: -1}
     for index in range(1, model.njoints):
         joint, placement = model.joints[index], model.jointPlacements[index]
@@ -121,7 +121,7 @@ def cleaned(inertia):
 
 
 def motion(joint):
-    """The word of the language for a joint, and the axis, if it has one."""
+    """Returns the keyword for a joint, and the axis, if it has one."""
     name = joint.shortname().removeprefix("JointModel")
     if name in FULL:
         return FULL[name], None
@@ -138,7 +138,7 @@ def snapped(rotation):
 
 
 def rebuilt(rows):
-    """The model that the declaration describes."""
+    """The model of a declaration."""
     model, ids = pin.Model(), [0]
     joints = {
         ("revolute", AXES["X"]): pin.JointModelRX, ("revolute", AXES["Y"]): pin.JointModelRY,
@@ -155,7 +155,7 @@ def rebuilt(rows):
 
 
 def number(x):
-    """The shortest decimal, without an exponent."""
+    """Returns the shortest decimal, without an exponent."""
     x = float(x)
     return "0" if x == 0 else np.format_float_positional(x, trim="-")
 
@@ -165,7 +165,7 @@ def vector(components):
 
 
 def angles(rotation):
-    """Roll, pitch and yaw, quarter turns by name."""
+    """Returns roll, pitch and yaw, with quarter turns by name."""
     def word(angle):
         quarters = angle / (np.pi / 2)
         exact = {0: "0", 1: "pi/2", -1: "-pi/2", 2: "pi", -2: "-pi"}
@@ -175,7 +175,7 @@ def angles(rotation):
 
 
 def declaration(rows):
-    """One body or frame and one joint a line."""
+    """Returns one body or frame and one joint per line."""
     lines = ["gravity = (0, 0, -9.81);"]
     names = ["ground"] + [f"{'l' if row[4].mass > 0 else 'f'}{index}" for index, row in enumerate(rows, 1)]
     for index, (kind, axis, carrier, placement, inertia) in enumerate(rows):
@@ -215,7 +215,7 @@ def chain_declaration(count):
 
 
 def states(model):
-    """Random ones, then those with exact zeros; numbers of few digits, but for quaternions."""
+    """Returns random states, then states with exact zeros; except for quaternions, numbers have few digits."""
     rng = np.random.default_rng(16)
     fraction = lambda count, reach: rng.integers(-64 * reach, 64 * reach, count, endpoint=True) / 64
     rest, zero = pin.neutral(model), np.zeros(model.nv)
@@ -233,7 +233,7 @@ def states(model):
 
 
 def quaternions(model):
-    """Indices of the first components of quaternions in Pinocchio's positions."""
+    """Returns the indices of the first components of quaternions in Pinocchio's positions."""
     for joint in model.joints[1:]:
         name = joint.shortname().removeprefix("JointModel")
         if name in FULL:
@@ -241,7 +241,7 @@ def quaternions(model):
 
 
 def positions(model, q):
-    """With scalar parts first."""
+    """Returns positions with scalar parts first."""
     q = q.copy()
     for first in quaternions(model):
         q[first : first + 4] = np.roll(q[first : first + 4], 1)
@@ -249,7 +249,7 @@ def positions(model, q):
 
 
 def turning(model, q, v):
-    """T and b in Pinocchio's velocities T u and accelerations T u' + b of those here."""
+    """Returns T and b in Pinocchio's velocities T u and accelerations T u' + b for u as used here."""
     matrix, drift = np.eye(model.nv), np.zeros(model.nv)
     for joint in model.joints[1:]:
         if joint.shortname().endswith("FreeFlyer"):

@@ -2,11 +2,11 @@
 
     pip install mpmath
     python3 tools/spatial_trees.py          writes all (half a minute)
-    python3 tools/spatial_trees.py 17 64    prints these trees only
+    python3 tools/spatial_trees.py 17 64    prints only these trees
 
 Each tree is built twice from the same random choices: as statements of the language, and as poses, masses and loads for
-`tools/newton_euler.py`, which computes with forty digits and knows nothing of the language. Numbers in statements have few digits and
-states are fractions of 64, so that both mean the same numbers. The seed of a tree is its number.
+`tools/newton_euler.py`, which computes with forty digits and is independent of the language. Numbers in statements have few digits and
+states are fractions of 64, so both use the same numbers. The seed of a tree is its number.
 
 The lines of the file are those that `lagrange-core/tests/spatial/cases.rs` describes.
 """
@@ -27,9 +27,9 @@ COUNT = 200
 MOST_BODIES = 8
 MOST_COORDINATES = 9
 DIGITS = 20
-# One of so many has free bodies or ball joints.
+# One in this many has free bodies or ball joints.
 PERIOD = 3
-# Of no turn, quarter and half turns about axes, one in three about a diagonal, and of one and a half and two turns.
+# Quaternions of the identity, of quarter and half turns about axes, of a third of a turn about a diagonal, and of one and a half and two turns.
 QUATERNIONS = [
     [mpf(c) for c in quaternion]
     for quaternion in (
@@ -37,21 +37,21 @@ QUATERNIONS = [
         (-1, 0, 0, 0),
     )
 ]
-# Trees whose matrices are worse than this at one of their states have nearly no inertia somewhere.
+# Trees with worse conditioned matrices have nearly no inertia somewhere.
 WORST_CONDITION = 1e6
 TARGET = Path(__file__).resolve().parent.parent / "lagrange-core" / "tests" / "spatial" / "trees.txt"
 
 
 class Tree(Joints, Loads, Outputs):
-    """Statements, and what they mean."""
+    """Statements, and their meanings."""
 
     def __init__(self, seed):
         self.rng = random.Random(seed)
-        # Two of three trees have no quaternions.
+        # Two thirds of the trees have no quaternions.
         self.has_orientations = seed % PERIOD == 0
         self.statements, self.names = [], []
-        self.speeds = []  # velocities: what a force along them names, and themselves
-        self.orientations = []  # where quaternions begin among the positions
+        self.speeds = []  # velocities: the names of forces along them, and their own names
+        self.orientations = []  # indices at which quaternions begin among the positions
         self.frames = {}  # name: (carrier, function of coordinates and time)
         self.bodies, self.loads, self.potentials, self.pins, self.outputs = [], [], [], [], []
         self.parameters = 0
@@ -67,12 +67,12 @@ class Tree(Joints, Loads, Outputs):
         return self.rng.random() < probability
 
     def decimal(self, low, high):
-        """A number of few digits as text."""
+        """Returns a number of few digits as text."""
         digits = self.rng.choice((1, 2))
         return f"{self.rng.uniform(low, high):.{digits}f}"
 
     def number(self, low, high):
-        """A number, or a parameter with one for its default: text and value."""
+        """Returns a number, or a parameter with a number as its default: text and value."""
         text = self.decimal(low, high)
         if self.chance(0.1):
             self.parameters += 1
@@ -82,12 +82,12 @@ class Tree(Joints, Loads, Outputs):
         return text, mpf(text)
 
     def vector(self, low=-1.0, high=1.0, sparse=0.2):
-        """Text and value; some components are zero."""
+        """Returns a vector as text and value; some components are zero."""
         parts = [("0", mpf(0)) if self.chance(sparse) else self.number(low, high) for _ in range(3)]
         return f"({', '.join(text for text, _ in parts)})", [value for _, value in parts]
 
     def angle(self):
-        """An angle that does not change, often a quarter turn."""
+        """Returns a constant angle, often a quarter turn."""
         if self.chance(0.6):
             text, quarters = self.rng.choice((("0", 0), ("pi/2", 1), ("-pi/2", -1), ("pi", 2), ("-pi", -2)))
             return text, quarters * pi / 2
@@ -130,12 +130,12 @@ class Tree(Joints, Loads, Outputs):
         self.observe([*self.frames])
 
     def is_free(self, index):
-        """Whether a body moves freely, which the first of a tree does most often."""
+        """True if a body moves freely, which is most likely for the first of a tree."""
         is_possible = self.has_orientations and len(self.speeds) <= MOST_COORDINATES - 3
         return is_possible and self.chance(0.2 if index else 0.5)
 
     def set_free(self, name):
-        """Itself, or a frame to which it is fixed."""
+        """Returns the body itself, or a frame to which it is fixed."""
         if self.chance(0.8):
             self.say_body(name, "")
             self.free(name)
@@ -147,7 +147,7 @@ class Tree(Joints, Loads, Outputs):
         self.join(frame, name, "weld")
 
     def frame_on(self, carrier, name):
-        """A link without mass between two joints."""
+        """Adds a massless link between two joints."""
         self.say(f"frame {name};")
         kind = self.rng.choice(["weld", "weld", "revolute", "prismatic"] + ["ball"] * self.has_orientations)
         self.join(carrier, name, kind)
@@ -168,7 +168,7 @@ class Tree(Joints, Loads, Outputs):
         self.say(f"{kind} {made}{carrier} to {name}{tail}")
         self.frames[name] = (carrier, lambda q, t: ne.product(fixed, motion(q)))
 
-    # Bodies whose pose is written down.
+    # Bodies with an explicit pose.
 
     def place_by_hand(self, name):
         place = [self.length() for _ in range(3)]
@@ -203,7 +203,7 @@ class Tree(Joints, Loads, Outputs):
         return letters
 
     def length(self):
-        """A coordinate of a place, as a function of coordinates and time."""
+        """Returns a component of a position, as a function of coordinates and time."""
         return self.moving("x")
 
     def turn(self):
@@ -228,7 +228,7 @@ class Tree(Joints, Loads, Outputs):
             ("t^2/4 - t", lambda x, t: t * t / 4 - t),
         ))
 
-    # What follows.
+    # Results.
 
     def poses(self, q, t):
         placed = {"ground": ne.translation(0, 0, 0)}
@@ -238,14 +238,14 @@ class Tree(Joints, Loads, Outputs):
         return placed
 
     def text(self):
-        """Something must say that this is in space."""
+        """Makes sure that the declaration is recognised as spatial."""
         text = "\n".join(self.statements)
         is_said = any(word in text for word in ("gravity", "at:", "centroid", "turned", "angles"))
         return text if is_said else f"gravity = (0, 0, 0);\n{text}"
 
 
 def mechanics(tree, t, q, v, wanted):
-    """What is expected at a state, as lines."""
+    """Returns the expected results at a state, as lines."""
     k = ne.Kinematics(tree.poses, t, q, v, tree.orientations)
     mass_matrix, bias = ne.undivided(k, tree.bodies)
     loads = [mpf(0)] * k.size
@@ -258,7 +258,7 @@ def mechanics(tree, t, q, v, wanted):
     right = ne.minus(loads, bias)
     try:
         accelerations, multipliers, condition = ne.solved(mass_matrix, right, constraints, drifts)
-        # Pins may hold what has no inertia, which the language refuses.
+        # Pins may constrain a motion without inertia, which the language refuses.
         _, _, unconstrained = ne.solved(mass_matrix, right, [], [])
     except ZeroDivisionError as singular:
         raise Unsuitable from singular
@@ -278,7 +278,7 @@ def mechanics(tree, t, q, v, wanted):
 
 
 def constrained(tree, k):
-    """Rows of the Jacobian of the pins and what holds no accelerations."""
+    """Returns rows of the Jacobian of the pins, and the terms without accelerations."""
     rows, drifts = [], []
     zero = [mpf(0)] * k.size
     for name, own, there in tree.pins:
@@ -290,7 +290,7 @@ def constrained(tree, k):
 
 
 def oriented(tree, q, chosen):
-    """Positions whose quaternions have length one but for rounding to doubles."""
+    """Returns positions with unit quaternions, up to rounding to doubles."""
     q = list(q)
     for first in tree.orientations:
         quaternion = chosen(q[first : first + 4])
@@ -301,7 +301,7 @@ def oriented(tree, q, chosen):
 
 
 def states(tree):
-    """Random ones and exact zeros: t, q, v. Of orientations also none, and turns by simple angles."""
+    """Returns random states and exact zeros: t, q, v. Orientations include the identity, and rotations by simple angles."""
     fraction = lambda reach: mpf(tree.rng.randint(-64 * reach, 64 * reach)) / 64
     vector = lambda reach: [fraction(reach) for _ in tree.speeds]
     zero, rest = [mpf(0)] * len(tree.speeds), [mpf(0)] * len(tree.names)
@@ -324,7 +324,7 @@ def written(number, digits):
 
 
 def described(seed):
-    """The lines of a tree."""
+    """Returns the lines of a tree."""
     tree = Tree(seed)
     lines = [f"> {line}" for line in tree.text().splitlines()]
     for index, (t, q, v) in enumerate(states(tree)):
@@ -342,7 +342,7 @@ def described(seed):
 
 
 def trees():
-    """Numbers of trees that say something, with their lines."""
+    """Returns the numbers of all valid trees, with their lines."""
     seed = 0
     while True:
         seed += 1

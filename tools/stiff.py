@@ -1,7 +1,7 @@
 """Reference states of stiff motions, by SciPy's Radau at 1e-11 (a tenth of it in the units of the state).
 
-Writes `tests/trajectories/stiff_references.csv`: the name of a motion, a time, and the state there. The equations are written by hand,
-apart from those of the declarations in `tests/trajectories/damped.rs`, and Jacobians are complex-step derivatives. Takes ten minutes.
+Writes `tests/trajectories/stiff_references.csv`: the name of a motion, a time, and the state there. The equations are handwritten,
+independently of the declarations in `tests/trajectories/damped.rs`. Jacobians are complex-step derivatives. Takes ten minutes.
 
     pip install numpy scipy
     python3 tools/stiff.py
@@ -23,7 +23,7 @@ def elastic_pendulum(_, y):
 
 
 def relaxation(_, y):
-    """Van der Pol's oscillator of mass 1, on which a pendulum of mass 0.1 and length 1 hangs."""
+    """Van der Pol's oscillator of mass 1, with a pendulum of mass 0.1 and length 1."""
     x, a, v, w = y
     sine, cosine = np.sin(a), np.cos(a)
     # 1.1 x'' + 0.1 cos a a'' = force, cos a x'' + a'' = -9.81 sin a
@@ -40,7 +40,7 @@ def bounce(_, y):
 
 
 def stick_slip(_, y):
-    """A block pulled by a spring over ground with LuGre friction: stretch of the spring, bristle, velocity."""
+    """A block pulled by a spring over ground with LuGre friction: extension of the spring, bristle, velocity."""
     w, z, v = y
     size = v if np.real(v) > 0 else -v
     rate = v - 1e5 * size / (1 + 0.5 * np.exp(-((v / 1e-3) ** 2))) * z
@@ -48,7 +48,7 @@ def stick_slip(_, y):
 
 
 def whip(_, y):
-    """A rod with a mass at its end, to which a spring with a damper, as stiff as 1e7, holds another one."""
+    """A rod with a mass at its end, and another one attached by a spring of stiffness 1e7 and a damper."""
     a, x, z, w, u, v = y
     sine, cosine = np.sin(a), np.cos(a)
     dx, dz = x - sine, z + cosine

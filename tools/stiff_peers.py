@@ -1,4 +1,4 @@
-"""Stiff motions by Radau5, SciPy's Radau and SUNDIALS' CVODES (through CasADi), in turns, for docs/peers.md.
+"""Stiff motions by Radau5, SciPy's Radau and SUNDIALS' CVODES (through CasADi), in alternation, for docs/peers.md.
 
 The first argument is the built benchmark `stiff`, which prints the rows of this crate:
 
@@ -6,7 +6,7 @@ The first argument is the built benchmark `stiff`, which prints the rows of this
     cargo bench -p lagrange-benches --bench stiff --no-run
     python3 tools/stiff_peers.py target/release/deps/stiff-…
 
-Functions of CasADi are compiled by the C compiler. Times are the shortest of five turns; errors are relative to the sizes of `tools/stiff.py`.
+Functions of CasADi are compiled by the C compiler. Times are the shortest of five runs; errors are relative to the sizes of `tools/stiff.py`.
 """
 
 import csv

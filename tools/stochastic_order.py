@@ -1,8 +1,8 @@
 """Checks the conditions of order of `StochasticRungeKutta4` in exact arithmetic.
 
 A stage has the rate h f + g (W + r H). W and H are independent with the variances h and h/12.
-Integrals of a Wiener path are compared as far as W and H tell of them: with those of the parabola
-s W + 6 s (1 - s) H, which is the path that is expected of W and H.
+Integrals of a Wiener path are compared with those of the parabola s W + 6 s (1 - s) H, the conditional
+expectation of the path given W and H.
 """
 
 from sympy import Matrix, Rational, Symbol, integrate, sqrt, simplify
@@ -23,7 +23,7 @@ def weighted(values):
 
 
 def mean(square):
-    """The mean of a quadratic form in W and H, for h = 1."""
+    """Returns the mean of a quadratic form in W and H, for h = 1."""
     square = square.expand()
     return square.coeff(W, 2) + square.coeff(H, 2) / 12
 

@@ -4,7 +4,7 @@
     pip install sympy scipy
     tools/sympy_peers.py
 
-Both programs are taken from the page. SymPy's accelerations are solved for symbolically, and become Python by `lambdify` with common
+Both programs are taken from the page. SymPy solves for accelerations symbolically, and `lambdify` makes Python of them with common
 subexpressions, on plain floats, which was its fastest form. Motions last 10 s from θ = (2, 1.5) at rest. Each method runs at the
 loosest tolerance of two per decade that reaches the error; references have 30 digits. Times are the shortest of several runs.
 """
@@ -85,7 +85,7 @@ def by_sympy(expected):
         solved = method.mass_matrix.LUsolve(method.forcing).subs({names["m"]: 1, names["l"]: 1, names["g"]: 9.81})
         names["acceleration"] = lambdify([p, q, p.diff(t), q.diff(t)], list(solved), modules="math", cse=True)
 
-    # The first call fills caches of SymPy.
+    # The first call fills SymPy's caches.
     preparation = shortest(prepare, 3)
     acceleration = names["acceleration"]
     evaluation = shortest(lambda: [acceleration(*START) for _ in range(1000)], 50) / 1000

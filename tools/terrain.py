@@ -21,7 +21,7 @@ u, v, du, dv = sp.symbols("u v du dv")
 
 
 def solved(kinetic, potential, count, turning, start):
-    """States at all times: coordinates, rates and an angle with the given rate."""
+    """Returns states at all times: coordinates, rates and an angle with the given rate."""
     coordinates, rates = [u, v][:count], [du, dv][:count]
     mass = sp.hessian(kinetic, rates)
     momentum = sp.Matrix([sp.diff(kinetic, rate) for rate in rates])
@@ -38,7 +38,7 @@ def solved(kinetic, potential, count, turning, start):
 
 
 def ball(height, r, start):
-    """Places and velocities of the centre of a ball without friction."""
+    """Returns positions and velocities of the centre of a ball without friction."""
     hu, hv = sp.diff(height, u), sp.diff(height, v)
     w = sp.sqrt(1 + hu**2 + hv**2)
     center = sp.Matrix([u - r * hu / w, v - r * hv / w, height + r / w])
@@ -49,7 +49,7 @@ def ball(height, r, start):
 
 
 def road(height, r, start):
-    """Place, angle and velocity of the centre of a disk that rolls on a curve."""
+    """Returns position, angle and velocity of the centre of a disk that rolls on a curve."""
     slope = sp.diff(height, u)
     w = sp.sqrt(1 + slope**2)
     center = sp.Matrix([u - r * slope / w, height + r / w])

@@ -1,15 +1,16 @@
-"""What Pinocchio reads from URDF files and computes of them, for the tests of `lagrange-import` and for `docs/robots.md`.
+"""Pinocchio's results for URDF files, for the tests of `lagrange-import` and for `docs/robots.md`.
 
     pip install pin example-robot-data
     python3 tools/urdf.py            # writes crates/lagrange-import/tests/data/*.txt
     python3 tools/urdf.py --robots   # measures all robots of example-robot-data and writes docs/robots.md
 
-Pinocchio reads the same file by itself. It keeps the scalar part of a quaternion last, and velocities of floating and planar joints in the axes
-of what moves; written is what the language says: scalar parts first, rates of the components of a place, angular velocities in turned
-axes. Accelerations are those under damping and without motors: `aba`, or, where joints mimic others, Gᵀ M G a = Gᵀ (τ − b) with M and b of
-`crba` and `rnea` of all joints, whose velocities are G times those that are free (joints that move no mass are at rest) (Featherstone, *Rigid Body Dynamics Algorithms*, §3.3).
-Each state is a line `state` and a line for each joint that moves: its name in the file, positions, velocities and accelerations, with tabs
-between them. A base that moves freely is called `root_joint`.
+Pinocchio reads the same file independently. It keeps the scalar part of a quaternion last, and velocities of floating and planar joints in the
+axes of the moving link. The output follows the language: scalar parts first, rates of the components of a position, angular velocities in
+rotated axes. Accelerations are those under damping and without motors: `aba`, or, where joints mimic others, Gᵀ M G a = Gᵀ (τ − b) with
+M and b of `crba` and `rnea` of all joints, whose velocities are G times the independent ones (joints that move no mass are at rest; Featherstone,
+*Rigid Body Dynamics Algorithms*, §3.3).
+Each state is a line `state` and a line for each moving joint: its name in the file, positions, velocities and accelerations, separated by
+tabs. A free base is called `root_joint`.
 """
 
 import json
@@ -29,13 +30,13 @@ DATA = ROOT / "crates" / "lagrange-import" / "tests" / "data"
 ROBOTS = "cmeel.prefix/share/example-robot-data/robots"
 STATES = 6
 BASE = "root_joint"
-SNAPPED = 1e-9  # distance within which an angle is a number of quarter turns, as the language has it
-# File, whether the base is free, and the file that Pinocchio reads if it is another one.
+SNAPPED = 1e-9  # distance within which an angle counts as a multiple of a quarter turn, as in the language
+# File, true if the base is free, and the file for Pinocchio if it differs.
 CASES = {
     "every_joint": ("every_joint.urdf", False, None),
     "tree_of_30": ("tree_of_30.urdf", False, None),
     "tree_of_5_free": ("tree_of_5.urdf", True, None),
-    # Pinocchio takes every plane for that across z: it reads prismatic and revolute joints in the place of the planar one.
+    # Pinocchio takes every plane to be normal to z, so it reads prismatic and revolute joints instead of the planar one.
     "tilted_plane": ("tilted_plane.urdf", False, "tilted_plane_by_hand.urdf"),
 }
 
@@ -45,7 +46,7 @@ def model_of(path, is_free):
 
 
 def held_of(model):
-    """Joints that move no mass: nothing determines their accelerations."""
+    """Returns joints that move no mass: nothing determines their accelerations."""
     carried = [inertia.mass for inertia in model.inertias]
     for index in range(model.njoints - 1, 0, -1):
         carried[model.parents[index]] += carried[index]
@@ -57,7 +58,7 @@ def kind(joint):
 
 
 def followers(path, model, held):
-    """Follower, leader, multiplier and offset by joint ids, leaders first."""
+    """Returns follower, leader, multiplier and offset by joint ids, leaders first."""
     rows = {}
     for joint in ElementTree.parse(path).getroot().findall("joint"):
         mimic = joint.find("mimic")
@@ -77,7 +78,7 @@ def followers(path, model, held):
 
 
 def places(model):
-    """For each joint its id, kind, and slices of positions and velocities."""
+    """Returns id, kind, and slices of positions and velocities for each joint."""
     for index in range(1, model.njoints):
         joint = model.joints[index]
         q, v = slice(joint.idx_q, joint.idx_q + joint.nq), slice(joint.idx_v, joint.idx_v + joint.nv)
@@ -85,7 +86,7 @@ def places(model):
 
 
 def states(model, rows, held):
-    """Random ones in the language's positions and velocities, and one at rest; numbers of few digits, but for quaternions."""
+    """Returns random states in the language's positions and velocities, and one at rest; except for quaternions, numbers have few digits."""
     rng = np.random.default_rng(9)
     fraction = lambda count, reach: rng.integers(-64 * reach, 64 * reach, count, endpoint=True) / 64
     for number in range(STATES + 1):
@@ -106,7 +107,7 @@ def states(model, rows, held):
 
 
 def into_pinocchio(model, q, v):
-    """Positions, T and b of Pinocchio's velocities T u and accelerations T u' + b of those here, and velocities u."""
+    """Returns positions, T and b of Pinocchio's velocities T u and accelerations T u' + b for u as used here, and velocities u."""
     positions, rates = pin.neutral(model), np.zeros(model.nv)
     matrix, drift = np.eye(model.nv), np.zeros(model.nv)
     for index, name, at, along in places(model):
@@ -132,7 +133,7 @@ def into_pinocchio(model, q, v):
 
 
 def accelerations(model, rows, held, q, v):
-    """In the language's velocities: one way, and the other one where there are two."""
+    """Returns accelerations in the language's velocities, by one way, and by a second one where it exists."""
     data = model.createData()
     positions, rates, matrix, drift = into_pinocchio(model, q, v)
     velocities = matrix @ rates
@@ -153,7 +154,7 @@ def accelerations(model, rows, held, q, v):
 
 
 def snapped(path):
-    """The text of a file with angles that are quarter turns to as many digits as a double has."""
+    """Returns the text of a file with quarter turns to the precision of a double."""
     tree = ElementTree.parse(path)
     for origin in tree.iter("origin"):
         if origin.get("rpy"):
@@ -167,7 +168,7 @@ def quarter(angle):
 
 
 def references(path, is_free, is_snapped=False, spreads=None):
-    """Lines of states; `spreads` gets the differences between two ways of Pinocchio's."""
+    """Returns lines of states; `spreads` receives the differences between two ways of Pinocchio."""
     if is_snapped:
         with tempfile.NamedTemporaryFile("w", suffix=".urdf") as copy:
             copy.write(snapped(path))
@@ -199,7 +200,7 @@ def write_tests():
 
 
 def tree(count):
-    """A robot with random branches, joints and inertia, in numbers of few digits."""
+    """Returns a robot with random branches, joints and inertia, in numbers of few digits."""
     rng = np.random.default_rng(count)
     text = lambda numbers: " ".join(f"{x:.3g}" for x in numbers)
     lines = [f'<robot name="TreeOf{count}">', '  <link name="trunk">', *inertial(rng), "  </link>"]
@@ -224,7 +225,7 @@ def tree(count):
 
 
 def inertial(rng):
-    """A body that exists: moments of random masses on three axes, turned."""
+    """Returns the inertia of a possible body: moments of random masses on three axes, rotated."""
     a, b, c = np.round(rng.uniform(0.01, 0.1, 3), 4)
     place = " ".join(f"{x:.3g}" for x in rng.normal(size=3) / 10)
     turned = "0 0 0" if rng.random() < 0.5 else " ".join(f"{x:.3g}" for x in rng.normal(size=3))
@@ -245,7 +246,8 @@ def robots():
 
 
 def beside(tool, path, is_free, trusts):
-    """Freedoms, constraints, operations, differences of a robot, or why there are none. What Pinocchio cannot read is left to us."""
+    """Returns degrees of freedom, constraints, operations and differences of a robot, or the reason why there are none. Files that Pinocchio cannot
+    read are left to the importer."""
     spreads = []
     try:
         lines = list(references(path, is_free, is_snapped=True, spreads=spreads))
@@ -266,7 +268,7 @@ def beside(tool, path, is_free, trusts):
 
 
 def row(tool, path, is_free):
-    """Cells of the table, and what is to be said."""
+    """Returns cells of the table, and a remark."""
     imported, found = beside(tool, path, is_free, False)
     if imported:
         return found, ""
@@ -291,7 +293,7 @@ def write_robots():
         for is_free in (False, True):
             cells, reason = row(tool, path, is_free)
             counts["trusted" if "trust" in reason else "refused" if reason else "imported"] += 1
-            # Markdown would take elements for HTML.
+            # Markdown would mistake elements for HTML.
             reason = re.sub(r"<\w+>", r"`\g<0>`", " ".join(reason.replace("|", "\\|").split()))
             name = f"`{path.relative_to(root)}`" if not is_free else ""
             freedoms, constraints, operations, difference, own = cells

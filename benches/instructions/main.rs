@@ -1,10 +1,10 @@
-//! Instructions for one evaluation of the accelerations, as valgrind counts them: unlike times they
-//! are the same on every run. Emitted chains must not take more than committed here; those by hand
-//! are beside them.
+//! Instructions per evaluation of the accelerations, as counted by valgrind: unlike times they are
+//! the same on every run. Emitted chains must not exceed the numbers committed here; handwritten
+//! ones are beside them.
 //!
-//! `cargo bench -p lagrange-instructions` needs valgrind and
-//! `cargo install gungraun-runner`. The numbers are those of rustc 1.95 on x86-64 with glibc; a
-//! change of compiler may move them, and then they are committed anew.
+//! `cargo bench -p lagrange-instructions` needs valgrind and `cargo install gungraun-runner`. The
+//! numbers are those of rustc 1.95 on x86-64 with glibc. A change of compiler may move them; then
+//! new ones are committed.
 #![allow(missing_docs, unused_qualifications, reason = "in what the macros of gungraun write")]
 
 #[macro_use]
@@ -44,7 +44,7 @@ fn chain<const N: usize>() -> Chain<N> {
     (spread(1.0, 0.1), spread(0.8, 0.05), 9.81, spread(0.3, 0.17), spread(-0.5, 0.23))
 }
 
-/// At most two hundredths more instructions than these.
+/// Allows at most two percent more instructions than this.
 fn at_most(instructions: u64) -> LibraryBenchmarkConfig {
     let mut limits = Callgrind::default();
     limits.format([CallgrindMetrics::SingleEvent(EventKind::Ir)]);
@@ -54,7 +54,7 @@ fn at_most(instructions: u64) -> LibraryBenchmarkConfig {
     config
 }
 
-/// A group of emitted chains with the instructions they may take, and the same by hand.
+/// Defines a group of emitted chains with their allowed instructions, and the handwritten ones.
 macro_rules! group {
     ($group:ident: $($name:ident, $n:literal, $chains:ident::$chain:ident, $limit:literal,
      $by_hand_name:ident = $by_hand:ident::<$waves:ident>;)*) => {

@@ -9,7 +9,7 @@ pub(crate) fn cases() -> [Case; 2] {
     [double_pendulum(), kepler()]
 }
 
-/// Two point masses on massless rods, chaotic.
+/// Returns the case of two point masses on massless rods, which is chaotic.
 fn double_pendulum() -> Case {
     let motion = Motion { start: [2.0, 1.5, 0.0, 0.0], end: 10.0 };
     let mut solvers = peers::all(&ByHand(double_pendulum_by_hand), motion);
@@ -20,7 +20,7 @@ fn double_pendulum() -> Case {
     Case { name: "double pendulum", reference, goals: &[1e-6, 1e-9, 1e-12], solvers }
 }
 
-/// An ellipse of eccentricity 0.6, a hundred times around, from the pericentre.
+/// Returns the case of an ellipse of eccentricity 0.6, a hundred times around, from the pericentre.
 fn kepler() -> Case {
     let motion = Motion { start: [0.4, 0.0, 0.0, 5.0], end: 100.0 * core::f64::consts::TAU };
     let mut solvers = peers::all(&ByHand(kepler_by_hand), motion);
@@ -30,7 +30,7 @@ fn kepler() -> Case {
     Case { name: "Kepler, 100 periods", reference, goals: &[1e-6, 1e-9], solvers }
 }
 
-/// ω̇ by eliminating the tension of the outer rod; m = l = 1.
+/// Computes ω̇ by eliminating the tension of the outer rod; m = l = 1.
 fn double_pendulum_by_hand([theta1, theta2, omega1, omega2]: &[f64; 4]) -> [f64; 4] {
     const G: f64 = 9.81;
     let (sin1, cos1) = theta1.sin_cos();

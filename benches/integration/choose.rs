@@ -2,7 +2,7 @@
 
 use crate::problem::{Case, Solver};
 
-/// A tolerance and what comes of it.
+/// A tolerance with its result.
 #[derive(Clone, Copy)]
 pub(crate) struct Choice {
     pub(crate) tolerance: f64,
@@ -10,12 +10,12 @@ pub(crate) struct Choice {
     pub(crate) evaluations: u64,
 }
 
-/// Tolerances are tried from this power of ten down to the least, `PER_DECADE` in each decade.
+/// Exponent of the largest tolerance. There are `PER_DECADE` in each decade, down to the least.
 const LARGEST: i32 = -2;
 const LEAST: i32 = -15;
 const PER_DECADE: i32 = 16;
 
-/// For each solver that reaches `goal` the tolerance that does so with the fewest evaluations.
+/// Returns, for each solver that reaches `goal`, the tolerance with the fewest evaluations.
 pub(crate) fn choose(case: &Case, goal: f64) -> Vec<(&Solver, Choice)> {
     let reached = case.solvers.iter().filter_map(|solver| {
         let good = scan(case, solver).into_iter().filter(|choice| choice.error <= goal);
@@ -24,7 +24,7 @@ pub(crate) fn choose(case: &Case, goal: f64) -> Vec<(&Solver, Choice)> {
     reached.collect()
 }
 
-/// The least error that each solver reaches at all.
+/// Returns the smallest error that each solver can reach.
 pub(crate) fn least(case: &Case) -> Vec<(&Solver, Choice)> {
     let best = case.solvers.iter().filter_map(|solver| {
         let choices = scan(case, solver).into_iter();

@@ -6,7 +6,7 @@ use lagrange::system::OdeSystem;
 use crate::problem::{Motion, Run, Solver};
 
 lagrange::system! {
-    /// Two point masses on massless rods, with the constants that the functions by hand have.
+    /// Two point masses on massless rods, with the constants of the handwritten functions.
     pub struct DoublePendulum;
 
     const m = 1, l = 1, g = 9.81;
@@ -61,7 +61,7 @@ lagrange::system! {
     potential = -mu * m / r;
 }
 
-/// Verner's pair on an emitted system.
+/// Returns Verner's pair on an emitted system.
 pub(crate) fn solver<M>(name: &'static str, system: M, motion: Motion) -> Solver
 where
     M: OdeSystem<Scalar = f64, State = [f64; 4]> + 'static,

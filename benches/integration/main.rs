@@ -1,11 +1,11 @@
 //! Whole integrations by this crate and by others, each in the setting that reaches a stated error
 //! fastest.
 //!
-//! `cargo bench -p lagrange-benches --bench integration -- table` prints what each solver needs for
-//! the error at the end to be no more than stated, all solvers in turns in one run. Without `table`
-//! criterion times the same runs one after the other.
+//! `cargo bench -p lagrange-benches --bench integration -- table` prints the cost of each solver
+//! for a bound on the final error, all solvers in alternation in one run. Without `table` criterion
+//! times the same runs one after the other.
 //!
-//! The other crates get a right-hand side that is simplified by hand, with constants folded and one
+//! The other crates get a handwritten, simplified right-hand side, with constants folded and one
 //! sine and cosine for each angle. This crate gets its emitted code; all solvers return the last
 //! state only.
 

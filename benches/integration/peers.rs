@@ -7,7 +7,7 @@ use ode_solvers::{Dop853, OutputType, SVector, System};
 
 use crate::problem::{Motion, Run, Solver};
 
-/// A right-hand side written by hand.
+/// A handwritten right-hand side.
 #[derive(Clone, Copy)]
 pub(crate) struct ByHand<F>(pub(crate) F);
 
@@ -25,7 +25,7 @@ impl<F: Fn(&[f64; 4]) -> [f64; 4]> System<f64, SVector<f64, 4>> for ByHand<F> {
     }
 }
 
-/// Keeps no points, since the others need not either.
+/// An output that keeps no points, since the others need not either.
 struct Nothing;
 
 impl Solout<f64, [f64; 4]> for Nothing {
@@ -47,7 +47,7 @@ impl Solout<f64, [f64; 4]> for Nothing {
 
 const MANY_STEPS: usize = 10_000_000;
 
-/// The solvers of high order that these crates have.
+/// Returns the high-order solvers of these crates.
 pub(crate) fn all<F>(system: &ByHand<F>, motion: Motion) -> Vec<Solver>
 where
     F: Fn(&[f64; 4]) -> [f64; 4] + Copy + 'static,
@@ -95,7 +95,7 @@ where
         SVector::from(start),
         tolerance,
         tolerance,
-        // The documented defaults, but for steps and output.
+        // The documented defaults, except for steps and output.
         0.9,
         0.0,
         0.333,

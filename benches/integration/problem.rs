@@ -16,14 +16,14 @@ pub(crate) struct Solver {
     pub(crate) run: Box<dyn Fn(f64) -> Option<Run>>,
 }
 
-/// A start and how long the motion is followed.
+/// The start and the duration of a motion.
 #[derive(Clone, Copy)]
 pub(crate) struct Motion {
     pub(crate) start: [f64; 4],
     pub(crate) end: f64,
 }
 
-/// A motion with all that integrate it.
+/// A motion with all its solvers.
 pub(crate) struct Case {
     pub(crate) name: &'static str,
     pub(crate) reference: [f64; 4],
@@ -33,7 +33,7 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    /// The largest error of a component.
+    /// Returns the largest error of a component.
     pub(crate) fn error(&self, run: &Run) -> f64 {
         let errors = run.state.iter().zip(&self.reference).map(|(found, exact)| (found - exact).abs());
         errors.fold(0.0, |largest, error| if error <= largest { largest } else { error })

@@ -1,4 +1,4 @@
-//! All solvers beside each other, timed in turns.
+//! A table of all solvers, timed in alternation.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -37,7 +37,8 @@ fn rows(case: &str, goal: &str, chosen: &[(&Solver, Choice)]) {
     }
 }
 
-/// Seconds of each run of each solver. Rounds take turns, so that all of them see the same load.
+/// Returns seconds of each run of each solver. Rounds alternate, so that all of them see the same
+/// load.
 fn in_turns(chosen: &[(&Solver, Choice)]) -> Vec<Vec<f64>> {
     let mut times = vec![Vec::with_capacity(ROUNDS); chosen.len()];
     for _ in 0..ROUNDS {
@@ -54,7 +55,7 @@ fn shortest(times: &[f64]) -> f64 {
     times.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// The median over the rounds of one time over the other.
+/// Returns the median over the rounds of one time over the other.
 fn median_ratio(times: &[f64], others: &[f64]) -> f64 {
     let mut ratios = times.iter().zip(others).map(|(time, other)| time / other).collect::<Vec<_>>();
     ratios.sort_by(f64::total_cmp);

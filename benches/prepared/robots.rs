@@ -1,7 +1,7 @@
 //! Robots with inertia as parameters. Written by `tools/spatial_benches.py`.
 
 lagrange::system! {
-    /// `ur5` of `lagrange-core/tests/spatial/models`; what is known of its inertia are parameters.
+    /// `ur5` of `lagrange-core/tests/spatial/models`; its inertias are parameters.
     pub(crate) struct Ur5;
     param p0 = 3.7, p1 = 0.010267495893, p2 = 0.010267495893, p3 = 0.00666, p4 = 8.393, p5 = 0.28;
     param p6 = 0.22689067591, p7 = 0.22689067591, p8 = 0.0151074, p9 = 2.275, p10 = 0.24999999999999994, p11 = 0.049443313556;
@@ -25,8 +25,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// `panda` of `lagrange-core/tests/spatial/models`; what is known of its inertia are
-    /// parameters.
+    /// `panda` of `lagrange-core/tests/spatial/models`; its inertias are parameters.
     pub(crate) struct Panda;
     param p0 = 4.970684, p1 = 0.003875, p2 = 0.002081, p3 = -0.04762, p4 = 0.70337, p5 = 0.70661;
     param p6 = 0.009117, p7 = -0.000139, p8 = 0.006772, p9 = 0.019169, p10 = 0.646926, p11 = -0.003141;

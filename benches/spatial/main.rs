@@ -1,5 +1,5 @@
-//! Emitted code for bodies in space beside recursive algorithms by hand, in turns: rows of a
-//! Markdown table.
+//! Emitted code for bodies in space against handwritten recursive algorithms, in alternation: rows
+//! of a Markdown table.
 //!
 //! Robots are declarations without parameters, so emitted code knows every number. The handwritten
 //! side has the algorithms of dynamics libraries for any chain of revolute joints (`rigid_bodies`),
@@ -30,13 +30,13 @@ fn report(level: &str, robot: &str, what: &str, times: &Times) {
     println!("| {level:<8} | {robot:<19} | {what:<16} | {times} |");
 }
 
-/// The first row of a matrix that has been computed to the last entry.
+/// Returns the first row of a matrix all of whose entries have been computed.
 #[inline(always)]
 fn first_row<const N: usize>(matrix: &[[f64; N]; N]) -> [f64; N] {
     black_box(matrix)[0]
 }
 
-/// Wanted accelerations.
+/// Returns the wanted accelerations.
 fn wanted<const N: usize>() -> [f64; N] {
     black_box(from_fn(|k| 0.4 - 0.11 * k as f64))
 }

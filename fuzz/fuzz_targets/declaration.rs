@@ -1,4 +1,4 @@
-//! Whatever the text, it is emitted or complained about.
+//! Any text is either emitted or refused with an error.
 #![no_main]
 
 use lagrange_core::derive::StrategyChoice;

@@ -1,5 +1,4 @@
-//! Whatever the text, it is read and checked within the limits of time and memory that the command
-//! sets.
+//! Any text is read and checked within the limits of time and memory set by the command.
 #![no_main]
 
 use lagrange_core::pipeline::parse;

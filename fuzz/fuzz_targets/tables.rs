@@ -1,5 +1,5 @@
-//! Whatever the bytes of a file that a table names, they are refused with words, or the table goes
-//! through its points. The kind of table goes by their number.
+//! Any bytes of a table file are refused with an error, or the table passes through its points.
+//! Their number determines the kind of table.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,5 +1,5 @@
-//! Any text of a robot is refused with words, or its imported declaration compiles. Options follow
-//! from its length.
+//! Any text of a robot is refused with an error, or its imported declaration compiles. Its length
+//! determines the options.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,5 +1,5 @@
-//! Constrained systems, interpreted, against reference values that an independent derivation
-//! computed with many digits.
+//! Constrained systems, interpreted, against reference values of an independent derivation with
+//! many digits.
 
 use std::fs;
 use std::path::Path;
@@ -59,7 +59,8 @@ fn accelerations_and_multipliers_agree_with_the_references_by_every_strategy() {
     }
 }
 
-/// `n` rods hung from each other in maximal coordinates: two constraints for each joint.
+/// Returns `n` rods hung from each other in maximal coordinates, with two constraints for each
+/// joint.
 fn hanging_rods(n: usize) -> String {
     let mut text =
         "param m = 1.0, j = 0.1, l = 1.0, g = 9.81;\nlet (ex0, ey0) = (0 * t, 0 * t);\n".to_owned();
@@ -77,8 +78,8 @@ fn hanging_rods(n: usize) -> String {
     text
 }
 
-/// `n` windows of four bars each, by the positions of their joints: neighbours share a bar, whose
-/// mass couples them.
+/// Returns `n` windows of four bars each, by the positions of their joints. Neighbours share a bar,
+/// whose mass couples them.
 fn windows(n: usize) -> String {
     let mut text =
         "param m = 1.0, g = 9.81;\nlet (x0, y0) = (0, 1);\nlet (u0, w0) = (0 * t, 0 * t);\n".to_owned();
@@ -117,10 +118,10 @@ fn chains_of_constrained_bodies_cost_in_proportion_to_their_length() {
     }
 }
 
-/// Three constraints hold one direction, which depends on a parameter: in space along an axis, by
-/// one joint and by two, and as plain statements, with and without inertia, beside other bodies and
-/// alone, where constraints outnumber coordinates. The motion is that of one constraint, and of all
-/// forces the smallest are taken.
+/// Three constraints restrict one direction, which depends on a parameter: in space along an axis,
+/// with one joint or two, and as plain statements. They are tested with and without inertia, beside
+/// other bodies and alone, where constraints outnumber coordinates. The motion is that under one
+/// constraint, with the smallest of all possible forces.
 #[test]
 fn constraints_that_always_depend_on_each_other_share_their_force() {
     const BODY: &str = "mass: 1; inertia: (1, 1, 1);";
@@ -144,7 +145,7 @@ fn constraints_that_always_depend_on_each_other_share_their_force() {
         [format!("{cylinder} free b; free d;"), format!("{sliders} free d;")];
     let spatial_cases =
         [("abd", &*cylinder_beside), ("abd", &*sliders_beside), ("a", cylinder), ("ab", sliders)];
-    // The squared force over its vertical part is the weight that it holds.
+    // The squared force over its vertical component is the weight that it holds.
     let rows = [0.5_f64.cos(), 0.5_f64.sin(), 0.3_f64.cos() + 0.7 * 0.5_f64.sin()];
     let square = rows.iter().map(|row| row * row).sum::<f64>();
     let shares = |force: f64| rows.map(|row| force * row / square);

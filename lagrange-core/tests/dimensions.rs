@@ -2,7 +2,7 @@
 
 use lagrange_core::pipeline::parse;
 
-/// What is reported of a declaration, lines of help left out.
+/// Returns the errors reported for a declaration, without lines of help.
 fn errors(text: &str) -> Vec<String> {
     let report = parse(text).err().map_or_else(String::new, |report| report.to_string());
     report.lines().filter(|line| line.starts_with("error")).map(str::to_owned).collect()
@@ -13,7 +13,7 @@ mod defaults {
     use lagrange_core::expr::evaluate;
     use lagrange_core::pipeline::{System, parse};
 
-    /// Of a parameter of this name, the default.
+    /// Returns the default of the parameter with a name.
     fn default(system: &System, name: &str) -> f64 {
         let model = &system.model;
         let parameter = model.parameters.iter().chain(&model.inputs).find(|one| one.name == name);
@@ -125,7 +125,7 @@ mod inference {
     use super::errors;
     use lagrange_core::pipeline::parse;
 
-    /// The unit that a name is found to have; nothing if there is none.
+    /// Returns the inferred unit of a name, or `None` if there is none.
     fn unit(text: &str, name: &str) -> Option<String> {
         let system = parse(text).unwrap_or_else(|report| panic!("{text}\n{report}"));
         system.model.units.get(name).map(|unit| unit.unit.clone())
@@ -158,7 +158,7 @@ mod inference {
         for (name, found) in units {
             assert_eq!(unit(PENDULUM, name).as_deref(), Some(found), "{name}");
         }
-        // Of a product alone no factor is known.
+        // A product alone determines none of its factors.
         assert_eq!(unit(PENDULUM, "u"), None);
         assert_eq!(unit(PENDULUM, "n"), None);
     }
@@ -169,7 +169,7 @@ mod inference {
         assert_eq!(unit(&text, "l"), None);
     }
 
-    /// Degrees say nothing of masses and lengths: plain numbers beside them stay what they are.
+    /// Degrees imply nothing about masses and lengths: plain numbers beside them stay unchanged.
     #[test]
     fn units_of_angles_alone_only_scale() {
         let plain = PENDULUM.replace(": kg", "").replace(": m/s^2", "").replace("* h +", "* h + theta +");
@@ -184,12 +184,12 @@ mod inference {
             assert_ne!(text, plain);
             assert_eq!(unit(&text, "l"), None, "{instead}");
         }
-        // A rate in degrees measures time, too.
+        // A rate in degrees also has a unit of time.
         let text = format!("{} param spin: deg/s = 1;", PENDULUM.replace("* h +", "* h + theta +"));
         assert_eq!(errors(&text).len(), 1, "{:?}", errors(&text));
     }
 
-    /// A mistake whose sides are found is told with the chain of reasons.
+    /// An error between two inferred units is reported with the chain of reasons.
     #[test]
     fn reasons_are_told() {
         let text = "param m: kg = 1, k, c; coord x: m;\nkinetic = kinetic_energy(m, dot(x));\npotential = 1/2 * k * x^2;\n\
@@ -203,7 +203,7 @@ mod inference {
         assert_eq!(report, expected);
     }
 
-    /// A name that is declared wrong is one mistake, two formulas that are wrong are two.
+    /// A wrong declaration of a name is one mistake, and two wrong formulas are two.
     #[test]
     fn one_mistake_is_one_error() {
         let wrong_name =

@@ -1,8 +1,8 @@
-//! Output of every stage for the declarations in `golden`, as text that is reviewed.
+//! Output of every stage for the declarations in `golden`, as text under review.
 //!
-//! A test is a directory with a `declaration.lag`. `UPDATE_GOLDEN=1` writes the other files. The
-//! emitted code of six systems is kept whole, one for each kind of output; of the others, a line of
-//! counts for each method.
+//! A test is a directory with a `declaration.lag`. `UPDATE_GOLDEN=1` writes the other files. Six
+//! systems, one for each kind of output, keep their whole code. The others keep a line of counts
+//! for each method.
 
 #[path = "common/methods.rs"]
 mod methods;
@@ -41,7 +41,7 @@ fn every_stage_says_what_was_reviewed() {
     assert!(updated || changed.is_empty(), "UPDATE_GOLDEN=1 accepts:\n{}", changed.join("\n"));
 }
 
-/// The files of one system with what should be in them.
+/// Returns the files of one system with their expected contents.
 fn stages(directory: &Path) -> [(PathBuf, String); 3] {
     let declaration = fs::read_to_string(directory.join("declaration.lag")).expect("a declaration");
     let system = parse(&declaration).unwrap_or_else(|report| panic!("{}: {report:?}", directory.display()));
@@ -80,7 +80,7 @@ fn equations(derived: &Derived) -> String {
     out
 }
 
-/// The program of the accelerations.
+/// Returns the program of the accelerations.
 fn program(derived: &Derived) -> String {
     let mut labels = Labels::default();
     derived.equations.labels.iter().for_each(|(id, name)| labels.insert(*id, name.as_str()));
@@ -89,7 +89,7 @@ fn program(derived: &Derived) -> String {
     format!("{}# {}\n", listing(&program, graph.symbols()), OperationCounts::of(&program))
 }
 
-/// The emitted code, or the counts of its methods, with the file that holds it.
+/// Returns the emitted code, or the counts of its methods, with the file that holds it.
 fn emitted(directory: &Path, derived: Derived) -> (PathBuf, String) {
     let items = derived.emit(&quote!(::lagrange)).expect("constants that fit");
     let file = syn::parse2(items).expect("items");
@@ -113,7 +113,7 @@ fn first_difference(known: &str, found: &str) -> String {
     })
 }
 
-/// The declarations of all golden systems with their names.
+/// Returns the declarations of all golden systems with their names.
 fn declarations() -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
     let systems = fs::read_dir(&root).expect("a directory").map(|entry| entry.expect("an entry").path());
@@ -137,10 +137,10 @@ fn comments_and_layout_leave_the_fingerprint_as_it_is() {
     }
 }
 
-/// Of so many places where a declaration could be changed one is.
+/// The test changes one of this many places in a declaration.
 const ONE_IN: usize = if cfg!(large) { 1 } else { 29 };
 
-/// A number or a sign that is changed by itself, and can be.
+/// A number or a sign is changed by itself wherever that is possible.
 #[test]
 fn another_meaning_has_another_fingerprint() {
     let mut changed = 0;

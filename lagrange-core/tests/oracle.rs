@@ -1,5 +1,5 @@
-//! Interpreted systems against reference values that an independent derivation computed with many
-//! digits; see `tests/oracle/README.md`.
+//! Interpreted systems against reference values of an independent derivation with many digits; see
+//! `tests/oracle/README.md`.
 
 #[cfg(unix)]
 #[path = "oracle/kernels.rs"]
@@ -38,8 +38,8 @@ fn every_strategy_agrees_with_the_references() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Where a sine or a cosine vanishes nothing may be divided by it. Inverse dynamics, which divides
-/// by nothing, judges.
+/// The equations must not divide by a sine or a cosine that vanishes. The reference is inverse
+/// dynamics, which never divides.
 #[test]
 fn right_angles_are_no_singularities() {
     const REGULAR: [&str; 9] = [
@@ -73,7 +73,7 @@ fn right_angles_are_no_singularities() {
     }
 }
 
-/// The momenta, which agree with the references, change along the motion as their rates say.
+/// The momenta, which agree with the references, change along the motion at their declared rates.
 #[test]
 fn momenta_change_at_their_rates() {
     let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
@@ -104,8 +104,8 @@ fn momenta_change_at_their_rates() {
     }
 }
 
-/// Else implicit methods would rather difference the right-hand side, which takes an evaluation for
-/// each entry of the state beside the one that they need anyway.
+/// Otherwise implicit methods would do better with differences of the right-hand side. These cost
+/// an evaluation for each entry of the state, beside the one needed anyway.
 #[test]
 fn jacobians_cost_less_than_differences() {
     let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));

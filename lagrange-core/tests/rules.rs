@@ -3,14 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A source file, without the tests and comments in it.
+/// A source file without tests and comments.
 struct Source {
     path: String,
     code: String,
 }
 
-/// A loop over tokens that forgets to take one asks for memory until there is none. So all of them
-/// are in `Cursor` and in `Parser::turns`, which see to it; others empty a stack.
+/// A loop over tokens that takes none asks for memory without end. So all such loops are in
+/// `Cursor` and in `Parser::turns`, which prevent that; others empty a stack.
 #[test]
 fn loops_over_tokens_are_in_one_place() {
     let mut wrong = Vec::new();
@@ -47,7 +47,7 @@ fn emitted_code_names_only_core_and_the_crate() {
     }
 }
 
-/// The files of the crate that are no tests.
+/// Returns the files of the crate that are not tests.
 fn sources() -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let is_test = |path: &str| path.split(['/', '.']).any(|part| part == "tests");

@@ -1,9 +1,9 @@
-//! A system in the hands of the crate `differential-equations`: two trait methods, to copy.
+//! A system for the crate `differential-equations`: two trait methods, to copy.
 //!
-//! Its solvers take anything that implements [`ODE`]. Implicit ones receive the Jacobian that is
-//! emitted for `emit { jacobian }`, and differences without it. Constraints and the length of unit
-//! quaternions are kept as accurately as that crate integrates: nothing is projected. Look for the
-//! energy, which both solvers keep.
+//! Its solvers take any implementation of [`ODE`]. Implicit ones receive the Jacobian emitted for
+//! `emit { jacobian }`, and use differences without it. Constraints and the length of unit
+//! quaternions are kept as accurately as that crate integrates: nothing is projected. The quantity
+//! to watch is the energy, which both solvers conserve.
 
 use std::error::Error;
 
@@ -22,7 +22,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// A borrowed system that the solvers take.
+/// A borrowed system for the solvers.
 struct Adapter<'a, M>(&'a M);
 
 impl<M> ODE<M::Scalar, M::State> for Adapter<'_, M>
@@ -43,7 +43,7 @@ where
     }
 }
 
-/// A borrowed system whose Jacobian the solvers difference by themselves.
+/// A borrowed system whose Jacobian the solvers approximate by differences.
 struct Differenced<'a, M>(&'a M);
 
 impl<M> ODE<M::Scalar, M::State> for Differenced<'_, M>

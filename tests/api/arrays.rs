@@ -1,5 +1,5 @@
-//! Types of declarations with arrays beside those that are written out: arrays in their fields, the
-//! same bits in their results.
+//! Types of declarations with arrays beside those written out: arrays in their fields, and
+//! identical bits in their results.
 
 use lagrange::Simulate;
 use lagrange::system::{ControlledSystem, Equations, KernelSystem, LanesSystem, MechanicalSystem};
@@ -48,7 +48,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Balls that are dropped side by side.
+    /// Balls dropped side by side.
     #[scalar(f32)]
     #[derive(Clone, Debug)]
     struct Balls;
@@ -64,7 +64,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Beads on springs, also for numbers side by side and as a kernel.
+    /// Beads on springs, also in lanes and as a kernel.
     struct Beads;
 
     param k[2] = [1, 4];
@@ -75,7 +75,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Every array is used somewhere, and every constant counts something: warnings are errors
+    /// Every array is used somewhere, and every constant is a count, because warnings are errors
     /// here.
     #[deny(unused_variables)]
     struct Used;

@@ -1,13 +1,13 @@
-//! The laws of Newton and Euler for every body of random scenes: what is handed out to be drawn are
-//! all the forces there are.
+//! Newton's and Euler's laws for every body of random scenes: the forces handed out for drawing are
+//! complete.
 //!
-//! With ρ from P to the centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z = M_P for any point P of
-//! the body.
+//! With ρ from P to the centre of mass, `m a = F` and `J_P ω̇ + m (ρ × a_P)_z = M_P` for any point
+//! P of the body.
 
 use lagrange::body::Motion;
 use lagrange::scene::{Item, Plane, Scene};
 
-/// How many random states and parameters each scene is tried with.
+/// Number of random states and parameters for each scene.
 const TRIALS: u64 = 60;
 
 lagrange::system! {
@@ -73,18 +73,18 @@ lagrange::system! {
     emit { motion, drawing }
 }
 
-/// Knuth's generator of 64 bits with the constants of MMIX.
+/// Knuth's 64-bit generator with the constants of MMIX.
 struct Random(u64);
 
 impl Random {
     fn new(seed: u64) -> Random {
         let mut random = Random(seed);
-        // The first numbers of neighbouring seeds are alike.
+        // The first numbers of neighbouring seeds are similar.
         let _: [f64; 4] = random.vector();
         random
     }
 
-    /// A number in [−1, 1).
+    /// Draws a number in [−1, 1).
     fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 32) as f64 / f64::from(u32::MAX) * 2.0 - 1.0
@@ -103,8 +103,8 @@ fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// What acts on one body: the force, the moment about a place, and how large what is summed there
-/// is.
+/// The load on one body: the force, the moment about a place, and the magnitude of the summands
+/// there.
 #[derive(Default)]
 struct Load {
     force: [f64; 2],
@@ -135,7 +135,7 @@ fn loads<T: Scene<Scalar = f64, Space = Plane>>(
     load
 }
 
-/// The bodies of a scene with how they move.
+/// Returns the bodies of a scene with their motions.
 fn bodies<T: Scene<Scalar = f64, Space = Plane>>(
     system: &T,
     q: &T::Coordinates,
@@ -202,7 +202,7 @@ fn forces_on_what_rolls_and_slides_are_those_that_move_it() {
             push: random.number(),
         };
         let (mut q, mut v) = (random.vector(), random.vector());
-        // The contact of a wheel is where it touches only if it does.
+        // The contact of a wheel is at the point of contact only if the wheel touches.
         if carried.project(0.3, &mut q, &mut v).is_ok() {
             assert_laws(&carried, &q, &v, &mut random);
             projected += 1;

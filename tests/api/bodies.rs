@@ -1,5 +1,4 @@
-//! How bodies move and what there is to draw of them, by what is emitted for `motion` and
-//! `drawing`.
+//! Motions of bodies and drawings of them, from the methods emitted for `motion` and `drawing`.
 
 use lagrange::Scalar;
 use lagrange::body::Motion;
@@ -38,7 +37,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same numbers in single precision.
+    /// A rod in single precision.
     #[scalar(f32)]
     pub struct Rod;
 
@@ -50,7 +49,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A system whose names are also those of generated code.
+    /// A system whose names also occur in generated code.
     pub struct Visit<Item>;
 
     param visit = 2.0, Motion = 1.0;
@@ -70,7 +69,7 @@ fn crane() -> Crane<f64> {
     Crane { u: 0.7, ..Crane::default() }
 }
 
-/// The state a short while later by a step of Runge and Kutta, whose error of fifth order is below
+/// Returns the state a short while later, by a Runge–Kutta step whose error of fifth order is below
 /// rounding here.
 fn later(system: &Crane<f64>, time: f64) -> [f64; 6] {
     let moved = |by: &[f64; 6], h: f64| std::array::from_fn(|i| STATE[i] + h * by[i]);
@@ -92,8 +91,8 @@ fn halves([x, a, b, dx, da, db]: [f64; 6]) -> ([f64; 3], [f64; 3]) {
     ([x, a, b], [dx, da, db])
 }
 
-/// The rate of a function of the motion of a body along the motion of the system, by differences of
-/// sixth order.
+/// Returns the rate of a function of the motion of a body along the motion of the system, by
+/// differences of sixth order.
 fn rate<const N: usize>(motion: Method, f: impl Fn(&Motion<f64>) -> [f64; N]) -> [f64; N] {
     const STEP: f64 = 1e-3;
     let system = crane();
@@ -189,7 +188,7 @@ fn shapes_are_the_declared_ones() {
     assert_eq!(seen, 1);
 }
 
-/// The kinds of the items and the names of what they are or act on.
+/// Returns the kinds of the items with the names of what they show or act on.
 fn listed(system: &Crane<f64>) -> Vec<String> {
     let ((q, v), mut list) = (halves(STATE), Vec::new());
     system.items(TIME, &q, &v, &mut |item| {
@@ -213,7 +212,7 @@ fn items_come_in_the_order_in_which_they_are_drawn() {
     assert_eq!(list[..5], head);
     assert!(list[5].starts_with("TorsionDamper "), "{list:?}");
     assert_eq!(list[6], "Pin axle");
-    // The axle holds whatever the coordinates are, so its force is not known.
+    // The coordinates imply the axle, so its force is unknown.
     assert!(!list.iter().any(|item| item.contains("Joint")), "{list:?}");
     assert_eq!(list.last().map(String::as_str), Some("omitted axle"));
     for load in ["force Applied wheel", "force Gravity boom", "force Connector trolley"] {
@@ -244,7 +243,7 @@ fn motions_of_other_scalars_are_the_same() {
     }
 }
 
-/// How many items a scene of any scalar hands out.
+/// Counts the items that a scene of any scalar hands out.
 fn count<S: Scalar, T: Scene<Scalar = S, Coordinates = [S; 2], Velocities = [S; 2]>>(system: &T) -> usize {
     let mut count = 0;
     system.items(S::ZERO, &[S::ONE, S::ONE], &[S::ONE, S::ZERO], &mut |_| count += 1);

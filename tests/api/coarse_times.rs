@@ -1,5 +1,5 @@
-//! Runs by default settings where neighbouring times are far apart: right as far as times can tell,
-//! or refused with words.
+//! Runs with default settings where neighbouring times are far apart: as accurate as times allow,
+//! or refused with an error.
 
 use lagrange::Simulate;
 use lagrange::event::Direction;
@@ -44,9 +44,9 @@ lagrange::system! {
     potential = 9.81 * y;
 }
 
-/// Checks a run of three seconds, in which bodies fall by one metre, from each power of ten on:
-/// with errors as long as a motion takes in some roundings of time, or refused. Nothing is refused
-/// up to `finest`, everything is from `coarsest` on.
+/// Checks a run of three seconds, in which bodies fall by one metre, from each power of ten on. Its
+/// errors correspond to a few roundings of time, or it is refused. Nothing is refused up to
+/// `finest`, and everything from `coarsest` on.
 macro_rules! check_runs {
     ($($system:ident<$scalar:ty>, $method:expr, $finest:expr, $coarsest:expr;)*) => {
         $(
@@ -90,7 +90,7 @@ fn runs_are_refused_where_times_are_too_far_apart_for_their_events() {
     }
 }
 
-/// A function that jumps is located between two times, however far apart they are.
+/// A jump is located between two adjacent times, however far apart they are.
 #[test]
 fn jumps_are_located_between_two_times() {
     for start in [0.0, 1e10, 1e13] {

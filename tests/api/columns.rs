@@ -1,4 +1,4 @@
-//! What an emitted type tells integrators and tables of states about itself.
+//! The description that an emitted type gives to integrators and tables of states.
 
 use lagrange::system::{Columns, MechanicalSystem, SeparableSystem};
 

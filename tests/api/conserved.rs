@@ -28,7 +28,7 @@ lagrange::system! {
     emit { conserved }
 }
 
-/// The largest change of each column from its start, relative to `scale`.
+/// Returns the largest change of each column since its start, relative to `scale`.
 fn drift(columns: &[&[f64]], scale: f64) -> f64 {
     let changes = columns.iter().flat_map(|column| column.iter().map(|value| value - column[0]));
     changes.fold(0.0, |largest: f64, change| largest.max(change.abs() / scale))

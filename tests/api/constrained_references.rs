@@ -1,5 +1,5 @@
-//! Compiled systems under constraints against reference values that an independent derivation
-//! computed with many digits. The statements are those of `tests/constrained/*.lag`, which
+//! Compiled systems under constraints against reference values of an independent derivation with
+//! many digits. The statements are those of `tests/constrained/*.lag`, which
 //! `lagrange-core/tests/constrained.rs` interprets.
 
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-/// A reference as a test: the compiled declaration at its states.
+/// Tests a reference: the compiled declaration at its states.
 macro_rules! reference {
     ($name:ident; $($statements:tt)*) => {
         mod $name {

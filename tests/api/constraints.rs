@@ -1,7 +1,7 @@
-//! Systems with constraints: multipliers, what is constrained, and the forces of the contacts.
+//! Systems with constraints: multipliers, constrained quantities, and contact forces.
 
 lagrange::system! {
-    /// A cylinder rolls down a slope; the contact is kept as two constraints.
+    /// A cylinder that rolls down a slope, with the contact as two constraints.
     #[derive(Clone, Debug)]
     struct Cylinder;
 
@@ -28,7 +28,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point that a moving track carries: the mass of the track does not matter.
+    /// A point on a moving track: the mass of the track does not matter.
     struct Carried;
 
     param m = 1.0, b = 0.5;
@@ -135,7 +135,7 @@ fn coordinates_without_inertia_follow_from_their_constraints() {
 }
 
 lagrange::system! {
-    /// A point mass on a rod whose length is kept.
+    /// A point mass on a rod of constant length.
     #[derive(Clone, Debug)]
     struct Rod;
 
@@ -148,7 +148,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Three points that move as one, which two of the constraints would do.
+    /// Three points that move as one; two of the constraints would suffice.
     #[derive(Clone, Debug)]
     struct Together;
 
@@ -162,7 +162,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same as the rod, drawn back by stabilisation.
+    /// The point mass on a rod with stabilisation.
     struct Stabilised;
 
     param m = 2.0, l = 1.0, g = 9.81, rate = 20.0;
@@ -178,7 +178,7 @@ fn projection_takes_the_shortest_way_onto_the_constraint() {
     let rod = Rod::default();
     let (mut q, mut v) = ([0.9, -1.2], [1.0, 0.5]);
     rod.project(0.0, &mut q, &mut v).expect("a rod can be brought to its length");
-    // Equal masses: straight towards the centre, and without the radial part of the velocity.
+    // Equal masses: straight towards the centre, and without the radial component of the velocity.
     crate::assert_close(q[0], 0.6);
     crate::assert_close(q[1], -0.8);
     let along = 1.0 * 0.8 + 0.5 * 0.6;
@@ -204,7 +204,7 @@ fn forces_of_redundant_constraints_are_shared_evenly() {
     for found in together.acceleration(0.0, &q, &v) {
         crate::assert_close(found, 3.0 / 4.5);
     }
-    // Of all λ with m a = f + Aᵀλ the shortest is normal to those that move nothing, (1, 1, −1).
+    // The shortest of all λ with m a = f + Aᵀλ is normal to (1, 1, −1), which moves nothing.
     let [first, second, third] = together.multipliers(0.0, &q, &v);
     crate::assert_close(first + third, 1.0 - 3.0);
     crate::assert_close(second - first, 1.0);
@@ -212,7 +212,7 @@ fn forces_of_redundant_constraints_are_shared_evenly() {
 }
 
 lagrange::system! {
-    /// A body on an inclined axle that is held in place, beside another one.
+    /// A body on a fixed inclined axle, beside another one.
     struct HeldOnAxle;
 
     param c = 0.5;
@@ -234,7 +234,7 @@ fn forces_of_constraints_that_always_depend_on_each_other_are_along_the_axle() {
         for (k, found) in accelerations.into_iter().enumerate() {
             assert!((found + if k == 4 { 9.81 } else { 0.0 }).abs() < 1e-12, "{c}: {accelerations:?}");
         }
-        // Of all forces that hold 9.81 n_z along the axle n, the smallest is parallel to it.
+        // The smallest force that holds 9.81 n_z along the axle n is parallel to it.
         let forces = system.multipliers(0.0, &q, &v);
         let square = forces.iter().map(|force| force * force).sum::<f64>();
         assert!((square - 9.81 * forces[2].abs()).abs() < 1e-11 && square > 1.0, "{c}: {forces:?}");
@@ -274,7 +274,7 @@ fn momenta_of_free_motion_leave_constraint_forces_out() {
 }
 
 lagrange::system! {
-    /// Two coordinates that share one inertia, until the constraint tells them apart.
+    /// Two coordinates that share one inertia until the constraint separates them.
     struct Shared;
 
     param m = 2.0;
@@ -286,7 +286,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A rod whose length is demanded twice, in different words.
+    /// A rod whose length is constrained twice, by different expressions.
     #[derive(Clone, Debug)]
     struct Doubled;
 
@@ -300,7 +300,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A pendulum that a stop at x = 0.3 sends back with half of its speed.
+    /// A pendulum that a stop at x = 0.3 reflects at half its speed.
     struct Struck;
 
     param m = 1.0, g = 9.81;
@@ -357,7 +357,8 @@ fn states_that_events_assign_are_put_onto_the_constraints() {
     assert!((9.81 * last[1] + kinetic(last) - later).abs() < 1e-9);
 }
 
-/// Two of its cranks may turn the same way or opposite ways from where they lie in a line.
+/// Two of the cranks may turn in the same or in opposite directions from the position where they
+/// are aligned.
 #[test]
 fn a_motion_that_constraints_do_not_determine_is_refused_in_finite_work() {
     use lagrange::Simulate;
@@ -367,9 +368,9 @@ fn a_motion_that_constraints_do_not_determine_is_refused_in_finite_work() {
     let run =
         ChangePoint::default().simulate(turning).until(30.0).tolerance(tolerance).max_steps(20_000).run();
     match run {
-        // It may pass the line again and again,
+        // It may pass the aligned position again and again,
         Ok(trajectory) => assert!((trajectory.p()[trajectory.len() - 1] - 60.0).abs() < 1e-6),
-        // or stop there, but not crawl.
+        // or stop there, but not slow down without end.
         Err(error) => assert!(matches!(error.cause, StepFailure::Stuck(_)), "{error}"),
     }
 }

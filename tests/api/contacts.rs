@@ -24,7 +24,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A slider on a rail, with a pendulum that makes the normal force depend on friction.
+    /// A slider on a rail, with a pendulum through which the normal force depends on friction.
     #[derive(Clone, Debug)]
     struct Slider;
 
@@ -101,7 +101,7 @@ fn the_event_of_a_reaction_switches_that_reaction() {
     );
 }
 
-/// M a = f + Aᵀλ + Dᵀr, A a = 0 and the law of friction: whatever the way by which they were found.
+/// M a = f + Aᵀλ + Dᵀr, A a = 0 and the law of friction hold, whatever the algorithm.
 #[test]
 fn friction_that_depends_on_the_normal_force_balances_all_equations() {
     for (rub, sign) in [(Friction::SlipsForwards, -1.0), (Friction::SlipsBackwards, 1.0)] {
@@ -152,7 +152,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same on one of them.
+    /// A block on one of these feet.
     #[derive(Clone, Debug)]
     struct OneFooted;
 
@@ -165,7 +165,7 @@ lagrange::system! {
     friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
 }
 
-/// A foot in the air changes nothing, however rough the floor and whatever its friction would do
+/// A foot in the air has no effect, however rough the floor and whatever its friction would be
 /// there.
 #[test]
 fn an_open_contact_takes_no_part() {
@@ -193,7 +193,7 @@ fn an_open_contact_takes_no_part() {
 }
 
 lagrange::system! {
-    /// A ball between a floor and a ceiling, which bounce by parameters and by speed.
+    /// A ball between a floor and a ceiling, with restitution by parameters and by speed.
     #[derive(Clone, Debug)]
     struct Restituted;
 
@@ -205,7 +205,8 @@ lagrange::system! {
     event ceiling = 1 - y, falling => impact(1 - loss * dot(y));
 }
 
-/// A parameter is judged before the first step, what depends on the state where it acts.
+/// A constant coefficient is checked before the first step, and one that depends on the state at
+/// each impact.
 #[test]
 fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_an_error() {
     let cause = |ball: Restituted, start: [f64; 2]| {
@@ -227,8 +228,8 @@ fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_an_error() {
     for (e, share) in [(1.0, 1.0), (0.0, 1.0), (-0.5, -1.0), (2.0, 0.5)] {
         assert!(cause(Restituted { e, share, ..Restituted::default() }, [0.5, 0.0]).is_ok(), "{e} {share}");
     }
-    // Downwards its formula for the ceiling exceeds one, upwards at 4 m/s it is −1 for the second
-    // of these.
+    // Moving down, its formula exceeds one at the ceiling; moving up at 4 m/s it is −1 for the
+    // second of these.
     assert!(cause(Restituted::default(), [0.5, -1.0]).is_ok());
     let refused = cause(Restituted { loss: 0.5, ..Restituted::default() }, [0.0, 6.0]);
     let Err((StepFailure::Restitution { contact: "ceiling", value }, _, time)) = refused else {

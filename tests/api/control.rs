@@ -1,4 +1,4 @@
-//! Inputs that are set during a run: by a law at every instant, by controllers that are sampled.
+//! Inputs set during a run: by a continuous law, or by sampled controllers.
 
 use std::f64::consts::PI;
 
@@ -87,7 +87,7 @@ fn a_feedback_balances_the_cart_as_the_reference_does() {
     assert_near(run.tolerance(1e-13).run().expect("balanced").last(), expected, 1e-12);
 }
 
-/// What every method finds: a law is part of the equations.
+/// A law is part of the equations, so all methods agree.
 #[test]
 fn all_methods_that_take_forces_of_velocities_follow_a_law() {
     let expected = state("controlled_cart_pole", Numbers::Decimal, 10.0);
@@ -172,8 +172,8 @@ lagrange::system! {
     event level = y, rising => stop;
 }
 
-/// From rest below it is pushed the way in which it moves, on the circle all the time, up to the
-/// level.
+/// From rest at the bottom it is pushed in its direction of motion, always along the circle, up to
+/// the level.
 #[test]
 fn constraints_and_stops_are_kept_under_control() {
     let bead = Bead::default();
@@ -189,12 +189,12 @@ fn constraints_and_stops_are_kept_under_control() {
             assert!((x.hypot(y) - 1.0).abs() < 1e-14 && (x * x_dot + y * y_dot).abs() < 1e-13);
         }
     }
-    // The work of the law, 4 ẋ² dt, along with its motion: φ̈ = 2 φ̇ cos² φ − g sin φ.
+    // The work of the law, 4 ẋ² dt, along its motion: φ̈ = 2 φ̇ cos² φ − g sin φ.
     let reference = pushed_angle(by_law.end_time());
     assert!((reference - PI / 2.0).abs() < 1e-8, "{reference} at {}", by_law.end_time());
 }
 
-/// The angle of the pushed bead, integrated by itself.
+/// Integrates the angle of the pushed bead separately.
 fn pushed_angle(end: f64) -> f64 {
     struct Angle;
     impl OdeSystem for Angle {
@@ -239,12 +239,12 @@ fn friction_breaks_loose_when_a_law_says_so() {
     assert!((slipped.time - 5.0).abs() < 1e-10, "{}", slipped.time);
     assert!((motion.last()[0] - 3.0_f64.powi(3) / 6.0).abs() < 1e-10);
     assert_eq!(motion.system_at_end().map(|crate_| crate_.floor), Some(Contact::Closed));
-    // The law is not part of the system that remains.
+    // The law is not part of the returned system.
     assert_eq!(motion.system_at_end().map(|crate_| crate_.side), Some(0.0));
 }
 
-/// Held forces: nothing for a second, 16 N for a second, which slides with 3 m/s², 30 N upwards,
-/// which lifts with 5 m/s².
+/// Held forces: zero for a second; 16 N for a second, which slides with 3 m/s²; 30 N upwards, which
+/// lifts with 5 m/s².
 #[test]
 fn contacts_and_friction_follow_held_inputs_that_jump() {
     let forces = |_: &Crate, t: f64, _: CrateState| match t.round() as u32 {
@@ -265,7 +265,7 @@ fn contacts_and_friction_follow_held_inputs_that_jump() {
     }
 }
 
-/// A law that adds to the inputs as they are adds once, however often contacts switch the system.
+/// A law that adds to the existing inputs adds once, however often contacts switch the system.
 #[test]
 fn a_law_builds_on_the_inputs_that_were_set() {
     let pulled = Crate { side: 6.0, ..Crate::default() };
@@ -278,7 +278,7 @@ fn a_law_builds_on_the_inputs_that_were_set() {
     assert!(motion.events().iter().any(|event| event.name == "floor"));
 }
 
-/// A slow controller sets what a law then follows.
+/// A slow controller provides the setpoint of a law.
 #[test]
 fn a_law_follows_what_a_sampled_controller_sets() {
     let axis = Axis::default();
@@ -286,7 +286,7 @@ fn a_law_follows_what_a_sampled_controller_sets() {
     let follow =
         |plant: &Axis, _, state: AxisState| AxisInputs { u: plant.u + 10.0 * state.x + 0.5 * state.x_dot };
     let run = axis.simulate([0.0, 0.0]).until(4.0).sampled(1.0, setting).drive(follow).tolerance(1e-12);
-    // ẍ = ±1/2, turned round at 2 s.
+    // ẍ = ±1/2, reversed at 2 s.
     let motion = run.run().expect("moves");
     assert_near(motion.last(), [1.0 + 2.0 - 1.0, 0.0], 1e-10);
 }
@@ -303,7 +303,7 @@ fn controllers_act_in_order_each_at_its_instants() {
         log.borrow_mut().push((2, (t * 10.0).round() / 10.0));
         ArmInputs { u2: plant.u1, ..plant.inputs() }
     };
-    // 3 · 0.1 is not 0.3: instants that differ by rounding are the same.
+    // 3 · 0.1 is not 0.3: instants that differ by rounding are equal.
     let run = arm.simulate([0.0; 4]).until(0.95).sampled(0.1, fast).sampled(0.3, slow).every_step();
     let motion = run.run().expect("moves");
     let mut expected = vec![(1, 0.0), (2, 0.0)];
@@ -321,7 +321,7 @@ fn controllers_act_in_order_each_at_its_instants() {
     }
 }
 
-/// Instants, times of restart and jumps in the declaration that nearly coincide: none is lost.
+/// No instant is lost among restarts and declared jumps that nearly coincide.
 #[test]
 fn instants_go_with_restarts_and_jumps_at_the_same_times() {
     lagrange::system! {
@@ -332,7 +332,7 @@ fn instants_go_with_restarts_and_jumps_at_the_same_times() {
         kinetic = 1/2 * dot(x)^2;
         force x = u + if t < begin { 0 } else { 100 };
     }
-    // 3 · 0.1 is not 0.3, and both are not what is between them.
+    // 3 · 0.1 is not 0.3, and neither is the number between them.
     for begin in [0.3, 0.1 * 3.0, 0.300_000_000_000_000_1] {
         let pushed = Pushed { begin, ..Pushed::default() };
         let steps = |_: &Pushed, t: f64, _| PushedInputs { u: (10.0 * t).round() };
@@ -346,8 +346,7 @@ fn instants_go_with_restarts_and_jumps_at_the_same_times() {
     }
 }
 
-/// A force that saturates in the declaration is found where it does: the order of a fixed step is
-/// kept.
+/// A declared saturation is located, so that fixed steps keep their order.
 #[test]
 fn saturation_that_is_declared_is_located() {
     lagrange::system! {
@@ -434,7 +433,7 @@ fn a_run_backwards_asks_controllers_backwards() {
     assert_near(motion.last(), [0.5 - 1.0 * -0.5 - 0.125, -0.5], 1e-12);
 }
 
-/// Inputs are also those of reduced types and of generic scalars.
+/// Reduced types and generic scalars have inputs, too.
 #[test]
 fn reduced_and_generic_systems_are_driven() {
     lagrange::system! {
@@ -453,7 +452,7 @@ fn reduced_and_generic_systems_are_driven() {
     assert!((motion.last()[0] - 2.0_f32.cos()).abs() < 1e-5);
 }
 
-/// A driven motion can be looked at between its steps.
+/// Dense output covers driven motions.
 #[test]
 fn dense_motions_are_driven_within_steps() {
     let cart = CartPole::default();
@@ -464,7 +463,7 @@ fn dense_motions_are_driven_within_steps() {
     assert_near(motion.at(1.234).expect("kept"), exact, 1e-9);
 }
 
-/// Several declared limits passed at once by inputs that jump: each side is found.
+/// Inputs that jump across several declared limits at once find each side.
 #[test]
 fn jumps_across_several_limits_find_all_sides() {
     lagrange::system! {
@@ -488,7 +487,7 @@ fn jumps_across_several_limits_find_all_sides() {
     }
 }
 
-/// A limit keeps friction sticking that the input alone would break.
+/// A limit keeps friction sticking where the input alone would break it loose.
 #[test]
 fn friction_feels_forces_on_the_right_side_of_their_limits() {
     lagrange::system! {
@@ -508,8 +507,7 @@ fn friction_feels_forces_on_the_right_side_of_their_limits() {
     assert!(motion.events().is_empty(), "{:?}", motion.events());
 }
 
-/// A controller may ask the system what other inputs would do, beyond the limits of the present
-/// ones.
+/// A controller may evaluate the system for other inputs, beyond the limits of the present ones.
 #[test]
 fn controllers_see_a_system_with_its_sides_free() {
     lagrange::system! {
@@ -529,7 +527,7 @@ fn controllers_see_a_system_with_its_sides_free() {
     assert!(motion.column("u").expect("an input").iter().all(|u| *u == 2.0));
 }
 
-/// An event that a jump of inputs makes happens although another one replaced the state at the same
+/// An event caused by a jump of inputs occurs even if another event replaced the state at the same
 /// instant.
 #[test]
 fn events_by_jumps_are_found_beside_others() {
@@ -545,7 +543,7 @@ fn events_by_jumps_are_found_beside_others() {
     assert_eq!(names, ["strong", "tick"]);
 }
 
-/// A law that settles where its force has a kink.
+/// A law may settle where its force has a kink.
 #[test]
 fn a_law_may_settle_on_a_kink() {
     lagrange::system! {

@@ -1,4 +1,4 @@
-//! Where declarations may stand and what is kept of their heads.
+//! Places for declarations, and the parts of their heads that are kept.
 
 mod inner {
     lagrange::system! {

@@ -5,7 +5,7 @@ use lagrange::event::Direction;
 use lagrange::integrate::RungeKutta4;
 
 lagrange::system! {
-    /// A room whose heater a thermostat switches, and the number of times it did.
+    /// A room whose heater a thermostat switches, with a count of the switchings.
     #[derive(Clone, Debug)]
     pub struct Room;
 
@@ -21,7 +21,8 @@ lagrange::system! {
     output heat = if heater != off { power } else { 0 };
 }
 
-/// The time in which the temperature passes from one value to another on its way to `limit`.
+/// Returns the time in which the temperature passes from one value to another on its way to
+/// `limit`.
 fn duration(from: f64, to: f64, limit: f64) -> f64 {
     ((limit - from) / (limit - to)).ln() / 0.1
 }
@@ -55,7 +56,7 @@ fn discrete_states_have_no_rate() {
     let state = RoomState { heater: 1.0, count: 7.0, ..room.start() };
     let rates = room.rhs(0.0, &state.into());
     assert_eq!(rates[2..4], [0.0, 0.0]);
-    // Rates are free, and so are values that no mode has.
+    // Rates accept any value, including those that no mode has.
     assert_eq!(room.rhs(0.0, &RoomState { heater: 0.5, ..state }.into())[1], -1.5);
 }
 
@@ -89,7 +90,7 @@ fn masses_and_events_may_depend_on_discrete_states() {
 }
 
 lagrange::system! {
-    /// A trolley whose force a sampled law holds between ticks.
+    /// A trolley with a sampled force, held between ticks.
     #[derive(Clone, Debug)]
     pub struct Held<S>;
 
@@ -103,7 +104,7 @@ lagrange::system! {
     every 2 * period => { seen = ticks; }
 }
 
-/// The trolley after some ticks and this much time since the last one.
+/// Returns the trolley after some ticks and a remaining time.
 fn held(ticks: u32, rest: f64) -> [f64; 2] {
     let (mut x, mut v) = (1.0_f64, 0.0_f64);
     for tick in 1..=ticks {
@@ -120,7 +121,7 @@ fn clocks_sample_and_hold() {
     let end = run.last();
     let expected = held(10, 0.05);
     assert!((end[0] - expected[0]).abs() < 1e-13 && (end[4] - expected[1]).abs() < 1e-13, "{end:?}");
-    // A sample at a tick shows the state after it, with the clock that was declared first.
+    // A sample at a tick shows the state after it; the clock declared first comes first.
     for (k, t) in run.times().iter().enumerate() {
         let ticks = (t / 0.1 + 1e-9).floor() + 1.0;
         assert_eq!(run.ticks()[k], ticks, "at {t}");
@@ -194,7 +195,7 @@ fn impossible_clocks_are_refused() {
 }
 
 lagrange::system! {
-    /// Two relays of one kind, of which one drives the other.
+    /// Two relays of one kind, one of which drives the other.
     #[derive(Clone, Debug)]
     pub struct Relays;
 
@@ -234,7 +235,8 @@ fn parts_and_arrays_have_modes() {
 }
 
 lagrange::system! {
-    /// Two discs that collide centrally with local names for the impact, and a clock with some.
+    /// Two discs in a central collision, with local names for the impact, and a clock with local
+    /// names.
     #[derive(Clone, Debug)]
     pub struct Collision;
 
@@ -269,7 +271,7 @@ fn handlers_have_local_names() {
 }
 
 lagrange::system! {
-    /// A body that passes an origin while a controller samples where it is.
+    /// A body that passes an origin while a controller samples its position.
     #[derive(Clone, Debug)]
     pub struct Sampled;
 

@@ -1,10 +1,10 @@
-//! Outputs in the units behind their names.
+//! Outputs in the units that follow their names.
 
 use lagrange::Simulate;
 use lagrange::system::MechanicalSystem;
 
 lagrange::system! {
-    /// A motor on an axle, with readings as on its instruments.
+    /// A motor on an axle, with readings as on instruments.
     #[derive(Clone, Debug)]
     struct Axle;
 
@@ -31,7 +31,7 @@ lagrange::system! {
     reduce Small { small phi; }
 }
 
-/// Distance of a few roundings.
+/// Asserts equality up to a few roundings.
 fn assert_near(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "{found}, not {expected}");
 }

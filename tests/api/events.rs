@@ -8,7 +8,7 @@ use lagrange::simulate::Ending;
 use lagrange::system::OdeSystem;
 
 lagrange::system! {
-    /// As many events as the language allows.
+    /// A system with the largest number of events that the language allows.
     struct Many;
 
     coord x;
@@ -117,8 +117,8 @@ fn assignments_are_made_at_once() {
     assert_eq!(run.events().len(), 1);
 }
 
-/// From m v²/l − m g cos = tension and the energy: slack at the height (v₀² − 2 g l) / (3 g) above
-/// the pivot.
+/// The tension is `m v²/l − m g cos`. By the energy, the string becomes slack at the height
+/// `(v₀² − 2 g l) / (3 g)` above the pivot.
 #[test]
 fn a_string_becomes_slack_where_its_force_would_turn() {
     let ball = Ball::default();

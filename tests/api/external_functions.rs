@@ -18,7 +18,7 @@ fn road_second_derivative<S: Scalar>(x: S) -> S {
 }
 
 lagrange::system! {
-    /// A bead on a road that the crate knows.
+    /// A bead on a road defined by the crate.
     #[derive(Clone, Debug)]
     struct Bead;
     function road(x);
@@ -29,7 +29,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with the formula of the road.
+    /// The bead with the formula of the road.
     #[derive(Clone, Debug)]
     struct Written;
     let road(x) = x^2 / 2 + cos(x);
@@ -40,7 +40,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in any number type.
+    /// The bead in any number type.
     struct AnyBead<S>;
     function road(x) { derivative: road_derivative; second_derivative: road_second_derivative; }
     param m = 2, g = 9.81;
@@ -131,7 +131,7 @@ fn jacobians_go_through_functions_of_two_arguments() {
     assert_eq!(wing.twice(0.0, &q, &v), 0.3);
 }
 
-/// Without a value below zero.
+/// Returns depth^(3/2), undefined below zero.
 fn three_halves(depth: f64) -> f64 {
     depth.powf(1.5)
 }
@@ -156,7 +156,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with the formulas.
+    /// The bouncing balls with the formulas.
     struct BouncingByFormulas;
     let three_halves(x) = x^(3/2);
     let five_thirds(x) = x^(5/3);
@@ -170,7 +170,7 @@ lagrange::system! {
         + (if 2*z < -gap { k * three_halves(-gap - 2*z) } else { 0 });
 }
 
-/// The end of a motion with many bounces, in adaptive and in equal steps.
+/// Returns the end of a motion with many bounces, in adaptive and in equal steps.
 fn ends<M: MechanicalSystem<Scalar = f64, State = [f64; 6]>>(system: &M) -> [[f64; 6]; 2] {
     let run = || system.simulate([0.5, 0.4, 0.0, 0.0, 0.1, 1.0]).until(3.0).ends_only();
     let adaptive = run().tolerance(1e-12).run().expect("adaptive steps cross");

@@ -1,5 +1,5 @@
-//! What runs of emitted systems say when they fail: parameters, components, events and coordinates
-//! by name, with values and times.
+//! Errors from runs of emitted systems: parameters, components, events and coordinates by name,
+//! with values and times.
 
 use lagrange::event::{Action, Direction, Occurrence, integrate_with_events};
 use lagrange::integrate::{RungeKutta4, Verner98, integrate};
@@ -7,7 +7,7 @@ use lagrange::system::Wrapper;
 use lagrange::{Scalar, Simulate};
 
 lagrange::system! {
-    /// A cart that carries a pendulum under a root that ends at x = 1.
+    /// A cart that carries a pendulum, with a square root that ends at x = 1.
     #[derive(Clone, Debug)]
     struct Cart;
 
@@ -22,7 +22,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A spinning coin whose spin ends in a root of −1 where it falls on the floor.
+    /// A spinning coin whose spin becomes the root of −1 when it falls on the floor.
     #[derive(Clone, Debug)]
     struct Thrown;
 
@@ -53,7 +53,7 @@ lagrange::system! {
 
 const START: [f64; 4] = [0.1, 0.2, 0.3, 0.4];
 
-/// The message of a run of two seconds.
+/// Returns the message of a run of two seconds.
 fn said(cart: &Cart, start: [f64; 4]) -> String {
     cart.simulate(start).until(2.0).run().expect_err("fails").to_string()
 }
@@ -92,7 +92,7 @@ fn a_component_of_the_start_that_is_not_finite_is_named() {
             start[index] = value;
             let expected = format!("`{name}` of the state is {value:?} (at time 0.0)");
             assert_eq!(said(&Cart::default(), start), expected);
-            // What an infinite parameter does is no matter beside it.
+            // It takes precedence over the consequences of an infinite parameter.
             assert_eq!(said(&Cart { g: f64::INFINITY, ..Cart::default() }, start), expected);
             for end in [
                 integrate(&Cart::default(), 0.0, start, 2.0, &Verner98::tolerance(1e-9), |_, _| {}).map(drop),
@@ -197,7 +197,7 @@ fn events_are_named_as_they_were_declared_or_given() {
     assert!(bare.to_string().starts_with(expected), "{bare}");
 }
 
-/// The cart with a filter of the first order.
+/// The cart with a first-order filter.
 struct Filtered(Cart);
 
 impl Wrapper for Filtered {
@@ -234,7 +234,7 @@ fn wrappers_name_what_is_inside() {
     assert!(rate.starts_with("the rate of the component at index 4 is NaN at time 0.0"), "{rate}");
 }
 
-/// A number type of one's own is no reason not to know names.
+/// Systems generic over a user's number type report names, too.
 #[test]
 fn generic_systems_know_their_names() {
     fn said<S: Scalar>(zero: S) -> String {

@@ -42,7 +42,7 @@ lagrange::system! {
     event full = v - 1, rising => { v = 0; count = count + 1; }
 }
 
-/// Voltages by the eigenvalues −(3 ± √5)/2 of the two circuits with r c = 1.
+/// Returns voltages by the eigenvalues −(3 ± √5)/2 of the two circuits with r c = 1.
 fn ladder(t: f64) -> [f64; 2] {
     let root = 5.0_f64.sqrt();
     let [fast, slow] = [-(3.0 + root) / 2.0, -(3.0 - root) / 2.0];

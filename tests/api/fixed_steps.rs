@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass on a spring whose other end is moved; from rest at 0 it follows (cos t − cos 2t)/3.
+    /// A mass on a spring whose other end moves; from rest at 0 it follows (cos t − cos 2t)/3.
     struct Driven<S>;
 
     param k = 4.0;
@@ -32,7 +32,7 @@ lagrange::system! {
     potential = spring_energy(k, x - cos(t) / k);
 }
 
-/// The state at `end`, and the largest difference from `reached`.
+/// Returns the state at `end`, and the largest difference from `reached`.
 fn error<M, K, const N: usize>(system: &M, start: [f64; N], end: f64, reached: [f64; N], method: &K) -> f64
 where
     M: OdeSystem,
@@ -51,7 +51,8 @@ fn driven_end(t: f64) -> [f64; 2] {
     [(t.cos() - (2.0 * t).cos()) / 3.0, (2.0 * (2.0 * t).sin() - t.sin()) / 3.0]
 }
 
-/// log₂ of the ratio of errors as steps are halved, for the driven mass, half an orbit and a swing.
+/// Returns log₂ of the ratio of errors as steps are halved, for the driven mass, half an orbit and
+/// a swing.
 fn observed<K>(method: fn(f64) -> K, steps: f64) -> [f64; 3]
 where
     K: Method<Driven<f64>> + Method<Planet<f64>> + Method<Pendulum<f64>>,
@@ -70,8 +71,8 @@ where
     ]
 }
 
-/// Where the swing from the lowest point leads in two seconds, by a method tested elsewhere, with
-/// short steps.
+/// Returns the state of the swing two seconds after the lowest point, by a method tested elsewhere,
+/// with short steps.
 fn swing_end() -> [f64; 2] {
     let method = RungeKutta4 { step: 2.5e-4 };
     integrate(&Pendulum::default(), 0.0, [0.0, 2.0], 2.0, &method, |_, _| {}).expect("an ordinary motion")

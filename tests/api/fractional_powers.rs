@@ -1,5 +1,5 @@
-//! Fractional powers, roots and logarithms of what switches: runs pass through zero, by every
-//! method.
+//! Fractional powers, roots and logarithms of switching expressions: runs pass through zero by
+//! every method.
 
 use lagrange::Simulate;
 use lagrange::integrate::{
@@ -53,8 +53,8 @@ fn valleys_of_every_power_are_crossed_in_their_period_by_every_method() {
             after_a_period(p, period, &StormerVerlet { step }),
             after_a_period(p, period, &BlanesMoan4 { step }),
         ];
-        // The slope of a force |x|^(1/5) is infinite at zero: a step there errs by h^(6/5) at
-        // least.
+        // The slope of a force |x|^(1/5) is infinite at zero: a step across it has an error of at
+        // least h^(6/5).
         let allowed = if p < 2.0 { 2e-3 } else { 1e-4 };
         assert!(errors.iter().all(|error| *error < allowed), "{p}: {errors:?}");
     }
@@ -73,8 +73,8 @@ fn valleys_are_crossed_in_single_precision_too() {
 }
 
 lagrange::system! {
-    /// The same valley by its force x |x|ⁿ⁻¹, whose factors are 0 and infinite in the middle where
-    /// n < 1.
+    /// The valley by its force x |x|ⁿ⁻¹, whose factors are 0 and infinite in the middle for n below
+    /// one.
     #[derive(Clone, Debug)]
     struct Pulled<S>;
 
@@ -99,7 +99,7 @@ fn forces_with_a_power_below_one_are_crossed_in_their_period() {
         let single = Pulled::<f32> { n: p as f32 - 1.0, ..Pulled::default() };
         let run = single.simulate([1.0, 0.0]).until(period as f32).tolerance(1e-5).run().unwrap();
         assert!((run.last()[0] - 1.0).abs() < 3e-4, "{p}: {:?}", run.last());
-        // In the middle, where it starts.
+        // A start in the middle.
         let run = pulled.simulate([0.0, 1.0]).until(1.0).run().unwrap();
         assert!(run.last().iter().all(|entry| entry.is_finite()), "{p}: {:?}", run.last());
     }
@@ -118,7 +118,7 @@ macro_rules! conservative {
             output parameters = k + n;
         })*
 
-        /// The energy that a run gains in each system, by the given method.
+        /// Returns the energy that a run gains in each system with a given method.
         fn gains() -> Vec<(&'static str, f64, f64)> {
             vec![$({
                 let system = $name::default();
@@ -156,7 +156,7 @@ fn conservative_forces_with_roots_keep_the_energy() {
 }
 
 lagrange::system! {
-    /// A mass that leaks through an orifice in its damper, with the hysteresis of Bouc and Wen.
+    /// A mass with an orifice damper and Bouc–Wen hysteresis.
     #[derive(Clone, Debug)]
     struct Damped;
 
@@ -187,7 +187,7 @@ fn losses_with_fractional_powers_do_not_depend_on_the_method() {
 }
 
 lagrange::system! {
-    /// A bead drawn to a pole.
+    /// A bead attracted by a pole.
     #[derive(Clone, Debug)]
     struct Pole;
 

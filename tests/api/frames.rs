@@ -31,7 +31,7 @@ fn assert_near<const N: usize>(found: [f64; N], expected: [f64; N], tolerance: f
     }
 }
 
-/// The rate along a motion of constant acceleration, by differences of fourth order.
+/// Returns the rate along a motion of constant acceleration, by differences of fourth order.
 fn rate<const N: usize>(f: impl Fn(&[f64; 2], &[f64; 2]) -> [f64; N]) -> [f64; N] {
     const STEP: f64 = 1e-3;
     let a = Arm::<f64>::default().acceleration(0.0, &Q, &V);
@@ -50,8 +50,8 @@ fn frames_are_where_geometry_puts_them() {
     let (rotation, origin) = arm.tool_frame(0.0, &Q);
     let along = [sin_lift * cos, sin_lift * sin, cos_lift];
     assert_near(origin, [0.8 * along[0], 0.8 * along[1], 0.3 + 0.8 * along[2]], 1e-15);
-    // Turned by a quarter about x: its y-axis is the rod, its z-axis against that of the rod's
-    // y-axis.
+    // A quarter turn about x: its y-axis is the rod, its z-axis is opposite to the y-axis of the
+    // rod.
     assert_near(rotation.map(|row| row[1]), along, 1e-15);
     assert_near(rotation.map(|row| row[2]), [sin, -cos, 0.0], 1e-15);
     assert_eq!(arm.column_frame(0.0, &Q).1, [0.0; 3]);
@@ -72,7 +72,7 @@ fn jacobians_times_velocities_are_velocities() {
         assert_near([wx, wy, wz], motion.angular_velocity, 1e-15);
         assert_near([x, y, z], motion.velocity_of([0.0; 3]), 1e-15);
     }
-    // What lifts the rod does not move the column, exactly.
+    // Raising the rod does not move the column, exactly.
     assert!(arm.column_jacobian(0.0, &Q).iter().all(|row| row[1] == 0.0));
 }
 
@@ -99,7 +99,8 @@ fn energy_and_momentum_are_those_of_the_system() {
     let motions = [arm.column_motion(0.0, &Q, &V), arm.rod_motion(0.0, &Q, &V)];
     let energy = motions.iter().map(SpatialMotion::kinetic_energy).sum::<f64>();
     assert_near([energy], [arm.kinetic_energy(0.0, &Q, &V)], 1e-14);
-    // The generalised momentum of a turn about a vertical axis is the angular momentum about it.
+    // The generalised momentum of a rotation about a vertical axis is the angular momentum about
+    // it.
     let momentum = motions.iter().map(|motion| motion.angular_momentum()[2]).sum::<f64>();
     assert_near([momentum], [arm.momenta(0.0, &Q, &V)[0]], 1e-14);
     let rate_of_momentum = rate(|q, v| {
@@ -109,7 +110,7 @@ fn energy_and_momentum_are_those_of_the_system() {
     assert_near(rate_of_momentum, [0.0], 1e-9);
 }
 
-/// The place of the tool in any scalar.
+/// Returns the position of the tool in any scalar.
 fn tool<S: Scalar>(arm: &Arm<S>) -> [S; 3] {
     arm.tool_frame(S::ZERO, &Q.map(S::from_f64)).1
 }

@@ -4,8 +4,7 @@ use lagrange::Simulate;
 use lagrange::integrate::StepFailure;
 
 lagrange::system! {
-    /// A crate on a floor, with a limit that may be anything, and a guide that is pressed from
-    /// either side.
+    /// A crate on a floor, with a limit of any sign, and a guide pressed from either side.
     #[derive(Clone, Debug)]
     struct Limited;
 
@@ -40,7 +39,7 @@ fn negative_limits_of_friction_are_errors_by_name() {
 }
 
 lagrange::system! {
-    /// A block whose friction has a limit that changes its sign at t = 1.
+    /// A block with a friction limit that changes its sign at t = 1.
     #[derive(Clone, Debug)]
     struct Fading;
 
@@ -63,7 +62,7 @@ fn limits_that_turn_negative_between_events_count_by_their_magnitude() {
     let stop = 1.0 + f64::sqrt(0.2);
     assert!(friction == "rub" && (value + f64::sqrt(0.2)).abs() < 1e-6, "{error}");
     assert!((error.time() - stop).abs() < 1e-6, "{error}");
-    // A limit that is negative from the start is refused there.
+    // A limit that is negative at the start is refused there.
     let error =
         Fading::default().simulate([0.0, 2.0]).from(1.5).until(3.0).run().expect_err("a negative limit");
     assert!(matches!(error.cause, StepFailure::FrictionLimit { .. }) && error.time() == 1.5, "{error}");

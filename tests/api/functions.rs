@@ -1,4 +1,4 @@
-//! Every elementary function has a name in emitted code and stands in the description of the
+//! Every elementary function has a name in emitted code and an entry in the description of the
 //! language.
 
 use std::collections::BTreeSet;

@@ -1,4 +1,4 @@
-//! What is there for messages about products that are not emitted gets in nobody's way.
+//! Hints for products that are not emitted interfere with nothing.
 
 use lagrange::system::OdeSystem;
 
@@ -12,7 +12,7 @@ lagrange::system! {
 }
 
 impl Bead {
-    /// The stiffness, under a name that a product has.
+    /// The stiffness, under the name of a product.
     const STATEMENTS: usize = 2;
 
     fn energy(&self) -> f64 {
@@ -20,7 +20,7 @@ impl Bead {
     }
 }
 
-/// Names of products on everything.
+/// Methods with the names of products, on every type.
 trait Own {
     fn bias(&self) -> usize {
         7
@@ -48,7 +48,7 @@ fn methods_of_ones_own_are_found_first() {
 }
 
 lagrange::system! {
-    /// A system whose mass has no default, with a default of one's own.
+    /// A system whose mass has no default, with a handwritten default.
     struct Weight<S>;
     param m;
     coord y;

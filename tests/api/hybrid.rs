@@ -88,7 +88,7 @@ fn declared_events_record_replace_and_stop() {
 fn a_declared_block_stops_and_starts_again() {
     let block = Block { pull: 1.0, ..Block::default() };
     let trajectory = block.simulate([-3.0, 0.0, 1.0, 0.0]).until(7.0).tolerance(1e-12).run().expect("runs");
-    // At rest, rounding of the velocity is no change of its sign.
+    // At rest, a rounding error of the velocity is no change of its sign.
     assert_eq!(
         trajectory.events().iter().map(|event| event.name.as_str()).collect::<Vec<_>>(),
         ["turn", "rub", "rub"]
@@ -102,7 +102,7 @@ fn a_declared_block_stops_and_starts_again() {
     assert_eq!((end.floor, end.rub), (Contact::Closed, Friction::SlipsForwards));
 }
 
-/// The bead's speed along the wire is turned round without loss, and it stays on the wire.
+/// The bead's speed along the wire is reversed without loss, and the bead stays on the wire.
 #[test]
 fn an_impact_within_a_mechanism_keeps_its_constraints() {
     let bead = Bead::default();
@@ -117,8 +117,8 @@ fn an_impact_within_a_mechanism_keeps_its_constraints() {
     assert!(trajectory.iter().all(|(_, [x, ..])| x > -0.5 - 1e-9));
 }
 
-/// The wire and its rate are zero but for rounding, whose sign changes at random. The bead passes
-/// the lowest point, which counts, once in half a period.
+/// The wire and its rate are zero up to rounding, whose sign changes at random. The bead passes the
+/// lowest point, which is counted, once in half a period.
 #[test]
 fn what_a_constraint_holds_at_zero_has_no_events() {
     for tolerance in [1e-6, 1e-9, 1e-12] {
@@ -172,7 +172,7 @@ lagrange::system! {
     emit { momentum_rates }
 }
 
-/// Methods that integrate momenta feel contacts and friction as well, or refuse.
+/// Checks that a method that integrates momenta includes contacts and friction, or refuses.
 fn comes_to_rest(method: impl Method<Sliding>) {
     let sliding = Sliding::default();
     let simulation = sliding.simulate([0.0, 6.0, 3.0, 0.0]).until(3.0).method(method);
@@ -181,7 +181,8 @@ fn comes_to_rest(method: impl Method<Sliding>) {
     assert_eq!(found, ["table", "rub"], "{}", trajectory.method());
     let [_, y, u, v] = trajectory.last();
     assert!((y - 5.0).abs() < 1e-9 && u.abs() < 1e-9 && v.abs() < 1e-9, "{:?}", trajectory.last());
-    // The impact takes μ of what it stops, friction the rest: u = 3 − μ (√(2 g) + g t).
+    // The impact takes μ of the momentum that it stops, friction the rest: u = 3 − μ (√(2 g) + g
+    // t).
     let fall = (2.0_f64 / 9.81).sqrt();
     let stop = fall + (3.0 - 0.25 * (2.0_f64 * 9.81).sqrt()) / (0.25 * 9.81);
     assert!((trajectory.events()[1].time - stop).abs() < 1e-10, "{}", trajectory.events()[1].time);
@@ -220,7 +221,7 @@ lagrange::system! {
     event shelf = y - 5, falling => impact(e);
 }
 
-/// When a ball that falls by 1 m has come to rest: √(2/g) (1 + e)/(1 − e).
+/// Returns the time at which a ball dropped from 1 m comes to rest: √(2/g) (1 + e)/(1 − e).
 fn rest(e: f64) -> f64 {
     (2.0 / 9.81_f64).sqrt() * (1.0 + e) / (1.0 - e)
 }
@@ -235,8 +236,8 @@ fn balls_come_to_rest_wherever_the_floor_is_and_however_they_bounce() {
         let Some(EventKind::Closed { at, .. }) = trajectory.events().last().map(|event| event.kind) else {
             panic!("{:?} for {e}", trajectory.events().last())
         };
-        // Heights are rounded to 10⁻¹⁵, which small speeds turn into longer times, and later
-        // bounces carry on.
+        // Heights are rounded to 10⁻¹⁵. For small speeds this corresponds to longer times, which
+        // accumulate over later bounces.
         assert!((at - rest(e)).abs() < 2e-9 / (1.0 - e), "{at} for {e}");
         assert_eq!(trajectory.last(), [5.0, 0.0]);
     }
@@ -285,7 +286,7 @@ fn a_block_that_lies_is_thrown_back_by_a_wall() {
 }
 
 lagrange::system! {
-    /// A block on a surface that is smooth up to x = 1 and ever rougher from there.
+    /// A block on a surface that is smooth up to x = 1 and increasingly rough beyond.
     struct Rougher;
 
     param m = 2.0, c = 3.0, pull = 0.0;
@@ -301,11 +302,11 @@ fn friction_that_begins_on_the_way_is_met_and_is_no_event() {
     let trajectory = rougher.simulate([0.0, 2.0]).until(4.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
     assert_eq!((event.name.as_str(), event.kind), ("rough", EventKind::Stuck));
-    // A quarter of a swing about x = 1 with ω = √(c/m).
+    // A quarter period about x = 1 with ω = √(c/m).
     let omega = (3.0_f64 / 2.0).sqrt();
     assert!((trajectory.last()[0] - (1.0 + 2.0 / omega)).abs() < 1e-10);
     assert!((event.time - (0.5 + 0.5 * std::f64::consts::PI / omega)).abs() < 1e-9, "{}", event.time);
-    // What rests where it is smooth is moved by any force.
+    // Any force moves a body that rests on the smooth part.
     let pulled = Rougher { pull: 1.0, ..rougher };
     let trajectory = pulled.simulate([0.0, 0.0]).until(1.5).tolerance(1e-12).run().expect("runs");
     assert!((trajectory.last()[0] - 1.5_f64.powi(3) / 12.0).abs() < 1e-12);

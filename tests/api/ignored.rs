@@ -72,7 +72,7 @@ lagrange::system! {
     reduce Held { ignore y; freeze z[0] = height; }
 }
 
-/// States that are neither special nor small.
+/// Returns generic states, neither special nor small.
 fn numbers<const N: usize>() -> impl Iterator<Item = [f64; N]> {
     (0..100)
         .map(f64::from)
@@ -199,8 +199,8 @@ fn motions_are_those_of_the_whole_system_with_the_ignored_angle() {
     }
 }
 
-/// A conical pendulum turns at Ω² = g/(l cos θ). About that it swings at ω² = g (1 + 3 cos² θ)/(l
-/// cos θ), from the effective potential (Landau and Lifshitz, *Mechanics*, §14, problem 1).
+/// A conical pendulum turns at Ω² = g/(l cos θ). About this motion it swings at ω² = g (1 + 3 cos²
+/// θ)/(l cos θ), from the effective potential (Landau and Lifshitz, *Mechanics*, §14, problem 1).
 #[test]
 fn small_swings_about_a_steady_motion_have_the_frequency_of_the_textbook() {
     let whole = Single::default();

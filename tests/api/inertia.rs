@@ -1,5 +1,5 @@
-//! Moments of inertia, derived by integration: functions of Rust, of the language, and the laws
-//! that they obey.
+//! Moments of inertia, derived by integration: functions of Rust and of the language, and the laws
+//! that they satisfy.
 
 mod compound;
 mod derived;
@@ -8,7 +8,8 @@ mod language;
 mod laws;
 mod quadrature;
 
-/// Whether two numbers agree to thirteen digits, or to so much of `scale` if that is larger.
+/// Asserts that two numbers agree to thirteen digits, or to that fraction of `scale` if it is
+/// larger.
 #[track_caller]
 fn assert_same(what: &str, found: f64, expected: f64, scale: f64) {
     let error = (found - expected).abs();

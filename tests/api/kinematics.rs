@@ -1,4 +1,4 @@
-//! Postures in which frames stand at their goals, beside closed forms and known postures.
+//! Postures in which frames reach their goals, against closed forms and known postures.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -21,7 +21,7 @@ mod planar {
 }
 use planar::Planar;
 
-/// An arm of seven joints, with the lengths of the Franka Emika Panda.
+/// An arm with seven joints and the lengths of the Franka Emika Panda.
 mod seven {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ mod seven {
 }
 use seven::Seven;
 
-/// A trunk that floats, with two legs.
+/// A floating trunk with two legs.
 mod walker {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -77,7 +77,7 @@ mod gantry {
 }
 use gantry::Gantry;
 
-/// Numbers between −1 and 1.
+/// Draws numbers between −1 and 1.
 fn random(seed: &mut u64) -> f64 {
     *seed ^= *seed << 13;
     *seed ^= *seed >> 7;
@@ -89,7 +89,7 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The largest difference of entries.
+/// Returns the largest difference of entries.
 fn difference(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]) -> f64 {
     a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
@@ -135,7 +135,7 @@ fn a_goal_out_of_reach_is_missed_by_the_least_distance() {
     let Err(ReachError::Short(shortfall)) = limited else { panic!("reached") };
     assert_eq!((shortfall.at_limit, shortfall.q[1]), (Some("elbow"), FRAC_PI_2));
     assert!((shortfall.distance - 0.5).abs() < 1e-6, "{shortfall:?}");
-    // The nearest end of what it can reach is a singular posture, too.
+    // The nearest boundary of its reach is also a singular posture.
     let found = arm.reach(&goal(0.7), &[0.3, -0.4]).tolerance(1e-8).solve().expect("stretched");
     assert!(found.q[1].abs() < 1e-3, "{found:?}");
 }
@@ -225,7 +225,7 @@ fn what_makes_no_sense_is_reported() {
     let limits = arm.reach(&tasks, &[0.1, 0.2]).within("elbow", 1.0, 1.0).solve().unwrap_err();
     assert_eq!(message(limits), "the lower limit of `elbow` is not below its upper limit");
     assert_eq!(arm.reach(&tasks, &[f64::NAN, 0.2]).solve().unwrap_err(), ReachError::NotFinite);
-    // Without tasks any posture will do.
+    // Without tasks any posture is a solution.
     assert_eq!(arm.reach(&[], &[0.1, 0.2]).solve().expect("no goals").q, [0.1, 0.2]);
 }
 
@@ -239,7 +239,7 @@ fn resolved_rates_move_the_frame_as_given() {
         let found: f64 = row.iter().zip(&rates).map(|(entry, rate)| entry * rate).sum();
         assert!((found - twist).abs() < 1e-13);
     }
-    // What is left to choose is as preferred: the difference is a combination of rows.
+    // The remaining freedom follows the preference: the difference is a combination of rows.
     let null = resolved_rates(&jacobian, &[0.0; 6], &[0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
     let along: f64 = (0..7).map(|i| null[i] * (rates[i] - preferred[i])).sum();
     assert!(null.iter().any(|rate| rate.abs() > 0.1) && along.abs() < 1e-13, "{along}");
@@ -258,7 +258,7 @@ mod guided {
         constraint slot = y;
     }
     lagrange::system! {
-        /// The same with a constraint that no position satisfies.
+        /// The rod with a constraint that no position satisfies.
         #[derive(Clone, Debug)]
         pub struct Impossible;
         emit { frames, frame_jacobians }
@@ -267,7 +267,7 @@ mod guided {
         constraint nowhere = x^2 + 1;
     }
     lagrange::system! {
-        /// A rod that rolls: only its velocities are constrained.
+        /// A rolling rod: only its velocities are constrained.
         #[derive(Clone, Debug)]
         pub struct Rolling;
         emit { frames, frame_jacobians }
@@ -305,7 +305,7 @@ use five_bar::FiveBar;
 
 mod turning_five_bar {
     lagrange::system! {
-        /// The same on a base that turns at a given speed.
+        /// The five-bar mechanism on a base that turns at a given speed.
         #[derive(Clone, Debug)]
         pub struct Turning;
         param w = 100;
@@ -330,7 +330,7 @@ mod turning_five_bar {
 }
 use turning_five_bar::Turning;
 
-/// The angles of an arm of 0.4 m and 0.5 m from (x, 0) to a point, by the law of cosines.
+/// Returns the angles of an arm of 0.4 m and 0.5 m from (x, 0) to a point, by the law of cosines.
 fn bent(x: f64, [px, py]: [f64; 2], side: f64) -> [f64; 2] {
     let (square, direction) = ((px - x).powi(2) + py * py, py.atan2(px - x));
     let elbow = ((square - 0.41) / 0.4).acos();
@@ -358,7 +358,7 @@ fn loops_stay_closed_on_the_way_to_a_goal() {
     assert!((f64::from(found.q[2]) - bent(0.3, [0.1, 0.6], -1.0)[0]).abs() < 1e-4, "{found:?}");
 }
 
-/// Time stands still in a search, however fast constraints move.
+/// Time is fixed during a search, however fast constraints move.
 #[test]
 fn moving_constraints_hold_a_posture_like_fixed_ones() {
     let linkage = Turning::default();
@@ -395,7 +395,7 @@ fn limits_of_coupled_joints_are_checked() {
     let far = [FrameTask::position(FiveBar::tip_frame, FiveBar::tip_jacobian, [0.15, 2.0, 0.0])];
     let error = linkage.reach(&far, &near).solve().unwrap_err();
     let ReachError::Short(Shortfall { q, distance, .. }) = error else { panic!("{error}") };
-    // Both arms are stretched, as far as the loop allows.
+    // Both arms are stretched as far as the loop allows.
     let highest = (0.81 - 0.15_f64 * 0.15).sqrt();
     assert!((distance - (2.0 - highest)).abs() < 1e-6, "{distance} {q:?}");
 }
@@ -406,7 +406,7 @@ fn postures_beside_constraints_are_missed() {
     let to = |goal| [FrameTask::position(Guided::rod_frame, Guided::rod_jacobian, goal)];
     let along = rod.reach(&to([2.0, 0.0, 0.0]), &[0.0; 2]).solve().expect("along the slot");
     assert!((along.q[0] - 2.0).abs() < 1e-11);
-    // Limits of a coordinate that no constraint contains hold during the search.
+    // Limits hold during the search even for a coordinate without constraints.
     let error = rod.reach(&to([2.0, 0.0, 0.0]), &[0.0; 2]).within("x", -1.0, 1.0).solve().unwrap_err();
     assert!(
         matches!(error, ReachError::Short(Shortfall { q: [1.0, _], at_limit: Some("x"), .. })),

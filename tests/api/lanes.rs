@@ -1,5 +1,5 @@
-//! Systems whose equations are evaluated for several motions side by side. Bits of more
-//! declarations are held in `tests/oracle.rs`.
+//! Systems whose equations are evaluated for several motions side by side. `tests/oracle.rs`
+//! compares the bits of more declarations.
 
 mod pair;
 
@@ -10,7 +10,7 @@ use lagrange::system::{Equations, LanesSystem, LanesVisitor, MechanicalSystem};
 use pair::Pair;
 
 lagrange::system! {
-    /// All conditions there are: in motion, at kinks, at jumps, and on parameters alone.
+    /// Every kind of condition: in motion, at kinks, at jumps, and on parameters alone.
     struct Winch;
 
     param m = 2, r = 0.5, k = 300, limit = 40, stop = 1.2, if_less = 0.25, g = 9.81;
@@ -26,7 +26,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A type parameter that is called like one that is emitted.
+    /// A type parameter with the name of an emitted one.
     #[accuracy(fast)]
     struct Crane<L>;
 
@@ -51,7 +51,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A type that is called like the type parameter.
+    /// A type with the name of the type parameter.
     #[scalar(f32)]
     struct S;
 
@@ -59,14 +59,15 @@ lagrange::system! {
     coord x;
     kinetic = 1/2 * dot(x)^2;
     potential = 1/3 * x^2 + c * ln(x);
-    // Close to halfway between two numbers in single precision, it must not be rounded twice.
+    // This number is near the middle of two numbers in single precision, so it must not be rounded
+    // twice.
     force x = 1.000000059604644775390625000000001 * x^3;
     emit { lanes }
 }
 
 lagrange::system! {
-    /// Tables of one and of two arguments, with points evenly spaced and not, and a function of the
-    /// crate.
+    /// Tables of one and of two arguments, with evenly and unevenly spaced points, and a function
+    /// of the crate.
     struct Hoist;
 
     table motor(rate) = [(0, 90), (1, 140), (2, 120), (3, 60)], interpolation: monotone, outside: clamp;
@@ -82,7 +83,7 @@ lagrange::system! {
     emit { lanes }
 }
 
-/// Any number, side by side with others or not.
+/// Returns the stiffness in any number type, scalar or lanes.
 fn stiffness<S: Number>(x: S) -> S {
     let stretch = x.abs() - S::ONE;
     S::select(stretch.less(S::ZERO), S::ONE, S::ONE + stretch * stretch)
@@ -95,7 +96,7 @@ lagrange::system! {
     kinetic = 1/2 * dot(x)^2;
 }
 
-/// Values at which something happens, the borders of the winch among them.
+/// Critical values, including the boundaries of the winch.
 const VALUES: [f64; 9] = [0.0, -0.0, 1.0, 1.2, -0.7, 40.0, 1e-300, f64::NAN, f64::INFINITY];
 
 fn same_bits(found: &[f64], expected: &[f64]) -> bool {
@@ -103,7 +104,7 @@ fn same_bits(found: &[f64], expected: &[f64]) -> bool {
     found.len() == expected.len() && found.iter().zip(expected).all(is_same)
 }
 
-/// All states of four entries that are made of the values.
+/// Returns all states of four entries taken from the values.
 fn states() -> impl Iterator<Item = [f64; 4]> {
     let count = VALUES.len();
     (0..count.pow(4))
@@ -126,7 +127,7 @@ fn conditions_select_what_branches_choose() {
     }
 }
 
-/// Neighbours are on other sides of conditions, or no numbers.
+/// Neighbouring lanes are on other sides of conditions, or NaN.
 #[test]
 fn what_stands_beside_a_motion_does_not_change_it() {
     let (left, right) = (Winch::default(), Winch { m: 3.0, r: 1.5, limit: 2.0, u: 5.0, ..Winch::default() });
@@ -146,7 +147,7 @@ fn what_stands_beside_a_motion_does_not_change_it() {
     }
 }
 
-/// Knots, what lies between and beyond them, and what is no number, beside each other.
+/// Lanes contain knots, points between and beyond them, and NaN, side by side.
 #[test]
 fn tables_and_functions_of_the_crate_give_the_same_side_by_side() {
     let hoist = Hoist { m: 1.5, ..Hoist::default() };
@@ -182,7 +183,7 @@ fn systems_of_any_number_type_have_lanes() {
     assert_eq!(Plain::<f64>::default().lanes(|_| 0.0).rhs(0.0, &[2.0, 1.0]), [1.0, -2.0]);
 }
 
-/// Constants are rounded to single precision first, as those of the system are.
+/// Constants are rounded to single precision first, as in the system.
 #[test]
 fn constants_are_those_of_the_scalar() {
     let single = S::default();
@@ -194,7 +195,7 @@ fn constants_are_those_of_the_scalar() {
     assert_eq!(lanes.c, f64::from(0.1_f32));
 }
 
-/// Whether a system is one that can be evaluated side by side.
+/// A visitor without results, to see whether a system offers lanes.
 struct Offered;
 
 impl<M> LanesVisitor<M> for Offered {

@@ -19,7 +19,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in any number.
+    /// The cart in any number type.
     #[derive(Debug)]
     struct Generic<S>;
 
@@ -44,7 +44,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A top on a moved ball joint, with a motor whose current is a state.
+    /// A top on a moving ball joint, with a motor whose current is a state.
     #[derive(Debug)]
     struct Top;
 
@@ -59,7 +59,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A particle in a magnetic field: the Lagrangian is linear in velocities, too.
+    /// A particle in a magnetic field: the Lagrangian has terms linear in velocities.
     #[derive(Debug)]
     struct Charge;
 
@@ -69,7 +69,7 @@ lagrange::system! {
     emit { tests }
 }
 
-/// An oscillator with a mistake in its accelerations, its energy or its forces.
+/// An oscillator with an error in its accelerations, its energy or its forces.
 #[derive(Debug)]
 struct Mistaken {
     acceleration: f64,

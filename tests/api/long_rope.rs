@@ -1,4 +1,4 @@
-//! A rope of so many points that its matrices are written without their zeros.
+//! A rope with so many points that its matrices are written without zeros.
 
 use lagrange::constraint::{ConstrainedSystem, weighed};
 
@@ -157,7 +157,7 @@ lagrange::system! {
 const POINTS: usize = 72;
 const N: usize = 2 * POINTS;
 
-/// The rods in directions that turn from one to the next, and stretched by a tenth of a thousandth.
+/// Returns rods whose directions turn from one to the next, stretched by a factor of 10⁻⁴.
 fn places() -> [f64; N] {
     let mut places = [0.0; N];
     let mut end = [0.0; 2];

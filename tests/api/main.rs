@@ -1,4 +1,4 @@
-//! What a user may rely on of the items that `system!` emits: names, types, conversions, traits.
+//! The items that `system!` emits: names, types, conversions and traits on which users may rely.
 
 mod accuracy;
 mod arrays;
@@ -70,7 +70,7 @@ mod references;
 mod user_functions;
 mod visuals;
 
-/// Whether two numbers agree to a few units in the last place of `f64`.
+/// Asserts that two numbers agree to a few units in the last place of `f64`.
 #[track_caller]
 fn assert_close(found: f64, expected: f64) {
     let error = (found - expected).abs();

@@ -1,4 +1,4 @@
-//! Signatures and values of the methods, against formulas written by hand.
+//! Signatures and values of the methods, against handwritten formulas.
 
 use crate::assert_close;
 

@@ -5,7 +5,7 @@ use lagrange::system::{MechanicalSystem, join, split};
 use lagrange::{Scalar, Simulate};
 
 lagrange::system! {
-    /// A satellite with three wheels' worth of torque.
+    /// A satellite with a torque about its z-axis.
     #[derive(Clone, Debug)]
     struct Satellite<S>;
 
@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A cart with a pendulum on a ball joint, the cart on a spring.
+    /// A cart on a spring, with a pendulum on a ball joint.
     #[derive(Clone, Debug)]
     struct Crane;
 
@@ -37,7 +37,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A brick on a floor, by one of its corners.
+    /// A brick on a floor, which one of its corners touches.
     #[derive(Clone, Debug)]
     struct Brick;
 
@@ -52,7 +52,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A free rod whose ends are held by a wall and a rail: x = 0 at one, z = 0 at the other.
+    /// A free rod whose ends are on a wall and a rail: x = 0 at one, z = 0 at the other.
     #[derive(Clone, Debug)]
     struct Ladder;
 
@@ -65,7 +65,7 @@ lagrange::system! {
     constraint rail = foot.z;
 }
 
-/// Turned by about 74 degrees about an oblique axis.
+/// A rotation by about 74 degrees about an oblique axis.
 const TURNED: [f64; 4] = [0.8, 0.36, -0.288, 0.384];
 
 fn satellite_start() -> SatelliteState<f64> {
@@ -127,7 +127,7 @@ fn quaternions_keep_their_length_and_bodies_their_momentum() {
     }
 }
 
-/// The start is scaled to length one, and one that has no direction is refused.
+/// The initial quaternion is normalised, and one without direction is refused.
 #[test]
 fn starts_are_brought_to_length_one() {
     let satellite = Satellite::<f64>::default();
@@ -141,7 +141,7 @@ fn starts_are_brought_to_length_one() {
     assert!(error.contains("quaternion"), "{error}");
 }
 
-/// A quotient of central differences.
+/// Returns the quotient of central differences.
 fn slope<const N: usize>(f: impl Fn(f64) -> [f64; N]) -> [f64; N] {
     const STEP: f64 = 1e-5;
     let (ahead, behind) = (f(STEP), f(-STEP));
@@ -169,7 +169,7 @@ fn the_jacobian_is_that_of_differences() {
     }
 }
 
-/// Positions are displaced to q + N(q) δ and brought to length one.
+/// Positions are displaced to q + N(q) δ and normalised.
 #[test]
 fn the_tangent_jacobian_is_that_of_displacements() {
     let (crane, y) = (Crane::default(), crane_state());
@@ -199,7 +199,7 @@ fn what_is_frozen_stays_and_quaternions_turn_on() {
     (whole[0], whole[5]) = (0.1, 0.0);
     let reduced = ParkedState::from(CraneState::from(whole));
     let found = parked.acceleration(0.0, &reduced.coordinates(), &reduced.velocities());
-    // The same as of a cart that nothing can move.
+    // The same forces as for a cart that nothing can move.
     let heavy = crane.inverse_dynamics(
         0.0,
         &split::<Crane>(&whole).0,
@@ -225,12 +225,13 @@ fn a_brick_bounces_and_events_change_its_spin() {
         q[2] + 0.1 * third[0] + 0.05 * third[1] - 0.05 * third[2]
     });
     assert!(lowest.fold(f64::MAX, f64::min) > -1e-9);
-    // 0.1 N m on 0.025 kg m² reach 3 rad/s after 0.75 s, unless it was hit before: in the air it
-    // falls for 0.3 s.
+    // 0.1 N m on 0.025 kg m² reach 3 rad/s after 0.75 s, unless the brick hits earlier: it falls
+    // for 0.3 s.
     assert!(trajectory.states().all(|y| y[12] < 3.0 + 1e-9));
 }
 
-/// A ladder that slides down in the plane y = 0: its middle is on a circle, and energy is kept.
+/// A ladder that slides down in the plane y = 0: its middle is on a circle, and energy is
+/// conserved.
 #[test]
 fn constraints_hold_free_bodies() {
     let ladder = Ladder;
@@ -258,7 +259,7 @@ fn constraints_hold_free_bodies() {
 #[test]
 fn inputs_turn_bodies() {
     let satellite = Satellite::<f64>::default();
-    // About its own z, with a law that knows the state: ω̇ = −ω.
+    // About its own z, with a law of the state: ω̇ = −ω.
     let mut start: [f64; 13] = satellite_start().into();
     (start[10], start[11], start[12]) = (0.0, 0.0, 2.0);
     let run = satellite.simulate(start).until(2.0).tolerance(1e-12);

@@ -1,11 +1,11 @@
-//! Systems with as many constraints as coordinates or more: supports that share a load, and states
-//! that nothing satisfies.
+//! Systems with at least as many constraints as coordinates: supports that share a load, and states
+//! without solution.
 
 use lagrange::Simulate;
 use lagrange::integrate::{GaussLegendre4, RungeKutta4, Variational};
 
 lagrange::system! {
-    /// A beam, pinned at both ends, whose centre of mass lies beside the middle.
+    /// A beam, pinned at both ends, whose centre of mass is not in the middle.
     #[derive(Clone, Debug)]
     struct Beam;
 
@@ -27,7 +27,7 @@ fn a_beam_between_two_pins_rests_on_the_smallest_forces() {
         let (q, v) = ([0.0, 0.0, c], [0.0; 3]);
         let accelerations = beam.acceleration(0.0, &q, &v);
         assert!(accelerations.iter().all(|entry| entry.abs() < 1e-12), "{accelerations:?}");
-        // Half of the weight each, and a couple of forces across the beam.
+        // Half of the weight each, and a couple across the beam.
         let (sin, cos) = c.sin_cos();
         let (half, across) = (0.5 * 2.0 * 9.81, 0.5 * 2.0 * 9.81 * d * cos);
         let couple = [-across * sin, across * cos];
@@ -76,7 +76,7 @@ lagrange::system! {
 #[test]
 fn a_statically_indeterminate_truss_has_the_smallest_forces() {
     let weight = 2.0 * 9.81;
-    // Of all (s, n, s) with √2 s + n = −m g, the shortest.
+    // The shortest of all (s, n, s) with √2 s + n = −m g.
     let expected = [0.5_f64.sqrt(), 1.0, 0.5_f64.sqrt()].map(|share| -share * weight / 2.0);
     let found = Truss::default().multipliers(0.0, &[0.0; 2], &[0.0; 2]);
     assert!(
@@ -86,7 +86,7 @@ fn a_statically_indeterminate_truss_has_the_smallest_forces() {
 }
 
 lagrange::system! {
-    /// A bead on an inclined rail that three constraints demand, of which any one suffices.
+    /// A bead on an inclined rail given by three constraints, any one of which suffices.
     struct Rail<S>;
 
     param slope = 0.75, g = 9.81;
@@ -101,7 +101,7 @@ lagrange::system! {
 #[test]
 fn more_constraints_than_coordinates_may_leave_a_motion() {
     let last = Rail::<f64>::default().simulate([0.0; 4]).until(1.0).run().expect("a bead that slides").last();
-    // Along the rail g · 3/5.
+    // The acceleration along the rail is g · 3/5.
     let slid = 0.5 * 9.81 * 0.6;
     for (found, expected) in last.iter().zip([-0.8 * slid, -0.6 * slid, -1.6 * slid, -1.2 * slid]) {
         assert!((found - expected).abs() < 1e-6, "{last:?}");
@@ -111,7 +111,7 @@ fn more_constraints_than_coordinates_may_leave_a_motion() {
 }
 
 lagrange::system! {
-    /// A plate in space on three pins, nine constraints for six velocities.
+    /// A plate in space on three pins, with nine constraints for six velocities.
     struct Plate;
 
     gravity = (0, 0, -9.81);
@@ -136,7 +136,7 @@ fn a_plate_on_three_pins_hangs_without_horizontal_forces() {
 }
 
 lagrange::system! {
-    /// A body whose slides are on one line, which a parameter turns.
+    /// A body with two aligned slides, whose direction is a parameter.
     struct Slides;
 
     param c = 0.5;
@@ -165,7 +165,8 @@ fn slides_on_one_line_share_the_load_and_let_go_along_it() {
 }
 
 lagrange::system! {
-    /// A wheel that rolls on a line while its centre slides on a parallel one, and does not turn.
+    /// A wheel that rolls on a line while its centre slides on a parallel one, and so does not
+    /// turn.
     struct Wheel;
 
     param c = 0.5, r = 0.4;
@@ -191,7 +192,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point that two constraints drive apart.
+    /// A point driven apart by two constraints.
     struct Torn;
 
     coord x;

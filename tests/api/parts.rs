@@ -1,4 +1,4 @@
-//! Parts: items of declarations that are composed of them, and the library of parts in `parts`.
+//! Parts: items of declarations composed of parts, and the library of parts in `parts`.
 
 use lagrange::Simulate;
 
@@ -57,7 +57,7 @@ fn a_machine_of_parts_moves_as_in_an_independent_integration() {
 }
 
 lagrange::system! {
-    /// A frame on two struts, as seen from the side.
+    /// A car frame on two struts, seen from the side.
     #[derive(Clone, Debug)]
     struct Car;
 
@@ -85,7 +85,7 @@ fn fields_and_columns_of_members_have_the_names_of_their_placements() {
 }
 
 lagrange::system! {
-    /// Two discs that are thrown along the ground without spin.
+    /// Two discs thrown along the ground without spin.
     #[derive(Clone, Debug)]
     struct Discs;
 

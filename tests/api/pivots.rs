@@ -17,7 +17,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Only y need have a mass.
+    /// Only y needs a mass.
     #[derive(Clone, Debug)]
     struct Carried;
     param m0 = 0, push = 3;
@@ -57,7 +57,7 @@ fn a_regular_matrix_may_have_pivots_that_vanish() {
         let expected = [(f * y - g) / determinant, (x * g - f) / determinant];
         assert_near(&Saddle.acceleration(0.0, &[x, y], &[0.3, 0.7]), &expected);
     }
-    // Here the matrix is singular, and at the other state not everything is known.
+    // Here the matrix is singular; at the other state some accelerations are NaN.
     let singular = Saddle.acceleration(0.0, &[1.0, 1.0], &[0.0; 2]);
     let unknown = Saddle.acceleration(0.0, &[0.0, 1.0], &[f64::NAN, 0.0]);
     assert!([singular, unknown].iter().flatten().all(|a| a.is_nan()), "{singular:?}, {unknown:?}");

@@ -43,7 +43,8 @@ fn powers_of_a_block_on_a_belt_balance_while_it_sticks_and_slips() {
         }
     }
     assert!(sticking > 100 && sticking < speed.len() - 100, "{sticking} of {}", speed.len());
-    // The trapezoidal rule; intervals where it slips or sticks anew err by 3 N · 0.3 m/s · 1 ms.
+    // The trapezoidal rule. Intervals at the beginning of slipping or sticking have an error of 3 N
+    // · 0.3 m/s · 1 ms.
     let power = |index: usize| push[index] + rub[index] + lost[index];
     let steps = 1..times.len();
     let supplied = steps.map(|i| (times[i] - times[i - 1]) * (power(i) + power(i - 1)) / 2.0).sum::<f64>();
@@ -51,7 +52,7 @@ fn powers_of_a_block_on_a_belt_balance_while_it_sticks_and_slips() {
 }
 
 lagrange::system! {
-    /// A driven and damped oscillator, for any number.
+    /// A driven and damped oscillator in any number type.
     struct Oscillator<S>;
 
     param m = 1.5, k = 40, c = 0.5;

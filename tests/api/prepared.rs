@@ -7,7 +7,7 @@ use lagrange::system::{
 };
 
 lagrange::system! {
-    /// An arm of six joints; what is known of its inertia are parameters.
+    /// An arm with six joints, whose inertias are parameters.
     pub struct Ur5;
 
     param p1 = 3.7, p2 = 0.010267495893, p3 = 0.010267495893, p4 = 0.00666, p5 = 8.393, p6 = 0.28, p7 =
@@ -48,7 +48,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Body of which nothing can be prepared.
+    /// A body without expressions to prepare.
     struct Plain;
 
     param m = 2;
@@ -78,7 +78,7 @@ lagrange::system! {
     emit { prepared }
 }
 
-/// Numbers in −1 … 1, the same every time.
+/// Returns reproducible numbers in −1 … 1.
 fn numbers(seed: u32) -> impl Iterator<Item = f64> {
     let mut state = seed;
     std::iter::repeat_with(move || {
@@ -132,8 +132,7 @@ fn prepared_systems_move_as_they_do_unprepared() {
     assert_eq!(Ur5Prepared::COORDINATES, Ur5::COORDINATES);
 }
 
-/// Values of other parameters would be others: those that are prepared are used, and not those of
-/// the system.
+/// The prepared type uses its own parameters, even if those of the system change.
 #[test]
 fn parameters_are_those_of_the_time_of_preparing() {
     let mut pendulum = Pendulum::default();

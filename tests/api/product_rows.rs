@@ -1,11 +1,13 @@
-//! Every product has a hint where it is not emitted and a line in the description of the language.
+//! Every product has a hint for where it is not emitted, and a line in the description of the
+//! language.
 
 use lagrange_core::model::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductShape};
 
 const HINTS: &str = include_str!("../../src/private/hints.rs");
 const LANGUAGE: &str = include_str!("../../src/language.md");
 
-/// Name of what a product adds to the emitted type; of bodies it adds no member of its own name.
+/// Returns the name of the member that a product adds to the emitted type. Products of bodies add
+/// no member of that name.
 fn member(product: Product) -> Option<&'static str> {
     match product {
         Product::Kernel => Some("KERNEL_F64"),
@@ -22,7 +24,7 @@ fn member(product: Product) -> Option<&'static str> {
     }
 }
 
-/// What a hint must advise.
+/// Returns the advice that a hint must contain.
 fn advice(product: Product) -> String {
     let name = product.name();
     match product.row().when {

@@ -1,4 +1,4 @@
-//! Products that are asked for, left out, or follow from how the energies are given.
+//! Products that are requested, omitted, or implied by the form of the energies.
 
 use lagrange::system::{CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem};
 
@@ -24,7 +24,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The names that are not generated are free for other use.
+    /// Names that are not generated remain available.
     struct Particle<S>;
 
     param m = 1.0, c = 2.0;
@@ -32,7 +32,7 @@ lagrange::system! {
     lagrangian = -m * c^2 * sqrt(1 - dot(x)^2 / c^2);
 }
 
-/// What is left out does not exist, so that methods of a trait are found in its place.
+/// An omitted method does not exist, so that the method of a trait is found instead.
 trait Fallback {
     fn inverse_dynamics(&self) -> &'static str {
         "left out"
@@ -50,7 +50,7 @@ impl Fallback for Silent {}
 impl Fallback for Particle<f64> {}
 
 lagrange::system! {
-    /// Its force is undefined in a branch that is not always taken.
+    /// The force is undefined in a branch that is not always taken.
     struct Valve;
 
     param m = 2.0, k = 3.0;

@@ -1,4 +1,4 @@
-//! Motions of declared systems stay on their constraints, from starts that satisfy them.
+//! Motions of declared systems stay on their constraints, from starts that satisfy these.
 
 use lagrange::Simulate;
 use lagrange::constraint::{Unprojected, Violated, Violation};
@@ -29,7 +29,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Three equal cranks carry a coupler; one of them does in vain.
+    /// Three equal cranks that carry a coupler; one of them is redundant.
     #[derive(Clone, Debug)]
     struct Parallelogram;
 
@@ -46,7 +46,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// What the cranks and the coupler are together.
+    /// The cranks and the coupler as a single body.
     struct Crank;
 
     param inertia = 2.1, moment = 9.81 * 1.5;
@@ -55,7 +55,7 @@ lagrange::system! {
     potential = moment * sin(a);
 }
 
-/// The cranks at this angle, turning at this rate.
+/// Returns the cranks at an angle, turning at a rate.
 fn cranks(a: f64, rate: f64) -> [f64; 12] {
     let (sine, cosine) = a.sin_cos();
     [a, a, a, cosine, sine, 0.0, rate, rate, rate, -rate * sine, rate * cosine, 0.0]

@@ -20,7 +20,7 @@ lagrange::system! {
     reduce Held { small x; }
 }
 
-/// The message of a run with these parameters; it must be that of the check.
+/// Returns the message of a run with these parameters, which must equal that of the check.
 fn refused(slider: &Slider) -> String {
     let checked = slider.check_parameters().expect_err("a value outside of its range");
     let run = slider.simulate(slider.start()).until(1.0).run().expect_err("a run with that value");
@@ -70,7 +70,7 @@ fn nan_is_in_no_range() {
 }
 
 lagrange::system! {
-    /// The same range for any number type.
+    /// A range in any number type.
     struct Ball<S>;
 
     param g > 0 = 9.81, bounce in 0..=1 = 0.5, radius in 0..;
@@ -108,7 +108,7 @@ fn random_values_run_where_the_range_contains_them() {
 }
 
 impl<S: lagrange::Scalar> Ball<S> {
-    /// A ball of this radius, for which there is no default.
+    /// Returns a ball of this radius, which has no default.
     fn of(radius: S) -> Self {
         Ball {
             g: S::from_f64(9.81),

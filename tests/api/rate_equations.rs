@@ -1,9 +1,9 @@
-//! Equations that contain rates of states linearly, one by one and coupled.
+//! Equations with linear rates of states, one by one and coupled.
 
 use lagrange::Simulate;
 
 lagrange::system! {
-    /// Two equal coils on one core, the second one shorted, and the energy supplied to them.
+    /// Two equal coils on one core, the second one shorted, with the supplied energy.
     #[derive(Clone, Debug)]
     struct Transformer<S>;
 
@@ -17,7 +17,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same by arrays, with a matrix of inductances.
+    /// The transformer by arrays, with a matrix of inductances.
     struct Coils;
 
     param L[2][2] = [[0.5, 0.3], [0.3, 0.5]], r = 2;
@@ -41,7 +41,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// An equation for two rates, one of which is given later, and by itself.
+    /// An equation for two rates, one of which a later statement gives.
     struct Later;
 
     state a = 1, b = 2;
@@ -50,7 +50,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Rates in brackets, in sums and on the right, and one of a member of a part.
+    /// Rates in parentheses, in sums and on the right-hand side, and one of a member of a part.
     struct Bracketed;
 
     param l = 2, m = 1;
@@ -66,7 +66,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Components of a vector of which one gives a rate that the next one needs.
+    /// Vector components, one of which gives a rate that the next one needs.
     struct Triangular;
 
     const ONE = 1;
@@ -75,7 +75,7 @@ lagrange::system! {
     output second = dot(x[1]);
 }
 
-/// The currents of both coils at a time, by their sum and their difference.
+/// Returns the currents of both coils at a time, by their sum and their difference.
 fn currents(t: f64) -> [f64; 2] {
     let (l, m, r, u) = (0.5, 0.3, 2.0, 12.0);
     let rise = |inductance: f64| u / r * (1.0 - (-r * t / inductance).exp());

@@ -1,4 +1,4 @@
-//! Reduced types: what they compute, beside what textbooks say, and how they convert.
+//! Reduced types: their equations against textbooks, and their conversions.
 
 use crate::assert_close;
 use lagrange::system::{EnergyFunction, MechanicalSystem, SeparableSystem};
@@ -76,7 +76,7 @@ lagrange::system! {
     reduce Drifting { small y; }
 }
 
-/// States that are neither special nor small.
+/// Returns generic states, neither special nor small.
 fn states() -> impl Iterator<Item = [f64; 2]> {
     (0..100).map(f64::from).map(|i| [(1.7 * i).sin() * 4.0, (2.3 * i + 0.4).cos() * 9.0])
 }
@@ -106,8 +106,8 @@ fn small_swings_are_harmonic() {
     }
 }
 
-/// (mc + mp) ẍ + mp l θ̈ = u and ẍ + l θ̈ = −g θ; upright, with the tilt, θ̈ and g have the other
-/// sign (Ogata, *Modern Control Engineering*, chapter 3).
+/// (mc + mp) ẍ + mp l θ̈ = u and ẍ + l θ̈ = −g θ. Upright, measured by the tilt, θ̈ and g have the
+/// opposite sign (Ogata, *Modern Control Engineering*, chapter 3).
 #[test]
 fn the_linearised_cart_is_that_of_the_textbook() {
     let cart = CartPole { u: 0.8, c: 0.0, ..CartPole::default() };
@@ -157,7 +157,7 @@ fn a_sleeping_top_keeps_its_gyroscopic_forces() {
             assert!((found - expected).abs() <= 1e-13 * (1.0 + s.abs() * v[2]), "{found} is not {expected}");
         }
     }
-    // At rest upright but for the spin: A ä = w a − C ψ̇ ḃ and A b̈ = w b + C ψ̇ ȧ.
+    // Upright with spin only: A ä = w a − C ψ̇ ḃ and A b̈ = w b + C ψ̇ ȧ.
     let jacobian = top.jacobian(0.0, &[0.0, 0.0, 0.0, 0.0, 0.0, 50.0]);
     for (row, column, expected) in [(3, 0, w), (4, 1, w), (3, 4, -i3 * 50.0), (4, 3, i3 * 50.0), (3, 1, 0.0)]
     {
@@ -174,7 +174,7 @@ fn quadratic_drag_vanishes_to_first_order_and_acts_on_what_drifts() {
     assert!((x + 0.5 * (4.0 + 0.005)).abs() < 1e-6 && (y + 0.1).abs() < 1e-6, "{x} {y}");
 }
 
-/// The difference falls with the square of the amplitude, and faster where the whole system is
+/// The difference decreases with the square of the amplitude, and faster if the whole system is
 /// symmetric.
 #[test]
 fn reduced_accelerations_approach_those_of_the_whole_system() {
@@ -199,7 +199,7 @@ fn states_are_restricted_and_expanded_without_error() {
     let expanded = parked.expand(reduced);
     assert_eq!(expanded, CartPoleState { x: 0.6, x_dot: 0.0, ..state });
     assert_eq!(ParkedState::from(expanded), reduced);
-    // A type without frozen coordinates keeps them all.
+    // Returns a type without frozen coordinates keeps them all.
     let upright = Upright::from(&cart);
     assert_eq!(upright.expand(UprightState::from(state)), state);
     let locked = Locked::<f64>::default().expand(LockedState { b: 1.0, b_dot: 2.0 });
@@ -226,7 +226,7 @@ fn outputs_stay_exact() {
     let (q, v) = ([0.2, 1.1], [0.5, -0.4]);
     assert_eq!(hanging.tip(0.0, &q, &v), cart.tip(0.0, &q, &v));
     assert_eq!(Parked::default().tip(0.0, &[1.1], &[0.0]), cart.tip(0.0, &[1.0, 1.1], &[0.0; 2]));
-    // What depends on accelerations takes those of the reduced system.
+    // Expressions of accelerations take those of the reduced system.
     let [_, a] = hanging.acceleration(0.0, &q, &v);
     let lift = cart.l * (1.1_f64.sin() * a + 1.1_f64.cos() * 0.16);
     assert_close(hanging.lift(0.0, &q, &v), lift);

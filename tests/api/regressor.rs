@@ -31,7 +31,7 @@ declared! { Rods, regressor prepared }
 
 declared! { #[scalar(f32)] Small, regressor }
 
-/// τ − Y π
+/// Returns τ − Y π.
 fn rest<M>(system: &M, q: &M::Coordinates, v: &M::Velocities, a: &M::Velocities) -> Vec<f64>
 where
     M: RegressorSystem,
@@ -62,7 +62,7 @@ fn the_rest_is_the_input() {
     let small = Small { push: 1.5, ..Small::default() };
     let found = rest(&small, &q.map(|x| x as f32), &v.map(|x| x as f32), &a.map(|x| x as f32));
     assert!((found[0] + 1.5).abs() < 2e-5 && found[1].abs() < 2e-5 && found[2].abs() < 2e-5, "{found:?}");
-    // NaN is not lost.
+    // NaN propagates.
     let broken = Rods { cart: f64::NAN, ..Rods::default() };
     assert!(rest(&broken, &q, &v, &a)[0].is_nan());
 }

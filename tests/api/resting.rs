@@ -1,4 +1,4 @@
-//! Bodies at rest in contacts, where gaps and velocities are rounding.
+//! Bodies at rest in contacts, where gaps and velocities are rounding errors.
 
 use lagrange::Simulate;
 use lagrange::contact::Contact;
@@ -17,7 +17,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point between a floor and a wall, which it does not bounce off.
+    /// A point between a floor and a wall, off which it does not bounce.
     #[derive(Clone, Debug)]
     struct Corner;
 
@@ -31,7 +31,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A bench on three legs, one more than it needs, with friction in two of them.
+    /// A bench on three legs, one more than needed, with friction at two of them.
     #[derive(Clone, Debug)]
     struct Bench;
 
@@ -48,7 +48,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A pendulum that comes to lie on the floor, where the rod, the floor and friction hold it.
+    /// A pendulum that comes to lie on the floor, held by the rod, the floor and friction.
     #[derive(Clone, Debug)]
     struct Lying;
 
@@ -61,7 +61,7 @@ lagrange::system! {
     friction rub = dot(x), 0.1 * floor;
 }
 
-/// What is left of a gap that is a coordinate has no other terms beside which it could be small.
+/// The remainder of a gap that is a coordinate has no other terms to which it could be compared.
 #[test]
 fn a_ball_at_rest_goes_on_from_where_its_run_ended() {
     for m in [0.2, 1.0, 5.0] {
@@ -80,8 +80,8 @@ fn a_ball_at_rest_goes_on_from_where_its_run_ended() {
     assert!(Ball::default().simulate([-1e-12, 0.0]).until(1.0).run().is_err());
 }
 
-/// Nothing presses the point against the wall at first, and what rounding leaves of the gap does
-/// not keep hitting it.
+/// At first nothing presses the point against the wall. Then the rounded gap must not cause
+/// repeated impacts.
 #[test]
 fn a_point_that_touches_without_pressing_is_left_alone() {
     let corner = Corner { push: 0.0, ..Corner::default() };
@@ -122,8 +122,8 @@ fn velocities_that_are_rounding_do_not_turn_into_nan() {
     assert!(velocities.iter().all(|v| v.abs() < 1e-15), "{velocities:?}");
 }
 
-/// Half of what holds the rod and the floor hold together would be too much for friction: it is at
-/// its limit, and does not slip.
+/// The rod and the floor share a force, half of which would exceed friction. Friction is at its
+/// limit, but does not slip.
 #[test]
 fn friction_at_its_limit_where_a_contact_holds_the_slip_is_left_alone() {
     let start = [0.6, -0.8, 0.8, 0.6];
@@ -135,7 +135,7 @@ fn friction_at_its_limit_where_a_contact_holds_the_slip_is_left_alone() {
 }
 
 lagrange::system! {
-    /// A parallelogram of cranks, which can be stretched out into a line.
+    /// A parallelogram of cranks, which can be stretched into a line.
     #[derive(Clone, Debug)]
     struct Parallelogram;
 
@@ -148,7 +148,7 @@ lagrange::system! {
     constraint up = y3;
 }
 
-/// In a line the gradient of a constraint vanishes but for rounding.
+/// In a line the gradient of a constraint vanishes up to rounding.
 #[test]
 fn a_start_is_not_refused_because_a_gradient_is_rounding() {
     let start = [0.0, 0.0, std::f64::consts::PI, 1.0, 0.0, 1.0];
@@ -169,8 +169,7 @@ lagrange::system! {
     event shelf = y + c - (a + b), falling => impact(1/2);
 }
 
-/// Rounding of lengths that are parameters is all that is left of the gap where the coordinates are
-/// zero.
+/// If the coordinates are zero, the gap is the rounding error of parameters that are lengths.
 #[test]
 fn a_start_where_all_coordinates_are_zero_may_be_rounding_below_the_floor() {
     for (a, b, c) in [(0.1, 0.2, 0.3), (0.1, 0.7, 0.8), (1.1, 2.2, 3.3), (0.3, 0.3, 0.6)] {
@@ -199,9 +198,9 @@ lagrange::system! {
     friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
 }
 
-/// A block that rocks without slipping keeps the part r = 1 − 3/2 sin² α of its rate at each
-/// impact, where α is the angle at its corner (Housner, *Bull. Seismol. Soc. Am.* 53 (1963)
-/// 403–417), and so comes to rest on both feet after infinitely many.
+/// A block that rocks without slipping keeps the fraction `r = 1 − 3/2 sin² α` of its rate at each
+/// impact. Here α is the angle at its corner (Housner, *Bull. Seismol. Soc. Am.* 53 (1963)
+/// 403–417). So it comes to rest on both feet after infinitely many impacts.
 #[test]
 fn a_block_that_rocks_from_foot_to_foot_comes_to_rest_on_both() {
     for (a, mu) in [(0.3_f64, 1.0), (0.3, 2.0), (0.15, 0.8), (0.15, 1.2)] {
@@ -214,7 +213,7 @@ fn a_block_that_rocks_from_foot_to_foot_comes_to_rest_on_both() {
         let rates = run.events().iter().map(|event| event.state[5].abs()).collect::<Vec<_>>();
         assert!(rates.len() > 20, "{} impacts", rates.len());
         for pair in rates[..rates.len() - 1].windows(2).filter(|pair| pair[1] > 1e-4) {
-            // What rounding leaves of the energy weighs the more the less of it there is.
+            // The rounding error of the energy weighs more, the less energy is left.
             let rounding = 1e-10 + 1e-13 / (pair[0] * pair[0]);
             assert!((pair[1] / pair[0] - left).abs() < rounding, "{} for {left}", pair[1] / pair[0]);
         }

@@ -1,11 +1,11 @@
-//! Motions in steps that are saved as numbers and go on elsewhere.
+//! Stepped motions saved as numbers and resumed elsewhere.
 
 use lagrange::contact::{ContactSystem, Friction, Mode, Stepped, SteppedStepper};
 use lagrange::integrate::{BlanesMoan4, FixedStepper, Formula, Memory, Method, RungeKutta4, Stepper};
 use lagrange::integrate::{StepFailure, StormerVerlet, SymplecticEuler};
 use lagrange::system::OdeSystem;
 
-/// A box in single precision that is thrown, in whose lid a rod rubs. It needs no `Clone`.
+/// A thrown box in single precision, with a rod that rubs in its lid. It does not need `Clone`.
 mod crates {
     lagrange::system! {
         #[scalar(f32)]
@@ -23,7 +23,7 @@ mod crates {
 }
 use crates::Thrown;
 
-/// Seven velocities; the rod, and four corners with friction in a plane.
+/// Seven velocities: the rod, and four corners with friction in a plane.
 type BoxStepper = SteppedStepper<Thrown, 7, 13>;
 
 lagrange::system! {
@@ -80,7 +80,7 @@ fn a_box_in_contact_goes_on_with_the_same_bits() -> Result<(), StepFailure<f32>>
     Ok(())
 }
 
-/// Saves a swing at every frame and follows each for a while.
+/// Saves a swing at every frame, and follows each saved motion for a while.
 fn check<F>(
     method: &impl Method<Pendulum, Stepper = FixedStepper<Pendulum, F>>,
 ) -> Result<(), StepFailure<f32>>
@@ -101,7 +101,7 @@ where
             assert_eq!(restored.time(), ahead.time());
         }
         stepper.step(&pendulum, HOUR)?;
-        // A picture between frames leaves the motion as it is.
+        // A picture between frames does not change the motion.
         stepper.interpolate(&pendulum, stepper.time() - 0.5 * FRAME);
     }
     Ok(())

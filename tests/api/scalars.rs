@@ -1,4 +1,4 @@
-//! The same system in every number type.
+//! One system in every number type.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -38,7 +38,7 @@ lagrange::system! {
     output ratio = if x < y { x / y } else { 2/3 };
 }
 
-/// Computed through nothing but the bound.
+/// Computes accelerations through the trait bound alone.
 fn at_rest<S: Scalar>(system: &Any<S>, x: S, y: S) -> [S; 2] {
     system.acceleration(S::ZERO, &[x, y], &[S::ZERO; 2])
 }
@@ -108,7 +108,7 @@ impl Neg for Dual {
     }
 }
 
-/// A function with its derivative.
+/// Implements a function with its derivative.
 macro_rules! elementary {
     ($($name:ident: $x:ident => $slope:expr;)*) => {
         $(fn $name(self) -> Dual {

@@ -1,4 +1,4 @@
-//! Systems where every name that generated code could lean on means something else.
+//! Systems in a scope where every name that generated code could use has another meaning.
 #![allow(dead_code, non_camel_case_types, unused_macros, reason = "what shadows is there to be ignored")]
 
 mod core {}
@@ -41,7 +41,7 @@ struct Friction;
 struct Terms;
 struct Mode;
 
-/// Methods that plain numbers and every system have, too.
+/// Methods that shadow those of plain numbers and of every system.
 trait Shadow: Sized {
     fn sin(self) -> u8 {
         0

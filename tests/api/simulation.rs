@@ -1,4 +1,4 @@
-//! The front door on emitted types.
+//! Simulations of emitted types through the main interface.
 
 use lagrange::Simulate;
 use lagrange::integrate::{
@@ -32,7 +32,7 @@ lagrange::system! {
     potential = 1/2 * k * x^2;
 }
 
-/// A trajectory outlives the system that it came from, and an error goes wherever errors go.
+/// A trajectory outlives its system, and an error converts to a boxed one.
 fn run() -> Result<Trajectory<Spring>, Box<dyn std::error::Error + Send + Sync>> {
     let start = SpringState { x: 1.0, len: 0.0, x_dot: 0.0, len_dot: 2.0 };
     Ok(Spring::default().simulate(start).until(3.0).every(0.5).tolerance(1e-11).energy().run()?)
@@ -46,7 +46,7 @@ fn columns_have_the_names_of_the_declaration() {
         assert!((trajectory.x()[index] - (2.0 * t).cos()).abs() < 1e-9);
         assert!((trajectory.len_dot()[index] - 2.0 * (2.0 * t).cos()).abs() < 1e-9);
     }
-    // The number of samples is not hidden by a coordinate of that name.
+    // A coordinate named `len` does not hide the number of samples.
     assert_eq!(trajectory.len(), 7);
     let column = trajectory.column("len").expect("a coordinate");
     assert!((column[1] - 1.0_f64.sin()).abs() < 1e-9);
@@ -85,8 +85,7 @@ lagrange::system! {
     potential = -g * l * cos(theta);
 }
 
-/// The state at 2 s from a start at −1 s, at rest at 1 rad, by a method with samples between its
-/// steps.
+/// Returns the motion up to 2 s from rest at 1 rad at −1 s, by a method with dense output.
 fn swing(method: impl Method<Pendulum>) -> Trajectory<Pendulum> {
     let pendulum = Pendulum::default();
     let simulation = pendulum.simulate([1.0, 0.0]).from(-1.0).until(2.0).method(method);

@@ -1,5 +1,5 @@
-//! Algebraic unknowns: emitted code against the interpreter, in every number type, side by side,
-//! and where there is no solution.
+//! Algebraic unknowns: emitted code against the interpreter, in every number type, in lanes, and
+//! where there is no solution.
 
 use lagrange::Simulate;
 use lagrange::scalar::Lanes;
@@ -25,9 +25,9 @@ declared_twice! { Arm, ARM;
     coord theta;
     state charge;
     input source = 2;
-    // A shaft that stiffens, in series with a gear that does not.
+    // A stiffening shaft in series with a linear gear.
     solve twist: 0 = soft * twist + hard * twist^3 - stiff * (theta - twist), start: theta;
-    // A diode behind a resistor.
+    // A diode in series with a resistor.
     solve drop: 0 = leak * (exp(drop / volt) - 1) - (source - charge - drop) / resistance, start: 0.3, iterations: 80;
     let current = (source - charge - drop) / resistance;
     kinetic = kinetic_energy(m, l * dot(theta));
@@ -39,7 +39,7 @@ declared_twice! { Arm, ARM;
 }
 
 lagrange::system! {
-    /// A bead on a spring whose law is that of an equation, in any number type.
+    /// A bead on a spring whose law is an equation, in any number type.
     struct Sprung<S>;
     coord x;
     solve pull: 0 = pull + pull^3 - x;
@@ -48,7 +48,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in single precision, side by side.
+    /// The bead in single precision, in lanes.
     #[scalar(f32)]
     struct Single;
     coord x;
@@ -67,7 +67,7 @@ declared_twice! { Coupled, COUPLED;
         0 = a * cos(crank) + b * cos(coupler) - d - c * cos(rocker),
         0 = a * sin(crank) + b * sin(coupler) - c * sin(rocker),
         start: (0.7, 1.5);
-    // Two diodes one behind the other, each with a resistor to ground.
+    // Two diodes in series, each with a resistor to ground.
     solve (first, second):
         0 = (source - charge - first) / 1000 - first / 2000 - leak * (exp((first - second) / volt) - 1),
         0 = leak * (exp((first - second) / volt) - 1) - second / 500 - leak * (exp(second / volt) - 1),
@@ -91,7 +91,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in single precision, side by side.
+    /// Coupled equations in single precision, in lanes.
     #[scalar(f32)]
     struct SingleLinked;
     coord x;
@@ -102,7 +102,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two unknowns that meet no longer beyond x = 1.
+    /// Two unknowns whose curves do not meet beyond x = 1.
     #[derive(Clone, Debug)]
     struct Parting;
     coord x;
@@ -120,7 +120,7 @@ fn half_derivative(_: f64) -> f64 {
 }
 
 lagrange::system! {
-    /// Beads on equations with a function of the crate, one for each, in millimetres.
+    /// Beads with one equation each, which contain a function of the crate, in millimetres.
     struct Beads;
     function half(x: m): m;
     const n = 3;
@@ -135,7 +135,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// What is pulled until its equation has no solution.
+    /// A body pulled until its equation has no solution.
     #[derive(Clone, Debug)]
     struct Snapping;
     coord x;
@@ -144,7 +144,7 @@ lagrange::system! {
     force x = 1 - y;
 }
 
-/// States of the arm: angle, charge, rate.
+/// Returns states of the arm: angle, charge, rate.
 fn states() -> impl Iterator<Item = [f64; 3]> {
     let spread = |i: u32, factor: f64| 3.0 * (f64::from(i) * factor).fract() - 1.5;
     (1..60).map(move |i| [spread(i, 0.618), spread(i, 0.755), 2.0 * spread(i, 0.57)])
@@ -163,7 +163,8 @@ fn the_interpreter_computes_the_same_bits() {
             arm.shaft(0.0, &q, &v)[..],
             interpreted.output("shaft", 0.0, &q, &v).expect("it is declared")
         );
-        // The interpreter has only the rows of accelerations, which share less than all rows do.
+        // The interpreter only has the rows of accelerations, which share fewer expressions than
+        // all rows.
         let jacobian = interpreted.product(Product::Jacobian, 0.0, &q, &v).expect("it was asked for");
         for (found, expected) in arm.jacobian(0.0, &[theta, charge, rate])[2].into_iter().zip(jacobian) {
             assert!((found - expected).abs() <= 1e-13 * (1.0 + expected.abs()), "{found} {expected}");
@@ -180,7 +181,7 @@ fn lanes_have_the_bits_of_one_motion() {
     for group in all.chunks_exact(4) {
         let mut side_by_side = [0, 1, 2].map(|entry| Lanes([0, 1, 2, 3].map(|lane| group[lane][entry])));
         let found = four.rhs(Lanes([0.0; 4]), &side_by_side);
-        // One that goes nowhere changes nothing for the others.
+        // A NaN in one lane does not affect the others.
         side_by_side[0].0[3] = f64::NAN;
         let beside_nan = four.rhs(Lanes([0.0; 4]), &side_by_side);
         for (lane, state) in group.iter().enumerate().take(3) {

@@ -1,5 +1,5 @@
-//! What there is to draw in space, by emitted code: the laws of Newton and Euler for bodies that
-//! joints do not hold, and a scene whose places, axes and loads are known.
+//! Drawings in space, by emitted code: Newton's and Euler's laws for bodies without joints, and a
+//! scene with known positions, axes and loads.
 //!
 //! With the centre of mass S of a body, m a_S = F and J ω̇ + ω × J ω = M_S.
 
@@ -12,11 +12,11 @@ use lagrange::system::MechanicalSystem;
 
 type Vector = [f64; 3];
 
-/// How many random states each scene is tried with.
+/// Number of random states for each scene.
 const TRIALS: u64 = 40;
 
 lagrange::system! {
-    /// Three bodies that fly: by a quaternion, by angles, and as a point.
+    /// Three flying bodies: with a quaternion, with angles, and as a point.
     #[accuracy(fast)]
     struct Flock;
 
@@ -58,11 +58,11 @@ lagrange::system! {
     emit { motion, drawing }
 }
 
-/// Knuth's generator of 64 bits with the constants of MMIX.
+/// Knuth's 64-bit generator with the constants of MMIX.
 struct Random(u64);
 
 impl Random {
-    /// A number in [−1, 1).
+    /// Draws a number in [−1, 1).
     fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 32) as f64 / f64::from(u32::MAX) * 2.0 - 1.0
@@ -89,7 +89,7 @@ fn size(a: Vector) -> f64 {
     a.map(|component| component * component).iter().sum::<f64>().sqrt()
 }
 
-/// J ω̇ + ω × J ω in the axes of the world.
+/// Returns J ω̇ + ω × J ω in the axes of the world.
 fn change_of_spin(motion: &SpatialMotion<f64>) -> Vector {
     let [spin, change] =
         [motion.angular_velocity, motion.angular_acceleration].map(|vector| motion.to_body(vector));
@@ -97,7 +97,7 @@ fn change_of_spin(motion: &SpatialMotion<f64>) -> Vector {
     motion.vector(plus(times(change), cross(spin, times(spin))))
 }
 
-/// Force, moment about a place, and how large what is summed is, of all that acts on a body.
+/// Returns the total force on a body, the moment about a place, and the magnitude of the summands.
 fn loads<T: Scene<Scalar = f64, Space = Spatial>>(
     system: &T,
     (q, v): (&T::Coordinates, &T::Velocities),
@@ -147,7 +147,7 @@ fn forces_on_free_bodies_are_those_that_move_them() {
             let bound = 1e-10 * (1.0 + summed);
             let rate = motion.acceleration.map(|component| motion.mass * component);
             assert!(size(minus(rate, force)) < bound, "{name}: m a = {rate:?}, F = {force:?}");
-            // A point has no orientation, and nothing turns it.
+            // A point has no orientation, and no moment acts on it.
             let change = change_of_spin(&motion);
             assert!(size(minus(change, moment)) < bound, "{name}: {change:?}, M = {moment:?}");
         }
@@ -155,8 +155,7 @@ fn forces_on_free_bodies_are_those_that_move_them() {
 }
 
 lagrange::system! {
-    /// A crane: a column that turns, a trolley on its boom, and a load that hangs from a universal
-    /// joint.
+    /// A crane: a turning column, a trolley on its boom, and a load on a universal joint.
     #[accuracy(strict)]
     struct Crane<S>;
 
@@ -182,7 +181,7 @@ lagrange::system! {
 const Q: [f64; 4] = [0.4, 0.8, -0.3, 0.2];
 const V: [f64; 4] = [0.5, -0.6, 0.7, 0.1];
 
-/// A joint by its numbers.
+/// A joint as plain numbers.
 struct Place {
     name: String,
     kind: SpatialJointKind,
@@ -200,7 +199,7 @@ fn assert_near(found: Vector, expected: Vector) {
     assert!(size(minus(found, expected)) < 1e-14, "{found:?} is not {expected:?}");
 }
 
-/// z of the trolley's frame, and where that is.
+/// Returns the z-axis and the position of the trolley's frame.
 fn trolley() -> (Vector, Vector) {
     let (sin, cos) = Q[0].sin_cos();
     ([-sin, cos, 0.0], [-0.8 * sin, 0.8 * cos, 2.0])
@@ -221,7 +220,7 @@ fn joints_are_where_geometry_puts_them() {
         ("turn", SpatialJointKind::Revolute, [0.0; 3], [0.0, 0.0, 1.0], [None, Some("column")]),
         ("way", SpatialJointKind::Prismatic, [0.0, 0.0, 2.0], boom, [Some("column"), Some("trolley")]),
         ("hook", SpatialJointKind::Weld, hook, [0.0, 0.0, 1.0], [Some("trolley"), Some("hook")]),
-        // Turned by a quarter, so that its x-axis is the boom.
+        // A quarter turn, so that its x-axis is the boom.
         ("p", SpatialJointKind::Universal, hook, boom, [Some("hook"), Some("load")]),
     ];
     assert_eq!(joints.len(), expected.len());

@@ -1,4 +1,4 @@
-//! Initial values that declarations give: the state that `start` returns.
+//! Initial values in declarations: the state that `start` returns.
 
 use lagrange::Simulate;
 
@@ -57,7 +57,7 @@ fn reduced_types_start_with_what_they_keep() {
 }
 
 lagrange::system! {
-    /// Masses in a row, of any number type.
+    /// Masses in a row, in any number type.
     struct Row<S>;
 
     const n = 3;
@@ -112,7 +112,7 @@ fn joints_and_bodies_start_as_declared() {
     assert_eq!((start.elbow, start.elbow_dot, start.shoulder_wz), (0.4, 0.1, 2.0));
     assert_eq!((start.shoulder_qw, start.shoulder_qx), (0.15_f32.cos(), 0.15_f32.sin()));
     assert_eq!((start.stone_z, start.stone_vx, start.stone_x), (1.0, 3.0, 0.0));
-    // An orientation without initial values turns nothing.
+    // An orientation without initial values is the identity.
     assert_eq!([start.stone_qw, start.stone_qx, start.stone_qy, start.stone_qz], [1.0, 0.0, 0.0, 0.0]);
     // Tilted about x, the upper arm of 0.5 points to y; the lower one is bent about its own y.
     let [x, y, z] = arm.tip(0.0, &start.coordinates(), &start.velocities());
@@ -151,7 +151,7 @@ fn starts_that_violate_constraints_end_as_others_do() {
 }
 
 lagrange::system! {
-    /// Names that mean other things elsewhere.
+    /// Names with other meanings elsewhere.
     struct Words;
 
     param start = 2;

@@ -1,5 +1,5 @@
-//! First-order states of emitted systems: names, runs, events, kinks, reductions, and all that
-//! beside constraints and contacts.
+//! First-order states of emitted systems: names, runs, events, kinks and reductions, beside
+//! constraints and contacts.
 
 use lagrange::Simulate;
 use lagrange::integrate::{GaussLegendre, RungeKutta4, Verner98};
@@ -10,12 +10,12 @@ use lagrange::system::{
 use crate::assert_close;
 
 lagrange::system! {
-    /// A wheel on a motor with inductance, and the integral of where it is.
+    /// A wheel on a motor with inductance, and the integral of its position.
     #[derive(Clone, Debug)]
     struct Servo;
 
     param j = 0.5, k = 0.3, r = 1.5, inductance = 0.05, hold = 2;
-    /// Counted from the declaration of the first coordinate on, states stand behind.
+    /// States come after coordinates, wherever they are declared.
     state current, integral;
     coord theta;
     input voltage;
@@ -31,7 +31,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A heater that switches off at its limit, beside a mass that is at rest.
+    /// A heater that switches off at its limit, beside a mass at rest.
     struct Heater<S>;
 
     param limit = 2, loss = 0.5;
@@ -45,7 +45,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Three masses and what each learns of the next one.
+    /// Three masses, each with a state that follows the next one.
     struct Ring;
 
     const n = 3;
@@ -74,7 +74,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball that bounces, and the way that it has gone.
+    /// A bouncing ball, and the distance that it has travelled.
     struct Ball;
 
     param g = 9.81;
@@ -87,7 +87,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A sledge on a brake that is pressed more and more.
+    /// A sledge with a brake that is pressed harder and harder.
     struct Sledge;
 
     coord x;
@@ -98,7 +98,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A root that ends.
+    /// A square root whose domain ends.
     struct Ending;
 
     coord x;
@@ -144,7 +144,7 @@ fn columns_have_the_names_of_states() {
     assert_eq!(rates[3..], [1.5, 2.5, 0.625, -0.5, -1.75, -2.875]);
 }
 
-/// A wheel that is held: i(t) = u/r (1 − e^(−r t/L)).
+/// A wheel held fixed: i(t) = u/r (1 − e^(−r t/L)).
 #[test]
 fn a_current_rises_as_that_of_a_coil() {
     let held = Servo { j: 1e300, k: 0.0, ..Servo::default() };
@@ -238,7 +238,8 @@ fn projections_and_impacts_leave_states_as_they_are() {
     let [x, y, heat, ..] = run.expect("runs").last();
     assert!((x.hypot(y) - 1.0).abs() < 1e-14 && heat > 1.0);
 
-    // Fallen from 1 m, half as fast each time: after the second impact it has gone 1 + 2/4 m.
+    // Dropped from 1 m, at half the speed each time: after the second impact it has travelled 1 +
+    // 2/4 m.
     let fall = (2.0 / 9.81_f64).sqrt();
     let run = Ball::default().simulate([1.0, 0.0, 0.0]).until(2.0 * fall + 1e-9).tolerance(1e-12).run();
     let way = run.expect("runs").last()[1];

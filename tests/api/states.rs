@@ -47,7 +47,7 @@ fn states_convert_both_ways() {
     assert_eq!(CartState::from(array), state);
     let copied: CartState = array.into();
     assert_eq!(format!("{copied:?}"), "CartState { x: 1.0, theta: 2.0, x_dot: 3.0, theta_dot: 4.0 }");
-    // A state can hold whatever stands for numbers.
+    // A state can hold any type in place of numbers.
     let names: [&str; 2] = DefaultsState { x: "q", x_dot: "v" }.into();
     assert_eq!(names, ["q", "v"]);
 }

@@ -9,7 +9,7 @@ use lagrange::integrate::{
 use lagrange::system::Wrapper;
 
 lagrange::system! {
-    /// An oscillator that is pushed for a moment.
+    /// An oscillator pushed for a moment.
     #[derive(Clone, Debug)]
     struct Pushed;
 
@@ -20,7 +20,7 @@ lagrange::system! {
     force x = if t < t0 { 0 } else { if t < t0 + dt { f } else { 0 } };
 }
 
-/// The state after the push of an oscillator at rest.
+/// Returns the state after the push of an oscillator at rest.
 fn after_push(&Pushed { t0, dt, f, .. }: &Pushed, t: f64) -> [f64; 2] {
     let since = t - t0;
     [f * ((since - dt).cos() - since.cos()), f * (since.sin() - (since - dt).sin())]
@@ -60,7 +60,7 @@ fn a_push_is_undone_backwards() {
 }
 
 lagrange::system! {
-    /// A mass between two springs, of which it touches one at a time.
+    /// A mass between two springs that touches one at a time.
     #[derive(Clone, Debug)]
     struct Bilinear;
 
@@ -71,7 +71,8 @@ lagrange::system! {
     emit { momentum_rates, jacobian }
 }
 
-/// Starts at x = 0 with velocity 1: half a period on the hard spring, half a one on the soft one.
+/// Starts at x = 0 with velocity 1: half a period on the hard spring, then half a period on the
+/// soft one.
 fn bilinear(t: f64) -> [f64; 2] {
     let (hard, soft) = (std::f64::consts::PI / 2.0, std::f64::consts::PI);
     let since = t % (hard + soft);
@@ -81,7 +82,7 @@ fn bilinear(t: f64) -> [f64; 2] {
     }
 }
 
-/// The power of the step with which the error falls, from h to h/8.
+/// Returns the power of the step with which the error decreases, from h to h/8.
 fn order<K: Method<Bilinear>>(method: impl Fn(f64) -> K) -> f64 {
     let error = |h: f64| {
         let end = integrate(&Bilinear::default(), 0.0, [0.0, 1.0], 31.0, &method(h), |_, _| {}).unwrap();
@@ -105,7 +106,7 @@ fn methods_keep_their_order_across_jumps_of_the_stiffness() {
 }
 
 lagrange::system! {
-    /// A block on a rough belt, written with the sign of its slip velocity.
+    /// Returns a block on a rough belt, written with the sign of its slip velocity.
     #[derive(Clone, Debug)]
     struct Rubbed;
 
@@ -123,7 +124,7 @@ fn a_state_that_slides_along_a_switch_is_told_of_friction() {
     assert!(matches!(error.cause, StepFailure::Slides { surface: "`dot(x)` in `force x`" }), "{error}");
     let text = error.to_string();
     assert!(text.contains("`dot(x)` in `force x`") && text.contains("friction name ="), "{text}");
-    // It turns at 1, −0.4 and then stays at −0.2: after two halves of a period.
+    // It turns at 1 and at −0.4, and then stays at −0.2, after two half periods.
     let [x, v] = error.trajectory.last();
     assert!((x + 0.2).abs() < 1e-9 && v.abs() < 1e-9, "{x} {v}");
     assert!((error.trajectory.times().last().unwrap() - 2.0 * std::f64::consts::PI).abs() < 1e-8);
@@ -133,7 +134,7 @@ fn a_state_that_slides_along_a_switch_is_told_of_friction() {
 }
 
 lagrange::system! {
-    /// A bead that is drawn to the origin by a constant force.
+    /// A bead attracted to the origin by a constant force.
     #[derive(Clone, Debug)]
     struct Valley;
 
@@ -175,7 +176,7 @@ fn what_is_looked_at_has_its_switches_free() {
 }
 
 lagrange::system! {
-    /// A body that falls in air whose drag grows with the square of the velocity.
+    /// A body that falls in air with quadratic drag.
     #[derive(Clone, Debug)]
     struct Falling;
 
@@ -198,14 +199,14 @@ fn drag_at_rest_and_along_what_does_not_move_costs_nothing() {
     assert!((vy + terminal * (3.0 / tau).tanh()).abs() < 1e-10);
     assert!((y + terminal * tau * (3.0 / tau).cosh().ln()).abs() < 1e-10);
     assert!(run.work().steps < 40, "{}", run.work().steps);
-    // Thrown up it stops at a time known in closed form.
+    // Thrown upwards, it stops at a time known in closed form.
     let up = falling.simulate([0.0, 0.0, 0.0, 20.0]).until(5.0).tolerance(1e-12);
     let up = up.event("top", Direction::Falling, |_, _, y| y[3]).run().unwrap();
     assert!((up.events()[0].time - tau * (20.0 / terminal).atan()).abs() < 1e-11);
 }
 
 lagrange::system! {
-    /// A force that is not even defined where it does not act.
+    /// A force that is undefined where it does not act.
     #[derive(Clone, Debug)]
     struct Guarded;
 
@@ -222,7 +223,7 @@ fn conditions_within_branches_may_be_undefined_elsewhere() {
     let run = run.event("turn", Direction::Falling, |_, _, y| y[1]).run().unwrap();
     assert_eq!(run.events().len(), 1);
     assert!((run.events()[0].state[0] - 2.0).abs() < 1e-9, "{:?}", run.events()[0]);
-    // Back at x = 0 it has v² = 2 + 4, and keeps it.
+    // Back at x = 0 it has v² = 2 + 4, and keeps this speed.
     assert!((run.last()[1] + 6.0_f64.sqrt()).abs() < 1e-9);
 }
 
@@ -240,7 +241,7 @@ lagrange::system! {
 
 #[test]
 fn a_square_wave_switches_in_every_half_period() {
-    // x is 1 − cos t and what each change of the force by ∓2 at t_k adds, ∓2 (1 − cos(t − t_k)).
+    // x is 1 − cos t plus the contribution of each force jump by ∓2 at t_k, ∓2 (1 − cos(t − t_k)).
     let right = |t: f64| {
         let jumps = (1..).map(|k| f64::from(k) * std::f64::consts::PI / 5.0).take_while(|&time| time < t);
         let response = |since: f64| 1.0 - since.cos();
@@ -260,8 +261,8 @@ fn a_square_wave_switches_in_every_half_period() {
 }
 
 lagrange::system! {
-    /// A bead on a rod that leans on a stop of its own: a constraint, a jump in the state and one
-    /// in time.
+    /// A bead on a rod that leans on its own stop: a constraint, a jump in the state and one in
+    /// time.
     #[derive(Clone, Debug)]
     struct Leaning;
 
@@ -280,7 +281,7 @@ fn constrained_systems_have_switches_too() {
     let run = Leaning::default().simulate([1.0, 1.0, -1.0, -1.0]).until(4.0).tolerance(1e-11).run().unwrap();
     let w = (1.5_f64).sqrt();
     let (x1, v1) = (-(w * 0.25).sin() / w, -(w * 0.25).cos());
-    // From t₁ on about the rest 1/k.
+    // From t₁ on it oscillates about the equilibrium 1/k.
     let (from_rest, rest) = (x1 - 1.0 / 3.0, 1.0 / 3.0);
     let up_to_zero = |s: f64| {
         [
@@ -288,7 +289,7 @@ fn constrained_systems_have_switches_too() {
             -from_rest * w * (w * s).sin() + v1 * (w * s).cos(),
         ]
     };
-    // Where it leaves the spring: a zero by bisection.
+    // The instant at which it leaves the spring, by bisection.
     let (mut early, mut late) = (0.5, 2.0);
     for _ in 0..60 {
         let middle = 0.5 * (early + late);
@@ -306,7 +307,7 @@ fn constrained_systems_have_switches_too() {
 }
 
 lagrange::system! {
-    /// A block that is blown along the floor by a fan in front of which it passes.
+    /// A block that a fan blows along the floor while it passes.
     #[derive(Clone, Debug)]
     struct Blown;
 
@@ -324,8 +325,8 @@ lagrange::system! {
 #[test]
 fn contacts_friction_and_events_go_with_switches() {
     let run = Blown::default().simulate([0.0, 0.0, 3.0, 0.0]).until(2.5).tolerance(1e-11).run().unwrap();
-    // Slips with −µ g, then −µ (g + 1) from t = 1/2, gets the push f from x = 1 on, and is thrown
-    // back by the wall.
+    // Decelerates by µ g, then by µ (g + 1) from t = 1/2. From x = 1 on it gets the push f, and the
+    // wall throws it back.
     let weight = [9.81, 10.81].map(|g| 0.2 * g);
     let meets = (3.0 - (9.0_f64 - 2.0 * weight[0]).sqrt()) / weight[0];
     let speed = 3.0 - weight[0] * meets;
@@ -351,12 +352,13 @@ lagrange::system! {
 }
 
 impl Strips {
-    /// The force in a strip and an interval of time, counted from zero.
+    /// Returns the force in a strip and an interval of time, counted from zero.
     fn force(&self, strip: usize, interval: usize) -> f64 {
         [self.a1, self.a2, self.a3][strip] + [0.0, self.f, 0.0][interval]
     }
 
-    /// The motion in parabolas; `None` where a border is touched so slowly that rounding decides.
+    /// Returns the motion in parabolas, or `None` where a boundary is touched so slowly that
+    /// rounding decides.
     fn parabolas(&self, [mut x, mut v]: [f64; 2], end: f64) -> Option<[f64; 2]> {
         let (borders, times) = ([self.b1, self.b2], [self.t1, self.t2, end]);
         let mut strip = borders.iter().filter(|border| x >= **border).count();
@@ -390,11 +392,11 @@ impl Strips {
     }
 }
 
-/// When a parabola reaches a distance on its way up or down.
+/// Returns the time at which a parabola reaches a distance on its way up or down.
 fn first_time_at(distance: f64, v: f64, a: f64, upwards: bool) -> Option<f64> {
     let discriminant = v * v + 2.0 * a * distance;
     let speed = if upwards { discriminant.sqrt() } else { -discriminant.sqrt() };
-    // There v + a s is the speed.
+    // The speed there is v + a s.
     let duration = if (v + speed).abs() > 1e-9 { 2.0 * distance / (v + speed) } else { (speed - v) / a };
     (duration > 0.0).then_some(duration)
 }
@@ -419,14 +421,14 @@ fn random_strips_and_pushes_are_passed_exactly() {
             |found: [f64; 2]| found.iter().zip(right).all(|(found, right)| (found - right).abs() < 1e-8);
         let found = strips.simulate(start).until(8.0).tolerance(1e-9).run().unwrap().last();
         assert!(close(found), "{strips:?} from {start:?}: {found:?} {right:?}");
-        // Parabolas are exact for it in steps of any length.
+        // The method is exact for parabolas in steps of any length.
         let found = integrate(&strips, 0.0, start, 8.0, &RungeKutta4 { step: 0.2 }, |_, _| {}).unwrap();
         assert!(close(found), "{strips:?} from {start:?}: {found:?} {right:?}");
     }
     assert!(compared > 200, "{compared}");
 }
 
-/// The oscillator with losses, which its declaration does not have.
+/// The oscillator with losses that its declaration lacks.
 struct Damped(Pushed);
 
 impl Wrapper for Damped {
@@ -449,14 +451,14 @@ impl Wrapper for Damped {
 
 #[test]
 fn a_system_around_another_keeps_its_switches() {
-    // Critically damped: a step of the force at s = 0 leads to x = f (1 − (1 + s) e⁻ˢ).
+    // Critical damping: a step of the force at s = 0 leads to x = f (1 − (1 + s) e⁻ˢ).
     let response = |since: f64| 100.0 * (1.0 - (1.0 + since) * (-since).exp());
     let run = Damped(Pushed::default()).simulate([0.0, 0.0]).until(25.0).tolerance(1e-10).run().unwrap();
     assert!((run.last()[0] - (response(5.0) - response(4.95))).abs() < 1e-8);
 }
 
 lagrange::system! {
-    /// Two blocks on rough ground, each on a spring, that do not know of each other.
+    /// Two independent blocks on rough ground, each on a spring.
     #[derive(Clone, Debug)]
     struct TwoRubbed;
 
@@ -478,7 +480,7 @@ fn states_that_slide_along_two_switches_stand_still_in_no_run() {
 }
 
 lagrange::system! {
-    /// A small body in a valley, beside coordinates that are large.
+    /// A small body in a valley, beside large coordinates.
     #[derive(Clone, Debug)]
     struct FarValley;
 
@@ -517,7 +519,7 @@ fn surfaces_are_located_by_the_size_of_their_functions() {
 }
 
 lagrange::system! {
-    /// Forces by the signs of what stays at zero, starts there, and passes it.
+    /// Forces by the signs of quantities that stay at zero, start there, or pass it.
     #[derive(Clone, Debug)]
     struct AtZero;
 

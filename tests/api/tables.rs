@@ -43,7 +43,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A wheel that is pulled along the road of an example, from a file.
+    /// A wheel pulled along the road of an example, from a file.
     #[derive(Clone, Debug)]
     struct Pulled;
     table road(x) = "../examples/data/road.csv", interpolation: natural, outside: error;
@@ -105,7 +105,7 @@ fn energy_is_kept_on_a_road_from_a_file() {
     let run = pulled.simulate([0.0, 0.0]).until(5.0).tolerance(1e-12).run().expect("it stays on the road");
     let [x, v] = run.last();
     let gained = pulled.energy(5.0, &[x], &[v]) - pulled.energy(0.0, &[0.0], &[0.0]);
-    // Accelerations bend at every point of the table, of which 150 are passed.
+    // Accelerations have kinks at every point of the table, 150 of which are passed.
     assert!((gained - 3.0 * x).abs() < 1e-6, "{gained} instead of {}", 3.0 * x);
 }
 

@@ -1,9 +1,9 @@
-//! Runs over spans of time cut anywhere: frames of a simulation in real time, and spans far from
-//! zero.
+//! Runs over arbitrarily divided spans of time: frames of a real-time simulation, and spans far
+//! from zero.
 //!
-//! A ball under gravity is the reference: methods of order two and more are exact for it but for
-//! rounding, and so are its bounces. Times are numbers of the scalar, so that what counts as
-//! rounding is the distance between neighbouring times.
+//! A ball under gravity is the reference. Methods of order two and more are exact for it up to
+//! rounding, and so are its bounces. Times are numbers of the scalar type, so that the distance
+//! between neighbouring times determines rounding.
 
 use lagrange::event::Direction;
 use lagrange::integrate::{
@@ -81,20 +81,21 @@ impl Random {
     }
 }
 
-/// Height and speed of a ball that rises from the floor to one metre, this long after a bounce.
+/// Returns height and speed of a ball that rises from the floor to one metre, at a time after a
+/// bounce.
 fn bounced(time: f64) -> [f64; 2] {
     let speed = (2.0 * GRAVITY).sqrt();
     let since = time.rem_euclid(2.0 * speed / GRAVITY);
     [since * (speed - GRAVITY * since / 2.0), speed - GRAVITY * since]
 }
 
-/// The same without a floor.
+/// Returns the same without a floor.
 fn thrown(time: f64) -> [f64; 2] {
     let speed = (2.0 * GRAVITY).sqrt();
     [time * (speed - GRAVITY * time / 2.0), speed - GRAVITY * time]
 }
 
-/// Consecutive spans, the phase of the ball where they begin, and the step of methods.
+/// Consecutive spans, the phase of the ball at their beginning, and the step of methods.
 struct Spans<S> {
     times: Vec<S>,
     phase: f64,
@@ -102,11 +103,11 @@ struct Spans<S> {
 }
 
 impl<S: Scalar + Into<f64>> Spans<S> {
-    /// Frames between multiples of the step, or of another period, from a random time on.
+    /// Returns frames between multiples of the step, or of another period, from a random time on.
     fn random(random: &mut Random, index: usize) -> Self {
         let step = [1.0 / 60.0, 1.0 / 240.0, 0.01, 0.002 + 0.02 * random.next()][index % 4];
         let period = if index.is_multiple_of(3) { step * (0.3 + 3.0 * random.next()) } else { step };
-        // Far enough for times to be rounded coarsely, as long as steps stay much longer than that.
+        // Far enough that times are rounded coarsely, while steps remain much longer than that.
         let farthest = step / (256.0 * period * S::epsilon().into());
         let first = (random.next() * farthest.powf(random.next())).floor() - 3.0;
         let times = (0..=4 + index % 3).map(|k| S::from_f64((first + k as f64) * period)).collect();
@@ -114,15 +115,15 @@ impl<S: Scalar + Into<f64>> Spans<S> {
         Spans { times, phase, step: S::from_f64(step) }
     }
 
-    /// What rounding makes of a height or a speed here: of the times that each step and bounce is
-    /// found at, and of themselves.
+    /// Returns the effect of rounding on a height or a speed: from the times of each step and
+    /// bounce, and from the numbers themselves.
     fn rounding(&self) -> f64 {
         let farthest = self.times.iter().fold(0.0_f64, |most, time| most.max((*time).into().abs()));
         32.0 * self.times.len() as f64 * S::epsilon().into() * (2.0 + 10.0 * farthest)
     }
 
-    /// Goes over all spans one after the other, or over the whole at once, and checks every state
-    /// that is seen.
+    /// Integrates all spans one after the other, or the whole at once, and checks every observed
+    /// state.
     fn check<M, K>(&self, name: &str, method: &K, system: &M, exact: fn(f64) -> [f64; 2], slack: f64)
     where
         M: OdeSystem<Scalar = S, State = [S; 2]>,
@@ -166,7 +167,7 @@ impl<S: Scalar + Into<f64>> Spans<S> {
                 )*
             };
         }
-        // How far methods are off by themselves, and how far within steps.
+        // Errors of the methods themselves, and of their dense output.
         let (line, first_order) = (8.0 * GRAVITY * h * h, 16.0 * GRAVITY * h);
         check! {
             RungeKutta4 { step }, 0.0, 0.0;
@@ -183,8 +184,8 @@ impl<S: Scalar + Into<f64>> Spans<S> {
     }
 }
 
-/// The ball reaches the floor one rounding before the end of a step, where short numbers are too
-/// far apart to tell.
+/// The ball reaches the floor one rounding before the end of a step, where single precision cannot
+/// resolve it.
 #[test]
 fn a_zero_at_the_end_of_a_step_is_found_in_short_numbers() {
     let (start, end) = (f32::from_bits(0x4013_3333), f32::from_bits(0x4014_4444));
@@ -198,7 +199,7 @@ fn a_zero_at_the_end_of_a_step_is_found_in_short_numbers() {
     }
 }
 
-/// Forty runs of frames by all methods, or as many as `LAGRANGE_FRAMES` says.
+/// Tests forty runs of frames by all methods, or the number in `LAGRANGE_FRAMES`.
 #[test]
 fn frames_advance_time_with_the_state_and_add_up() {
     let count = std::env::var("LAGRANGE_FRAMES").ok().and_then(|count| count.parse().ok()).unwrap_or(40);
@@ -209,10 +210,11 @@ fn frames_advance_time_with_the_state_and_add_up() {
     }
 }
 
-/// The farthest start of runs of some seconds has its numbers two milliseconds apart.
+/// At the farthest start of runs of some seconds, neighbouring times are two milliseconds apart.
 const STARTS: [f64; 8] = [0.0, -2.0, 1e3, -1e6, 1e9, 1.7e9, 1e12, 1e13];
 
-/// How far a motion may be off that starts there: rates of this size in some roundings of time.
+/// Returns the allowed error of a motion that starts there: rates of this size over a few roundings
+/// of time.
 fn coarseness(start: f64, rate: f64) -> f64 {
     1e-8 + 40.0 * f64::EPSILON * start.abs() * rate
 }
@@ -222,7 +224,7 @@ fn assert_near<const N: usize>(found: [f64; N], wanted: [f64; N], tolerance: f64
     assert!(is_near, "{what}: {found:?}, not {wanted:?} to {tolerance:e}");
 }
 
-/// Times since the start of the impacts of a ball, and its end.
+/// Returns the times of the impacts of a ball since the start, and its end.
 fn fallen(ball: &Ball, start: f64, method: impl Method<Ball>) -> (Vec<f64>, Trajectory<Ball>) {
     let run =
         ball.simulate([1.0, 0.0]).from(start).until(start + 3.0).method(method).max_steps(100_000).dense();
@@ -234,7 +236,7 @@ fn fallen(ball: &Ball, start: f64, method: impl Method<Ball>) -> (Vec<f64>, Traj
 fn impacts_do_not_depend_on_where_time_is_counted_from() {
     for e in [0.0, 0.5, 0.7, 0.95, 1.0] {
         let ball = Ball { e, ..Ball::default() };
-        // Of a series of bounces that ends, its end.
+        // For a series of bounces that ends, its end.
         let flight = 2.0 * (2.0 / GRAVITY).sqrt();
         let rest = flight * (0.5 + e / (1.0 - e));
         for start in STARTS {
@@ -244,7 +246,7 @@ fn impacts_do_not_depend_on_where_time_is_counted_from() {
                 fallen(&ball, start, RungeKutta4 { step: 1.0 / 64.0 }),
             ] {
                 let (mut time, mut hop) = (flight / 2.0, e * flight);
-                // A hop shorter than this is not told from those after it.
+                // A hop shorter than this is indistinguishable from those after it.
                 let shortest = 1e-5 + 200.0 * f64::EPSILON * start.abs();
                 for found in &impacts {
                     if hop <= shortest && e > 0.0 {
@@ -321,7 +323,7 @@ fn steps_that_times_so_far_from_zero_cannot_tell_are_refused() {
     }
 }
 
-/// The same instants backwards, where what rises in time falls along the run.
+/// Runs backwards have the same instants. A function that increases in time decreases along them.
 #[test]
 fn directions_of_events_are_those_along_the_run() {
     let system = Swing;

@@ -4,7 +4,7 @@ use lagrange::body::Motion;
 use lagrange::scene::{Item, Scene};
 
 lagrange::system! {
-    /// Three rotors on different angles, a brake, and torques on angles written in all ways.
+    /// Three rotors on different angles, a brake, and torques on angles in every notation.
     struct Rotors;
 
     param j = 1.5, r = 0.4;
@@ -25,7 +25,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two bodies that turn alike: on which of them a torque acts nobody knows.
+    /// Two bodies that turn alike: a torque on their angle acts on neither in particular.
     struct Twins;
 
     coord q;
@@ -45,8 +45,8 @@ fn omitted<M: Scene<Scalar = f64>>(system: &M, q: &M::Coordinates, v: &M::Veloci
     names
 }
 
-/// J α = Σ M of every body, whose other sides are found in different ways: the one by the equations
-/// of motion, the other as it is drawn.
+/// J α = Σ M for every body. The left side follows from the equations of motion, the right side
+/// from the drawing.
 #[test]
 fn moments_add_up_to_those_of_euler() {
     for trial in 0..40 {

@@ -22,7 +22,7 @@ lagrange::system! {
     potential = -mu / r;
 }
 
-/// The largest change of energy along a motion.
+/// Returns the largest change of energy along a motion.
 fn drift<T, const N: usize, const TWICE: usize>(system: &T, start: [T::Scalar; TWICE], end: f64) -> T::Scalar
 where
     T: EnergyFunction<

@@ -1,10 +1,10 @@
-//! Units of a declaration reach whoever asks an emitted type, and numbers are in coherent ones.
+//! Units of a declaration are available from the emitted type, and numbers are in coherent units.
 
 use lagrange::Simulate;
 use lagrange::system::{MechanicalSystem, OdeSystem, Wrapper};
 
 lagrange::system! {
-    /// A trolley that carries links, pushed.
+    /// A trolley that carries links, pushed by a force.
     #[derive(Clone, Debug)]
     struct Train;
 
@@ -32,7 +32,7 @@ lagrange::system! {
     kinetic = 1/2 * dot(x)^2;
 }
 
-/// A train as part of something else.
+/// A train inside another type.
 struct Around(Train);
 
 impl Wrapper for Around {

@@ -13,7 +13,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same without.
+    /// The double pendulum written without functions.
     struct Written;
     param m = 1.2, l = 0.7, g = 9.81;
     coord p, q;

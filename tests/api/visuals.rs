@@ -1,9 +1,10 @@
-//! What pictures show of bodies in the place of what these are made of.
+//! Visuals of bodies, shown by pictures instead of their solids.
 
 use lagrange::scene::{Item, Outline, Scene, Solid};
 
 lagrange::system! {
-    /// Inertia is stated; seen are a cylinder beside the centre of mass, and a sphere with a hole.
+    /// With declared inertia, and a cylinder beside the centre of mass and a sphere with a hole as
+    /// visuals.
     struct Link;
     param r = 0.1, h = 0.5;
     body link {
@@ -17,7 +18,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A disk that is seen as a rod.
+    /// A disk shown as a rod.
     struct Wheel;
     coord phi;
     body wheel { mass: 1; shape: disk(1); center: (0, 0); angle: phi; visual { slender_rod(2), angle: pi/2; } }

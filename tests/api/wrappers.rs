@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with the control in its equations.
+    /// The rod with the control in its equations.
     struct Controlled;
 
     param m = 2.0, g = 9.81;
@@ -37,7 +37,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A crate that is thrown onto a rough floor.
+    /// A crate thrown onto a rough floor.
     #[derive(Clone, Debug)]
     struct Crate;
 
@@ -49,7 +49,7 @@ lagrange::system! {
     friction rub = dot(x), mu * floor;
 }
 
-/// A system as it is.
+/// A wrapper without changes.
 #[derive(Clone, Debug)]
 struct Same<M>(M);
 
@@ -96,7 +96,7 @@ impl Wrapper for Driven {
     }
 }
 
-/// The same with the work of the control behind the state.
+/// The rod under control, with its work behind the state.
 struct WithWork(Rod);
 
 impl Wrapper for WithWork {
@@ -119,7 +119,7 @@ impl Wrapper for WithWork {
     }
 }
 
-/// The rod as one would write it who does not know of wrappers.
+/// The rod in a wrapper that only forwards required methods.
 struct Bare(Rod);
 
 impl OdeSystem for Bare {
@@ -164,7 +164,7 @@ fn what_is_added_to_a_state_goes_through_events_and_constraints() {
     let end = integrate(&system, 0.0, start, 1.5, &Verner98::tolerance(1e-12), |_, y| {
         assert!(residual(y) < 1e-15, "{y:?}");
         let gain = energy(y) - energy(&before) - (y[4] - before[4]);
-        // At the wall three quarters of the kinetic energy are lost, and nowhere else anything.
+        // At the wall it loses three quarters of its kinetic energy, and nowhere else.
         if gain.abs() > 1e-3 {
             lost += gain;
         } else {

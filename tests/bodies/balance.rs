@@ -1,5 +1,5 @@
-//! T₂ + V₂ = T₁ + V₁ + W₁₂: what loads that are not conservative do, W₁₂ = ∫ F·dr + ∫ M dφ, is what
-//! the energy grows by.
+//! T₂ + V₂ = T₁ + V₁ + W₁₂: the work W₁₂ = ∫ F·dr + ∫ M dφ of nonconservative loads is the increase
+//! of energy.
 
 use lagrange::integrate::{Verner98, integrate};
 use lagrange::system::OdeSystem;

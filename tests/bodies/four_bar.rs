@@ -1,5 +1,5 @@
 //! A four-bar linkage of three bodies with coordinates of their own and four pins, against a
-//! trajectory of 30 digits that was computed from three angles and two constraints.
+//! 30-digit trajectory computed from three angles and two constraints.
 
 use std::f64::consts::FRAC_PI_3;
 
@@ -25,7 +25,7 @@ lagrange::system! {
     pin rocker.point(-c/2, 0) to (d, 0);
 }
 
-/// Centres and angles for the angles of the bars, and their rates for rates of the angles.
+/// Returns centres and angles for the angles of the bars, and their rates for rates of the angles.
 fn places(linkage: &Linkage, [p1, p2, p3]: [f64; 3], [w1, w2, w3]: [f64; 3]) -> [f64; 18] {
     let &Linkage { a, b, c, d, .. } = linkage;
     let along = |length: f64, angle: f64| [length * angle.cos(), length * angle.sin()];
@@ -41,7 +41,7 @@ fn places(linkage: &Linkage, [p1, p2, p3]: [f64; 3], [w1, w2, w3]: [f64; 3]) -> 
     [x1, y1, p1, x2, y2, p2, x3, y3, p3, u1, v1, w1, u2, v2, w2, u3, v3, w3]
 }
 
-/// Almost six turns of the crank, and the pins hold to rounding.
+/// Almost six turns of the crank, with pins closed to rounding.
 #[test]
 fn bodies_on_pins_move_as_the_linkage_of_the_reference() {
     let linkage = Linkage::default();

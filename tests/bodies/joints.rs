@@ -1,5 +1,4 @@
-//! Forces of joints as vectors: on the body that is named first, and where the source is a
-//! free-body diagram.
+//! Forces of joints as vectors: on the body named first, as in the free-body diagram of the source.
 
 use lagrange::Simulate;
 
@@ -7,7 +6,8 @@ use crate::assert_within;
 use crate::pairs::Random;
 
 lagrange::system! {
-    /// Two plates hang from each other, each by its own coordinates; a spring holds the lower one.
+    /// Two plates, one hanging from the other, each with its own coordinates; a spring holds the
+    /// lower one.
     #[derive(Clone, Debug)]
     struct Plates;
 
@@ -24,7 +24,7 @@ lagrange::system! {
     output of_band = (band.force, band.length);
 }
 
-/// States that fulfil the constraints.
+/// Returns states that satisfy the constraints.
 fn states(plates: &Plates) -> impl Iterator<Item = ([f64; 6], [f64; 6])> + '_ {
     let mut random = Random::new(4);
     (0..20).map(move |_| {
@@ -37,8 +37,8 @@ fn states(plates: &Plates) -> impl Iterator<Item = ([f64; 6], [f64; 6])> + '_ {
     })
 }
 
-/// m a = F of all forces: the pin at the ground, that of the hinge with the opposite sign, the
-/// weight, the spring.
+/// m a = F of all forces: the pin at the ground, the reversed force of the hinge, the weight, the
+/// spring.
 #[test]
 fn forces_of_pins_and_springs_accelerate_the_centers() {
     let plates = Plates::default();
@@ -55,7 +55,7 @@ fn forces_of_pins_and_springs_accelerate_the_centers() {
     }
 }
 
-/// J φ̈ = moments of the same forces about the centres of mass.
+/// J φ̈ equals the moments of the same forces about the centres of mass.
 #[test]
 fn forces_of_pins_turn_the_bodies() {
     let plates = Plates::default();
@@ -74,7 +74,7 @@ fn forces_of_pins_turn_the_bodies() {
 }
 
 lagrange::system! {
-    /// A plate that hangs still.
+    /// A plate that hangs at rest.
     struct Hanging;
 
     param m = 2.0, a = 0.5, g = 9.81;

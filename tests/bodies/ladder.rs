@@ -7,8 +7,8 @@ use crate::assert_within;
 use crate::pairs::Random;
 
 lagrange::system! {
-    /// By the angle of the left half to the floor; joints and floor are fulfilled by the
-    /// coordinate.
+    /// A step ladder by the angle of its left half to the floor; the coordinate satisfies joints
+    /// and floor.
     #[derive(Debug)]
     struct Ladder;
 
@@ -71,7 +71,7 @@ fn the_center_of_the_right_half_runs_on_a_circle_about_the_left_foot() {
     }
 }
 
-/// The normal to the velocity of the toe is vertical, that to the velocity of the hinge goes
+/// The normal to the velocity of the toe is vertical, the normal to that of the hinge passes
 /// through the left foot.
 #[test]
 fn the_center_is_where_the_normals_to_two_velocities_meet() {

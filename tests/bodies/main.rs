@@ -1,5 +1,5 @@
-//! Systems of plane rigid bodies, declared with bodies: the same motions as by hand, and the values
-//! of textbooks.
+//! Systems of plane rigid bodies declared with bodies: the same motions as by hand, and textbook
+//! values.
 
 mod balance;
 mod four_bar;
@@ -12,7 +12,7 @@ mod rope;
 mod slope;
 mod squeezer;
 
-/// Whether a number is what it should be, relative to the larger of 1 and its size.
+/// Asserts that a number has its expected value, relative to the larger of 1 and its magnitude.
 #[track_caller]
 fn assert_within(tolerance: f64, found: f64, expected: f64) {
     let error = (found - expected).abs();

@@ -1,5 +1,5 @@
-//! A cylinder that rolls down a slope pulls a cuboid over a floor that turns rough. Values from the
-//! balance of energy, ½ m v² + ½ (m + J/r²) v² = m g s sin α − ∫ F_R ds with J = m r²/2.
+//! A cylinder that rolls down a slope pulls a cuboid over a floor that becomes rough. Values follow
+//! from the energy balance, ½ m v² + ½ (m + J/r²) v² = m g s sin α − ∫ F_R ds with J = m r²/2.
 
 use lagrange::Simulate;
 use lagrange::simulate::Trajectory;
@@ -41,8 +41,8 @@ fn run(rope: &Rope) -> Trajectory<Rope> {
     rope.simulate([0.0; 8]).until(10.0).tolerance(1e-13).every(0.02).run().expect("it runs")
 }
 
-/// Along the motion: the system in its modes has to be asked for forces, so accelerations are
-/// observed.
+/// Records accelerations along the motion, because only the system in its current mode knows the
+/// forces.
 fn pulls(rope: &Rope) -> Trajectory<Rope> {
     let observed = |rope: &Rope, t: f64, y: &[f64; 8]| {
         let state = RopeState::from(*y);
@@ -52,7 +52,7 @@ fn pulls(rope: &Rope) -> Trajectory<Rope> {
     run.observe_each(["rope", "pull", "friction"], observed).run().expect("it runs")
 }
 
-/// v² by the three relations.
+/// Returns v² by the three relations.
 fn squared_speed(rope: &Rope, s: f64) -> f64 {
     let &Rope { r, l1, mu, alpha, g, .. } = rope;
     let lost = if s < l1 {
@@ -118,7 +118,7 @@ fn weak_friction_lets_it_hit_the_wall() {
     assert_within(1e-12, last.s_dot, (0.8_f64 * 9.81 * 0.35).sqrt());
 }
 
-/// S = m g sin α − 3/2 m s̈ > 0: the rope does not sag. The friction below the cylinder is J φ̈/r.
+/// S = m g sin α − 3/2 m s̈ > 0: the rope stays taut. The friction below the cylinder is J φ̈/r.
 #[test]
 fn the_rope_always_pulls() {
     for mu in [0.8, 0.6] {

@@ -1,13 +1,13 @@
-//! A cuboid that slides and a cylinder that rolls down a slope, both of mass m and from rest, the
-//! cuboid a distance d above. Source of the values: Newton's laws for both bodies, m ẍ = m g sin α
-//! − H and J φ̈ = H r with J = m r²/2.
+//! A sliding cuboid and a rolling cylinder on a slope, both of mass m and from rest, the cuboid a
+//! distance d above. Source of the values: Newton's laws for both bodies, m ẍ = m g sin α − H and J
+//! φ̈ = H r with J = m r²/2.
 
 use lagrange::Simulate;
 
 use crate::assert_within;
 
 lagrange::system! {
-    /// Each body by the place of its centre.
+    /// Each body by the position of its centre.
     #[derive(Clone, Debug)]
     struct Slope;
 
@@ -50,7 +50,7 @@ fn multipliers_are_normal_forces_and_the_friction_that_makes_the_cylinder_roll()
         let [cuboid, cylinder, friction] = slope.forces(0.0, &q, &v).map(|force| force / (m * slope.g));
         assert_within(1e-13, cuboid, slope.alpha.cos());
         assert_within(1e-13, cylinder, slope.alpha.cos());
-        // It points up the slope, the line down.
+        // The friction points up the slope, the line down.
         assert_within(1e-13, -friction, slope.alpha.sin() / 3.0);
         let [x, y] = slope.on_cylinder(0.0, &q, &v).map(|force| force / (m * slope.g));
         let (sine, cosine) = slope.alpha.sin_cos();
@@ -97,8 +97,7 @@ fn they_touch_at_the_same_time_whatever_their_mass() {
     }
 }
 
-/// N stays what it is all along the motion, and T + V, since the friction that makes it roll does
-/// no work.
+/// N is constant along the motion. T + V is conserved, since the friction of rolling does no work.
 #[test]
 fn forces_are_constant_and_energy_is_conserved() {
     let slope = Slope::default();

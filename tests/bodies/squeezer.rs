@@ -1,9 +1,9 @@
 //! Andrews' squeezing mechanism as seven bodies, three pins and a spring, against accelerations and
-//! multipliers that were derived independently and computed with many digits
-//! (`tests/constrained/andrews_squeezer.json`, as all that are there).
+//! multipliers derived independently with many digits (`tests/constrained/andrews_squeezer.json`,
+//! like all data there).
 //!
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §VII.7, where the mass
-//! matrix is written out.
+//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §VII.7, which gives the
+//! mass matrix explicitly.
 
 use std::fs;
 use std::path::Path;

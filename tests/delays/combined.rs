@@ -1,4 +1,4 @@
-//! Delays in parts and arrays, under names that are taken, and beside what else runs are used for.
+//! Delays in parts and arrays, under reserved names, and beside other features of runs.
 
 use lagrange::Simulate;
 use lagrange::integrate::{Method, Verner98};
@@ -7,7 +7,7 @@ use lagrange::system::DelayedSystem;
 use crate::linear::Late;
 
 lagrange::system! {
-    /// Two carts with a late spring each, of which the second one is slower.
+    /// Two carts, each with a delayed spring; the second one is slower.
     #[derive(Clone, Debug)]
     struct Carts;
     part Cart(lag, k = 4) {
@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same without parts.
+    /// The carts without parts.
     #[derive(Clone, Debug)]
     struct Flat;
     coord x[2] = 1;
@@ -31,7 +31,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A parameter and a signal have the names of the language.
+    /// A parameter and a signal named like elements of the language.
     #[derive(Clone, Debug)]
     struct Named;
     param delay = 1, delayed_1 = 2;
@@ -59,7 +59,7 @@ fn names_of_the_user_keep_their_meaning() {
     assert_eq!(run.column("delayed_2").expect("a column").len(), run.len());
 }
 
-/// Methods by hand take delayed signals as they take inputs: from the fields.
+/// Rates called by hand take delayed signals from the fields, as they take inputs.
 #[test]
 fn rates_by_hand_are_those_of_the_fields() {
     let late = Late::default();

@@ -4,7 +4,7 @@ use lagrange::Simulate;
 use lagrange::integrate::RungeKutta4;
 
 lagrange::system! {
-    /// Its state jumps by one at t = 1/2.
+    /// The state jumps by one at t = 1/2.
     struct Pushed;
     state x = 1;
     event push = t - 1/2, rising => { x = x + 1; }
@@ -24,7 +24,7 @@ fn an_event_jumps_again_one_delay_later() {
 }
 
 lagrange::system! {
-    /// The event is that of a signal half a second ago.
+    /// The event depends on a signal half a second ago.
     struct Alarm;
     state x = 0;
     dot(x) = 1 + 0 * delay(x, 1/2);
@@ -40,7 +40,7 @@ fn a_delayed_event_is_late_by_the_delay() {
 }
 
 lagrange::system! {
-    /// Follows an input of three tenths of a second ago.
+    /// Follows an input with a delay of three tenths of a second.
     struct Follower;
     input u;
     state x;
@@ -50,7 +50,7 @@ lagrange::system! {
 
 #[test]
 fn sampled_inputs_arrive_late_and_whole() {
-    // The input counts tenths, so that it jumps wherever the delayed one does: ∫ u(t − 0.3) up to 1
+    // The input counts tenths, so that it jumps wherever the delayed one does. ∫ u(t − 0.3) up to 1
     // is (0 + 0 + 0 + 0 + 1 + … + 6)/10 with u = 0 before the start.
     let mut count = -1.0;
     let control = |follower: &Follower, _, _: FollowerState| {
@@ -66,7 +66,7 @@ fn sampled_inputs_arrive_late_and_whole() {
 }
 
 lagrange::system! {
-    /// A clock counts; what it counted is used a quarter of a second later.
+    /// A clock counts; the count acts a quarter of a second later.
     struct Clocked;
     discrete count = 0;
     state x;
@@ -84,7 +84,7 @@ fn clocks_that_tick_one_delay_apart_are_told_from_each_other() {
 }
 
 lagrange::system! {
-    /// A delayed signal decides.
+    /// A delayed signal switches the rate.
     struct Relay;
     state x = 1;
     dot(x) = if delay(x, 1/2) > 0 { -1 } else { 1 };

@@ -111,8 +111,7 @@ fn short_delays_cost_steps_and_no_accuracy() {
 }
 
 lagrange::system! {
-    /// A delay of a delay, and one that is as long as both. A parameter may have the name of the
-    /// function.
+    /// A delay of a delay, and one as long as both. A parameter may have the name of the function.
     struct Twice;
     param delay = 1/2;
     state x = 1, y = 1;

@@ -4,7 +4,7 @@ use lagrange::Simulate;
 use lagrange::integrate::RungeKutta4;
 
 lagrange::system! {
-    /// An inverted pendulum that is held by a controller whose measurement is late.
+    /// An inverted pendulum balanced by a controller with a delayed measurement.
     #[derive(Debug)]
     struct Held;
     param m: kg = 1, l: m = 1, g: m/s^2 = 9.81, p: N*m = 30, d: N*m*s = 6, lag: s = 0.05;
@@ -44,7 +44,7 @@ fn a_later_measurement_lets_it_fall() {
 fn fixed_steps_converge_with_their_order() {
     let held = Held::default();
     let expected = HELD.lines().nth(4).unwrap().split(',').nth(1).unwrap().parse::<f64>().unwrap();
-    // The step does not divide the delay: jumps end steps nevertheless.
+    // The step does not divide the delay, but jumps still end steps.
     let errors = [0.014, 0.007, 0.0035].map(|step| {
         let run = held.simulate(held.start()).until(0.6).with_history().method(RungeKutta4 { step });
         (run.run().unwrap().last()[0] - expected).abs()

@@ -1,4 +1,4 @@
-//! Nothing runs without the past that it needs.
+//! Nothing runs without the history that it needs.
 
 use lagrange::Simulate;
 use lagrange::integrate::{Verner98, integrate};

@@ -4,7 +4,7 @@ use lagrange::Simulate;
 use lagrange::integrate::RungeKutta4;
 
 lagrange::system! {
-    /// A signal that jumps where a state passes a level, in equations that do so or do not.
+    /// A signal that jumps where a state passes a level, in equations with or without jumps.
     struct Stepped;
     param lag = 0.5, bend = 0;
     state x = 0, z = 0;
@@ -13,7 +13,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A counter, whose past is summed up.
+    /// A counter whose past is integrated.
     struct Counted;
     param lag = 0.3, period = 0.1;
     state x = 1;
@@ -76,7 +76,7 @@ fn clocks_tick_within_roundings_of_restarts() {
 #[test]
 fn many_delays_cost_a_bounded_number_of_steps() {
     lagrange::system! {
-        /// A state with many pasts.
+        /// A state with many delays.
         struct Many;
         state x = 1;
         dot(x) = -0.1 * (delay(x, 0.31) + delay(x, 0.43) + delay(x, 0.59) + delay(x, 0.67)

@@ -1,12 +1,12 @@
-//! Ends of springs and dampers that nothing moves are held by something.
+//! Fixed ends of springs and dampers are drawn with an anchor.
 
 use lagrange::draw::Drawing;
 
 use crate::marks::paths;
 
 lagrange::system! {
-    /// Two masses that hang below each other and a cart between a wall, a point at rest and a point
-    /// that is driven.
+    /// Two masses that hang below each other, and a cart between a wall, a fixed point and a driven
+    /// point.
     struct Springs;
 
     param m = 1.0, k = 30.0, c = 0.5, g = 9.81;
@@ -35,7 +35,7 @@ fn count(hidden: &[&str]) -> usize {
 
 #[test]
 fn only_ends_at_rest_that_touch_nothing_are_anchored() {
-    // Each spring and each damper is a path of its own; an anchor is a line and its hatching.
+    // Each spring and each damper is a single path; an anchor is a line and its hatching.
     for (name, paths) in [("hanger", 1 + 2), ("back", 1 + 2), ("link", 1), ("base", 1), ("drive", 1)] {
         assert_eq!(count(&[]) - count(&[name]), paths, "{name}");
     }

@@ -1,4 +1,4 @@
-//! Forces of contacts are drawn, on both bodies, as those of a motion from the state.
+//! Forces of contacts are drawn on both bodies, and equal those of a motion from the state.
 
 use std::cell::RefCell;
 
@@ -62,7 +62,7 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// The forces of these names in a picture, with their points.
+/// Collects the forces with these names in a picture, with their points.
 macro_rules! forces {
     ($system:expr, $state:expr, $names:expr) => {{
         let found = RefCell::new(Vec::new());
@@ -78,7 +78,7 @@ fn close(one: [f64; 2], other: [f64; 2]) -> bool {
     (one[0] - other[0]).hypot(one[1] - other[1]) < 1e-9
 }
 
-/// On the slope, moving along it with 1 m/s.
+/// Returns the block on the slope, moving along it at 1 m/s.
 fn sliding(block: &Block) -> [f64; 4] {
     let (sin, cos) = block.tilt.sin_cos();
     [0.1 * sin, 0.1 * cos, cos, -sin]
@@ -102,7 +102,7 @@ fn all_forces_on_a_free_body_have_names() {
     let picture = Drawing::of(&block).free_body("block").picture(0.0, &sliding(&block)).expect("draws");
     let mut labels = texts(&picture.svg());
     labels.sort_unstable();
-    // The angle is no coordinate: a moment holds it.
+    // The angle is not a coordinate, so a moment holds it.
     assert_eq!(labels, ["G", "H", "MR", "N"]);
 }
 
@@ -148,7 +148,7 @@ fn both_bodies_get_opposite_forces() {
         drawing.picture(0.0, &[0.0, 0.4, 0.0, 0.0]).expect("draws");
         force.take()
     };
-    // Both are pushed together: each takes half of the force.
+    // Both are pushed together, and each takes half of the force.
     assert!(close(free("ball"), [0.0, 25.0]) && close(free("plate"), [0.0, -25.0]));
 }
 

@@ -12,7 +12,7 @@ fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// One picture of every scene.
+/// Returns one picture of every scene.
 fn gallery() -> Vec<(&'static str, Picture)> {
     let states: Vec<(f64, [f64; 2])> =
         (0..=20).map(|k| 1.3 - 0.04 * f64::from(k)).map(|s| (1.3 - s, [s, -1.0])).collect();
@@ -74,7 +74,7 @@ fn what_cannot_be_written_is_refused_with_its_path() {
 
 const CHILD: &str = "LAGRANGE_TEST_FOLDER";
 
-/// Files may not grow beyond a kilobyte, as on a full disk.
+/// Files are limited to a kilobyte, as on a full disk.
 #[cfg(unix)]
 #[test]
 fn older_files_survive_a_full_disk() {
@@ -97,7 +97,7 @@ fn older_files_survive_a_full_disk() {
     let mut shell = Command::new("sh");
     shell.args(["-c", "trap '' XFSZ; ulimit -f 2; exec \"$@\"", "sh"]);
     shell.arg(env::current_exe().expect("is known"));
-    // What it says could go to a file that may not grow.
+    // Its output could go to a limited file.
     shell
         .args(["--exact", "files::older_files_survive_a_full_disk"])
         .stdout(Stdio::null())

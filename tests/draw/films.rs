@@ -6,7 +6,7 @@ use lagrange::simulate::Trajectory;
 
 use crate::scenes::{LADDER, Puppet};
 
-/// The ladder's angle falls from 1 at a rate of 1.
+/// The ladder's angle decreases from 1 at a rate of 1.
 const START: [f64; 2] = [1.0, -1.0];
 
 fn run(duration: f64) -> Trajectory<Puppet> {
@@ -54,7 +54,7 @@ fn show_as_many_pictures_a_second_as_fit_evenly() {
 
 #[test]
 fn show_states_at_seconds_of_their_own() {
-    // The system stands at one time, and the film shows its states in slow motion.
+    // The system is fixed in time, and the film shows its states in slow motion.
     let drawing = Drawing::of(&LADDER);
     let moments = |seconds: [f64; 3]| seconds.into_iter().zip([1.0, 0.9, 0.8].map(|a| (2.0, [a, -1.0])));
     let film = drawing.timed_film(moments([0.0, 0.5, 1.0])).expect("can be drawn");
@@ -116,7 +116,7 @@ fn refuse_what_is_not_known_at_their_times() {
 
 #[test]
 fn write_each_path_of_a_point_once() {
-    // So slow at first that its points cannot be told apart.
+    // Motion so slow at first that its points coincide.
     let hinge = |_: &Puppet, _: f64, y: &[f64; 2]| {
         let angle = 1.0 + (y[0] - 1.0) * (y[0] - 1.0) / 2.0;
         [angle.cos(), angle.sin()]
@@ -140,7 +140,7 @@ fn are_written_by_their_extension() {
 }
 
 lagrange::system! {
-    /// A trolley that is pushed.
+    /// A trolley pushed by a force.
     #[derive(Debug)]
     struct Trolley;
     coord x;
@@ -150,8 +150,7 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// The forces in a film are those of the inputs that a control set, not those that the system has
-/// by itself.
+/// The forces in a film follow the inputs set by a control, not the defaults of the system.
 #[test]
 fn show_the_forces_that_a_control_set() {
     let trolley = Trolley::default();

@@ -1,4 +1,4 @@
-//! Free bodies show what acts on them, whether it has a name or not.
+//! Free-body diagrams show all loads, with or without a name.
 
 use std::cell::Cell;
 
@@ -7,7 +7,7 @@ use lagrange::draw::{Drawing, Picture};
 use crate::marks::{farthest, paths, texts};
 
 lagrange::system! {
-    /// A pole hangs on a cart; the coordinates fulfil the hinge and the rail by themselves.
+    /// A pole that hangs on a cart; the coordinates imply the hinge and the rail.
     struct CartPole;
 
     param m_cart = 2.0, m_pole = 1.0, l = 1.0, g = 9.81;
@@ -26,7 +26,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same pole on a hinge that has multipliers.
+    /// The pole on a hinge with multipliers.
     struct Pole;
 
     param m = 1.0, l = 1.0, g = 9.81;
@@ -39,7 +39,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two wheels on fixed axes, joined by a torsion spring, each with a torque.
+    /// Two wheels on fixed axes, connected by a torsion spring, each with a torque.
     struct Wheels;
 
     param j = 0.5, k = 3.0;
@@ -53,8 +53,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A block on a rail that is a hand-written constraint, pulled by a spring that is a
-    /// hand-written energy.
+    /// A block on a rail that is a handwritten constraint, pulled by a spring that is a handwritten
+    /// energy.
     struct Block;
 
     param m = 2.0, k = 50.0, g = 9.81;
@@ -71,7 +71,7 @@ const Q: [f64; 2] = [0.3, 0.7];
 const V: [f64; 2] = [0.2, 1.5];
 const STATE: [f64; 4] = [Q[0], Q[1], V[0], V[1]];
 
-/// The picture of a free body of the cart with its pole, and R.
+/// Returns the free-body diagram of the cart or its pole, and R.
 fn free(body: &str) -> (Picture, [f64; 2]) {
     let system = CartPole::default();
     let rest = Cell::new([0.0; 2]);
@@ -81,7 +81,7 @@ fn free(body: &str) -> (Picture, [f64; 2]) {
     (picture.picture(0.0, &STATE).expect("draws"), rest.get())
 }
 
-/// By Newton's law for the pole, with which force the hinge pulls at the cart.
+/// Returns the force of the hinge on the cart, by Newton's law for the pole.
 fn pull(system: &CartPole) -> [f64; 2] {
     let [x, theta] = system.acceleration(0.0, &Q, &V);
     let ((sin, cos), half) = (Q[1].sin_cos(), 0.5 * system.l);
@@ -99,7 +99,7 @@ fn the_forces_of_rail_and_pole_on_a_cart_are_shown_together() {
     let system = CartPole::default();
     let (picture, rest) = free("cart");
     let hinge = pull(&system);
-    // The cart does not rise: the rail carries its weight and the pull of the pole.
+    // The cart stays level: the rail carries its weight and the pull of the pole.
     let rail = [0.0, system.m_cart * system.g - hinge[1]];
     assert!(close(rest, [hinge[0] + rail[0], hinge[1] + rail[1]]), "{rest:?}");
     let labels = texts(&picture.svg());
@@ -152,7 +152,7 @@ fn moments_are_drawn_on_the_body_on_which_they_act_and_around_each_other() {
     {
         let svg = free(body).svg();
         assert_eq!(texts(&svg), labels);
-        // The disk is as large as the picture allows only if nothing is far outside.
+        // The disk fills the picture only if nothing is far outside.
         let drawn = paths(&svg);
         assert!(farthest(&drawn[0]) > 300.0, "{}", drawn[0]);
     }

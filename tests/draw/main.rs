@@ -1,4 +1,4 @@
-//! Pictures of scenes that are written by hand: what they consist of, and that it is all in them.
+//! Pictures of handwritten scenes: their elements, and that they fit inside.
 #![cfg(feature = "draw")]
 
 mod anchors;

@@ -1,4 +1,4 @@
-//! What pictures consist of, found out from their SVG.
+//! Elements of pictures, read from their SVG.
 
 use lagrange::body::Motion;
 use lagrange::draw::{Drawing, Picture};
@@ -21,13 +21,13 @@ pub(crate) fn texts(svg: &str) -> Vec<String> {
     document.descendants().filter(|node| node.has_tag_name("text")).map(all).collect()
 }
 
-/// All coordinates of a path.
+/// Returns all coordinates of a path.
 pub(crate) fn numbers(d: &str) -> Vec<f64> {
     let words = d.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter(|word| !word.is_empty());
     words.map(|word| word.parse().unwrap_or(f64::NAN)).collect()
 }
 
-/// From the first point of a path to its farthest.
+/// Returns the distance from the first point of a path to its farthest.
 pub(crate) fn farthest(d: &str) -> f64 {
     let numbers = numbers(d);
     let away = numbers.chunks(2).map(|p| (p[0] - numbers[0]).hypot(p[1] - numbers[1]));
@@ -97,7 +97,7 @@ fn nothing_that_is_written_is_cut_off_in_small_pictures() {
         for (node, text) in written.iter().zip(texts(&svg)) {
             let number =
                 |name| node.attribute(name).and_then(|value| value.parse::<f64>().ok()).expect("is there");
-            // Letters are at least a third as wide as high, the widest lines about half.
+            // Letters are at least a third as wide as high, and the widest lines about half.
             let half = 0.5 * 0.33 * number("font-size") * text.chars().count() as f64;
             assert!(number("x") - half >= 0.0 && number("x") + half <= width, "{text}");
             assert!(number("y") >= 0.7 * number("font-size") && number("y") <= height, "{text}");
@@ -123,8 +123,8 @@ fn documents_tell_what_they_show() {
 fn every_item_has_its_marks() {
     let count =
         |drawing: Drawing<'_, Puppet>| paths(&drawing.picture(0.0, &[0.9, -1.0]).expect("draws").svg()).len();
-    // Two rods of two paths each, the floor and its hatching, three for the foot on the ground, a
-    // pin and a sliding foot.
+    // Two rods of two paths each, the floor and its hatching, three paths for the foot on the
+    // ground, a pin and a sliding foot.
     assert_eq!(count(Drawing::of(&LADDER)), 2 * 2 + 2 + 3 + 1 + 1);
     assert_eq!(count(Drawing::of(&LADDER).velocities()), 11 + 2);
     assert_eq!(count(Drawing::of(&LADDER).velocities().accelerations()), 11 + 4);
@@ -173,8 +173,7 @@ fn a_free_body_has_nothing_around_it() {
 
 #[test]
 fn the_normal_force_on_a_free_body_ends_at_its_contact() {
-    // The only body is a disk on a floor; its rim and the tip of the force from below are the same
-    // point.
+    // The only body is a disk on a floor; its rim and the tip of the upward force coincide.
     const DISK: Puppet = Puppet(|_, visit| {
         visit(Item::Body {
             name: "disk",
@@ -197,7 +196,7 @@ fn pictures_of_a_film_have_the_same_marks() {
     let states = (0..30).map(|k| (0.1 * f64::from(k), [1.4 - 0.04 * f64::from(k), -1.0]));
     let pictures = ladder().pictures(states).expect("draws");
     assert_eq!(pictures.len(), 30);
-    // Only the path so far has no line at first.
+    // Only the trace has no line at first.
     let counts: Vec<usize> = pictures.iter().map(|picture| paths(&picture.svg()).len()).collect();
     assert!(counts.iter().all(|count| *count == counts[0]), "{counts:?}");
     let floor = |picture: &Picture| paths(&picture.svg())[1].clone();
@@ -224,7 +223,7 @@ fn a_trace_shows_the_past_only() {
 
 #[test]
 fn an_instantaneous_centre_is_on_both_normals() {
-    // Where rays end is where the right half turns about: (2 L cos φ, 2 L sin φ).
+    // The right half turns about the ends of the rays: (2 L cos φ, 2 L sin φ).
     let phi = 0.9_f64;
     let drawing = Drawing::of(&LADDER).nameless().centers();
     let picture = drawing.clone().annotate(move |sketch, _| {

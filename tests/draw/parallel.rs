@@ -1,4 +1,4 @@
-//! Springs and dampers between the same points, and what `forces` shows.
+//! Springs and dampers between the same points, and the option `forces`.
 
 use std::f64::consts::TAU;
 
@@ -24,9 +24,9 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// The heights of what is drawn of a connector between its bars, and those of the other one.
+/// Returns the heights of a connector between its bars, and those of the other one.
 fn heights(picture: &Picture) -> Vec<[f64; 2]> {
-    // What starts with a bar, goes on elsewhere and ends with a bar.
+    // A path that starts with a bar, continues elsewhere and ends with a bar.
     let is_beside =
         |d: &&String| [3, 6].contains(&d.matches('M').count()) && !d.contains(['C', 'Z']) && d.len() > 60;
     let range = |points: Vec<f64>| {
@@ -51,14 +51,13 @@ fn a_spring_and_a_damper_are_drawn_side_by_side_throughout_a_film() {
     assert!(heights(&alone("slow")).is_empty() && heights(&alone("soft")).is_empty(), "one alone is no pair");
 }
 
-/// A spring and a damper from the origin to a point at this angle, 0.8 away, or from there if
-/// declared against each other; beside them two far points, so that the picture has a size of its
-/// own.
+/// A spring and a damper from the origin to a point at this angle, 0.8 away, or in the reverse
+/// order. Two far points give the picture a fixed size.
 const PAIR: Puppet = Puppet(|angle, visit| {
     let tip = [0.8 * angle.cos(), 0.8 * angle.sin()];
     pair(tip, visit);
 });
-/// The same whose ends meet where the coordinate is zero.
+/// A pair whose ends meet where the coordinate is zero.
 const MEETING: Puppet = Puppet(|s, visit| pair([0.6 * s, 0.8 * s], visit));
 
 fn pair(tip: [f64; 2], visit: &mut dyn FnMut(Item<'_, f64>)) {
@@ -70,8 +69,8 @@ fn pair(tip: [f64; 2], visit: &mut dyn FnMut(Item<'_, f64>)) {
     visit(Item::Connector { name: "d", kind: Connector::Damper, from: tip, to: [0.0, 0.0], tension: 0.0 });
 }
 
-/// The points of the connectors of a picture, which are the paths without areas that start where a
-/// third one does.
+/// Returns the points of the connectors of a picture: the last two paths that vanish when both are
+/// hidden.
 fn drawn(system: &Puppet, s: f64) -> [Vec<[f64; 2]>; 2] {
     let svg = |hidden: &[&str]| {
         let drawing = hidden.iter().fold(Drawing::of(system).nameless(), |drawing, name| drawing.hide(name));
@@ -85,7 +84,7 @@ fn drawn(system: &Puppet, s: f64) -> [Vec<[f64; 2]>; 2] {
     [spring.clone(), damper.clone()]
 }
 
-/// How far on the left of the line between two points others lie, at least and at most.
+/// Returns the smallest and largest distances of points to the left of the line between two others.
 fn aside(points: &[[f64; 2]], [from, to]: [[f64; 2]; 2]) -> [f64; 2] {
     let along = [to[0] - from[0], to[1] - from[1]];
     let length = along[0].hypot(along[1]).max(1e-9);
@@ -123,7 +122,7 @@ fn a_pair_whose_ends_meet_is_drawn_within_the_picture() {
 }
 
 lagrange::system! {
-    /// An arm whose joints the coordinates fulfil by themselves.
+    /// An arm whose coordinates imply its joints.
     struct Arm;
 
     param l = 1, g = 9.81;

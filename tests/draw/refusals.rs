@@ -1,4 +1,4 @@
-//! What cannot be drawn is refused by name.
+//! Items that cannot be drawn are refused by name.
 
 use lagrange::body::Motion;
 use lagrange::draw::{DrawError, Drawing, Picture};
@@ -10,7 +10,7 @@ fn refused(result: Result<Picture, DrawError>) -> String {
     result.expect_err("cannot be drawn").to_string()
 }
 
-/// A plate whose position is the coordinate, beside things that are not finite if it is zero.
+/// A plate whose position is the coordinate, beside items that are not finite if it is zero.
 const BROKEN: Puppet = Puppet(|s, visit| {
     let motion = Motion { velocity: [0.0, 1.0 / s], ..still([0.0, 0.0], 0.0) };
     visit(Item::Body { name: "plate", motion, parts: &[part(Outline::Rectangle(1.0, 1.0))] });
@@ -57,7 +57,7 @@ fn every_kind_of_item_is_checked() {
             visit(Item::Moment { name: "moment", cause, body: None, at: [0.0, 0.0], moment: x });
         }),
         ("triangle", |x, visit| {
-            // No triangle has such sides, whatever the state.
+            // No triangle has such sides, at any state.
             let parts = [part(Outline::Triangle(1.0, 1.0, 3.0 + 0.0 * x))];
             visit(Item::Body { name: "triangle", motion: still([0.0, 0.0], 0.0), parts: &parts });
         }),

@@ -1,4 +1,4 @@
-//! Scenes whose motion is given.
+//! Scenes with prescribed motions.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
@@ -45,7 +45,7 @@ impl Scene for Puppet {
     }
 }
 
-/// A body at rest.
+/// Returns a body at rest.
 pub(crate) fn still(center: [f64; 2], angle: f64) -> Motion<f64> {
     Motion {
         mass: 1.0,
@@ -64,8 +64,8 @@ pub(crate) fn part(outline: Outline<'_, f64>) -> Part<'_, f64> {
     Part { shape: outline, at: [0.0, 0.0], rotation: 0.0, is_hole: false }
 }
 
-/// Half a step ladder each, the left foot at rest; the coordinate is the angle φ to the floor, φ̇ =
-/// −1.
+/// The two halves of a step ladder, the left foot at rest; the coordinate is the angle φ to the
+/// floor, φ̇ = −1.
 pub(crate) const LADDER: Puppet = Puppet(|phi, visit| {
     let (sin, cos) = phi.sin_cos();
     visit(Item::Line(Line { name: "floor", body: None, through: [0.0, 0.0], angle: 0.0 }));
@@ -89,7 +89,7 @@ pub(crate) const LADDER: Puppet = Puppet(|phi, visit| {
     visit(Item::Joint { name: "slide", kind: Joint::Slide, at: [2.0 * cos, 0.0] });
 });
 
-/// What the step ladder looks like with everything that helps.
+/// Returns the drawing of the step ladder with every option on.
 pub(crate) fn ladder() -> Drawing<'static, Puppet> {
     Drawing::of(&LADDER)
         .title("The instantaneous centre M of the right half")
@@ -105,8 +105,8 @@ pub(crate) fn ladder() -> Drawing<'static, Puppet> {
         })
 }
 
-/// A cylinder that rolls down a slope behind a cuboid that slides; the coordinate is how far the
-/// cylinder has come.
+/// A rolling cylinder behind a sliding cuboid on a slope; the coordinate is the distance that the
+/// cylinder has rolled.
 pub(crate) const SLOPE: Puppet = Puppet(|s, visit| {
     let (alpha, radius) = (FRAC_PI_6, 0.5);
     let (along, up) = ([alpha.cos(), -alpha.sin()], [alpha.sin(), alpha.cos()]);
@@ -186,7 +186,8 @@ pub(crate) const COLLECTION: Puppet = Puppet(|s, visit| {
     visit(Item::Joint { name: "pin", kind: Joint::Anchor, at: [6.4, -4.8] });
 });
 
-/// A rod against a wall and a cart on a floor that end where they meet; the wall goes down.
+/// A rod against a wall and a cart on a floor, which end where they meet; the wall extends
+/// downwards.
 pub(crate) const CORNER: Puppet = Puppet(|phi, visit| {
     let (sin, cos) = phi.sin_cos();
     visit(Item::Line(Line { name: "floor", body: None, through: [0.0, 0.0], angle: 0.0 }));
@@ -197,7 +198,7 @@ pub(crate) const CORNER: Puppet = Puppet(|phi, visit| {
     visit(Item::Joint { name: "top", kind: Joint::Slide, at: [0.0, 2.0 * sin] });
 });
 
-/// Three bodies with a torsion spring, a pin and a torsion damper on their centres.
+/// Three bodies with a torsion spring, a pin and a torsion damper at their centres.
 pub(crate) const CROWDED: Puppet = Puppet(|s, visit| {
     let bodies = [
         ("tube", Outline::Annulus(0.3, 0.5)),

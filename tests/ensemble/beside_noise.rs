@@ -1,11 +1,11 @@
-//! Features that noise can be combined with, and those that refuse it.
+//! Features that combine with noise, and those that refuse it.
 
 use lagrange::Simulate;
 use lagrange::integrate::{EulerMaruyama, RungeKutta4, StochasticRungeKutta4, WienerPath};
 use lagrange::system::OdeSystem;
 
 lagrange::system! {
-    /// A spring in a liquid, with what its equations without noise are used for.
+    /// A spring in a liquid, with features that use its equations without noise.
     #[derive(Clone, Debug)]
     struct Shaken;
     param k = 4, size = 0.5;
@@ -18,7 +18,7 @@ lagrange::system! {
     emit { tests, jacobian }
 }
 
-/// The laws of emitted tests, the Jacobian and rates by hand are those without noise.
+/// Laws of emitted tests, the Jacobian and handwritten rates are those without noise.
 #[test]
 fn equations_by_hand_are_those_without_noise() {
     let shaken = Shaken::default();
@@ -43,7 +43,7 @@ fn derivatives_do_not_go_through_noise() {
 }
 
 lagrange::system! {
-    /// A state that noise multiplies by an input.
+    /// A state whose noise is multiplied by an input.
     #[derive(Clone)]
     struct Scaled;
     input u;
@@ -52,7 +52,8 @@ lagrange::system! {
     dot(z) = u * w;
 }
 
-/// A feedback law makes the input a function of the state: the solution is that of Stratonovich.
+/// A feedback law makes the input a function of the state; the solution is in the sense of
+/// Stratonovich.
 #[test]
 fn laws_make_noise_multiplicative() {
     let scaled = Scaled::default();
@@ -64,7 +65,7 @@ fn laws_make_noise_multiplicative() {
         scaled.simulate([1.0]).until(4.0).method(method).drive(law).run().unwrap().last()[0]
     };
     lagrange::system! {
-        /// The same as one equation.
+        /// The law and the state as one equation.
         struct Grown;
         state z = 1;
         noise w, density: 0.25;

@@ -1,4 +1,4 @@
-//! Bits depend on the seed and on nothing else.
+//! Bits depend only on the seed.
 
 use lagrange::ensemble::{Ends, Histogram, Moments, Motion, Random, Reduce, Reduced, Shard};
 use lagrange::{Ensembles, Simulate};
@@ -25,7 +25,7 @@ fn ends(threads: usize, seed: u64) -> Ends<DoublePendulum> {
 #[test]
 fn ends_do_not_depend_on_threads() {
     let one = bits(&ends(1, 7));
-    // Four of the state, five parameters and the time.
+    // Four for the state, five for parameters and one for the time.
     assert_eq!(one.len(), 10 * NUMBER);
     assert!([2, 3].map(|threads| bits(&ends(threads, 7))).iter().all(|other| *other == one));
     assert_ne!(bits(&ends(1, 8)), one);

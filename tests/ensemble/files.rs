@@ -1,4 +1,4 @@
-//! Folders of parts: what is finished is kept, whatever happens, and nothing is mixed.
+//! Folders of parts: finished parts survive everything, and nothing is mixed.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -17,10 +17,10 @@ use crate::{DoublePendulum, start};
 
 pub(crate) const NUMBER: usize = 2000;
 pub(crate) const PER_PART: usize = 64;
-/// The last one is not full.
+/// The last part is not full.
 pub(crate) const PARTS: usize = 32;
 
-/// An empty folder that is deleted in the end.
+/// An empty folder, deleted at the end.
 pub(crate) struct Folder(pub(crate) PathBuf);
 
 impl Folder {
@@ -46,7 +46,7 @@ pub(crate) fn ensemble(pendulum: &DoublePendulum) -> Ensemble<'_, DoublePendulum
     motions(pendulum, masses)
 }
 
-/// Motions with parameters, of which one fails.
+/// Returns motions with parameters, one of which fails.
 pub(crate) fn motions<'a>(
     pendulum: &'a DoublePendulum,
     change: impl Fn(usize, &mut DoublePendulum) + Send + Sync + 'a,
@@ -56,14 +56,14 @@ pub(crate) fn motions<'a>(
     motions.parameters(change).until(0.3).seed(7).motions_per_part(PER_PART).threads(2)
 }
 
-/// The files of a folder with what is in them.
+/// Returns the files of a folder with their contents.
 pub(crate) fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(folder).expect("is there").map(|entry| entry.expect("can be read").path());
     let name = |path: &Path| path.file_name().expect("has a name").to_string_lossy().into_owned();
     entries.map(|path| (name(&path), fs::read(&path).expect("can be read"))).collect()
 }
 
-/// What all parts are in the end.
+/// Returns the final contents of all parts.
 pub(crate) fn expected() -> &'static BTreeMap<String, Vec<u8>> {
     static EXPECTED: OnceLock<BTreeMap<String, Vec<u8>>> = OnceLock::new();
     EXPECTED.get_or_init(|| {
@@ -74,7 +74,7 @@ pub(crate) fn expected() -> &'static BTreeMap<String, Vec<u8>> {
     })
 }
 
-/// Saves until two parts or three are there.
+/// Saves until two or three parts exist.
 pub(crate) fn begin(folder: &Path) {
     let pendulum = DoublePendulum::default();
     let is_enough = || files(folder).keys().filter(|name| name.ends_with(".parquet")).count() > 1;
@@ -133,9 +133,9 @@ fn a_cancelled_ensemble_goes_on() {
 
 pub(crate) const CHILD: &str = "LAGRANGE_TEST_FOLDER";
 
-/// This test once more as a process of its own, which is told the folder.
+/// Runs this test again as a process of its own, which receives the folder.
 pub(crate) fn child(command: &mut Command, test: &str, folder: &Path) -> Child {
-    // What it says could go to a file that may not grow.
+    // Its output could go to a limited file.
     command.stdout(Stdio::null()).stderr(Stdio::null());
     command.args(["--exact", test]).env(CHILD, folder).spawn().expect("starts")
 }
@@ -143,7 +143,7 @@ pub(crate) fn child(command: &mut Command, test: &str, folder: &Path) -> Child {
 #[test]
 fn a_killed_ensemble_goes_on() {
     if let Some(folder) = env::var_os(CHILD) {
-        // Slowly enough to be killed.
+        // Slow enough to be killed.
         let pendulum = DoublePendulum::default();
         let slowly = ensemble(&pendulum);
         slowly.progress(|_| thread::sleep(Duration::from_millis(20))).save_parquet(folder).expect("saves");
@@ -166,7 +166,7 @@ fn a_killed_ensemble_goes_on() {
     if !Path::new("/proc/self").exists() {
         fs::remove_file(folder.0.join("shard-0-of-1.lock")).expect("is there");
     }
-    // Shards of another number take over what it left, too.
+    // A different number of shards also continues from its parts.
     let pendulum = DoublePendulum::default();
     for index in 0..2 {
         let saved = ensemble(&pendulum).shard(Shard::of(index, 2)).save_parquet(&folder.0).expect("goes on");
@@ -176,7 +176,7 @@ fn a_killed_ensemble_goes_on() {
     assert_eq!(files(&folder.0), *expected());
 }
 
-/// Files may not grow beyond a kilobyte, as on a full disk.
+/// Files are limited to a kilobyte, as on a full disk.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_is_an_error_that_loses_nothing() {
@@ -199,7 +199,7 @@ fn a_full_disk_is_an_error_that_loses_nothing() {
     assert_eq!(files(&folder.0), *expected());
 }
 
-/// A disk of a hundred kilobytes, in a namespace of its own, which ends with the process.
+/// A disk of a hundred kilobytes in its own namespace, which ends with the process.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_that_grows_is_gone_on_with() {
@@ -220,7 +220,7 @@ fn a_full_disk_that_grows_is_gone_on_with() {
     on_a_small_disk(&Folder::new("disk"), "files::a_full_disk_that_grows_is_gone_on_with");
 }
 
-/// A test once more as a process whose folder is a disk of its own, of 100 kilobytes, if one can be
+/// Runs a test again as a process whose folder is a separate disk of 100 kilobytes, if one can be
 /// mounted.
 #[cfg(target_os = "linux")]
 pub(crate) fn on_a_small_disk(folder: &Folder, test: &str) {

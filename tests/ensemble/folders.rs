@@ -1,5 +1,5 @@
-//! Folders that would lie: parts of another declaration, damaged or misplaced, and locks of
-//! processes that live.
+//! Folders with wrong contents: parts of another declaration, damaged or misplaced parts, and locks
+//! of running processes.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -16,7 +16,7 @@ use crate::files::{
 };
 use crate::{DoublePendulum, start};
 
-/// Saves eight falls of a ball as it is declared here.
+/// Saves eight falls of a ball as declared here.
 macro_rules! fall {
     ($folder:expr, $($declaration:tt)*) => {{
         lagrange::system! {
@@ -24,15 +24,15 @@ macro_rules! fall {
             struct Ball;
             $($declaration)*
         }
-        // Nothing moves at first, and nothing reaches the ground: neither starts nor rates show
-        // what is declared.
+        // Nothing moves at first, and nothing reaches the ground: neither starts nor rates reveal
+        // the declaration.
         let ball = Ball { g: 9.81, c: 0.5, ..Ball::default() };
         let falls = ball.ensemble(8).start(|i, _| [1.0 + i as f64, 0.0]).until(0.1);
         falls.method(RungeKutta4 { step: 0.1 / 1024.0 }).motions_per_part(4).save_parquet($folder)
     }};
 }
 
-/// Types of one name in one function: as a declaration that was changed between two runs of a
+/// Types of one name in one function resemble a declaration that changed between two runs of a
 /// program.
 #[test]
 fn a_declaration_that_was_changed_does_not_go_on() {
@@ -70,7 +70,7 @@ fn a_declaration_that_was_changed_does_not_go_on() {
             force y = -c * dot(y) * (1 + 0 * wind(y));
             event ground = y, falling => impact(0.1);
         ),
-        // A number of the table where no ball comes.
+        // A value of the table that no ball reaches.
         fall!(path,
             param g = 9.81, c = 0.5;
             coord y;
@@ -87,7 +87,7 @@ fn a_declaration_that_was_changed_does_not_go_on() {
         assert!(error.ends_with("; undo the change, or save to another folder"), "{error}");
     }
     assert!(files(path) == before);
-    // In other words it is the same.
+    // Different text with the same meaning.
     let saved = fall!(path,
         /// Acceleration and drag.
         param g = 9.81, c = 0.5; coord y /* up */;
@@ -101,7 +101,7 @@ fn a_declaration_that_was_changed_does_not_go_on() {
     assert_eq!(saved.expect("goes on").found, 2);
 }
 
-/// What no name tells, bits of the first steps do.
+/// Names do not identify closures, but the bits of the first steps do.
 #[test]
 fn closures_that_were_changed_do_not_go_on() {
     let (folder, pendulum) = (Folder::new("closures"), DoublePendulum::default());
@@ -115,7 +115,7 @@ fn closures_that_were_changed_do_not_go_on() {
     assert_eq!(observed(1.0).expect("goes on").found, 1);
 }
 
-/// A folder of two small parts.
+/// Saves two small parts in a folder.
 fn small(name: &str) -> (Folder, impl Fn(&Path) -> Result<lagrange::ensemble::Saved, EnsembleError>) {
     let save = |path: &Path| {
         let pendulum = DoublePendulum::default();
@@ -139,7 +139,7 @@ fn a_flipped_bit_of_any_byte_is_found() {
         let error = verify(&folder.0).expect_err("is damaged");
         let is_said = matches!(&error, EnsembleError::Damaged { path, .. } | EnsembleError::ForeignFile(path) if *path == part);
         assert!(is_said, "byte {index}: {error}");
-        // To go on takes a run or two of every motion.
+        // Resuming repeats a run or two of every motion.
         if index % 91 == 0 {
             assert!(save(&folder.0).is_err(), "byte {index}");
         }
@@ -186,7 +186,7 @@ fn parts_of_two_ensembles_are_not_verified() {
     assert!(error.contains("its settings contain `seed 1` instead of `seed 0`"), "{error}");
 }
 
-/// The numbers of parts decide about no memory.
+/// Memory does not grow with the number of parts.
 #[test]
 fn so_many_parts_that_no_memory_has_room_for_them_begin() {
     let (folder, pendulum) = (Folder::new("many"), DoublePendulum::default());
@@ -203,7 +203,7 @@ fn foreign_files_are_passed_over() {
     for name in others {
         fs::write(folder.0.join(name), "mine").expect("writes");
     }
-    // What a killed process left of a part goes; what is not of this shard stays.
+    // The unfinished part of a killed process is removed; files of other shards stay.
     fs::write(folder.0.join("part-000003.parquet.4711-0.unfinished"), "half").expect("writes");
     let saved = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("saves");
     assert_eq!((saved.written, saved.missing), (PARTS, 0));
@@ -230,7 +230,8 @@ fn files_that_are_called_like_parts_are_refused() {
     assert!(matches!(error, EnsembleError::File { .. }), "{error}");
 }
 
-/// A process whose number means nothing here, as in a container, has its lock while it lives.
+/// The lock of a process whose number is invalid here, as in a container, holds while the process
+/// runs.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_process_of_another_namespace_is_kept_off() {
@@ -261,7 +262,7 @@ fn a_process_of_another_namespace_is_kept_off() {
     assert!(matches!(error, EnsembleError::Locked { .. }), "{error}");
     child.kill().expect("can be killed");
     child.wait().expect("is a child");
-    // The process inside may take a moment to go.
+    // The process inside may take a moment to end.
     let pendulum = DoublePendulum::default();
     let saved = (0..1000).find_map(|_| match ensemble(&pendulum).save_parquet(&folder.0) {
         Err(EnsembleError::Locked { .. }) => {

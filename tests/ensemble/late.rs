@@ -5,7 +5,7 @@ use lagrange::integrate::{EulerMaruyama, Method, StochasticRungeKutta4, WienerPa
 use lagrange::{Ensembles, Simulate};
 
 lagrange::system! {
-    /// A process that is drawn back to where it was.
+    /// A process that is drawn back to its earlier value.
     #[derive(Clone, Debug)]
     struct Late;
 
@@ -16,7 +16,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A process whose noise is as large as it was.
+    /// A process whose noise has the magnitude of its earlier value.
     #[derive(Clone, Debug)]
     struct Echo;
 
@@ -46,9 +46,9 @@ fn assert_mean(numbers: &Moments, exact: f64) {
     assert!((mean - exact).abs() < error && error < 0.25 * exact, "{mean}, not {exact}, within {error}");
 }
 
-/// The stationary variance (1 + sin kτ)/(2 k cos kτ) for the density 1 (Küchler, Mensch,
+/// The stationary variance is `(1 + sin kτ)/(2 k cos kτ)` for the density 1. See Küchler, Mensch,
 /// "Langevins stochastic differential equation extended by a time-delayed term", *Stochastics and
-/// Stochastics Reports* 40 (1992) 23–42).
+/// Stochastics Reports* 40 (1992) 23–42.
 #[test]
 fn a_delayed_drift_has_its_stationary_variance() {
     let late = Late::default();
@@ -61,9 +61,8 @@ fn a_delayed_drift_has_its_stationary_variance() {
     assert_mean(&squares, (1.0 + 0.5_f64.sin()) / (2.0 * 0.5_f64.cos()));
 }
 
-/// E x² is (1 + e^(−2t))/2 up to one, and then obeys d/dt E x² = −2 E x² + (1 + e^(−2(t−1)))/2:
-/// what was does not correlate with what comes, so that the equations of Itô and Stratonovich
-/// agree.
+/// E x² is (1 + e^(−2t))/2 up to one, and then obeys d/dt E x² = −2 E x² + (1 + e^(−2(t−1)))/2. The
+/// past does not correlate with future noise, so the equations of Itô and Stratonovich agree.
 #[test]
 fn a_delayed_diffusion_has_its_mean_square() {
     let echo = Echo::default();
@@ -77,8 +76,8 @@ fn a_delayed_diffusion_has_its_mean_square() {
     assert_mean(&squares, ((1.0 + decay) / 2.0 - 0.25) * decay + 0.25 + decay / 2.0);
 }
 
-/// The end of a motion of [`Late`] in steps of 1/8 that were halved so many times, and so was their
-/// path.
+/// Returns the end of a motion of [`Late`] with steps of 1/8 that are halved several times, as is
+/// its path.
 fn end<K: Method<lagrange::simulate::Remembering<Late>>>(
     late: &Late,
     halvings: u32,

@@ -1,5 +1,4 @@
-//! Many motions of one declaration: the same bits however they are computed, and what is said when
-//! something is wrong.
+//! Many motions of one declaration: the same bits however they are computed, and clear errors.
 #![cfg(feature = "ensemble")]
 
 mod beside_noise;
@@ -31,7 +30,7 @@ lagrange::system! {
     potential = m1 * g * y1 + m2 * g * y2;
 }
 
-/// A start of the double pendulum.
+/// Returns a start of the double pendulum.
 pub(crate) fn start(_: usize, random: &mut lagrange::ensemble::Random) -> [f64; 4] {
     [2.0 + 0.1 * random.normal(), random.uniform(1.0..2.0), 0.0, 0.0]
 }

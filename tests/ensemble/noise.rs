@@ -1,4 +1,4 @@
-//! White noise that is held for a period: statistics, order of convergence, and bits.
+//! White noise held for a period: statistics, order of convergence, and bits.
 
 use lagrange::Ensembles;
 use lagrange::Simulate;
@@ -6,7 +6,7 @@ use lagrange::ensemble::Random;
 use lagrange::integrate::RungeKutta4;
 
 lagrange::system! {
-    /// A particle in a liquid: its velocity is a process of Ornstein and Uhlenbeck.
+    /// A particle in a liquid, whose velocity is an Ornstein–Uhlenbeck process.
     #[derive(Clone, Debug)]
     struct Particle;
 
@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Growth at a random rate, whose factor is the state.
+    /// Growth at a random rate, with the state as a factor.
     #[derive(Clone, Debug)]
     struct Growth;
 
@@ -34,13 +34,13 @@ lagrange::system! {
 /// The spectral density of the force.
 const DENSITY: f64 = 0.8;
 
-/// White noise of the motion `index`.
+/// Returns the white noise of the motion `index`.
 fn noise(index: usize, period: f64) -> impl FnMut(&Particle, f64, ParticleState) -> ParticleInputs {
     let mut random = Random::noise(11, index);
     move |_, _, _| ParticleInputs { w: random.white(DENSITY, period) }
 }
 
-/// The variance of the velocity after a time, from a known start: σ² (1 − e^(−2at)) / 2a.
+/// Returns the variance of the velocity at a time after a known start: σ² (1 − e^(−2at)) / 2a.
 fn variance(t: f64) -> f64 {
     0.5 * DENSITY * (1.0 - (-2.0 * t).exp())
 }
@@ -91,7 +91,8 @@ fn noise_has_the_same_bits_on_any_number_of_threads() {
     assert_eq!(alone.last()[1], one.x_dot()[150]);
 }
 
-/// The velocity at the end of a run with these values of noise, each held for a part of it.
+/// Returns the velocity at the end of a run with these values of noise, each held for an equal
+/// part.
 fn end(values: Vec<f64>, duration: f64) -> f64 {
     let period = duration / values.len() as f64;
     let mut values = values.into_iter();
@@ -106,8 +107,8 @@ fn end(values: Vec<f64>, duration: f64) -> f64 {
     run.ends_only().run().expect("runs").last()[1]
 }
 
-/// Means of motions converge with the second power of the period: the variance of a linear system
-/// is the sum of the squares of its responses to single values, without any random number.
+/// Means of motions converge with the second power of the period. The variance of a linear system
+/// is the sum of the squares of its responses to single values, so no random numbers are needed.
 #[test]
 fn variances_converge_with_order_two() {
     let error = |periods: usize| {
@@ -122,7 +123,7 @@ fn variances_converge_with_order_two() {
     }
 }
 
-/// Single motions converge with the first power: a motion with the means of finer noise is compared
+/// Single motions converge with the first power. A motion with the means of finer noise is compared
 /// with that of the finer noise itself.
 #[test]
 fn motions_converge_with_order_one() {
@@ -143,8 +144,8 @@ fn motions_converge_with_order_one() {
     }
 }
 
-/// With a factor that depends on the state the limit is that of Stratonovich: x = e^W, and not
-/// e^(W − t/2).
+/// With a factor that depends on the state, the limit is in the sense of Stratonovich: x = e^W, and
+/// not e^(W − t/2).
 #[test]
 fn the_limit_is_that_of_stratonovich() {
     let growth = Growth::default();

@@ -10,7 +10,7 @@ use lagrange::event::Direction;
 use lagrange::{ensemble::Map, simulate::PlotError};
 
 lagrange::system! {
-    /// A body of mass 1 moves evenly; one without mass does not move at all.
+    /// A body of mass 1 moves uniformly; one without mass does not move at all.
     #[derive(Clone)]
     struct Body;
     param m = 1.0;
@@ -28,7 +28,7 @@ lagrange::system! {
     kinetic = 1/2 * m * dot(x)^2;
 }
 
-/// Eleven bodies with speeds 0, 1, … 10, of which one fails and those that come to 11 stop there.
+/// Returns eleven bodies with speeds 0, 1, … 10. One fails, and those that reach 11 stop there.
 fn bodies() -> Samples<Body> {
     let bodies = Body::default();
     let bodies = bodies.ensemble(12).start(|i, _| [0.0, i as f64]).parameters(|i, body| {
@@ -43,8 +43,8 @@ fn quantiles_are_those_of_the_motions_that_are_there() {
     let samples = bodies();
     assert_eq!((samples.times(), samples.failures().count()), (&[0.0, 0.5, 1.0, 1.5, 2.0][..], 1));
     let found = samples.quantiles("x", &[0.0, 0.25, 0.5, 1.0]).expect("a column");
-    // Of speeds from 0 to 10 a quarter is up to 2.5. At 1.5 s those from 8 on have stopped, at 2 s
-    // those from 6 on, or may have.
+    // A quarter of the speeds from 0 to 10 is at most 2.5. At 1.5 s those from 8 on have stopped,
+    // and at 2 s those from 6 on.
     let wanted = [[0.0, 0.0, 0.0], [0.0, 1.25, 2.5], [0.0, 2.5, 5.0], [0.0, 5.0, 10.0]];
     for (found, wanted) in found.iter().zip(wanted) {
         let near = found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-9);
@@ -77,7 +77,7 @@ fn written(name: &str, save: impl FnOnce(PathBuf) -> Result<(), PlotError>) -> S
     text
 }
 
-/// Returns true if a plot has these labels, as texts or as outlines.
+/// True if a plot has these labels, as text or as outlines.
 #[cfg(feature = "plot")]
 fn has_labels(svg: &str, wanted: &[&str]) -> bool {
     let has = |wanted: &&str| {

@@ -1,4 +1,4 @@
-//! What is wrong is said, and takes nothing else with it.
+//! Errors are reported, and affect nothing else.
 
 use std::ops::ControlFlow;
 
@@ -42,7 +42,7 @@ fn settings_that_make_no_sense_are_errors() {
     assert_says(ensemble(10).every(1e-12).run().map(drop), "samples exceed the limit");
 }
 
-/// By two ways: one by one, and in lanes. No motion begins.
+/// In two ways: one by one, and in lanes. No motion begins.
 #[test]
 fn settings_are_checked_before_anything_moves() {
     let (pendulum, cart) = (DoublePendulum::default(), CartPole::default());
@@ -123,7 +123,7 @@ fn a_panic_is_an_error_that_says_in_which_motion() {
     }
 }
 
-/// By two ways: one by one, and in lanes, where columns are computed of ends.
+/// In two ways: one by one, and in lanes, whose columns are computed from final states.
 #[test]
 fn what_is_observed_may_panic() {
     let (pendulum, cart) = (DoublePendulum::default(), CartPole::default());
@@ -155,7 +155,7 @@ fn more_than_memory_holds_is_refused_before_anything_is_computed() {
     let ensemble = || pendulum.ensemble(1 << 50).start(|_, _| -> [f64; 4] { panic!("begins") }).until(1.0);
     assert_says(ensemble().run(), "the ends of 1125899906842624 motions need at least 45035996.3 GB");
     assert_says(ensemble().every(0.01).run(), "the samples of 1125899906842624 motions");
-    // Nobody knows how many samples there are of motions that something may stop.
+    // The number of samples is unknown for motions that may be stopped.
     let many = pendulum.ensemble(1000).start(|_, _| -> [f64; 4] { panic!("begins") }).until(1e6).every(0.1);
     let stopped = many.stop_at("start", Direction::Crossing, |_, t, _| t);
     assert_says(stopped.run(), "motion 0 panicked: begins");

@@ -1,4 +1,4 @@
-//! Whatever a single run can do motions of an ensemble can.
+//! Motions of an ensemble can do everything that a single run can.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -12,7 +12,7 @@ use lagrange::system::Direction;
 use crate::{DoublePendulum, start};
 
 lagrange::system! {
-    /// A cart that is pushed.
+    /// A cart pushed by a force.
     #[derive(Clone, Debug)]
     struct Cart;
     param m = 1.0;
@@ -161,7 +161,7 @@ fn parameters_of_motions_are_columns() {
     assert_eq!(ends.column("m2").expect("known"), [1.0, 2.0, 3.0, 4.0, 5.0]);
     assert_eq!(ends.column("g").expect("known"), [9.81; 5]);
     assert!(ends.theta1()[3].is_nan());
-    // What is observed under the name of a parameter stands in its place.
+    // An observed column replaces the parameter of the same name.
     let ends = ensemble().observe("m2", |system, _, _| 2.0 * system.m2).run().expect("runs");
     assert_eq!(ends.names(), [&state[..], &["m2", "m1", "l1", "l2", "g"]].concat());
     assert_eq!(ends.column("m2").expect("known")[4], 10.0);

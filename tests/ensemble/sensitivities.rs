@@ -114,8 +114,8 @@ fn impacts_change_derivatives_and_a_motion_without_them_fails_alone() {
         potential = g * h;
         event floor = h, falling => impact(0.5);
     }
-    // The function passes zero at the height 4 with a slope of zero, which only the first one falls
-    // to.
+    // The function passes zero at the height 4 with zero slope, and only the first ball falls that
+    // far.
     let ball = Ball::default();
     let flat = |_: &Ball, _, y: &[f64; 2]| (y[0] - 4.0).powi(3);
     let ensemble = ball.ensemble(vec![[5.0, 0.0], [3.2, 0.0]]).until(1.5);
@@ -123,8 +123,8 @@ fn impacts_change_derivatives_and_a_motion_without_them_fails_alone() {
     let ends = ends.sensitivities(["h"]).run().unwrap();
     let [failure] = ends.failures() else { panic!("{:?}", ends.failures()) };
     assert!(failure.index == 0 && matches!(failure.cause, StepFailure::NotDifferentiable { .. }));
-    // From the height s the ball meets the floor at T = √(2 s/g) with the speed g T, and is at g T
-    // (t − T)/2 − g (t − T)²/2 afterwards; so dh/ds = (3 t/2 − 2 T) g dT/ds, with dT/ds = 1/(g T).
+    // From the height s the ball meets the floor at T = √(2 s/g) with the speed g T. Afterwards it
+    // is at g T (t − T)/2 − g (t − T)²/2. So dh/ds = (3 t/2 − 2 T) g dT/ds, with dT/ds = 1/(g T).
     let fall = 0.8;
     let expected = (1.5 * 1.5 - 2.0 * fall) / fall;
     let slope = ends.column("d(h)/d(start.h)").unwrap()[1];

@@ -6,7 +6,7 @@ use lagrange::system::{NoiseKind, OdeSystem};
 use lagrange::{Ensembles, Simulate};
 
 lagrange::system! {
-    /// A particle in a liquid: its velocity is a process of Ornstein and Uhlenbeck.
+    /// A particle in a liquid, whose velocity is an Ornstein–Uhlenbeck process.
     #[derive(Clone, Debug)]
     struct Particle;
 
@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A particle on a spring in a liquid of the temperature kT.
+    /// A particle on a spring in a liquid of temperature kT.
     #[derive(Clone, Debug)]
     struct Trapped;
 
@@ -34,7 +34,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A state in a double well, with noise of a size that depends on time.
+    /// A state in a double well, with noise whose magnitude depends on time.
     #[derive(Clone, Debug)]
     struct Well;
 
@@ -45,7 +45,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A pendulum on a cart that is shaken: what the noise does depends on the angle.
+    /// A pendulum on a shaken cart: the effect of the noise depends on the angle.
     #[derive(Clone, Debug)]
     struct Shaken;
 
@@ -62,7 +62,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Growth at a random rate, whose factor is the state.
+    /// Growth at a random rate, with the state as a factor.
     #[derive(Clone, Debug)]
     struct Growth;
 
@@ -73,7 +73,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// An oscillator of Kubo: its frequency is noise, and its amplitude stays.
+    /// Kubo's oscillator: its frequency is noisy, and its amplitude constant.
     #[derive(Clone, Debug)]
     struct Kubo;
 
@@ -93,7 +93,7 @@ fn runge_kutta(step: f64, path: WienerPath) -> StochasticRungeKutta4<f64> {
     StochasticRungeKutta4 { step, path }
 }
 
-/// The end of a motion in steps of 1/4 that were halved so many times, and so was their path.
+/// Returns the end of a motion with steps of 1/4 that are halved several times, as is its path.
 fn end<M: OdeSystem<Scalar = f64>, K: Method<M>>(
     (system, start): (&M, M::State),
     halvings: u32,
@@ -105,8 +105,8 @@ fn end<M: OdeSystem<Scalar = f64>, K: Method<M>>(
     integrate(system, 0.0, start, DURATION, &method, |_, _| {}).expect("moves")
 }
 
-/// The root of the mean square of errors after two, three and four halvings, along the paths of 100
-/// motions, whose own ends are those of steps that were halved twice more.
+/// Returns the root mean square of errors after two, three and four halvings, along the paths of
+/// 100 motions. The reference ends have steps halved twice more.
 fn errors<M: OdeSystem<Scalar = f64>, K: Method<M>>(
     system: (&M, M::State),
     method: fn(f64, WienerPath) -> K,
@@ -140,7 +140,7 @@ fn additive_noise_has_the_strong_orders_one_and_three_halves() {
     assert_eq!(well.noise().kind, NoiseKind::Additive);
     assert_order((&well, [0.5]), euler, 1.0);
     assert_order((&well, [0.5]), runge_kutta, 1.5);
-    // All that is left of linear equations is ε h².
+    // For linear equations only the error ε h² remains.
     let particle = Particle::default();
     assert_order((&particle, [0.0, 1.5]), euler, 1.0);
     assert_order((&particle, [0.0, 1.5]), runge_kutta, 2.0);
@@ -161,7 +161,7 @@ fn noise_that_drives_what_its_size_depends_on_has_the_strong_order_one() {
     assert_order((&growth, [1.0]), runge_kutta, 1.0);
 }
 
-/// O(h⁴ + ε h² + ε² h^{3/2}): with little noise first the fourth power is seen, then the second.
+/// O(h⁴ + ε h² + ε² h^{3/2}): with weak noise the fourth power dominates first, then the second.
 #[test]
 fn small_noise_leaves_the_order_of_the_equations() {
     let order = |size| {
@@ -172,8 +172,8 @@ fn small_noise_leaves_the_order_of_the_equations() {
     assert!((tiny - 4.0).abs() < 0.35 && (small - 2.0).abs() < 0.3, "{tiny} {small}");
 }
 
-/// d/dt size = −size/4 + size ∘ w leads to e^(W/2 − t/4), Kubo's oscillator to e^i(2t + W/√2): the
-/// solutions of Stratonovich.
+/// d/dt size = −size/4 + size ∘ w leads to e^(W/2 − t/4), and Kubo's oscillator to e^i(2t + W/√2),
+/// both in the sense of Stratonovich.
 #[test]
 fn multiplicative_noise_is_that_of_stratonovich() {
     for motion in 0..20 {
@@ -220,8 +220,8 @@ fn statistics_are_those_of_ornstein_and_uhlenbeck() {
     within(sums[4], covariance, variance(2.0) * variance(3.0) + covariance.powi(2));
 }
 
-/// Equipartition: both energies are kT/2 on average, within three standard errors, along one long
-/// motion and over many.
+/// Equipartition: both energies average to kT/2 within three standard errors, along one long motion
+/// and over many.
 #[test]
 fn energies_are_distributed_equally() {
     let trapped = Trapped::default();
@@ -263,7 +263,7 @@ fn bits_depend_on_seed_and_index_alone() {
     assert_ne!(one.theta_dot()[1], one.theta_dot()[2]);
 }
 
-/// The words of a run that fails.
+/// Returns the message of a run that fails.
 fn failure<K: Method<Particle>>(particle: &Particle, method: &K) -> String {
     let run = integrate(particle, 0.0, [0.0, 1.5], 1.0, method, |_, _| {});
     run.expect_err("does not run").to_string()

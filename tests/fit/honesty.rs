@@ -1,4 +1,4 @@
-//! Standard errors, what data do not tell, and minima beside the least one.
+//! Standard errors, undetermined parameters, and local minima.
 
 use crate::noise::Noise;
 use lagrange::fit::{Data, FitError, Fits};
@@ -17,7 +17,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// x = e^(−a t) (cos w t + a/w sin w t) with a = c/2, w² = k − a².
+/// Returns x = e^(−a t) (cos w t + a/w sin w t) with a = c/2, w² = k − a².
 fn exact(t: f64, k: f64, c: f64) -> f64 {
     let a = c / 2.0;
     let w = (k - a * a).sqrt();
@@ -31,8 +31,8 @@ fn measured(seed: u64, level: f64) -> Data {
     Data::new(times).with("x", x)
 }
 
-/// Deviations over standard errors have a square of one in the mean: of 60 of them, between 0.5 and
-/// 1.7, which a correct fit misses once in ten thousand times.
+/// Deviations over standard errors have a mean square of one. For 60 of them, a correct fit is
+/// outside 0.5 to 1.7 once in ten thousand times.
 #[test]
 fn deviations_are_as_large_as_standard_errors() {
     let mut squares = Vec::new();
@@ -53,7 +53,7 @@ fn deviations_are_as_large_as_standard_errors() {
     assert!((0.5..1.7).contains(&mean), "{mean}");
 }
 
-/// Residuals tell the level of the noise, or a level is given: standard errors agree.
+/// Residuals determine the level of the noise, or it is given; standard errors agree.
 #[test]
 fn levels_of_noise_may_be_given_or_found() {
     let fit = |level: Option<f64>| {
@@ -72,7 +72,7 @@ fn fit_again(oscillator: &Oscillator) -> lagrange::fit::Fitted<Oscillator> {
     oscillator.fit([1.0, 0.0], measured(7, 0.02)).vary("k", 0.1..).vary("c", ..).run().unwrap()
 }
 
-/// m, k and c together leave the motion alone: relative changes of (1, 1, 1)/√3.
+/// A common factor of m, k and c leaves the motion unchanged: relative changes of (1, 1, 1)/√3.
 #[test]
 fn a_combination_that_data_do_not_tell_is_named() {
     let oscillator = Oscillator::default();
@@ -90,7 +90,7 @@ fn a_combination_that_data_do_not_tell_is_named() {
     assert!(text.contains("0.58 `m`") && text.contains("0.58 `k`") && text.contains("0.58 `c`"), "{text}");
 }
 
-/// From a stiffness far away, a search ends at a minimum with fewer or more periods.
+/// From a distant stiffness, a search ends at a minimum with fewer or more periods.
 #[test]
 fn the_best_of_several_minima_is_taken() {
     let far = Oscillator { k: 60.0, ..Oscillator::default() };
@@ -102,11 +102,11 @@ fn the_best_of_several_minima_is_taken() {
     assert_eq!(best.costs().len(), 12);
 }
 
-/// A step response: a force that a law gives, and values that are missing.
+/// A step response: a law gives the force, and some values are missing.
 #[test]
 fn inputs_follow_a_law() {
     let times: Vec<f64> = (1..60).map(|row| 0.1 * f64::from(row)).collect();
-    // At rest, a force of 2 t/(1 + t) is no closed form: made by a run.
+    // From rest, a force of 2 t/(1 + t) has no closed form, so a run makes the data.
     let law = |_: &Oscillator, t: f64, _: <Oscillator as NamedSystem>::NamedState| OscillatorInputs {
         push: 2.0 * t / (1.0 + t),
     };

@@ -54,7 +54,7 @@ fn forces_without_noise_give_the_values_that_made_them() {
         assert!((value.value - wanted).abs() < 1e-12, "{} {wanted} of {}", value.value, value.parameter);
         assert!(value.standard_error < 1e-12);
     }
-    // Y times all parameters are the forces, also where nothing was measured.
+    // Y times all parameters equals the forces, also away from the measurements.
     let (q, v, a) = ([2.0, -1.0], [0.3, 0.5], [1.0, 2.0]);
     let rows = arm.regressor(0.0, &q, &v, &a);
     for (row, force) in rows.iter().zip(made_of.inverse_dynamics(0.0, &q, &v, &a)) {
@@ -63,7 +63,7 @@ fn forces_without_noise_give_the_values_that_made_them() {
     }
 }
 
-/// In many repetitions, deviations in standard errors have a variance of about one.
+/// Over many repetitions, deviations in standard errors have a variance of about one.
 #[test]
 fn standard_errors_are_honest_for_joints_of_different_noise() {
     let (arm, levels) = (Arm::default(), [0.5, 0.01]);
@@ -127,7 +127,7 @@ fn a_motion_tells_what_it_contains() {
 
 mod oscillator {
     lagrange::system! {
-        /// A resonator in SI units, in which everything is small.
+        /// A resonator in SI units, whose quantities are all small.
         #[derive(Clone, Debug)]
         pub struct Resonator;
         param m: kg = 1e-12, c: N*s/m = 1e-8, k: N/m = 3948;
@@ -164,7 +164,7 @@ fn units_do_not_decide_what_has_an_effect() {
 
 mod driven {
     lagrange::system! {
-        /// A mass that a force of the time and an input push.
+        /// A mass pushed by a force of time and an input.
         #[derive(Clone, Debug)]
         pub struct Driven;
         param m = 2, c = 0.1, amp = 3, k = 5;

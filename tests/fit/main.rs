@@ -1,5 +1,5 @@
-//! Are fits to data those of another tool, are their errors honest, and are mistakes told? Which
-//! parameters do forces tell?
+//! Fits to data agree with those of another tool, their errors are correct, and mistakes are
+//! reported. Estimates from forces show which parameters are identifiable.
 
 mod data;
 mod honesty;

@@ -94,7 +94,7 @@ fn a_search_that_does_not_end_keeps_its_last_values() {
 }
 
 lagrange::system! {
-    /// A state that noise drives.
+    /// A state driven by noise.
     #[derive(Clone, Debug)]
     struct Driven;
     param k = 1;
@@ -104,7 +104,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A state that its past drives.
+    /// A state driven by its past.
     #[derive(Clone, Debug)]
     struct Late;
     param k = 1;

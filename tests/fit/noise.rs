@@ -1,6 +1,6 @@
-//! Noise of measurements, the same in every run.
+//! Measurement noise, the same in every run.
 
-/// Numbers of normal distribution, by the sums of twelve even ones.
+/// Normally distributed numbers, as sums of twelve uniform ones.
 pub(crate) struct Noise(pub(crate) u64);
 
 impl Noise {

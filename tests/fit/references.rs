@@ -73,8 +73,7 @@ fn a_fit_that_a_bound_ends() {
     assert!(fitted.to_string().contains("c2 = 0.002, at its bound"), "{fitted}");
 }
 
-/// Data without noise, as a run saves them: from columns of states and of an output, by another
-/// method.
+/// Noise-free data as a run saves them: columns of states and of an output, by another method.
 #[test]
 fn what_a_run_saved_is_recovered() {
     let wanted = DoublePendulum { m2: 0.2, c2: 0.004, ..DoublePendulum::default() };

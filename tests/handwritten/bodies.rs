@@ -1,4 +1,4 @@
-//! Recursive algorithms by hand and the code that is emitted for bodies in space compute the same.
+//! Handwritten recursive algorithms and the code emitted for bodies in space give the same results.
 
 use std::array::from_fn;
 
@@ -6,11 +6,11 @@ use crate::handwritten::{Inline, Platform};
 use crate::rigid_bodies::Chain;
 use crate::robots::{panda, universal_5, universal_10, ur5};
 
-/// Of the largest entry.
+/// Tolerance relative to the largest entry.
 const TOLERANCE: f64 = 1e-12;
 const STATES: u64 = 50;
 
-/// A number between −2 and 2 (Steele, Lea, Flood, *Fast splittable pseudorandom number
+/// Draws a number between −2 and 2 (Steele, Lea, Flood, *Fast splittable pseudorandom number
 /// generators*).
 fn random(state: &mut u64) -> f64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -20,7 +20,7 @@ fn random(state: &mut u64) -> f64 {
     ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 51) as f64 - 2.0
 }
 
-/// Coordinates, velocities and wanted accelerations.
+/// Returns coordinates, velocities and wanted accelerations.
 fn states<const N: usize>() -> impl Iterator<Item = [[f64; N]; 3]> {
     let mut seed = 16;
     (0..STATES).map(move |_| from_fn(|_| from_fn(|_| random(&mut seed))))

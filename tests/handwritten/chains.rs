@@ -1,4 +1,4 @@
-//! Pendulum chains by hand give the reference accelerations.
+//! Handwritten pendulum chains give the reference accelerations.
 
 use std::array::from_fn;
 use std::fs;
@@ -49,7 +49,7 @@ fn assert_reproduces<const N: usize>(name: &str, accelerations: Accelerations<N>
     }
 }
 
-/// With either kind of sines and cosines.
+/// Compares with either kind of sines and cosines.
 macro_rules! assert_reproduced {
     ($name:literal by $function:ident $(, $n:literal)?) => {
         assert_reproduces($name, $function::<Platform $(, $n)?>);

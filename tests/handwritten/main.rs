@@ -1,4 +1,4 @@
-//! What is written by hand for benches to compare with is right.
+//! Handwritten code, to which benches compare the emitted code, is correct.
 
 #[path = "../../benches/handwritten.rs"]
 mod handwritten;

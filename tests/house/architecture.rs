@@ -21,10 +21,10 @@ pub(crate) fn check(root: &Path) {
     }
 }
 
-/// Paths of the project begin with one of these.
+/// Beginnings of paths of the project.
 const FOLDERS: [&str; 7] = ["crates/", "docs/", "examples/", "lagrange-", "src/", "tests/", "tools/"];
 
-/// Finds the files and folders in backticks, in the documents of the project, that do not exist.
+/// Finds files and folders in backticks in the documents of the project that do not exist.
 pub(crate) fn missing_paths(root: &Path) -> Vec<String> {
     let others = ["ARCHITECTURE.md", "README.md", "tests/README.md"].map(str::to_owned);
     let mut missing = Vec::new();
@@ -36,7 +36,7 @@ pub(crate) fn missing_paths(root: &Path) -> Vec<String> {
     missing
 }
 
-/// The paths of the project that a text quotes in backticks.
+/// Returns the paths of the project that a text quotes in backticks.
 fn paths(text: &str) -> impl Iterator<Item = &str> {
     let is_of_path = |sign: char| sign.is_ascii_alphanumeric() || "_./-".contains(sign);
     let quoted = text.split('`').skip(1).step_by(2);
@@ -46,14 +46,14 @@ fn paths(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The document with the tables between the comments.
+/// Returns the document with the tables between the comments.
 fn with_tables(text: &str) -> Option<String> {
     let (before, rest) = text.split_once(START)?;
     let (_, after) = rest.split_once(END)?;
     Some(format!("{before}{START}\n{}{END}{after}", tables()))
 }
 
-/// One table for each crate with modules, in Markdown.
+/// Returns one table for each crate with modules, in Markdown.
 fn tables() -> String {
     LIBRARIES.iter().filter(|library| !library.layers.is_empty()).map(table).collect()
 }

@@ -1,5 +1,5 @@
-//! The pages of `docs/`, which are those of the book: each is listed, its links lead somewhere, and
-//! its code is tested.
+//! The pages of `docs/`, which are those of the book: each is listed, its links are valid, and its
+//! code is tested.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -24,7 +24,7 @@ const CONTENTS: &str = "docs/SUMMARY.md";
 /// The files that compile and run the code of pages.
 const TESTS: [&str; 2] = ["lagrange-core/src/lib.rs", "tests/book/src/lib.rs"];
 
-/// Blocks that need what tests do not have: a device, MPI, a cluster.
+/// Blocks that need what tests lack: a device, MPI, a cluster.
 const UNTESTED: [(&str, usize); 2] = [("docs/cluster.md", 2), ("docs/ensembles.md", 1)];
 
 /// Returns the paths of all pages of the project that readers see.
@@ -61,7 +61,7 @@ pub(crate) fn unlisted(root: &Path) -> Vec<String> {
     pages.map(|page| format!("{CONTENTS} names {page} {} times", times(&page))).collect()
 }
 
-/// Finds examples that the gallery does not lead to.
+/// Finds examples to which the gallery has no link.
 pub(crate) fn examples_without_line(root: &Path) -> Vec<String> {
     let gallery = text(root, "docs/gallery/README.md");
     let entries = fs::read_dir(root.join("examples")).expect("a folder").map(|entry| entry.expect("a file"));
@@ -71,7 +71,7 @@ pub(crate) fn examples_without_line(root: &Path) -> Vec<String> {
     missing.map(|name| format!("the gallery does not lead to examples/{name}")).collect()
 }
 
-/// Finds pages that do not end with the place to go next.
+/// Finds pages whose end does not name the next page.
 pub(crate) fn dead_ends(root: &Path) -> Vec<String> {
     let dead = book(root).into_iter().filter(|page| {
         let text = text(root, page);
@@ -110,7 +110,7 @@ fn headings(root: &Path, page: &str) -> BTreeSet<String> {
     lines.filter(|(_, line)| line.starts_with('#')).map(|(_, line)| name_of_heading(line)).collect()
 }
 
-/// Finds sections that pages include and that do not exist.
+/// Finds sections that pages include but that do not exist.
 pub(crate) fn missing_sections(root: &Path) -> Vec<String> {
     let missing = book(root).into_iter().flat_map(|page| {
         let missing = included(root, &page).into_iter().filter(|(_, section)| section.is_none());
@@ -176,7 +176,7 @@ pub(crate) fn wide_code(root: &Path) -> Vec<String> {
     wide
 }
 
-/// Returns what stands behind the fences that begin blocks.
+/// Returns the text behind the fences that begin blocks.
 fn blocks(text: &str) -> Vec<String> {
     let fences = text.lines().filter_map(|line| line.trim_start().strip_prefix("```"));
     fences.step_by(2).map(str::to_owned).collect()

@@ -1,11 +1,11 @@
 //! Circles of files: strongly connected components of the imports (R. Tarjan, *Depth-first search
 //! and linear graph algorithms*, 1972).
 //!
-//! The file of a module and the files of its direct children are one unit to a reader, so that
-//! imports between them make no circle, in neither direction. Nor does a re-export of what is in
-//! the module's own folder. Everything else does: siblings that import each other, a file that
-//! imports from what calls it by way of a re-export, and a module that imports from its
-//! grandchildren what these have from it.
+//! To a reader, the file of a module and the files of its direct children are one unit. Imports
+//! between them make no circle, in either direction, and neither does a re-export from the module's
+//! own folder. Everything else does: siblings that import each other, and a file that imports from
+//! its caller by way of a re-export. So do a module and its grandchildren if each imports from the
+//! other.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -15,7 +15,7 @@ use crate::imports::{Crate, Import};
 /// The first import of each file from each other file.
 type Graph<'a> = BTreeMap<usize, BTreeMap<usize, &'a Import>>;
 
-/// Every knot of files, with the shortest circle through each of its files.
+/// Returns every knot of files, with the shortest circle through each of its files.
 pub(crate) fn circles(krate: &Crate) -> Vec<String> {
     let graph = graph(krate);
     let knots = components(&graph).into_iter().filter(|component| component.len() > 1);
@@ -46,14 +46,15 @@ fn describe(krate: &Crate, graph: &Graph, knot: &BTreeSet<usize>) -> String {
     lines.join("\n")
 }
 
-/// The same circle, told from its first file on.
+/// Returns the same circle, beginning with its first file.
 fn from_least(mut circle: Vec<usize>) -> Vec<usize> {
     let least = (0..circle.len()).min_by_key(|at| circle[*at]).unwrap_or_default();
     circle.rotate_left(least);
     circle
 }
 
-/// Files of the shortest circle through a file, by breadth-first search within its knot.
+/// Returns the files of the shortest circle through a file, by breadth-first search within its
+/// knot.
 fn shortest_circle(graph: &Graph, knot: &BTreeSet<usize>, start: usize) -> Option<Vec<usize>> {
     let mut before = BTreeMap::new();
     let mut pending = VecDeque::from([start]);
@@ -85,9 +86,9 @@ fn components(graph: &Graph) -> Vec<BTreeSet<usize>> {
 /// State of Tarjan's search.
 #[derive(Default)]
 struct Search {
-    /// Order in which files were met.
+    /// Order in which files were discovered.
     order: BTreeMap<usize, usize>,
-    /// Earliest file on the stack that is reached from a file.
+    /// Earliest file on the stack that a file reaches.
     low: BTreeMap<usize, usize>,
     stack: Vec<usize>,
     components: Vec<BTreeSet<usize>>,

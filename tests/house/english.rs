@@ -8,7 +8,7 @@ use crate::imports::Crate;
 use crate::literals::literals;
 use crate::prose::{long_sentences, long_sentences_of, wrapped};
 
-/// Words with which the first line of documentation does not begin: a function's is a verb, a
+/// Words with which the first line of documentation must not begin: a function's is a verb, a
 /// type's a noun phrase.
 const OPENINGS: [&str; 12] =
     ["As", "By", "How", "Of", "So", "Such", "The same", "Those", "What", "Where", "Whether", "Which"];
@@ -16,17 +16,18 @@ const OPENINGS: [&str; 12] =
 /// Phrases that neither pages nor comments contain.
 const PHRASES: [&str; 6] = ["be it", "in the place of", "lest", "that is said", "that which", "those which"];
 
-/// Phrases that pages do not contain either.
+/// Phrases that pages must not contain either.
 const PHRASES_OF_COMMENTS: [&str; 2] = ["is none", "so that no"];
 
-/// Most sentences that are too long, anywhere: in pages, messages, documentation and comments.
+/// Largest number of sentences that are too long, anywhere: in pages, messages, documentation and
+/// comments.
 const MAX_LONG_SENTENCES: usize = 0;
 
-/// Most files with a paragraph that is too wide. The number may only fall; `cargo xtask wrap` makes
-/// it zero.
+/// Largest number of files with a paragraph that is too wide. The number may only fall;
+/// `cargo xtask wrap` makes it zero.
 const MAX_WIDE_FILES: usize = 0;
 
-/// Finds sentences that are too long, if they are more than allowed.
+/// Finds sentences that are too long, if there are more than allowed.
 pub(crate) fn sentences(root: &Path, crates: &[Crate]) -> Vec<String> {
     let texts = texts(root, crates).into_iter();
     let written = texts.flat_map(|(path, text)| {
@@ -50,14 +51,14 @@ fn long_messages(crates: &[Crate]) -> Vec<String> {
     long.collect()
 }
 
-/// Finds files whose paragraphs are too wide, if they are more than allowed.
+/// Finds files whose paragraphs are too wide, if there are more than allowed.
 pub(crate) fn wide_files(root: &Path, crates: &[Crate]) -> Vec<String> {
     let texts = texts(root, crates).into_iter();
     let wide = texts.filter(|(path, text)| wrapped(text, path.ends_with(".rs")) != *text);
     too_many(wide.map(|(path, _)| path).collect(), MAX_WIDE_FILES)
 }
 
-/// Pages and the files of crates, with their texts.
+/// Returns pages and the files of crates, with their texts.
 fn texts(root: &Path, crates: &[Crate]) -> Vec<(String, String)> {
     let page = |page: &str| (page.to_owned(), page_text(root, page));
     let files = crates.iter().flat_map(|krate| &krate.files);
@@ -68,7 +69,7 @@ fn texts(root: &Path, crates: &[Crate]) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Returns the text of a page; of the changelog, the part that is not released yet.
+/// Returns the text of a page. For the changelog, it is the unreleased part.
 fn page_text(root: &Path, page: &str) -> String {
     let text = fs::read_to_string(root.join(page)).unwrap_or_default();
     let released = text.match_indices("\n## ").nth(1).filter(|_| page == "CHANGELOG.md");
@@ -76,7 +77,7 @@ fn page_text(root: &Path, page: &str) -> String {
     text[..end].to_owned()
 }
 
-/// Returns all complaints if they are more than allowed, with their number.
+/// Returns all complaints if there are more than allowed, with their number.
 fn too_many(complaints: Vec<String>, most: usize) -> Vec<String> {
     let number = complaints.len();
     let total = (number > most).then(|| format!("these are {number}, at most {most} are allowed"));

@@ -1,5 +1,5 @@
-//! Habits that show in the text of a file: explicit imports, no `unwrap`, no code that is unsafe,
-//! short files.
+//! Habits visible in the text of a file: explicit imports, no `unwrap`, no unsafe code, short
+//! files.
 
 use crate::imports::Crate;
 use crate::sources::File;
@@ -10,7 +10,7 @@ const UNSAFE_FILES: [(&str, &str); 2] =
     [("lagrange-jit", "machine.rs"), ("lagrange-runtime", "integrate/taylor/widest.rs")];
 const FORBIDDEN: [&str; 4] = ["::*", ".unwrap()", "super::super", "use crate::{"];
 
-/// What is against the habits in a crate.
+/// Finds violations of the habits in a crate.
 pub(crate) fn lapses(krate: &Crate) -> Vec<String> {
     let [root, ..] = krate.files.as_slice() else { return Vec::new() };
     let has_unsafe_file = UNSAFE_FILES.iter().any(|(name, _)| krate.name == *name);
@@ -24,7 +24,7 @@ pub(crate) fn lapses(krate: &Crate) -> Vec<String> {
     unsafe_root.into_iter().chain(files).collect()
 }
 
-/// In a top-level module `super` is the crate.
+/// Finds violations in a file. In a top-level module `super` is the crate.
 fn lapses_in(file: &File, is_top: bool) -> Vec<String> {
     let (path, code) = (&file.path, code(&file.text));
     let forbidden = FORBIDDEN.into_iter().chain(is_top.then_some("super::"));
@@ -36,7 +36,7 @@ fn lapses_in(file: &File, is_top: bool) -> Vec<String> {
     found.chain((lines > LONGEST_FILE).then(|| format!("{path} has {lines} lines"))).collect()
 }
 
-/// The text without the tests at its end and without comments.
+/// Returns the text without the tests at its end and without comments.
 fn code(text: &str) -> String {
     let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
     let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));

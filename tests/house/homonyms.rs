@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::imports::Crate;
 
-/// The most names for several types that a crate may have.
+/// Largest number of names that denote several types in a crate.
 const MAX_HOMONYMS: usize = 10;
 
-/// All such names of a crate that has too many of them.
+/// Returns all such names of a crate with too many of them.
 pub(crate) fn too_many(krate: &Crate) -> Option<String> {
     let (names, name) = (homonyms(krate), &krate.name);
     let list = names.join("\n  ");
@@ -15,7 +15,7 @@ pub(crate) fn too_many(krate: &Crate) -> Option<String> {
         .then(|| format!("{name} has {} names for several types:\n  {list}", names.len()))
 }
 
-/// Every such name with its places.
+/// Returns every such name with its locations.
 pub(crate) fn homonyms(krate: &Crate) -> Vec<String> {
     let mut places = BTreeMap::<_, BTreeMap<_, _>>::new();
     for item in &krate.types {

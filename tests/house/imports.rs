@@ -1,5 +1,5 @@
-//! Imports from file to file: what `use` items and paths in code lead to, and where called methods
-//! are.
+//! Imports from file to file: the targets of `use` items and paths in code, and the files of called
+//! methods.
 
 use crate::methods::Methods;
 use crate::names::{Item, Names};
@@ -7,7 +7,7 @@ use crate::receivers::Declared;
 use crate::sources::{File, Sources, TextOf};
 use crate::walk::{Known, Needs, needs};
 
-/// What the rules need to know of a crate.
+/// The contents of a crate that matter to the rules.
 pub(crate) struct Crate {
     pub(crate) name: String,
     pub(crate) files: Vec<File>,
@@ -18,7 +18,7 @@ pub(crate) struct Crate {
     pub(crate) types: Vec<Item>,
     pub(crate) imports: Vec<Import>,
     pub(crate) mentions: Vec<Mention>,
-    /// Number of calls that might be of methods in several files.
+    /// Number of calls that might refer to methods in several files.
     pub(crate) ambiguous_calls: usize,
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct Import {
     pub(crate) item: String,
 }
 
-/// A file names a top-level module in a path, wherever the path leads.
+/// A path in a file that names a top-level module, wherever the path leads.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Mention {
     pub(crate) from: usize,
@@ -40,7 +40,7 @@ pub(crate) struct Mention {
 }
 
 impl Crate {
-    /// The crate whose root is the file `root`.
+    /// Reads the crate whose root is the file `root`.
     pub(crate) fn read(name: &str, root: &str, text_of: TextOf) -> Self {
         let sources = Sources::read(root, text_of);
         let names = Names::of(&sources);
@@ -58,7 +58,7 @@ impl Crate {
     }
 }
 
-/// Top-level modules with their files, and the top-level module of each file.
+/// Returns top-level modules with their files, and the top-level module of each file.
 fn top_level(sources: &Sources) -> (Vec<(String, usize)>, Vec<Option<String>>) {
     let mut modules = Vec::new();
     let mut module_of = vec![None; sources.files.len()];

@@ -1,16 +1,16 @@
 //! Layers of the top-level modules of a crate: each imports only from earlier layers, not from its
 //! own.
 //!
-//! What a path names and what it leads to must both be below: a re-export does not make an import
-//! downward. The root of a crate is above all layers, so that no module imports what the root
-//! itself defines.
+//! Both the name in a path and its target must be below: a re-export does not make an import
+//! downward. The root of a crate is above all layers, so no module may import what the root itself
+//! defines.
 
 use std::collections::BTreeMap;
 
 use crate::imports::Crate;
 use crate::tables::Library;
 
-/// Imports from the own or from later layers, each item once for each file.
+/// Finds imports from the same or later layers, each item once for each file.
 pub(crate) fn upward_imports(krate: &Crate, library: &Library) -> Vec<String> {
     let leads = krate.imports.iter().map(|import| {
         let what = format!("`{}` of {}", import.item, krate.files[import.to].path);
@@ -35,7 +35,7 @@ pub(crate) fn upward_imports(krate: &Crate, library: &Library) -> Vec<String> {
     complaints.map(|((path, what), line)| format!("{path}:{line} imports upward: {what}")).collect()
 }
 
-/// Modules that are in no layer or in several, and those in the table that do not exist.
+/// Finds modules in no layer or in several, and modules in the table that do not exist.
 pub(crate) fn misplaced_modules(krate: &Crate, library: &Library) -> Vec<String> {
     let exists = |name: &str| krate.modules.iter().any(|(module, _)| module == name);
     let in_table = library.layers.iter().flat_map(|layer| layer.modules);
@@ -52,7 +52,7 @@ fn is_below(module: Option<&str>, own: &str, library: &Library) -> bool {
     let layer = |name: &str| library.layers.iter().position(|layer| layer.modules.contains(&name));
     match (module.and_then(layer), layer(own)) {
         (Some(layer), Some(own)) => layer < own,
-        // What is in no layer is a complaint of its own.
+        // A module without a layer is a separate complaint.
         (None, _) => module.is_some(),
         (_, None) => true,
     }

@@ -1,4 +1,4 @@
-//! Tests of the rules on small crates that are made up.
+//! Tests of the rules on small made-up crates.
 
 use crate::circles::circles;
 use crate::homonyms::homonyms;
@@ -6,7 +6,7 @@ use crate::imports::Crate;
 use crate::layers::{misplaced_modules, upward_imports};
 use crate::tables::{Layer, Library};
 
-/// A crate of files with these paths and texts.
+/// Reads a crate of files with these paths and texts.
 fn made_up(files: &[(&str, &str)]) -> Crate {
     let text_of = |path: &str| {
         let mut texts = files.iter().filter(|(name, _)| *name == path);

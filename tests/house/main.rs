@@ -1,4 +1,4 @@
-//! The house rules, most of which only show between files, read from the sources of every crate of
+//! The house rules, most of which concern several files, checked on the sources of every crate of
 //! the workspace.
 //!
 //! 1. No circle of files ([`circles`]).
@@ -9,12 +9,12 @@
 //!    ([`habits`]).
 //! 5. Documentation is plain English ([`english`]), in short sentences and narrow paragraphs
 //!    ([`prose`]), and so are messages ([`literals`]).
-//! 6. Published packages say what they are ([`packages`]).
-//! 7. The book has every page, its links lead somewhere, and its code is tested ([`book`]).
+//! 6. Published packages have complete manifests ([`packages`]).
+//! 7. The book contains every page, its links are valid, and its code is tested ([`book`]).
 //!
-//! Sources become files and modules ([`sources`]), these become items and what names mean
-//! ([`names`], [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds
-//! what each file needs of which other ([`imports`]). Tests are left out.
+//! Sources become files and modules ([`sources`]), then items and the meanings of names ([`names`],
+//! [`methods`], [`receivers`]). With these a walk through the code ([`walk`]) finds the
+//! dependencies of each file ([`imports`]). The rules on imports, names and habits leave out tests.
 
 mod architecture;
 mod book;

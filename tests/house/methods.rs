@@ -1,4 +1,4 @@
-//! Methods of the crate's own types, by name: where one type has `impl` blocks in several files, a
+//! Methods of the crate's own types, by name. Where one type has `impl` blocks in several files, a
 //! call leads to the file of the method, not to that of the type.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,15 +9,15 @@ use crate::names::{Names, Target};
 use crate::sources::Sources;
 
 /// Files in which a type has a method, by the name of the method and the type. Methods of traits
-/// are left out: whoever calls one imports its trait.
+/// are left out, since callers import the trait.
 #[derive(Default)]
 pub(crate) struct Methods(BTreeMap<String, BTreeSet<(usize, usize)>>);
 
-/// File of a called method.
+/// The file of a called method.
 #[derive(PartialEq, Eq, Debug)]
 pub(crate) enum MethodFile {
     One(usize),
-    /// There are several, of one type or of several types.
+    /// Several candidates, of one type or of several types.
     Ambiguous,
     /// No method of the crate's own.
     None,
@@ -38,7 +38,7 @@ impl Methods {
         methods
     }
 
-    /// File of the method `name` of a type that is possible.
+    /// Returns the file of the method `name` of a possible type.
     pub(crate) fn file(&self, name: &str, is_possible: impl Fn(usize) -> bool) -> MethodFile {
         let methods = self.0.get(name).into_iter().flatten();
         let files = methods.filter(|(item, _)| is_possible(*item)).map(|(_, file)| *file);
@@ -60,7 +60,7 @@ impl Methods {
     }
 }
 
-/// The crate's own type that a block is about.
+/// Returns the crate's own type that a block implements.
 pub(crate) fn self_type(block: &ItemImpl, module: usize, names: &Names) -> Option<usize> {
     let Type::Path(path) = block.self_ty.as_ref() else { return None };
     let path = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect::<Vec<_>>();

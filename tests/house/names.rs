@@ -1,6 +1,6 @@
-//! Items of a crate, and what a path means in a module: `use` items and re-exports are followed to
-//! the file that defines an item. Names that macros make, local variables and generic parameters
-//! are not known.
+//! Items of a crate, and the meanings of paths in a module. `use` items and re-exports are followed
+//! to the file that defines an item. Names from macros, local variables and generic parameters are
+//! unknown.
 
 use std::collections::BTreeMap;
 
@@ -10,17 +10,17 @@ use syn::{Attribute, Ident, ItemUse};
 use crate::sources::{Module, Sources};
 use crate::uses::{GLOB, uses};
 
-/// Something with a name at the level of a module.
+/// A named item at the level of a module.
 pub(crate) struct Item {
     pub(crate) name: String,
     pub(crate) module: usize,
     pub(crate) file: usize,
     pub(crate) line: usize,
-    /// Whether it is a type, an alias or a trait.
+    /// True for types, aliases and traits.
     pub(crate) is_type: bool,
 }
 
-/// What a path leads to.
+/// The target of a path.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum Target {
     Module(usize),
@@ -36,7 +36,7 @@ pub(crate) struct Names {
     scopes: Vec<Scope>,
 }
 
-/// What names mean in one module. One name may stand for a module, a type and a function.
+/// Meanings of names in one module. One name may stand for a module, a type and a function.
 #[derive(Default)]
 struct Scope {
     parent: Option<usize>,
@@ -63,7 +63,7 @@ impl Names {
         names
     }
 
-    /// All that `path` may mean in `module`; nothing if it leads out of the crate.
+    /// Returns all meanings of `path` in `module`, none if it leads out of the crate.
     pub(crate) fn resolve(&self, module: usize, path: &[String]) -> Vec<Found> {
         self.follow(module, path, &mut Vec::new())
     }
@@ -84,7 +84,8 @@ impl Names {
         self.scopes[module].meanings.entry(name.to_owned()).or_default().push(meaning);
     }
 
-    /// `pending` holds the names that are being looked up, so that no name is followed to itself.
+    /// Follows a path. `pending` contains the names under resolution, so that no name is followed
+    /// to itself.
     fn follow(&self, module: usize, path: &[String], pending: &mut Vec<(usize, String)>) -> Vec<Found> {
         let Some((first, rest)) = path.split_first() else { return Vec::new() };
         let mut found = match first.as_str() {
@@ -98,7 +99,7 @@ impl Names {
         found
     }
 
-    /// What `name` is within what was found so far.
+    /// Returns the meanings of `name` within an earlier result.
     fn enter(&self, found: Found, name: &str, pending: &mut Vec<(usize, String)>) -> Vec<Found> {
         match found {
             (Target::Module(module), _) if name == "super" => {
@@ -146,7 +147,7 @@ impl Scope {
     }
 }
 
-/// Visitor that collects `use` items, those in bodies of functions, too.
+/// Visitor that collects `use` items, including those in bodies of functions.
 struct Uses<'a> {
     names: &'a mut Names,
     module: usize,
@@ -161,8 +162,8 @@ impl<'ast> Visit<'ast> for Uses<'_> {
     }
 }
 
-/// Name of what an item defines, and whether that is a type, an alias or a trait. Macros for other
-/// crates are left out, since they are named by paths from outside.
+/// Returns the name that an item defines, and true if it is a type, an alias or a trait. Macros for
+/// other crates are left out, since paths from outside name them.
 fn definition(item: &syn::Item) -> Option<(&Ident, bool)> {
     Some(match item {
         syn::Item::Enum(item) => (&item.ident, true),

@@ -1,11 +1,12 @@
-//! Fields that the registry shows of each published package, and files that licences ask for.
+//! Fields of each published package that the registry shows, and files that licences require.
 
 use std::fs;
 use std::path::Path;
 
 use crate::workspace::folders;
 
-/// Lines of a manifest, by what they begin with; what is the same for all is in the workspace.
+/// Beginnings of lines in a manifest. Fields that are the same for all packages are in the
+/// workspace.
 const LINES: [&str; 8] = [
     "description = \"",
     "version.workspace = true",
@@ -18,7 +19,7 @@ const LINES: [&str; 8] = [
 ];
 const FILES: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
 
-/// Returns what published packages lack.
+/// Finds missing fields and files of published packages.
 pub(crate) fn lapses(root: &Path) -> Vec<String> {
     let mut lapses = Vec::new();
     for folder in folders(root) {
@@ -34,7 +35,7 @@ pub(crate) fn lapses(root: &Path) -> Vec<String> {
     lapses
 }
 
-/// Lines that a manifest lacks; documentation shows all features where there are any.
+/// Returns the lines that a manifest lacks. Documentation shows all features where there are any.
 fn missing_lines(manifest: &str) -> Vec<&'static str> {
     let section =
         |title: &str| manifest.split_once(title).map(|(_, rest)| rest.split("\n[").next().unwrap_or(rest));

@@ -19,7 +19,7 @@ pub(crate) const MAX_WORDS: usize = 25;
 pub(crate) struct Paragraph<'t> {
     /// Its lines in the file, counted from zero.
     pub(crate) lines: Range<usize>,
-    /// In front of the text of its first line, and of each other one: `/// - ` and `///   `.
+    /// The text before its first line, and before each other one: `/// - ` and `/// `.
     prefixes: [String; 2],
     text: Vec<&'t str>,
 }
@@ -61,7 +61,7 @@ impl Paragraph<'_> {
         lines[self.lines.clone()].iter().any(is_wide) && self.wrap() != lines[self.lines.clone()]
     }
 
-    /// Returns its lines, filled one after the other.
+    /// Returns its lines, each filled as far as possible.
     fn wrap(&self) -> Vec<String> {
         let mut wrapped = Vec::new();
         let mut line = self.prefixes[0].clone();

@@ -1,6 +1,6 @@
 //! Types of the receivers of calls, as far as declarations show them: `self`, parameters and
-//! variables, fields, and what functions return. What stands behind a reference, a box, an option
-//! or a result counts as itself.
+//! variables, fields, and results of functions. The content of a reference, a box, an option or a
+//! result counts as the type itself.
 
 use std::collections::BTreeMap;
 
@@ -11,10 +11,10 @@ use crate::methods::self_type;
 use crate::names::{Names, Target};
 use crate::sources::{Module, Sources};
 
-/// Types around another one that do not matter here.
+/// Wrapper types that are ignored.
 const AROUND: [&str; 6] = ["Arc", "Box", "Cow", "Option", "Rc", "Result"];
 
-/// Types of the crate's own, by what has them.
+/// The crate's own types of fields, functions and parameters.
 pub(crate) struct Declared<'a> {
     names: &'a Names,
     fields: BTreeMap<(usize, String), usize>,
@@ -43,7 +43,7 @@ impl<'a> Declared<'a> {
         declared
     }
 
-    /// Type of a receiver.
+    /// Returns the type of a receiver.
     pub(crate) fn receiver(&self, expression: &Expr, position: Position) -> Option<usize> {
         match expression {
             Expr::Call(call) => match call.func.as_ref() {
@@ -79,7 +79,7 @@ impl<'a> Declared<'a> {
         position.variables.iter().rev().find(|(variable, _)| variable == name)?.1
     }
 
-    /// Parameters of a function whose types are known.
+    /// Returns the parameters of a function whose types are known.
     pub(crate) fn parameters(
         &self,
         signature: &Signature,
@@ -93,7 +93,7 @@ impl<'a> Declared<'a> {
         parameters.map(|(name, of_type)| (name, self.written(of_type, module, self_type))).collect()
     }
 
-    /// Variables that a `let` brings into scope with known types.
+    /// Returns the variables of known types that a `let` brings into scope.
     pub(crate) fn variables(&self, pattern: &Pat, value: Option<&Expr>, position: Position) -> Variables {
         match (pattern, value) {
             (Pat::Ident(variable), Some(value)) => {
@@ -111,7 +111,7 @@ impl<'a> Declared<'a> {
         }
     }
 
-    /// The crate's own type that is written.
+    /// Returns the crate's own type in a type expression.
     fn written(&self, of_type: &Type, module: usize, self_type: Option<usize>) -> Option<usize> {
         match of_type {
             Type::Reference(inner) => self.written(&inner.elem, module, self_type),
@@ -142,7 +142,7 @@ impl<'a> Declared<'a> {
         })
     }
 
-    /// Type that a function returns, or that a constructor of a tuple makes.
+    /// Returns the type that a function returns, or that a tuple constructor makes.
     fn returned(&self, path: &[String], position: Position) -> Option<usize> {
         if let ["Self", method] = path.iter().map(String::as_str).collect::<Vec<_>>()[..] {
             return self.methods.get(&(position.self_type?, method.to_owned())).copied();
@@ -210,7 +210,7 @@ impl<'a> Declared<'a> {
     }
 }
 
-/// Name of the variable that a pattern is.
+/// Returns the name of the variable in a pattern that consists of it.
 fn variable_of(pattern: &Pat) -> Option<String> {
     match pattern {
         Pat::Ident(variable) => Some(variable.ident.to_string()),

@@ -4,7 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use syn::{Attribute, Expr, Item, ItemMod, Lit, Meta};
 
-/// Source text by path; `None` where there is no such file.
+/// Source text by path; `None` if the file does not exist.
 pub(crate) type TextOf<'a> = &'a dyn Fn(&str) -> Option<String>;
 
 /// Files and modules of one crate; the root of the crate is the first of both.
@@ -30,14 +30,14 @@ pub(crate) struct Module {
 }
 
 impl Sources {
-    /// Sources of the crate whose root is the file `root`.
+    /// Reads the sources of the crate whose root is the file `root`.
     pub(crate) fn read(root: &str, text_of: TextOf) -> Self {
         let mut loader = Loader { text_of, sources: Self::default() };
         loader.file(root, "", None, &folder_of(root));
         loader.sources
     }
 
-    /// Modules from the root, which is left out, to `module`.
+    /// Returns the modules from the root, which is left out, to `module`.
     pub(crate) fn path(&self, module: usize) -> Vec<&str> {
         let Module { name, parent, .. } = &self.modules[module];
         let Some(parent) = parent else { return Vec::new() };
@@ -92,7 +92,7 @@ impl Loader<'_> {
     }
 }
 
-/// Whether an item exists only for tests.
+/// True if an item exists only for tests.
 fn is_test(attributes: &[Attribute]) -> bool {
     let conditions = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::List(list) if list.path.is_ident("cfg") => Some(list.tokens.to_string()),
@@ -138,7 +138,7 @@ fn folder_of(path: &str) -> String {
     path.rsplit_once('/').map_or_else(String::new, |(folder, _)| folder.to_owned())
 }
 
-/// `path` seen from `folder`, without `..`.
+/// Returns `path` relative to `folder`, without `..`.
 fn join(folder: &str, path: &str) -> String {
     let mut joined = PathBuf::new();
     for part in Path::new(folder).join(path).components() {

@@ -1,5 +1,5 @@
-//! Methods of iterators, options, collections, text and numbers: a call of one of them on a
-//! receiver of unknown type says nothing about the crate's own types.
+//! Methods of iterators, options, collections, text and numbers. A call of one of them on a
+//! receiver of unknown type reveals nothing about the crate's own types.
 
 const METHODS: &str = "\
     abs all any append as_deref as_mut as_ref as_slice as_str borrow bytes ceil chain chars chunks clear \
@@ -14,7 +14,7 @@ const METHODS: &str = "\
     tan then to_owned to_string to_vec trim truncate try_fold unwrap_or unzip values windows write \
     write_fmt write_str zip";
 
-/// Whether the standard library has a method of that name.
+/// True if the standard library has a method of that name.
 pub(crate) fn is_standard(method: &str) -> bool {
     METHODS.split_whitespace().any(|name| name == method)
 }

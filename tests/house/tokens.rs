@@ -7,12 +7,12 @@ use proc_macro2::{Ident, Spacing, TokenStream, TokenTree};
 pub(crate) struct TokenPath {
     pub(crate) names: Vec<String>,
     pub(crate) line: usize,
-    /// For what follows a dot: the variable before it, or nothing that is a name.
+    /// Behind a dot, the variable before it, or an empty text if that is not a name.
     pub(crate) receiver: Option<String>,
 }
 
-/// Paths in the tokens, those in brackets, too. Paths from outside, which begin with `::`, are left
-/// out.
+/// Returns the paths in the tokens, including those in brackets. Paths from outside, which begin
+/// with `::`, are left out.
 pub(crate) fn paths(tokens: &TokenStream) -> Vec<TokenPath> {
     let mut found = Vec::new();
     let tokens = tokens.clone().into_iter().collect::<Vec<_>>();
@@ -33,7 +33,7 @@ pub(crate) fn paths(tokens: &TokenStream) -> Vec<TokenPath> {
     found
 }
 
-/// The path that begins at a token, and the token behind it.
+/// Returns the path that begins at a token, and the index of the token behind it.
 fn path(first: &Ident, tokens: &[TokenTree], start: usize) -> (TokenPath, usize) {
     let mut names = vec![first.to_string()];
     let mut at = start + 1;
@@ -46,7 +46,7 @@ fn path(first: &Ident, tokens: &[TokenTree], start: usize) -> (TokenPath, usize)
     (TokenPath { names, line: first.span().start().line, receiver }, at)
 }
 
-/// The name at a token that is no part of a longer expression.
+/// Returns the name at a token that is not part of a longer expression.
 fn variable(tokens: &[TokenTree], at: usize) -> String {
     match tokens.get(at) {
         Some(TokenTree::Ident(name)) if !is_punct(tokens, at.wrapping_sub(1), '.') => name.to_string(),
@@ -54,7 +54,7 @@ fn variable(tokens: &[TokenTree], at: usize) -> String {
     }
 }
 
-/// Whether `::` begins at a token.
+/// True if `::` begins at a token.
 fn is_colons(tokens: &[TokenTree], at: usize) -> bool {
     let is_joint =
         matches!(tokens.get(at), Some(TokenTree::Punct(colon)) if colon.spacing() == Spacing::Joint);

@@ -12,7 +12,7 @@ pub(crate) struct Use {
 
 pub(crate) const GLOB: &str = "*";
 
-/// Names of a `use` item. Paths from outside, which begin with `::`, have none.
+/// Returns the names of a `use` item. Paths from outside, which begin with `::`, have none.
 pub(crate) fn uses(item: &ItemUse) -> Vec<Use> {
     let mut found = Vec::new();
     if item.leading_colon.is_none() {

@@ -1,4 +1,4 @@
-//! What the code of a crate needs: a walk through all its modules.
+//! The dependencies of a crate's code, found by a walk through all its modules.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ use crate::uses::{Use, uses};
 /// Macros whose arguments are code for somewhere else.
 const QUOTATIONS: [&str; 2] = ["quote", "quote_spanned"];
 
-/// What is known of a crate before its code is read.
+/// Knowledge about a crate before its code is read.
 pub(crate) struct Known<'a> {
     pub(crate) sources: &'a Sources,
     pub(crate) names: &'a Names,
@@ -27,12 +27,12 @@ pub(crate) struct Known<'a> {
     pub(crate) declared: Declared<'a>,
 }
 
-/// What the code of a crate needs.
+/// Dependencies of the code of a crate.
 #[derive(Default)]
 pub(crate) struct Needs {
     pub(crate) imports: Vec<Import>,
     pub(crate) mentions: Vec<Mention>,
-    /// Number of calls that might be of methods in several files.
+    /// Number of calls that might refer to methods in several files.
     pub(crate) ambiguous_calls: usize,
 }
 
@@ -50,7 +50,7 @@ struct Walk<'a> {
     module: usize,
     self_type: Option<usize>,
     variables: Variables,
-    /// Types that each file names, its own among them.
+    /// Types that each file names, including its own.
     named: BTreeSet<(usize, usize)>,
     calls: Vec<Call>,
     needs: Needs,
@@ -179,7 +179,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Takes down a top-level module that the path names as it is written.
+    /// Records a top-level module that the path names explicitly.
     fn mention(&mut self, path: &[String], line: usize) {
         let is_relative = ["crate", "self", "super"].contains(&path[0].as_str());
         let names = path.iter().take_while(|_| is_relative);
@@ -238,7 +238,7 @@ impl Walk<'_> {
         self.variables.truncate(before);
     }
 
-    /// Imports methods of one name in the crate, where their type is named in the file, and counts
+    /// Imports methods with a single definition of their name, if the file names their type. Counts
     /// calls that may be of methods in several files.
     fn calls(&mut self) {
         for Call { from, method, line } in std::mem::take(&mut self.calls) {
@@ -253,8 +253,8 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether a `use` item does nothing but hand out what is in the module's own folder, which it
-    /// may do without depending on it.
+    /// True if a `use` item only re-exports items of the module's own folder, which it may do
+    /// without depending on it.
     fn passes_on(&self, found: &Use) -> bool {
         let own = self.known.sources.path(self.module);
         let is_within = |(target, _): &Found| {

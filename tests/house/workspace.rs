@@ -20,7 +20,7 @@ pub(crate) fn workspace() -> &'static Workspace {
 }
 
 impl Workspace {
-    /// Packages with sources that have no table of layers, and tables of no package.
+    /// Returns packages with sources but without a table of layers, and tables without a package.
     pub(crate) fn misplaced_libraries(&self) -> Vec<String> {
         let names = self.crates.iter().map(|krate| krate.name.as_str());
         let libraries = names.filter(|name| !name.ends_with(".rs")).collect::<Vec<_>>();
@@ -40,14 +40,15 @@ impl Workspace {
     }
 }
 
-/// The folder of the workspace: the one with the document that shows its structure.
+/// Returns the folder of the workspace: the one with the document that shows its structure.
 fn root() -> PathBuf {
     let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
     let mut roots = folders.filter(|folder| folder.join("ARCHITECTURE.md").is_file());
     roots.next().expect("the root of the workspace").to_owned()
 }
 
-/// Folders of crates, below the root and below `crates`; that of the root itself is empty.
+/// Returns the folders of crates, below the root and below `crates`; that of the root itself is
+/// empty.
 pub(crate) fn folders(root: &Path) -> Vec<String> {
     let within =
         |parent: &'static str| entries(root, parent).into_iter().map(move |name| format!("{parent}{name}/"));
@@ -57,7 +58,7 @@ pub(crate) fn folders(root: &Path) -> Vec<String> {
     folders
 }
 
-/// Names of all crates and the paths of their roots.
+/// Returns the names of all crates and the paths of their roots.
 fn roots(root: &Path) -> Vec<(String, String)> {
     let mut found = Vec::new();
     for folder in folders(root) {
@@ -75,7 +76,7 @@ fn roots(root: &Path) -> Vec<(String, String)> {
     found
 }
 
-/// Roots of the programs in a folder.
+/// Returns the roots of the programs in a folder.
 fn programs(root: &Path, folder: &str) -> Vec<String> {
     let mut found = Vec::new();
     for entry in entries(root, folder) {
@@ -87,7 +88,7 @@ fn programs(root: &Path, folder: &str) -> Vec<String> {
     found
 }
 
-/// Names of what is in a folder, in order.
+/// Returns the names of the entries of a folder, in order.
 fn entries(root: &Path, folder: &str) -> Vec<String> {
     let entries = fs::read_dir(root.join(folder)).into_iter().flatten();
     let names = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());

@@ -22,7 +22,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Three rods between two nails of one height.
+    /// Three rods between two nails at the same height.
     #[derive(Debug)]
     pub(crate) struct Garland;
 
@@ -52,7 +52,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A skate on ice: its knife allows no slip across.
+    /// A skate on ice: its blade allows no lateral slip.
     #[derive(Debug)]
     pub(crate) struct Skate;
 
@@ -95,7 +95,7 @@ fn a_push_holds_a_rod_aside_and_its_tension_has_slopes() {
     let total = weight.hypot(push);
     assert!((found.state[0] - rod.l * push / total).abs() < 1e-15, "{found:?}");
     let model = rod.linearise(0.0, found.state).expect("smooth");
-    // λ = -(m g cos α + push sin α) / l: to first order its angle does not matter, the push does.
+    // λ = -(m g cos α + push sin α) / l: to first order the angle has no effect, the push does.
     let slope = model.c()[(0, 0)];
     assert!(slope.abs() < 1e-12 && model.d()[(0, 0)].abs() > 0.1, "{model:?}");
     let wanted = -(push / total) / rod.l;
@@ -127,7 +127,7 @@ fn single_precision_gives_its_own_digits() {
 
 #[test]
 fn constraints_that_follow_from_others_have_no_derivatives() {
-    // Three parallel rods carry a plate: any two would do.
+    // Three parallel rods carry a plate; any two would suffice.
     let error = Plate::default().linearise(0.0, [0.0; 6]).expect_err("the forces are not determined");
     assert!(error.to_string().contains("constraints that depend on each other"), "{error}");
 }
@@ -146,7 +146,7 @@ fn a_garland_hangs_in_a_trapezium() {
     assert!((frequency - swing(found.state)).abs() < 1e-6 * frequency, "{frequency}");
 }
 
-/// The angular frequency of a small swing of the garland, from its zeros.
+/// Returns the angular frequency of a small swing of the garland, from its zeros.
 fn swing(rest: [f64; 8]) -> f64 {
     let mut start = rest;
     start[4..].copy_from_slice(&[1e-4, 1e-4, 0.0, 0.0]);
@@ -169,15 +169,15 @@ fn a_skate_keeps_its_places_and_loses_a_velocity() {
     assert_eq!((found.state, found.freedom), (ahead, 3));
     let model = skate.linearise(0.0, ahead).expect("smooth");
     assert_eq!(model.states(), ["x", "y", "phi", "x_dot", "phi_dot"]);
-    // With the mass centre ahead of the knife, turns decay at the rate m a v / (j + m a²).
+    // With the centre of mass ahead of the blade, turns decay at the rate m a v / (j + m a²).
     let rate = skate.m * skate.a * 1.5 / (skate.j + skate.m * skate.a * skate.a);
     let row = model.a().row(4);
     assert!((row[4] + rate).abs() < 1e-14 && row[..4].iter().all(|entry| entry.abs() < 1e-14), "{row:?}");
-    // The velocity across turns with the knife.
+    // The lateral velocity rotates with the blade.
     let across = model.components().iter().position(|name| name == "y_dot").expect("a velocity");
     assert_eq!(model.basis().row(across), [0.0, 0.0, 1.5, 0.0, 0.0]);
     let back = skate.linearise(0.0, [0.3, 0.2, 0.0, -1.5, 0.0, 0.0]).expect("smooth");
     assert_eq!(back.modes().expect("eigenvalues").stability(), Stability::Unstable);
-    // Four zeros, of which two belong to the place along the way, which grows with the speed.
+    // Four zeros, two of which belong to the position along the path, which grows with the speed.
     assert_eq!(model.modes().expect("eigenvalues").stability(), Stability::Undecided);
 }

@@ -1,11 +1,11 @@
-//! Equilibria and steady motions that have closed forms.
+//! Equilibria and steady motions in closed form.
 
 use std::f64::consts::PI;
 
 use lagrange::linear::Linearise;
 
 lagrange::system! {
-    /// Two rods in a plane, by absolute angles from below.
+    /// Two rods in a plane, by absolute angles from the downward vertical.
     #[derive(Clone, Debug)]
     pub(crate) struct DoublePendulum<S>;
 
@@ -19,7 +19,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A bead on a hoop that turns about its vertical diameter.
+    /// A bead on a hoop that rotates about its vertical diameter.
     #[derive(Debug)]
     struct Bead;
 
@@ -64,7 +64,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A body on a ball joint, with its mass centre off the joint.
+    /// A body on a ball joint, with its centre of mass off the joint.
     #[derive(Debug)]
     pub(crate) struct Hanging;
 
@@ -113,7 +113,7 @@ fn a_bead_turns_steadily_where_weight_and_rotation_balance() {
     let found = bead.equilibrium(near).solve().expect("a steady motion");
     let wanted = (bead.g / (bead.r * 36.0)).acos();
     assert!((found.state[0] - wanted).abs() < 1e-15, "{found:?}");
-    // The angle about the axis stays what it was: all of them will do.
+    // Any angle about the axis is an equilibrium, so it keeps its value.
     assert_eq!((found.state[1], found.state[3], found.freedom), (2.0, 6.0, 1));
 }
 
@@ -127,7 +127,7 @@ fn inputs_are_trimmed_for_a_hover_in_the_wind() {
     for thrust in &found.inputs {
         assert!((thrust - weight.hypot(2.0) / 2.0).abs() < 1e-14, "{found:?}");
     }
-    // It hovers at every height, and this one is near.
+    // It hovers at every height, including the nearest one.
     assert_eq!((found.state[0], found.state[1], found.freedom), (0.3, 1.0, 1));
     let trimmed = found.system(&rotor);
     let [.., x, y, theta] = trimmed.rhs(0.0, &found.state);

@@ -1,4 +1,4 @@
-//! Equilibria, linear models and modes, beside closed forms and other tools.
+//! Equilibria, linear models and modes, against closed forms and other tools.
 #![cfg(feature = "linear")]
 
 mod constrained;

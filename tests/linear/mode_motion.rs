@@ -1,4 +1,4 @@
-//! Modes as motions: beside closed forms, and beside motions of the nonlinear system.
+//! Modes as motions, against closed forms and motions of the nonlinear system.
 
 use lagrange::Simulate;
 use lagrange::constraint::ConstrainedSystem;
@@ -9,7 +9,7 @@ use super::equilibria::{DoublePendulum, Magnet};
 use super::modes::Oscillator;
 
 lagrange::system! {
-    /// A body that turns freely, with three moments of inertia.
+    /// A freely rotating body with three moments of inertia.
     #[derive(Debug)]
     struct Satellite;
 
@@ -51,7 +51,7 @@ macro_rules! follows {
 fn small_modes_are_motions_of_the_nonlinear_system() {
     let pendulum = DoublePendulum::<f64>::default();
     follows!(&pendulum, pendulum.equilibrium([0.1, 0.1, 0.0, 0.0]).solve().expect("hangs").state);
-    // Unstable ones too, which grow.
+    // Including unstable modes, which grow.
     follows!(&pendulum, pendulum.equilibrium([3.1, 3.1, 0.0, 0.0]).solve().expect("stands").state);
     let magnet = Magnet::default();
     follows!(&magnet, magnet.equilibrium([0.0; 3]).solve().expect("hangs").state);
@@ -65,7 +65,7 @@ fn dependent_coordinates_follow_from_constraints() {
     let hanging = garland.equilibrium(near).solve().expect("hangs").state;
     follows!(&garland, hanging);
 
-    // Also far from the equilibrium.
+    // Including states far from the equilibrium.
     let modes = garland.linearise(0.0, hanging).expect("smooth").modes().expect("eigenvalues");
     for (_, y) in garland.mode_motion(0.0, hanging, &modes.modes()[0], 0.3).extremes().expect("is shown") {
         let q = [y[0], y[1], y[2], y[3]];
@@ -93,7 +93,7 @@ fn decay_begins_with_the_amplitude_and_growth_ends_with_it() {
     let growing = modes.modes().iter().find(|mode| mode.real > 0.0).expect("it falls");
     let moments =
         falling.mode_motion(0.0, [0.0; 2], growing, 0.5).slowed(3.0).moments(8.0).expect("is shown");
-    // Three times 1/λ, three times as slow.
+    // Three times 1/λ, and three times as slow.
     let (second, (time, [x, v])) = *moments.last().expect("moments");
     assert!((second - 4.5).abs() < 1e-14 && time == 0.0 && moments.len() == 37, "{moments:?}");
     assert!((x - 0.5).abs() < 1e-14 && (v - 1.0).abs() < 1e-13, "{x} {v}");
@@ -120,7 +120,7 @@ fn level_modes_repeat_without_a_jump() {
 
 #[test]
 fn steady_motions_go_along_on_demand() {
-    // It turns about the axis of the largest moment of inertia.
+    // It rotates about the axis of the largest moment of inertia.
     let state = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0];
     let modes = Satellite.linearise(0.0, state).expect("smooth").modes().expect("eigenvalues");
     let wobble = modes.modes().iter().find(|mode| mode.imaginary > 0.5).expect("it wobbles");
@@ -133,7 +133,7 @@ fn steady_motions_go_along_on_demand() {
     for (shown, moved) in end.iter().zip(&run) {
         assert!((shown - moved).abs() < 3e-6, "{end:?} {run:?}");
     }
-    // Elsewhere the mean orientation stays.
+    // Otherwise the mean orientation is constant.
     let still = Satellite.mode_motion(0.0, state, wobble, 1e-4).moments(50.0).expect("is shown");
     assert!(still.iter().all(|(_, (time, y))| *time == 0.0 && (y[0] - 1.0).abs() < 1e-8));
 }

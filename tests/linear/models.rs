@@ -1,4 +1,4 @@
-//! Linear models beside matrices in closed form and beside differences.
+//! Linear models against closed-form matrices and differences.
 
 use lagrange::linear::{DenseMatrix, Linearise};
 use lagrange::system::{LinearisedSystem, OdeSystem};
@@ -6,7 +6,7 @@ use lagrange::system::{LinearisedSystem, OdeSystem};
 use super::equilibria::{DoublePendulum, Hanging, Rotor};
 
 lagrange::system! {
-    /// A motor with a spring and an eccentric weight: everything that a system matrix can contain.
+    /// A motor with a spring and an eccentric weight: every kind of entry in a system matrix.
     #[derive(Clone, Debug)]
     struct Motor;
 
@@ -61,7 +61,7 @@ fn a_hover_has_the_textbook_matrices() {
     assert_eq!((model.inputs(), model.outputs()), (&["left", "right"][..], &["height"][..]));
 }
 
-/// Central differences, whose error is about 1e-10 of the entries.
+/// Returns central differences, whose error is about 1e-10 of the entries.
 fn differences(rate: impl Fn(&[f64], [f64; 2]) -> Vec<f64>, y: &[f64], u: [f64; 2]) -> DenseMatrix {
     let columns = (0..y.len() + 2).map(|k| {
         let h = 1e-5;
@@ -101,7 +101,7 @@ fn all_blocks_are_slopes_of_rates_and_outputs() {
     assert!(found.plus(-1.0, &wanted).largest() < 1e-7, "{:?}", found.plus(-1.0, &wanted));
     assert_eq!(model.states(), ["theta", "x", "current", "count", "theta_dot", "x_dot"]);
     assert_eq!(model.outputs(), ["shaking", "all.x", "all.y", "all.z"]);
-    // The first rows and columns are those of the product of their own.
+    // The first rows and columns equal the separate product.
     let tangent = with(u).tangent_jacobian(0.0, &y);
     let matrix = with(u).system_matrix(0.0, &y);
     for (row, wanted) in matrix.iter().zip(tangent) {
@@ -116,7 +116,7 @@ fn orientations_change_by_rotations_about_the_axes_of_the_body() {
     let model = hanging.linearise(0.0, found.state).expect("smooth");
     assert_eq!((model.a().rows(), model.outputs().len()), (6, 3));
     assert!(model.states()[0].starts_with("rotation("), "{:?}", model.states());
-    // A turn about the vertical moves nothing: the outputs' slopes have rank two.
+    // A rotation about the vertical moves nothing: the slopes of the outputs have rank two.
     let c = model.c();
     let up = [0.1, -0.2, 0.2].map(|entry: f64| -entry / 0.3);
     for row in 0..3 {

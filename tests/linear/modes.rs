@@ -1,4 +1,4 @@
-//! Modes beside closed forms: frequencies, damping ratios, shapes, verdicts.
+//! Modes against closed forms: frequencies, damping ratios, shapes, stability.
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass on a spring and a damper, of any sign.
+    /// A mass on a spring and a damper, of either sign.
     #[derive(Clone, Debug)]
     pub(crate) struct Oscillator;
 
@@ -34,7 +34,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point on two equal springs: two modes of one frequency.
+    /// A point on two equal springs: two modes with the same frequency.
     #[derive(Debug)]
     struct Plane;
 
@@ -45,7 +45,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A place whose acceleration is an angle, which turns freely: four integrators in a row, in
+    /// A position whose acceleration is an angle, which turns freely: four integrators in a row, in
     /// coordinates that mix the two.
     #[derive(Debug)]
     struct Integrators;

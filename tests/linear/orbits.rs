@@ -1,4 +1,4 @@
-//! Periodic orbits and Lyapunov exponents beside closed forms and published values.
+//! Periodic orbits and Lyapunov exponents against closed forms and published values.
 
 use std::f64::consts::{PI, TAU};
 
@@ -78,7 +78,7 @@ mod lorenz {
 }
 use lorenz::Lorenz;
 
-/// Two coupled oscillators: Hénon and Heiles.
+/// Two coupled oscillators: the Hénon–Heiles system.
 mod henon_heiles {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -104,13 +104,13 @@ fn a_driven_oscillator_responds_as_in_closed_form() {
     assert!((re - growth * angle.cos()).abs() < 1e-10 && (im - (growth * angle.sin()).abs()).abs() < 1e-10);
     assert_eq!(other, (re, -im));
     assert!(orbit.is_stable() && orbit.distance < 1e-10);
-    // From elsewhere in the period.
+    // From another time in the period.
     let later = Driven::default().orbit([0.0, 0.0], TAU).from(1.0).solve().expect("it responds");
     let x = (3.0 * 1.0_f64.cos() + 0.2 * 1.0_f64.sin()) / size;
     assert!((later.state[0] - x).abs() < 1e-11, "{later:?}");
 }
 
-/// The arithmetic-geometric mean.
+/// Returns the arithmetic–geometric mean.
 fn agm(mut a: f64, mut b: f64) -> f64 {
     for _ in 0..40 {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());
@@ -124,7 +124,7 @@ fn the_period_of_a_pendulum_is_an_elliptic_integral() {
     let [theta, omega] = orbit.state;
     let turning = (theta.cos() - 0.5 * omega * omega).acos();
     assert!((orbit.period - TAU / agm(1.0, (0.5 * turning).cos())).abs() < 1e-8, "{orbit:?}");
-    // Two of one: along the orbit, and along the family of orbits.
+    // Two multipliers of one: along the orbit, and along the family of orbits.
     assert!(orbit.multipliers.iter().all(|(re, im)| (re - 1.0).abs() + im.abs() < 1e-3), "{orbit:?}");
     assert!((orbit.monodromy[(0, 0)] + orbit.monodromy[(1, 1)] - 2.0).abs() < 1e-8);
 }
@@ -142,8 +142,9 @@ fn a_pendulum_that_turns_over_advances_by_a_turn() {
     assert!((orbit.period - period).abs() < 1e-9, "{orbit:?} {period}");
 }
 
-/// The period to 12 digits: Andersen, Geer, "Power series expansions for the frequency and period
-/// of the limit cycle of the van der Pol equation", *SIAM J. Appl. Math.* 42 (1982) 678–693.
+/// The period is known to 12 digits. Source: Andersen, Geer, "Power series expansions for the
+/// frequency and period of the limit cycle of the van der Pol equation", *SIAM J. Appl. Math.* 42
+/// (1982) 678–693.
 #[test]
 fn the_limit_cycle_of_van_der_pol_has_its_published_period() {
     let orbit = VanDerPol::default().orbit([2.0, 0.1], 6.0).free_period().solve().expect("a limit cycle");
@@ -163,7 +164,7 @@ fn orbits_pass_impacts() {
 }
 
 /// Two masses on three springs: ω² is k and 3 k. Newton's method for a linear system leads to rest
-/// unless the period is near one of its own.
+/// unless the period is close to one of its own.
 mod coupled {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -205,7 +206,7 @@ fn exponents_of_hamiltonian_motions_are_in_pairs() {
     let chaotic = system.lyapunov([0.0, -0.15, 0.469_107_3, 0.0]).run(5.0, 400).expect("bounded");
     let regular = system.lyapunov([0.0, 0.1, 0.1, 0.0]).run(5.0, 400).expect("bounded");
     for exponents in [&chaotic, &regular] {
-        // Volumes stay as they are, whatever the time; pairs are found in a long one.
+        // Volumes are conserved for any time; pairs only emerge in a long one.
         assert!(exponents.iter().sum::<f64>().abs() < 1e-9, "{exponents:?}");
         assert!((exponents[0] + exponents[3]).abs() < 5e-3, "{exponents:?}");
     }
@@ -221,7 +222,7 @@ fn what_has_no_orbit_is_reported() {
     }
     let unknown = pendulum.orbit([1.0, 0.0], 7.0).advancing("phi", PI).solve().unwrap_err();
     assert_eq!(unknown.to_string(), "there is no coordinate `phi`; coordinates are [\"theta\"]");
-    // Energy is lost in each period without drive.
+    // Without drive, energy is lost in each period.
     let undriven = Driven { f: 0.0, ..Driven::default() };
     let rest = undriven.orbit([0.1, 0.0], TAU).solve().expect("rest is periodic");
     assert!(rest.state.iter().all(|entry| entry.abs() < 1e-10));
@@ -236,7 +237,7 @@ fn what_has_no_orbit_is_reported() {
 
 #[test]
 fn rest_is_an_orbit_of_a_given_period() {
-    // Newton's method brings it ever nearer, without an end but that of rounding.
+    // Newton's method approaches it without end, up to rounding.
     let upright = Pendulum::default().orbit([PI, 0.0], 0.7).solve().expect("rests");
     assert!((upright.state[0] - PI).abs() < 1e-15 && upright.distance < 1e-15, "{upright:?}");
     for (multiplier, wanted) in upright.multipliers.iter().zip([0.7_f64.exp(), (-0.7_f64).exp()]) {

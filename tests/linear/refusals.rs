@@ -1,4 +1,4 @@
-//! Searches and linearisations without a result, in words.
+//! Searches and linearisations without a result, and their messages.
 
 use lagrange::linear::{Equation, EquilibriumCause, LinearisationError, Linearise};
 use lagrange::system::Component;
@@ -6,7 +6,7 @@ use lagrange::system::Component;
 use super::equilibria::{DoublePendulum, Rotor};
 
 lagrange::system! {
-    /// A pendulum that a torque turns.
+    /// A pendulum turned by a torque.
     #[derive(Debug)]
     struct Turned;
 
@@ -19,7 +19,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point that is pushed and nothing holds, next to one on a spring.
+    /// A pushed point that nothing holds, next to one on a spring.
     #[derive(Debug)]
     struct Pushed;
 
@@ -43,7 +43,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point with dry friction in a closed form, drag, a stop, and a force with a corner.
+    /// A point with dry friction in closed form, drag, a stop, and a force with a kink.
     #[derive(Clone, Debug)]
     struct Kinks;
 
@@ -71,7 +71,7 @@ fn a_torque_beyond_the_largest_moment_leaves_an_acceleration() {
     let error = Turned::default().equilibrium([0.3, 0.0]).solve().expect_err("nothing holds it");
     let EquilibriumCause::Left { equation, residual, is_changed } = error.cause else { panic!("{error:?}") };
     assert_eq!(equation, Equation::Acceleration(Component::Velocity("theta")));
-    // Newton's method ends where the moment is largest.
+    // Newton's method ends at the largest moment.
     assert!((residual - 0.2).abs() < 1e-3 && is_changed, "{error:?}");
     assert!((error.state[0] - std::f64::consts::FRAC_PI_2).abs() < 0.05, "{error:?}");
     let text = error.to_string();
@@ -101,7 +101,7 @@ fn what_is_not_finite_is_named() {
 
 #[test]
 fn a_motion_that_changes_is_not_steady() {
-    // Passing the lowest point, accelerations vanish for an instant.
+    // When it passes the lowest point, accelerations vanish for an instant.
     let rods = DoublePendulum::<f64>::default();
     let error = rods.equilibrium([0.0, 0.0, 1.0, 1.0]).solve().expect_err("it swings");
     assert!(error.to_string().contains("is 0 and changes by"), "{error}");
@@ -111,7 +111,7 @@ fn a_motion_that_changes_is_not_steady() {
 fn a_constraint_that_moves_has_no_equilibrium() {
     let error = Moved.equilibrium([0.0; 4]).solve().expect_err("it moves");
     assert!(error.to_string().contains("the velocities violate the constraint `rail`"), "{error}");
-    // With the rail it moves steadily.
+    // It moves steadily with the rail.
     assert!(Moved.equilibrium([0.1, 0.0, 0.0, 0.5]).solve().is_ok());
     let error = Moved.linearise(1.0, [0.0, 0.7, 0.0, 0.5]).expect_err("it is off the rail");
     assert!(error.to_string().contains("the positions violate the constraint `rail`"), "{error}");
@@ -133,7 +133,7 @@ fn there_is_no_linear_model_at_a_jump_or_a_corner() {
         (kinks.clone(), [0.0, 0.0], true),
         (Kinks { mu: 0.1, ..kinks.clone() }, [0.3, 0.0], false),
         (Kinks { mu: 0.1, ..kinks.clone() }, [0.3, 1e-3], true),
-        // A drag in proportion to the square has a slope of zero on both sides.
+        // Quadratic drag has zero slope on both sides.
         (Kinks { drag: 0.1, ..kinks.clone() }, [0.3, 0.0], true),
         (Kinks { stop: 1.0, ..kinks.clone() }, [0.0, 0.2], false),
         (Kinks { stop: 1.0, ..kinks.clone() }, [-1e-12, 0.2], false),

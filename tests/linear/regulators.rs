@@ -1,4 +1,4 @@
-//! Regulators and controllability, and eigenvalues, beside NumPy and SciPy (`tools/linear.py`).
+//! Regulators, controllability and eigenvalues, against NumPy and SciPy (`tools/linear.py`).
 
 use std::f64::consts::PI;
 
@@ -20,8 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two equal pendulums on a cart without mass of its own beside theirs: only their sum is
-    /// moved.
+    /// Two equal pendulums on a cart without mass of its own: only their sum is controllable.
     #[derive(Debug)]
     struct Twins;
 
@@ -36,7 +35,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The cart with its force alone.
+    /// The cart with its force only.
     #[derive(Clone, Debug)]
     struct Pushed;
 
@@ -198,11 +197,11 @@ fn units_of_inputs_do_not_matter_to_controllability() {
     let model = CartPole::default().linearise(0.0, [0.0, PI, 0.0, 0.0]).expect("smooth");
     let with_both = model.weakest_direction().expect("states").distance;
     let alone = upright().weakest_direction().expect("states").distance;
-    // A second input makes nothing less controllable.
+    // A second input never reduces controllability.
     assert!(with_both >= alone * (1.0 - 1e-12) && alone > 1e-3, "{with_both} {alone}");
 }
 
-/// Numbers from −1/2 to 1/2 by Knuth's linear congruences.
+/// Numbers from −1/2 to 1/2 by Knuth's linear congruential generator.
 struct Generator(u64);
 
 impl Generator {
@@ -211,7 +210,7 @@ impl Generator {
         (self.0 >> 11) as f64 / 2.0_f64.powi(53) - 0.5
     }
 
-    /// A full, sparse, badly scaled or antisymmetric matrix of one to six rows.
+    /// Returns a full, sparse, badly scaled or antisymmetric matrix of one to six rows.
     fn matrix(&mut self, index: usize) -> DenseMatrix {
         let n = 1 + index % 6;
         let a = DenseMatrix::from_fn(n, n, |_, _| self.next());
@@ -240,7 +239,7 @@ fn a_thousand_matrices_have_the_eigenvalues_of_numpy() {
             let nearest = found.iter().map(distance).fold(f64::INFINITY, f64::min);
             worst = worst.max(nearest / size);
         }
-        // Two equal ones may be a pair here and two real ones there.
+        // Two equal eigenvalues may be a pair in one result and two real ones in the other.
         assert!(2 * found.len() >= numbers.len() - 2, "{index}: {found:?} {line}");
         rows += 1;
     }

@@ -1,4 +1,4 @@
-//! Transfer functions and responses, beside closed forms.
+//! Transfer functions and responses, against closed forms.
 
 use lagrange::linear::{DenseMatrix, LinearModel, Linearise, Transfer};
 
@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Three first-order lags in a row, a loop with known margins.
+    /// Three first-order lags in series, a loop with known margins.
     #[derive(Debug)]
     struct Lags;
 
@@ -42,7 +42,7 @@ fn place(d: f64) -> Transfer {
     oscillator(d).transfer("u", "place").unwrap()
 }
 
-/// 1 / (k − m ω² + i d ω), or −ω² times that.
+/// Returns 1 / (k − m ω² + i d ω), or −ω² times that.
 fn expected(frequency: f64, d: f64, factor: f64) -> (f64, f64) {
     let (real, imaginary) = (8.0 - 2.0 * frequency * frequency, d * frequency);
     let square = real * real + imaginary * imaginary;
@@ -62,7 +62,7 @@ fn frequency_responses_are_those_of_the_formula() {
         let factor = -frequency * frequency;
         assert!(close(shaking.at(frequency), expected(frequency, 1.2, factor), 1e-14), "{frequency}");
     }
-    // Without damping there is no response at the frequency of the mode.
+    // Without damping, the response at the frequency of the mode is infinite.
     assert!(!self::place(0.0).at(2.0).0.is_finite());
 }
 
@@ -159,7 +159,7 @@ fn feedback_moves_the_response() {
     let damped = model.with_feedback(&gain).unwrap();
     let value = damped.transfer("u", "place").unwrap().at(1.5);
     assert!(close(value, expected(1.5, 1.2, 1.0), 1e-15));
-    // Outputs of accelerations see the feedback, too.
+    // Outputs of accelerations depend on the feedback, too.
     let shaking = damped.transfer("u", "shaking").unwrap().at(1.5);
     assert!(close(shaking, expected(1.5, 1.2, -2.25), 1e-15));
     assert!(model.with_feedback(&DenseMatrix::identity(2)).is_none());

@@ -1,12 +1,12 @@
 //! Bricard's mechanism: six revolute joints in a ring.
 
 lagrange::system! {
-    /// Five rods along the edges of a cube, which six joints at right angles to both their
-    /// neighbours close to a loop with the ground.
+    /// Five rods along the edges of a cube. Six joints, each at right angles to both neighbours,
+    /// close them to a loop with the ground.
     ///
     /// Benchmark A04 of the IFToMM library (González, Dopico, Naya, Cuadrado, *A benchmarking
     /// system for MBS simulation software*, Multibody System Dynamics 16, 2006). The sixth joint
-    /// takes five freedoms from five angles; one is left nevertheless.
+    /// takes five degrees of freedom from five angles; one remains nevertheless.
     #[derive(Clone, Debug)]
     pub(crate) struct Bricard;
 

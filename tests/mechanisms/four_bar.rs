@@ -1,7 +1,7 @@
 //! A crank, a coupler and a rocker.
 
 lagrange::system! {
-    /// Four bars of which one is the ground: uniform, 10 kg/m, with gravity downwards. Angles are
+    /// Four bars, one of which is the ground: uniform, 10 kg/m, with gravity downwards. Angles are
     /// measured from the line between the two fixed joints.
     #[derive(Clone, Debug)]
     pub(crate) struct FourBar;
@@ -21,7 +21,7 @@ lagrange::system! {
     emit { momentum_rates }
 }
 
-/// The crank on the line of the fixed joints, where coupler and rocker make an equilateral
-/// triangle, and 30 rad/s.
+/// The crank on the line of the fixed joints at 30 rad/s, where coupler and rocker form an
+/// equilateral triangle.
 pub(crate) const START: [f64; 6] =
     [0.0, std::f64::consts::FRAC_PI_3, 2.0 * std::f64::consts::FRAC_PI_3, 30.0, -10.0, -10.0];

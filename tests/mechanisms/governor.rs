@@ -1,7 +1,7 @@
 //! A flyball governor.
 
 lagrange::system! {
-    /// Two rods with balls on a turning shaft; stiff springs and dampers hold them to a slider.
+    /// Two rods with balls on a rotating shaft; stiff springs and dampers hold them to a slider.
     ///
     /// Benchmark A05 of the IFToMM library (González, Dopico, Naya, Cuadrado, *A benchmarking
     /// system for MBS simulation software*, Multibody System Dynamics 16, 2006).

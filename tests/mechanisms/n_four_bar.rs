@@ -373,7 +373,7 @@ lagrange::system! {
     emit { no inverse_dynamics, no forcing }
 }
 
-/// All cranks at this angle, turning at this rate; the couplers between them level.
+/// Returns all cranks at an angle, turning at a rate; the couplers between them are level.
 pub(crate) fn state(crank: f64, rate: f64) -> [f64; 162] {
     std::array::from_fn(|i| match (i / 81, i % 81 % 2) {
         (_, 1) => 0.0,

@@ -1,11 +1,11 @@
-//! A slider-crank whose crank turns about the direction in which the slider moves.
+//! A slider-crank whose crank rotates about the direction of the slider's motion.
 
 lagrange::system! {
-    /// The rod hangs at the slider by a universal joint; the ball joint at the crank closes the
+    /// The rod hangs from the slider by a universal joint; the ball joint at the crank closes the
     /// loop.
     ///
-    /// Dimensions are those of the spatial slider-crank of the IFToMM library (Haug, *Computer-Aided
-    /// Kinematics and Dynamics of Mechanical Systems*, 1989).
+    /// Dimensions are those of the spatial slider-crank of the IFToMM library (Haug,
+    /// *Computer-Aided Kinematics and Dynamics of Mechanical Systems*, 1989).
     #[derive(Clone, Debug)]
     pub(crate) struct SpatialSliderCrank;
 
@@ -22,8 +22,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with the ball joint in the tree, so that the orientation of the rod is a unit
-    /// quaternion; the universal joint closes the loop.
+    /// The slider-crank with the ball joint in the tree: the orientation of the rod is a unit
+    /// quaternion. The universal joint closes the loop.
     #[derive(Clone, Debug)]
     pub(crate) struct BallSliderCrank;
 

@@ -1,8 +1,8 @@
 //! Andrews' squeezing mechanism.
 
 lagrange::system! {
-    /// Seven bodies that six joints close to three loops; a motor turns the first, a spring holds
-    /// the third.
+    /// Seven bodies, which six joints close to three loops; a motor drives the first, a spring
+    /// holds the third.
     ///
     /// Declaration and data are those of Hairer, Wanner, *Solving Ordinary Differential Equations
     /// II*, 2nd ed., §VII.7.
@@ -22,7 +22,7 @@ lagrange::system! {
     input drive: N*m = 0.033;
     coord beta: rad, theta: rad, gamma: rad, phi: rad, delta: rad, omega: rad, eps: rad;
 
-    // Joints: P carries the first three loops, D the spring.
+    // Joints: P connects the first three loops, D the spring.
     let (xp, yp) = (rr * cos(beta) - d * cos(beta + theta), rr * sin(beta) - d * sin(beta + theta));
     let (xd, yd) = (xb + sc * sin(gamma) + sd * cos(gamma), yb - sc * cos(gamma) + sd * sin(gamma));
 
@@ -53,7 +53,7 @@ lagrange::system! {
     constraint g6 = yp - ya - zf * sin(omega + eps) + u * cos(eps);
 }
 
-/// A position in which all loops are closed, at rest.
+/// A position at rest in which all loops are closed.
 pub(crate) const START: [f64; 14] = [
     -0.061_713_890_014_276_45,
     0.0,

@@ -5,9 +5,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use lagrange::{Number, Scalar};
 
-/// A complex number whose imaginary part is so small that its square is nothing beside the real
-/// part: elementary functions are taken to first order in it. Order and branches are those of the
-/// real part.
+/// A complex number whose imaginary part is so small that its square is negligible beside the real
+/// part. Elementary functions are expanded to first order in it. Order and branches are those of
+/// the real part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex {
     pub(crate) real: f64,
@@ -19,7 +19,7 @@ impl Complex {
         Complex { real, imaginary: 0.0 }
     }
 
-    /// A function with this value and slope at the real part.
+    /// Returns a function with this value and slope at the real part.
     fn lifted(self, value: f64, slope: f64) -> Complex {
         Complex { real: value, imaginary: slope * self.imaginary }
     }
@@ -70,7 +70,7 @@ impl Neg for Complex {
     }
 }
 
-/// Functions with their slopes.
+/// Implements functions with their slopes.
 macro_rules! elementary {
     ($($name:ident: $x:ident => $slope:expr;)*) => {
         $(fn $name(self) -> Complex {

@@ -3,7 +3,7 @@
 
     python3 declare.py [--check]
 
-With --check nothing is written; the exit code says whether systems.rs is up to date.
+With --check nothing is written; the exit code is zero if systems.rs is up to date.
 """
 
 import json

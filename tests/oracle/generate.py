@@ -3,8 +3,8 @@
 
     python3 generate.py [--check] [NAME ...]        (needs: pip install sympy mpmath)
 
-Writes NAME.json for each NAME.lag beside this file, or for the named ones. Times and states that a
-NAME.json holds already are kept, so that a new digit means a new derivation; a system without one gets
+Writes NAME.json for each NAME.lag beside this file, or for the named ones. Existing times and states in a
+NAME.json are kept, so that a new digit means a new derivation; a system without one gets
 random states, the same on every run. With --check nothing is written: the files are compared with a
 fresh derivation to 25 digits.
 
@@ -313,14 +313,14 @@ class System:
         return FUNCTIONS[name](*arguments)
 
     def rate(self, e):
-        """The total time derivative of an expression free of velocities."""
+        """Returns the total time derivative of an expression free of velocities."""
         if e.free_symbols & set(self.v):
             raise DeclarationError("dot of an expression that holds velocities")
         return along(e, self.q, self.v) + e.diff(self.t)
 
 
 def along(e, variables, direction):
-    """The derivative of e along a direction in the space of the variables."""
+    """Returns the derivative of e along a direction in the space of the variables."""
     return sympy.Add(*(e.diff(x) * d for x, d in zip(variables, direction)))
 
 
@@ -385,7 +385,7 @@ def real(x):
 
 
 def random_states(name, system):
-    """States of six decimals; velocities of x are bounded by `// range d_x`."""
+    """Returns states of six decimals; velocities of x are bounded by `// range d_x`."""
     generator = random.Random(name)
 
     def draw(key, low, high):
@@ -407,12 +407,12 @@ def random_states(name, system):
 def printed(x):
     if isinstance(x, list):
         return [printed(y) for y in x]
-    # What is left of an exact zero after cancellation is noise of the working precision.
+    # After cancellation an exact zero is noise of the working precision.
     return "0.0" if abs(x) < mpmath.mpf(10) ** -45 else mpmath.nstr(x, DIGITS_PRINTED, strip_zeros=False)
 
 
 def derive(name, committed):
-    """The contents of NAME.json, at the states of the committed file if there is one."""
+    """Returns the contents of NAME.json, at the states of the committed file if there is one."""
     system = System((HERE / f"{name}.lag").read_text())
     evaluate = evaluator(system)
     if committed is None:
@@ -436,7 +436,7 @@ def derive(name, committed):
 
 
 def differences(derived, committed, place=""):
-    """Places where two records differ in structure, or in numbers beyond |a - b| <= 1e-25 (1 + max|b|)."""
+    """Returns the places where two records differ in structure, or in numbers beyond |a - b| <= 1e-25 (1 + max|b|)."""
     if isinstance(derived, dict) and isinstance(committed, dict) and list(derived) == list(committed):
         return [d for key in derived for d in differences(derived[key], committed[key], f"{place}.{key}")]
     if is_array(derived) and is_array(committed):
@@ -450,7 +450,7 @@ def differences(derived, committed, place=""):
 
 
 def is_array(x):
-    """Whether x is a number in a string, or (nested) lists of them."""
+    """True if x is a number in a string, or (nested) lists of them."""
     if isinstance(x, list):
         return all(is_array(y) for y in x)
     return isinstance(x, str) and re.fullmatch(r"-?\d+\.\d+(e[+-]?\d+)?", x) is not None

@@ -1,5 +1,5 @@
-//! The references of this directory, and how a derived system is compared with them. A module of
-//! every test that does so.
+//! The references of this directory, and the comparison of derived systems with them. Every such
+//! test has this module.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -7,19 +7,19 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-/// How many systems there are, so that a lost file is noticed.
+/// The number of systems, so that a lost file is noticed.
 pub(crate) const SYSTEMS: usize = 21;
 
-/// A system under test, whatever the number of its coordinates.
+/// A system under test with any number of coordinates.
 pub(crate) trait Subject {
-    /// q̈
+    /// Returns q̈.
     fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64>;
 
-    /// `forcing` or a quantity under its key in the files, matrices row by row; `None` if there is
-    /// none.
+    /// Returns `forcing` or a quantity under its key in the files, matrices row by row, or `None`
+    /// if it does not exist.
     fn quantity(&self, key: &str, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>>;
 
-    /// The generalised forces that must be added to produce accelerations.
+    /// Returns the generalised forces that must be added to produce accelerations.
     fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Vec<f64>;
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct Reference {
 }
 
 impl Reference {
-    /// The reference with this name, from `directory`.
+    /// Reads the reference with this name from `directory`.
     pub(crate) fn read(directory: &Path, name: &str) -> Reference {
         let [declaration, values] = ["lag", "json"].map(|extension| {
             let path = directory.join(name).with_extension(extension);
@@ -40,13 +40,13 @@ impl Reference {
         Reference { declaration, values: serde_json::from_str(&values).expect("valid JSON") }
     }
 
-    /// Parameters and inputs with their values.
+    /// Returns the parameters and inputs with their values.
     pub(crate) fn settings(&self) -> Vec<(&str, f64)> {
         let kinds = ["params", "inputs"].map(|kind| self.values[kind].as_object().expect("values by name"));
         kinds.into_iter().flatten().map(|(name, value)| (name.as_str(), number(value))).collect()
     }
 
-    /// The states at which there are values.
+    /// Returns the states with reference values.
     pub(crate) fn states(&self) -> impl Iterator<Item = State<'_>> {
         let states = self.values["states"].as_array().expect("a list of states");
         states.iter().map(|values| {
@@ -55,7 +55,7 @@ impl Reference {
         })
     }
 
-    /// Everything that is wrong with a system.
+    /// Returns all differences between a system and its reference.
     pub(crate) fn failures(&self, subject: &impl Subject) -> Vec<String> {
         let compare = |state: State<'_>| {
             let failures = state.failures(subject);
@@ -65,7 +65,7 @@ impl Reference {
     }
 }
 
-/// The names of all references in a directory.
+/// Returns the names of all references in a directory.
 pub(crate) fn names(directory: &Path) -> BTreeSet<String> {
     let [declarations, values] = ["lag", "json"].map(|extension| {
         let entries = fs::read_dir(directory).expect("the directory of references");
@@ -114,7 +114,8 @@ impl State<'_> {
     }
 }
 
-/// Whether both are the same vector, or none; `scale` is the size of the terms that cancel in it.
+/// True if both are the same vector, or absent; `scale` is the magnitude of the terms that cancel
+/// in it.
 fn agree(found: Option<&[f64]>, expected: Option<&[f64]>, scale: f64) -> bool {
     match (found, expected) {
         (Some(found), Some(expected)) if found.len() == expected.len() => {
@@ -129,7 +130,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest, value| value.abs().max(largest))
 }
 
-/// The product of a matrix, in rows, and a vector.
+/// Returns the product of a matrix, in rows, and a vector.
 fn times(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     let rows = matrix.chunks(vector.len());
     rows.map(|row| row.iter().zip(vector).map(|(m, x)| m * x).sum()).collect()
@@ -139,7 +140,7 @@ fn number(value: &Value) -> f64 {
     value.as_str().expect("a number in quotes").parse().expect("a number")
 }
 
-/// All numbers of a scalar, a vector or a matrix, row by row.
+/// Returns all numbers of a scalar, a vector or a matrix, row by row.
 fn numbers(value: &Value) -> Vec<f64> {
     match value {
         Value::Array(entries) => entries.iter().flat_map(numbers).collect(),

@@ -1,5 +1,5 @@
-//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py`
-//! compute, and of 20 digits by `tools/control.py` and `tools/spatial_mechanisms.py`.
+//! Reference trajectories of 30 digits, computed by `tools/references.py` and
+//! `tools/mechanisms.py`, and of 20 digits by `tools/control.py` and `tools/spatial_mechanisms.py`.
 
 const TABLES: [&str; 4] = [
     include_str!("states.csv"),
@@ -12,16 +12,16 @@ const TABLES: [&str; 4] = [
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(dead_code, reason = "each target that includes this module needs some of it")]
 pub(crate) enum Numbers {
-    /// Themselves.
+    /// Exact decimals.
     Decimal,
     /// The nearest numbers of 53 bits.
     Binary,
 }
 
-/// The state of a case at a time that the table lists; `time` as the nearest number.
+/// Returns the state of a case at a time in the table; `time` is the nearest number.
 ///
 /// # Panics
-/// If the table has no such state, or one of another length.
+/// Panics if the table has no such state, or one of another length.
 pub(crate) fn state<const N: usize>(case: &str, numbers: Numbers, time: f64) -> [f64; N] {
     let numbers = match numbers {
         Numbers::Decimal => "decimal",

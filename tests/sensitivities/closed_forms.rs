@@ -1,4 +1,4 @@
-//! Motions whose derivatives are known.
+//! Motions with known derivatives.
 
 use lagrange::Simulate;
 use lagrange::integrate::{Radau5, RungeKutta4};
@@ -16,7 +16,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball whose event is that of the run.
+    /// A ball whose event belongs to the run.
     #[derive(Clone, Debug)]
     struct Free;
     param g = 9.81, e = 0.8;
@@ -28,7 +28,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball whose velocity the declaration replaces.
+    /// A ball whose velocity is replaced by the declaration.
     #[derive(Clone, Debug)]
     struct Replaced;
     param g = 9.81, e = 0.8, floor = 0.0;
@@ -39,8 +39,9 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// Derivatives by g, e and the first height H of the height at time t between the first and the
-/// second bounce: h = e v s − g s²/2 with v = √(2 g H), s = t − √(2 H/g).
+/// Returns derivatives of the height at time t by g, e and the first height H, between the first
+/// and the second bounce. The height is `h = e v s − g s²/2` with `v = √(2 g H)`,
+/// `s = t − √(2 H/g)`.
 fn slopes(t: f64, g: f64, e: f64, height: f64) -> [f64; 3] {
     let (v, fall) = ((2.0 * g * height).sqrt(), (2.0 * height / g).sqrt());
     let (s, rate) = (t - fall, e * v - g * (t - fall));
@@ -92,7 +93,7 @@ fn a_bounce_has_the_slopes_of_its_parabola() {
     }
 }
 
-/// At e = 1 differences go to one side, as larger values are refused.
+/// At e = 1 differences are one-sided, since larger values are refused.
 #[test]
 fn an_elastic_bounce_is_differentiated_from_one_side() {
     let ball = Ball { e: 1.0, ..Ball::default() };
@@ -101,8 +102,8 @@ fn an_elastic_bounce_is_differentiated_from_one_side() {
     assert!((last(motion.table(), "e") - wanted).abs() < 1e-9);
 }
 
-/// Three bounces: the derivative by e of a polynomial in e. Bounce n + 1 follows bounce n after
-/// 2 eⁿ v/g.
+/// The height after three bounces is a polynomial in e. Bounce n + 1 follows bounce n after 2 eⁿ
+/// v/g.
 #[test]
 fn several_bounces_have_the_slopes_of_their_polynomial() {
     let height = |e: f64| {
@@ -184,7 +185,7 @@ fn steps_alongside_are_those_of_the_state() {
     let alongside = start().sensitivities_alongside(["k"]).run().unwrap();
     let weighed = start().sensitivities(["k"]).run().unwrap();
     let steps = alongside.work().steps;
-    // Errors are means over all unknowns, most of which count for nothing.
+    // Errors are averaged over all unknowns, most of which contribute nothing.
     assert!(steps <= plain && 10 * steps > 9 * plain, "{steps} {plain}");
     assert!(weighed.work().steps > plain);
     assert!((last(alongside.table(), "k") - by_stiffness(30.0)).abs() < 1e-4);
@@ -209,7 +210,7 @@ lagrange::system! {
     event floor = h, falling => impact(e);
 }
 
-/// The step of differences, ε^(1/5), is 0.04 in single precision, and so are derivatives worse.
+/// The step of differences, ε^(1/5), is 0.04 in single precision, which makes derivatives worse.
 #[test]
 fn a_bounce_in_single_precision() {
     let ball = AnyBall::<f32>::default();
@@ -221,7 +222,7 @@ fn a_bounce_in_single_precision() {
 }
 
 lagrange::system! {
-    /// A strongly damped mass.
+    /// Returns a strongly damped mass.
     #[derive(Clone, Debug)]
     struct Damped;
     param k = 1e4, c = 1e4;
@@ -254,8 +255,8 @@ fn an_implicit_method_differentiates_a_stiff_motion() {
     }
 }
 
-/// Infinitely many bounces end at √(2 H/g) (1 + e)/(1 − e), and the ball lies on the floor from
-/// there on, whatever its restitution was.
+/// Infinitely many bounces end at √(2 H/g) (1 + e)/(1 − e). From then on the ball lies on the
+/// floor, whatever its restitution was.
 #[test]
 fn a_ball_that_came_to_rest_has_no_slopes() {
     let ball = Ball { e: 0.5, ..Ball::default() };

@@ -1,15 +1,15 @@
-//! Derivatives beside differences of motions, extrapolated.
+//! Derivatives against extrapolated differences of motions.
 
 use lagrange::system::{OdeSystem, ParametricSystem};
 use lagrange::{Simulate, simulate::Trajectory};
 
 const TOLERANCE: f64 = 1e-13;
 
-/// Tolerance for derivatives by differences, whose errors smaller ones see.
+/// Tolerance small enough that derivatives by differences do not show the errors of motions.
 const WITH_CONTACTS: f64 = 1e-11;
 
-/// Compares all derivatives at the end of a run with differences of runs, to this part of the
-/// largest. A variable is the name and, for initial values, the place in the state.
+/// Compares all derivatives at the end of a run with differences of runs, relative to the largest.
+/// A variable is the name and, for initial values, the index in the state.
 fn compare<M, const N: usize, const K: usize>(
     system: &M,
     start: [f64; N],
@@ -106,7 +106,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// The slip changes its direction, and the edge is passed, again and again.
+/// The slip reverses, and the edge is passed, repeatedly.
 #[test]
 fn switches() {
     let names = ["m", "k", "mu", "edge", "stop", "x", "x_dot"];
@@ -128,7 +128,7 @@ lagrange::system! {
     friction rub = dot(x) - belt, kinetic: limit, static: 1.5 * limit;
 }
 
-/// The block sticks, gives way and comes to stick again.
+/// The block sticks, breaks loose and sticks again.
 #[test]
 fn stick_and_slip() {
     let motion = Stick::default().simulate([0.0, 0.0]).until(4.0).run().unwrap();
@@ -156,7 +156,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// Constraints hold the derivatives as well: x s_x + y s_y = 0 for parameters but the length.
+/// Constraints apply to derivatives, too: x s_x + y s_y = 0 for all parameters except the length.
 #[test]
 fn a_constraint() {
     compare(&Rod::default(), [0.6, -0.8, 0.0, 0.0], 2.0, ["g", "c"], run!(2.0), 1e-8);
@@ -232,7 +232,7 @@ fn a_thermostat() {
 }
 
 lagrange::system! {
-    /// A trolley whose force a clock holds between its ticks.
+    /// A trolley whose force a clock holds between ticks.
     #[derive(Clone, Debug)]
     struct Trolley;
     param m = 2.0, gain = 3.0, damping = 1.5;
@@ -250,7 +250,7 @@ fn a_clock() {
 }
 
 lagrange::system! {
-    /// A cart with a pendulum on a ball joint, the cart on a spring.
+    /// A cart on a spring, with a pendulum on a ball joint.
     #[derive(Clone, Debug)]
     struct Crane;
     param k = 20.0, load_mass = 1.0;
@@ -263,7 +263,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// An orientation keeps its length one, and so do changes of it.
+/// An orientation keeps unit length, and its derivatives preserve that.
 #[test]
 fn a_quaternion() {
     let start = [0.1, 0.8, 0.6, 0.0, 0.0, 0.2, 0.3, -0.4, 0.5];
@@ -299,7 +299,7 @@ fn a_brick_on_its_corner() {
 const BRICK: [f64; 13] = [0.0, 0.0, 0.5, 1.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 1.0, -0.5, 0.2];
 
 lagrange::system! {
-    /// A block that lies on the ground, with dry friction, pulled by a force that grows.
+    /// A block that lies on the ground with dry friction, pulled by a growing force.
     #[derive(Clone, Debug)]
     struct Lying;
     param m = 1.0, mu = 0.3, pull = 2.0, g = 9.81;
@@ -311,7 +311,7 @@ lagrange::system! {
     friction rub = dot(x), mu * ground;
 }
 
-/// A contact is closed from the start: a block that lies stays on the ground, whatever its height.
+/// The contact is closed from the start: a resting block stays on the ground, whatever its height.
 #[test]
 fn a_block_that_lies() {
     compare(&Lying::default(), [0.0; 4], 3.0, ["m", "mu", "pull"], run!(3.0, WITH_CONTACTS), 1e-7);

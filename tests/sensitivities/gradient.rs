@@ -1,10 +1,10 @@
-//! Gradients backwards along a run, against derivatives forwards along the same steps.
+//! Gradients backwards along a run, against forward derivatives along the same steps.
 
 use lagrange::Simulate;
 use lagrange::integrate::{RungeKutta4, StepFailure};
 
 lagrange::system! {
-    /// Eight masses between springs that harden, with friction, on a moving support.
+    /// Eight masses between hardening springs, with friction, on a moving support.
     #[derive(Clone, Debug)]
     struct Chain;
     param m[8] = 1.5, k[8] = 20, c[8] = 0.1;
@@ -24,7 +24,7 @@ const NAMES: [&str; 24] = [
     "m[0]", "m[1]", "m[2]", "m[3]", "m[4]", "m[5]", "m[6]", "m[7]", "k[0]", "k[1]", "k[2]", "k[3]", "k[4]",
     "k[5]", "k[6]", "k[7]", "c[0]", "c[1]", "c[2]", "c[3]", "c[4]", "c[5]", "c[6]", "c[7]",
 ];
-/// Positions, the state and velocities.
+/// Positions, first-order states and velocities.
 const N: usize = 17;
 
 fn start() -> [f64; N] {
@@ -40,7 +40,7 @@ fn chain() -> Chain {
     chain
 }
 
-/// The work lost, and half the square of the last position.
+/// Returns the dissipated work, plus half the square of the last position.
 fn cost(_: f64, y: &[f64; N], slope: &mut [f64; N]) -> f64 {
     (slope[7], slope[8]) = (y[7], 1.0);
     y[8] + 0.5 * y[7] * y[7]
@@ -52,7 +52,7 @@ fn largest_difference(found: &[f64], expected: &[f64]) -> f64 {
     found.iter().zip(expected).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / largest
 }
 
-/// Steps differ slightly, as do the errors of both motions.
+/// Steps differ slightly, and so do the errors of both motions.
 #[test]
 fn both_directions_agree_along_adaptive_steps() {
     let chain = chain();
@@ -82,7 +82,7 @@ fn both_directions_agree_along_equal_steps() {
     assert_eq!(gradient.steps, 300);
 }
 
-/// Costs of samples add up, and slopes by the start are those of all entries.
+/// Costs of samples add up, and derivatives by the start cover all entries.
 #[test]
 fn samples_and_the_start_are_those_of_differences() {
     let (chain, method) = (chain(), RungeKutta4 { step: 0.02 });
@@ -104,7 +104,7 @@ fn samples_and_the_start_are_those_of_differences() {
             start[entry] += by;
             value(start)
         };
-        // Richardson's extrapolation of central differences.
+        // Richardson extrapolation of central differences.
         let central = |h: f64| (moved(h) - moved(-h)) / (2.0 * h);
         let difference = (4.0 * central(5e-4) - central(1e-3)) / 3.0;
         assert!((gradient.by_start[entry] - difference).abs() < 1e-10, "{entry}");
@@ -212,7 +212,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass before a stop that a table describes.
+    /// A mass before a stop given by a table.
     struct Stopped;
     param k = 1;
     coord x;
@@ -223,7 +223,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass on a spring whose force a table describes without kinks, with all series of it.
+    /// A mass on a spring with a smooth force from a table, with all series of it.
     struct Soft;
     param k = 1;
     coord x;
@@ -236,7 +236,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass with friction by the slope of a table, which has kinks.
+    /// A mass with friction from the slope of a table, which has kinks.
     struct Hilly;
     param k = 1;
     coord x;
@@ -276,7 +276,7 @@ fn what_has_no_gradient_is_refused_in_words() {
     }
 }
 
-/// At kinks of tables steps do not end, and derivatives within them are those of one side.
+/// Steps do not end at kinks of tables, where derivatives are one-sided.
 #[test]
 fn tables_have_gradients_if_they_have_no_kinks() {
     let cost = |_: f64, y: &[f64; 2], slope: &mut [f64; 2]| {

@@ -1,5 +1,5 @@
-//! Gradients backwards through events, switches, clocks and jumps at known times, against
-//! derivatives forwards.
+//! Gradients backwards through events, switches, clocks and jumps at known times, against forward
+//! derivatives.
 
 use lagrange::Simulate;
 use lagrange::integrate::{RungeKutta4, StepFailure};
@@ -19,7 +19,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass between two springs that only push, of which one begins where the other ends.
+    /// A mass between two springs that only push; one begins where the other ends.
     #[derive(Clone, Debug)]
     struct Gap;
     param left = 30, right = 50, width = 0, c = 0.1;
@@ -31,7 +31,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A room that a heater keeps warm, and a mass that a sampled force pulls.
+    /// A heated room, and a mass pulled by a sampled force.
     #[derive(Clone, Debug)]
     struct Room;
     param low = 19.8, high = 20.2, power = 3, gain = 4, loss = 0.1;
@@ -74,7 +74,7 @@ lagrange::system! {
 /// States of samples, and their derivatives by each variable.
 type Samples = (Vec<Vec<f64>>, Vec<Vec<Vec<f64>>>);
 
-/// Compares slopes of the sum over samples of half the squares of all entries.
+/// Compares the derivatives of half the sum of squares of all entries, over all samples.
 fn compare((states, derivatives): Samples, (value, found): (f64, &[f64]), tolerance: f64) {
     let expected: f64 = states.iter().flatten().map(|entry| 0.5 * entry * entry).sum();
     assert!((value - expected).abs() < tolerance * expected, "{value} {expected}");
@@ -97,7 +97,7 @@ macro_rules! samples {
     }};
 }
 
-/// Compares the gradient with derivatives forwards, by parameters and by the states at the start.
+/// Compares the gradient with forward derivatives, by parameters and by the states at the start.
 macro_rules! compare {
     ($simulation:expr, $names:expr, $states:expr, $tolerance:expr) => {{
         let gradient = $simulation.gradient($names, |_, y, slope| {
@@ -192,7 +192,7 @@ fn a_motion_that_an_event_ends_has_no_fixed_end() {
 }
 
 lagrange::system! {
-    /// A mass in a stream, which is put back when it has gone too far.
+    /// A mass in a stream, which is reset when it has drifted too far.
     struct Drifting<S>;
     param v = 1;
     coord x;
@@ -209,9 +209,9 @@ fn a_parameter_in_a_reaction_and_in_a_force_has_its_derivative_in_both_precision
         slope[0] = 1.0;
         y[0]
     };
-    // x = 1.5 + v t for v = 1 meets 2 at t = 1/2, and goes on as −v + v (s − 1 + exp(−s)), s = t −
-    // T: its derivative is −1 + s − 1 + exp(−s) − v (1 − exp(−s)) dT/dv. T follows from 1.5 + v T +
-    // (1 − v) (1 − exp(−T)) = 2, so dT/dv = 1 − exp(−T) − T at v = 1.
+    // x = 1.5 + v t for v = 1 reaches 2 at t = 1/2, and continues as −v + v (s − 1 + exp(−s)), s =
+    // t − T. Its derivative is −1 + s − 1 + exp(−s) − v (1 − exp(−s)) dT/dv. T follows from 1.5 + v
+    // T + (1 − v) (1 − exp(−T)) = 2, so dT/dv = 1 − exp(−T) − T at v = 1.
     let (passing, since) = (0.5_f64, 1.5_f64);
     let later = 1.0 - (-passing).exp() - passing;
     let expected = since - 2.0 + (-since).exp() - (1.0 - (-since).exp()) * later;
@@ -227,7 +227,7 @@ fn a_parameter_in_a_reaction_and_in_a_force_has_its_derivative_in_both_precision
 }
 
 lagrange::system! {
-    /// A mass that is put back where a function of it is flat.
+    /// A mass that is reset where the event function is flat.
     struct Flat;
     param v = 1;
     coord x;

@@ -1,4 +1,4 @@
-//! Are derivatives of motions by parameters those of differences and closed forms?
+//! Derivatives of motions by parameters agree with differences and closed forms.
 
 mod closed_forms;
 mod differences;

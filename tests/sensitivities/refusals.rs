@@ -5,7 +5,7 @@ use lagrange::integrate::StepFailure;
 use lagrange::system::{Action, Direction};
 
 lagrange::system! {
-    /// A mass that a force pushes from a time on.
+    /// A mass pushed by a force from some time on.
     #[derive(Clone, Debug)]
     struct Pushed;
     param m = 1.0, from = 0.5;
@@ -51,7 +51,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// The wall is there for one stiffness only.
+/// The wall exists for one stiffness only.
 #[test]
 fn a_reaction_that_is_not_smooth_is_refused_by_name() {
     let swing = Swing::default();
@@ -71,7 +71,7 @@ fn a_reaction_that_is_not_smooth_is_refused_by_name() {
     assert!((error.time() - (1.0_f64 / 1.5).asin()).abs() < 1e-12);
 }
 
-/// Whoever only looks at events, or ends a run at one, need no derivatives of them.
+/// Runs that only record events, or end at one, need no derivatives of them.
 #[test]
 fn events_without_a_reaction_leave_derivatives_alone() {
     let swing = Swing::default();

@@ -1,4 +1,4 @@
-//! The adaptive pair on motions whose answers are known.
+//! The adaptive pair on motions with known answers.
 
 use lagrange::event::{Action, Direction, Occurrence, integrate_with_events};
 use lagrange::integrate::{RungeKutta4, StepFailure, Verner98, integrate};
@@ -86,19 +86,19 @@ fn periods_of_the_pendulum_are_right_at_every_amplitude() {
         let start = (0.0, [amplitude, 0.0]);
         let fall = integrate_with_events(&Pendulum::default(), start, period, &tight(), watch, stop);
         let found = 4.0 * fall.expect("falls").0;
-        // The angle itself is known to rounding only, and what that does near the top grows in the
-        // time of the fall.
+        // The angle is only known to rounding, whose effect near the top grows with the time of the
+        // fall.
         let bound = if amplitude > 3.1 { 1e-9 } else { 4e-14 };
         assert!((found / period - 1.0).abs() < bound, "{amplitude}: {found}");
     }
 }
 
-/// From π − 1e-9 the bottom is reached at √(l/g) ln(4/k′), k′ = sin(½ · 1e-9), but for terms of the
-/// size of k′².
+/// From π − 1e-9 the bottom is reached at √(l/g) ln(4/k′), k′ = sin(½ · 1e-9), up to terms of order
+/// k′².
 #[test]
 fn a_fall_from_the_top_takes_as_long_as_it_should() {
     let start = core::f64::consts::PI - 1e-9;
-    // π is larger than its nearest number by this much.
+    // The difference between π and its nearest number.
     let offset = (core::f64::consts::PI - start) + 1.224_646_799_147_353_2e-16;
     let quarter = (1.0_f64 / 9.81).sqrt() * (4.0 / (0.5 * offset).sin()).ln();
     let watch = ([Direction::Falling], |_: f64, [theta, _]: &[f64; 2]| [*theta]);
@@ -106,12 +106,13 @@ fn a_fall_from_the_top_takes_as_long_as_it_should() {
     let (time, _) =
         integrate_with_events(&Pendulum::default(), (0.0, [start, 0.0]), 20.0, &tight(), watch, stop)
             .expect("falls");
-    // Where θ is near π it is spaced by 4e-7 of its distance from there.
+    // Near π the spacing of θ is 4e-7 of its distance from π.
     assert!((time - quarter).abs() < 1e-6, "{time} for {quarter}");
 }
 
 /// Near the upright position the axis moves as A exp(iλ₁t) + B exp(iλ₂t) with 2 λ I₁ = I₃ω ±
-/// √(I₃²ω² − 4 m g l I₁); from rest it reaches (λ₁ + λ₂)/(λ₁ − λ₂) = 5/√21 of where it starts.
+/// √(I₃²ω² − 4 m g l I₁). From rest it reaches (λ₁ + λ₂)/(λ₁ − λ₂) = 5/√21 of its initial
+/// deviation.
 #[test]
 fn a_sleeping_top_stays_asleep() {
     let top = Top::default();
@@ -132,7 +133,7 @@ fn a_sleeping_top_stays_asleep() {
     assert!(drift < 1e-12, "{drift}");
 }
 
-/// Upright, the pendulum is stable if the pivot moves faster than √(2 g l); it swings with Ω² =
+/// The upright pendulum is stable if the pivot moves faster than √(2 g l); it swings with Ω² =
 /// (aω)²/(2 l²) − g/l.
 #[test]
 fn a_pivot_that_vibrates_a_thousand_times_a_second_keeps_the_pendulum_up() {
@@ -147,8 +148,8 @@ fn a_pivot_that_vibrates_a_thousand_times_a_second_keeps_the_pendulum_up() {
     let speed: f64 = 0.002 * 2.0 * core::f64::consts::PI * 1000.0;
     let slow = 2.0 * core::f64::consts::PI / (speed * speed / 2.0 - 9.81).sqrt();
     let found = (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64;
-    // Averaging neglects the square of the amplitude of the pivot beside the length, and that of
-    // the swing.
+    // Averaging neglects the square of the pivot's amplitude over the length, and the square of the
+    // swing's amplitude.
     assert!((found / slow - 1.0).abs() < 5e-3, "{found} for {slow}");
     let fine =
         integrate(&system, 0.0, [0.05, 0.0], 0.5, &RungeKutta4 { step: 2e-6 }, |_, _| {}).expect("finite");

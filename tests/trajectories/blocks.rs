@@ -1,4 +1,4 @@
-//! Cuboids and rods that touch with their faces and edges, in steps, beside closed forms.
+//! Cuboids and rods that touch with faces and edges, in steps, against closed forms.
 
 use lagrange::Simulate;
 use lagrange::contact::{Contact, Stepped};
@@ -6,7 +6,7 @@ use lagrange::simulate::Trajectory;
 
 const G: f64 = 9.81;
 
-/// A box on a long one, which the ground holds, pushed at a height over its centre.
+/// A box on a long one, which is fixed to the ground, pushed at a height above its centre.
 mod pair {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ mod pair {
 }
 use pair::Pair;
 
-/// A plank that lies under a box: the normal points down.
+/// A plank below a box: the normal points down.
 mod reversed {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ mod reversed {
 }
 use reversed::Reversed;
 
-/// Three cubes on each other.
+/// A stack of three cubes.
 mod stack {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ mod stack {
 }
 use stack::Stack;
 
-/// A round bar on two blocks, which the ground holds.
+/// A round bar on two blocks, which are fixed to the ground.
 mod bar {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -74,7 +74,7 @@ mod bar {
 }
 use bar::Bar;
 
-/// Rods in parts of parts, with units and single precision.
+/// Rods in nested parts, with units and single precision.
 mod rafts {
     lagrange::system! {
         #[scalar(f32)]
@@ -95,12 +95,12 @@ mod rafts {
 }
 use rafts::Rafts;
 
-/// A place at rest, upright.
+/// Returns a position at rest, upright.
 fn at(x: f64, y: f64, z: f64) -> [f64; 7] {
     [x, y, z, 1.0, 0.0, 0.0, 0.0]
 }
 
-/// The state of bodies at these places at rest.
+/// Returns the state of bodies at rest in these positions.
 fn state<const BODIES: usize, const LENGTH: usize>(places: [[f64; 7]; BODIES]) -> [f64; LENGTH] {
     let mut state = [0.0; LENGTH];
     state.chunks_mut(7).zip(places).for_each(|(entries, place)| entries.copy_from_slice(&place));
@@ -131,7 +131,7 @@ fn the_body_below_may_be_named_first() {
     assert!(moved < 1e-12, "{moved}");
 }
 
-/// The distance v²/(2 μ g), with an error that falls as the step.
+/// The distance v²/(2 μ g), with an error of the order of the step.
 #[test]
 fn a_box_slides_on_a_box_until_friction_stops_it() {
     let distance = 1.0 / (2.0 * 0.3 * G);
@@ -169,7 +169,7 @@ fn a_stack_stands() {
     assert_eq!(run.work().inexact, 0);
 }
 
-/// The middle cube slides out under friction on both of its faces, and the upper one after it.
+/// The middle cube slides out under friction on both of its faces, followed by the upper one.
 #[test]
 fn a_pushed_stack_keeps_its_supports() {
     let start: [f64; 39] = state([at(0.0, 0.0, 0.1), at(0.01, 0.0, 0.3), at(-0.01, 0.0, 0.5)]);
@@ -205,7 +205,7 @@ fn a_bar_lies_on_two_blocks() {
     assert!((run.last()[16] - 0.5).abs() < 1e-12);
 }
 
-/// The acceleration g/(1 + J/(m r²)) along a slope, with an error that falls as the step.
+/// The acceleration g/(1 + J/(m r²)) along a slope, with an error of the order of the step.
 #[test]
 fn a_bar_rolls_over_faces() {
     for h in [1e-3, 5e-4] {
@@ -217,7 +217,7 @@ fn a_bar_rolls_over_faces() {
     }
 }
 
-/// Parallel rods and crossed ones meet with 1 m/s, and move on together with half of it.
+/// Parallel rods and crossed ones collide at 1 m/s, and move on together at half that speed.
 #[test]
 fn rods_of_parts_in_parts_meet_in_single_precision() {
     let places = [at(0.0, 0.0, 0.0), at(0.0, 0.0, 0.15), at(0.0, 5.0, 0.0), at(0.0, 5.0, 0.15)];
@@ -240,7 +240,7 @@ fn random(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
-/// `LAGRANGE_THROWS=1000` throws more often.
+/// `LAGRANGE_THROWS=1000` takes more throws.
 #[test]
 fn thrown_boxes_gain_no_energy() {
     let count = std::env::var("LAGRANGE_THROWS").ok().and_then(|count| count.parse().ok()).unwrap_or(8);

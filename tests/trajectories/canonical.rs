@@ -31,7 +31,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point mass on a spring that turns around its pivot, in Cartesian coordinates.
+    /// A point mass on a spring that rotates about its pivot, in Cartesian coordinates.
     #[derive(Clone, Debug)]
     pub(crate) struct Swing;
 
@@ -43,7 +43,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A point mass on a spring that is almost a rod.
+    /// A point mass on a spring that is nearly a rod.
     #[derive(Clone, Debug)]
     pub(crate) struct StiffPendulum;
 
@@ -54,11 +54,11 @@ lagrange::system! {
     emit { jacobian, momentum_rates }
 }
 
-/// One state of so many is looked at.
+/// One in this many states is recorded.
 const INTERVAL: u32 = 1009;
 
-/// The error of the energy over time, and the largest error of each momentum, relative if it was
-/// not zero.
+/// Returns the error of the energy over time, and the largest error of each momentum, relative
+/// unless it was zero.
 fn errors<M, K>(system: &M, start: M::State, step: f64, steps: u32, method: &K) -> (Line, Vec<f64>)
 where
     M: OdeSystem<Scalar = f64> + CanonicalSystem + EnergyFunction,
@@ -96,7 +96,7 @@ fn the_energy_of_a_double_pendulum_does_not_drift() {
     assert_bounded(&errors(&pendulum, start, step, MILLION, &ImplicitMidpoint { step }).0, 2e-3);
     assert_bounded(&errors(&pendulum, start, step, 10 * MILLION, &GaussLegendre4 { step }).0, 1e-7);
     assert_bounded(&errors(&pendulum, start, step, MILLION, &Variational { step }).0, 1e-7);
-    // In shorter steps rounding errors, whose sum wanders, would show.
+    // In shorter steps the random walk of rounding errors would be visible.
     let step = 0.05;
     assert_bounded(&errors(&pendulum, start, step, MILLION, &GaussLegendre6 { step }).0, 1e-7);
 }
@@ -114,7 +114,7 @@ fn a_top_keeps_its_energy_and_its_cyclic_momenta() {
     check(errors(&top, start, step, MILLION, &GaussLegendre6 { step }), 1e-8);
 }
 
-/// A fast top stands upright though its weight would make it fall: it sleeps.
+/// A fast top stands upright although its weight would make it fall: it sleeps.
 #[test]
 fn a_fast_top_sleeps() {
     let (top, step) = (Top::default(), 0.002);
@@ -147,8 +147,8 @@ fn angular_momentum_in_cartesian_coordinates_is_kept() {
     assert!(gauss < 1e-13 && variational < 1e-13, "{gauss:e} {variational:e}");
 }
 
-/// A step is fifty periods of the spring. The derived Jacobian makes the methods stable; they keep
-/// the energy and leave the spring at its length.
+/// A step is fifty periods of the spring. The derived Jacobian makes the methods stable; they
+/// conserve the energy and leave the spring at its length.
 #[test]
 fn a_stiff_spring_does_not_limit_steps() {
     fn check(method: &impl Method<StiffPendulum>) {

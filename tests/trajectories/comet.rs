@@ -1,5 +1,5 @@
-//! An orbit of eccentricity 0.99: the nearest point is passed two hundred times as fast as the
-//! farthest one.
+//! An orbit of eccentricity 0.99, two hundred times as fast at the nearest point as at the
+//! farthest.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::systems::Planet;
 
 const ECCENTRICITY: f64 = 0.99;
 
-/// What is wrong after some periods: distance from the start, largest change of the angular
+/// Returns errors after some periods: distance from the start, largest change of the angular
 /// momentum, energy.
 fn errors<K: Method<Planet>>(method: &K, periods: f64) -> [f64; 3] {
     let planet = Planet::default();

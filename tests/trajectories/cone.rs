@@ -1,6 +1,6 @@
-//! Friction in a plane, beside closed forms, a regularised reference and its own law.
+//! Friction in a plane, against closed forms, a regularised reference and its own law.
 //!
-//! `cargo motions --test cone` runs it.
+//! `cargo motions --test cone` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
 use lagrange::Simulate;
@@ -51,7 +51,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A box above a floor that its corners touch.
+    /// A box above a floor, which its corners touch.
     #[derive(Clone, Debug)]
     struct Cuboid;
 
@@ -70,8 +70,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A box that stands with four corners on a plane. The plane tilts, at the rate `w` from the
-    /// angle `angle`, downhill in the direction `heading` of the box.
+    /// A box with four corners on a plane, which tilts at the rate `w` from the angle `angle`.
+    /// Downhill is the direction `heading` of the box.
     #[derive(Clone, Debug)]
     struct Tilting<S>;
 
@@ -91,7 +91,7 @@ lagrange::system! {
     }
 }
 
-/// Declares a plate on feet with these places, seen from above.
+/// Declares a plate on feet at these positions, seen from above.
 macro_rules! plate {
     ($name:ident, $count:literal, $x:tt, $y:tt) => {
         lagrange::system! {
@@ -122,14 +122,14 @@ fn assert_near<const N: usize>(found: [f64; N], wanted: [f64; N], tolerance: f64
     }
 }
 
-/// A state of a free body: place, orientation about the vertical, velocities.
+/// Returns the state of a free body: position, orientation about the vertical, velocities.
 fn flat(height: f64, v: [f64; 3], omega: [f64; 3]) -> [f64; 13] {
     let [a, b, c] = v;
     let [p, q, r] = omega;
     [0.0, 0.0, height, 1.0, 0.0, 0.0, 0.0, a, b, c, p, q, r]
 }
 
-/// |v|²/2μg in the direction of v: the square of separate limits would stop it after half of that.
+/// The distance |v|²/2μg in the direction of v. Separate limits would stop it after half of that.
 #[test]
 fn a_puck_stops_in_a_straight_line() {
     let wanted = [1.0, 1.0].map(|v| v * 2_f64.sqrt() / (2.0 * 0.5 * G));
@@ -155,7 +155,7 @@ fn a_puck_stops_in_a_straight_line() {
     assert_near([x, y], wanted, 1e-6);
 }
 
-/// It starts where the force reaches the static limit, and slides with the kinetic one.
+/// It starts when the force reaches the static limit, and slides with the kinetic one.
 #[test]
 fn a_puck_starts_at_its_static_limit() {
     let puck = Puck { wind: 2.0, ..Puck::default() };
@@ -168,7 +168,8 @@ fn a_puck_starts_at_its_static_limit() {
     assert_near(puck.grip(1.0, &[0.0; 2], &[0.3, -0.4]), [-0.3 * G, 0.4 * G], 1e-12);
 }
 
-/// With θ between the velocity and downhill, v sin θ tan(θ/2)^−k is constant, k = μ/tan α.
+/// With θ between the velocity and the downhill direction, v sin θ tan(θ/2)^−k is constant, k =
+/// μ/tan α.
 #[test]
 fn a_block_pushed_across_a_slope_curves_downhill() {
     for ratio in [0.6, 0.9] {
@@ -190,7 +191,7 @@ fn a_block_pushed_across_a_slope_curves_downhill() {
     assert_eq!(run.system_at_end().expect("stopped").rub, Friction::Sticks);
 }
 
-/// Slip (2, 1.5) falls by 7/2 μg in a constant direction, then the ball rolls.
+/// The slip (2, 1.5) decreases at 7/2 μg in a constant direction, then the ball rolls.
 #[test]
 fn a_ball_slides_along_a_parabola_until_it_rolls() {
     let (mu, stop) = (0.3, 2.5 / (3.5 * 0.3 * G));
@@ -208,8 +209,8 @@ fn a_ball_slides_along_a_parabola_until_it_rolls() {
     assert!((straight.expect("rolls").last()[7] - 15.0 / 7.0).abs() < 1e-9);
 }
 
-/// An impact changes the slip by 7/2 of the impulse per mass: it stops it, or takes μ(1 + e) of the
-/// speed of approach.
+/// An impact changes the slip by 7/2 of the impulse per mass. It either stops the slip or takes
+/// from it μ(1 + e) times the approach speed.
 #[test]
 fn a_ball_thrown_with_spin_leaves_by_the_law_of_impact() {
     for (mu, e) in [(0.05, 0.6), (0.6, 0.6), (0.1, 1.0), (0.3, 0.2)] {
@@ -230,7 +231,7 @@ fn a_ball_thrown_with_spin_leaves_by_the_law_of_impact() {
     }
 }
 
-/// v²/2μg, and for the spin μ m g times the distance of the corners against the moment of inertia.
+/// v²/2μg, and for the spin, μ m g times the distance of the corners against the moment of inertia.
 #[test]
 fn a_box_on_its_face_stops_as_a_puck_does() {
     let stop = |start: [f64; 13]| {
@@ -247,7 +248,7 @@ fn a_box_on_its_face_stops_as_a_puck_does() {
     assert_near(stop(flat(0.1, [0.0; 3], [0.0, 0.0, 5.0])), [0.0, 0.0, 0.1, angle], 1e-9);
 }
 
-/// `tools/plates.py` integrates the same with regularised friction.
+/// `tools/plates.py` integrates the same motions with regularised friction.
 #[test]
 fn plates_come_to_rest_where_a_regularised_reference_does() {
     const STARTS: [[f64; 6]; 3] =
@@ -291,8 +292,8 @@ impl Random {
     }
 }
 
-/// The floor presses, is not passed, its friction is in the cone and against the slip, and energy
-/// falls.
+/// The floor pushes and is not penetrated. Its friction is in the cone and against the slip, and
+/// energy decreases.
 #[test]
 fn balls_thrown_at_random_obey_the_law() {
     let mut random = Random(30);
@@ -322,8 +323,8 @@ fn balls_thrown_at_random_obey_the_law() {
     }
 }
 
-/// The shortest friction forces share the pull evenly, which the corners uphill cannot bear. Others
-/// hold the box until tan = mu, when all corners give way together.
+/// The smallest friction forces share the pull equally, which the uphill corners cannot bear. Other
+/// forces hold the box until tan = mu, when all corners slip together.
 #[test]
 fn a_box_on_a_tilting_plane_starts_where_no_forces_hold_it() {
     let start = 0.5_f64.atan() / 0.1;
@@ -343,7 +344,7 @@ fn a_box_on_a_tilting_plane_starts_where_no_forces_hold_it() {
         for i in 0..4 {
             let column = |name: &str| run.column(&format!("{name}[{i}]")).expect("a column");
             let (load, grip_x, grip_y) = (column("load"), column("grip_x"), column("grip_y"));
-            // At the event itself nothing within the limits holds the box.
+            // At the event itself no force within the limits holds the box.
             let away = |row: &usize| (run.times()[*row] - start).abs() > 1e-3;
             for row in (0..run.len()).filter(away) {
                 let (load, x, y) = (load[row], grip_x[row], grip_y[row]);
@@ -353,7 +354,7 @@ fn a_box_on_a_tilting_plane_starts_where_no_forces_hold_it() {
     }
 }
 
-/// Just below the slope at which it starts to slide it stays, whatever its direction.
+/// Just below the slope at which sliding begins it rests, whatever its orientation.
 #[test]
 fn a_box_rests_on_any_slope_that_is_not_too_steep() {
     for step in 0..12 {
@@ -375,7 +376,7 @@ fn a_box_rests_on_any_slope_that_is_not_too_steep() {
     }
 }
 
-/// They tumble over their corners and come to rest on a face, and their energy never rises.
+/// They tumble over their corners and come to rest on a face, and their energy never increases.
 #[test]
 fn boxes_thrown_at_random_come_to_rest_on_a_face() {
     for seed in 0..12 {
@@ -403,7 +404,7 @@ fn boxes_thrown_at_random_come_to_rest_on_a_face() {
 }
 
 lagrange::system! {
-    /// A puck that a force pulls which grows slowly and turns.
+    /// A puck pulled by a slowly growing, rotating force.
     #[derive(Clone, Debug)]
     struct Pulled;
 
@@ -415,9 +416,9 @@ lagrange::system! {
     friction rub = dot((x, y)), mu * g;
 }
 
-/// Friction turns a slow slip at a rate that falls as the puck speeds up. The explicit method takes
-/// the few steps at its limit, and agrees with the implicit one. Nothing depends on the origin of
-/// time.
+/// Friction turns a slow slip at a rate that decreases as the puck speeds up. The explicit method
+/// takes the few steps at its limit, and agrees with the implicit one. Nothing depends on the
+/// origin of time.
 #[test]
 fn what_starts_slowly_while_its_drive_turns_is_not_stiff_for_long() {
     let pulled = Pulled::default();
@@ -434,7 +435,7 @@ fn what_starts_slowly_while_its_drive_turns_is_not_stiff_for_long() {
 }
 
 lagrange::system! {
-    /// A block whose friction grows with its speed, as that of a damper.
+    /// A block whose friction grows with its speed, like that of a damper.
     #[derive(Clone, Debug)]
     struct Damped<S>;
 
@@ -445,7 +446,7 @@ lagrange::system! {
     friction rub = dot(x), c * abs(dot(x));
 }
 
-/// The limit vanishes with the speed, and is negative by rounding where the block turns.
+/// The limit vanishes with the speed, and is negative by rounding where the block reverses.
 #[test]
 fn friction_in_proportion_to_the_speed_is_a_damper() {
     for start in [0.0, 1.0, -0.5] {
@@ -459,7 +460,7 @@ fn friction_in_proportion_to_the_speed_is_a_damper() {
     }
 }
 
-/// A ball slides until it rolls in single precision, too.
+/// In single precision, too, a ball slides until it rolls.
 #[test]
 fn a_ball_rolls_in_single_precision() {
     let ball: Ball<f32> = Ball { mu: 0.3, ..Ball::default() };
@@ -472,7 +473,7 @@ fn a_ball_rolls_in_single_precision() {
     assert_near([vx, vy], [10.0 / 7.0, -5.0 / 7.0], 1e-5);
 }
 
-/// So do others, at tolerances down to the rounding of single precision.
+/// Other balls do, too, at tolerances down to rounding in single precision.
 #[test]
 fn balls_roll_in_single_precision() {
     for (case, tolerance) in [1e-3, 1e-4, 1e-5, 1e-6].into_iter().cycle().take(200).enumerate() {

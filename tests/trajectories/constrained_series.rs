@@ -1,4 +1,4 @@
-//! Taylor series of motions under constraints: unknown multipliers of every order.
+//! Taylor series of motions under constraints: unknown multipliers at every order.
 
 use lagrange::integrate::{Taylor, Verner98, integrate};
 use lagrange::system::{TaylorSystem, split};
@@ -29,8 +29,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two bodies that a rod connects, one on a crank and one in a slide, with damping and a state
-    /// that follows.
+    /// Two bodies connected by a rod, one on a crank and one in a slide, with damping and a
+    /// first-order state.
     #[derive(Clone, Debug)]
     struct SliderCrank;
 
@@ -48,7 +48,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A bob whose constraint is stabilised beside being restored.
+    /// A bob whose constraint is stabilised as well as projected.
     #[derive(Clone, Debug)]
     struct Damped;
 
@@ -68,7 +68,7 @@ fn end<M: TaylorSystem<Scalar = f64>>(system: &M, start: M::State, t: f64, toler
     integrate(system, 0.0, start, t, &Taylor::tolerance(tolerance), |_, _| {}).expect("reaches the end")
 }
 
-/// Masses and lengths far from one make rows of the equations of different size.
+/// With masses and lengths far from one, rows of the equations have different scales.
 #[test]
 fn a_bob_moves_as_the_pendulum_of_its_angle() {
     for (tolerance, bound) in [(1e-6, 1e-5), (1e-9, 1e-8), (1e-14, 1e-12)] {
@@ -96,8 +96,7 @@ fn a_bob_in_single_precision_stays_on_its_rod() {
     assert!(residual < 1e-6, "{residual:e}");
 }
 
-/// Rates of positions and of velocities alike agree with the equations of motion, at rest and in
-/// motion.
+/// Rates of positions and velocities agree with the equations of motion, at rest and in motion.
 #[test]
 fn coefficients_begin_with_the_accelerations() {
     for speed in [0.0, 1.3] {
@@ -112,7 +111,7 @@ fn coefficients_begin_with_the_accelerations() {
 #[test]
 fn a_mechanism_with_a_loop_agrees_with_the_other_adaptive_method() {
     let system = SliderCrank::default();
-    // Crank and rod stretched, where the slide turns back.
+    // Crank and rod aligned, where the slide reverses.
     let start = [0.0, 3.0, 0.0, 0.1, 1.0, 0.0, 0.5];
     for span in [8.0, -3.0] {
         let wanted = integrate(&system, 0.0, start, span, &Verner98::tolerance(1e-14), |_, _| {}).unwrap();
@@ -153,7 +152,7 @@ fn a_bead_on_a_turning_wire_oscillates() {
 }
 
 lagrange::system! {
-    /// A bob on two rods that are the same one for some lengths.
+    /// A bob on two rods that coincide for some lengths.
     #[derive(Clone, Debug)]
     struct Doubled;
 

@@ -1,4 +1,4 @@
-//! Stiff motions, whose fast parts are damped away, by Radau's method.
+//! Stiff motions, whose fast components are damped, by Radau's method.
 //!
 //! `tools/stiff.py` computes the reference states.
 
@@ -19,7 +19,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Van der Pol's oscillator, on which a pendulum hangs.
+    /// Van der Pol's oscillator with a pendulum attached.
     #[derive(Clone, Debug)]
     struct Relaxation;
 
@@ -47,7 +47,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A block that a spring pulls over ground with LuGre friction.
+    /// A block pulled by a spring over ground with LuGre friction.
     #[derive(Clone, Debug)]
     struct StickSlip;
 
@@ -62,7 +62,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass on a rod, to which a stiff spring with a damper holds another one; without a
+    /// A mass on a rod, with another one attached by a stiff spring and a damper; without a
     /// Jacobian.
     #[derive(Clone, Debug)]
     struct Whip;
@@ -76,7 +76,7 @@ lagrange::system! {
     constraint rod = px^2 + pz^2 - 1;
 }
 
-/// The state of a motion at the times for which there is a reference.
+/// Returns the states of a motion at the reference times.
 fn references(motion: &str) -> Vec<(f64, Vec<f64>)> {
     let rows = include_str!("stiff_references.csv").lines().map(|line| line.split(',').collect::<Vec<_>>());
     let number = |text: &&str| text.parse::<f64>().expect("a number");
@@ -84,7 +84,7 @@ fn references(motion: &str) -> Vec<(f64, Vec<f64>)> {
     rows.map(|row| (number(&row[1]), row[2..].iter().map(number).collect())).collect()
 }
 
-/// Runs to all reference times, and checks that the error stays within ten tolerances in parts of
+/// Runs to all reference times, and checks that the error stays within ten tolerances relative to
 /// `sizes` and the state.
 #[track_caller]
 fn assert_keeps<M, const N: usize>(
@@ -178,7 +178,7 @@ fn a_constrained_whip_keeps_its_tolerance_without_a_jacobian() {
     assert!((end[0].hypot(end[1]) - 1.0).abs() < 1e-15 && (end[0] * end[4] + end[1] * end[5]).abs() < 1e-14);
 }
 
-/// The work to the end.
+/// Returns the work of a run to its end.
 fn work<M: OdeSystem<Scalar = f64>>(system: &M, start: M::State, end: f64, tolerance: f64) -> Work {
     let mut stepper = Radau5::tolerance(tolerance).start(system, 0.0, &start, end).expect("starts");
     while stepper.time() < end {
@@ -214,8 +214,8 @@ fn difference_quotients_take_the_place_of_a_jacobian() {
     assert!(unknown.evaluations < known.evaluations + 300, "{known:?} {unknown:?}");
 }
 
-/// ẏ = Q Λ Q⁻¹ (y − p(t)) + ṗ(t) with fast and slow eigenvalues, for which y = p + Q e^(Λt) Q⁻¹ (y₀
-/// − p₀).
+/// ẏ = Q Λ Q⁻¹ (y − p(t)) + ṗ(t) with fast and slow eigenvalues, whose solution is y = p + Q e^(Λt)
+/// Q⁻¹ (y₀ − p₀).
 struct Linear {
     basis: [[f64; 4]; 4],
     values: [f64; 4],
@@ -245,7 +245,7 @@ impl Linear {
         [[sine, cosine, sine * cosine, 1.0], [cosine, -sine, cosine * cosine - sine * sine, 0.0]]
     }
 
-    /// Q f(Λ) Qᵀ x
+    /// Returns Q f(Λ) Qᵀ x.
     fn apply(&self, function: impl Fn(f64) -> f64, x: &[f64; 4]) -> [f64; 4] {
         let inner: [f64; 4] = core::array::from_fn(|k| {
             function(self.values[k]) * (0..4).map(|i| self.basis[i][k] * x[i]).sum::<f64>()
@@ -333,7 +333,7 @@ fn what_rests_stays_and_zeros_stay_zeros() {
     let pendulum = ElasticPendulum { g: 0.0, ..ElasticPendulum::<f64>::default() };
     let rest = [1.0, 0.0, 0.0, 0.0];
     assert_eq!(integrate(&pendulum, 0.0, rest, 1e6, &Radau5::tolerance(1e-9), |_, _| {}), Ok(rest));
-    // The radius alone moves.
+    // Only the radius moves.
     let end =
         integrate(&ElasticPendulum::<f64>::default(), 0.0, rest, 1.0, &Radau5::tolerance(1e-9), |_, _| {});
     let [r, theta, _, rate] = end.expect("goes on");

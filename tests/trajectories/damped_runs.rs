@@ -50,7 +50,7 @@ fn events_are_found_where_they_are() {
 }
 
 lagrange::system! {
-    /// A motor with a tiny inductance turns an arm by a law or a sampled controller.
+    /// A motor with a tiny inductance that turns an arm by a law or a sampled controller.
     #[derive(Clone, Debug)]
     struct Motor;
 
@@ -87,7 +87,7 @@ fn laws_and_sampled_controllers_drive_stiff_systems() {
 }
 
 lagrange::system! {
-    /// A mass above the ground on a stiff suspension of a foot that hits the ground.
+    /// A mass above the ground on a stiffly suspended foot that hits the ground.
     #[derive(Clone, Debug)]
     struct Hopper;
 
@@ -128,7 +128,7 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// With such a drag, the body turns as the torque over the drag says.
+/// With such drag, the body rotates at the torque over the drag coefficient.
 #[test]
 fn quaternions_of_damped_bodies_keep_their_length_and_tolerance() {
     let mut start = [0.0; 13];

@@ -1,4 +1,4 @@
-//! Energy over ten million steps: symplectic methods are wrong by an amount that does not grow.
+//! Energy over ten million steps: the error of symplectic methods does not grow.
 
 use lagrange::integrate::{BlanesMoan4, Method, RungeKutta4, StormerVerlet, SymplecticEuler, integrate};
 use lagrange::system::{EnergyFunction, OdeSystem};
@@ -6,10 +6,10 @@ use lagrange::system::{EnergyFunction, OdeSystem};
 use crate::systems::{Pendulum, PendulumState, Planet, PlanetState, Star, StarState};
 
 const STEPS: u32 = 10_000_000;
-/// One state of so many is looked at.
+/// One in this many states is recorded.
 const INTERVAL: u32 = 1009;
 
-/// A straight line through errors over time.
+/// A straight line fitted to errors over time.
 #[derive(Debug)]
 pub(crate) struct Line {
     slope: f64,
@@ -30,7 +30,7 @@ pub(crate) fn line(points: &[(f64, f64)]) -> Line {
     Line { slope, noise, largest: points.iter().fold(0.0, |largest, (_, e)| largest.max(e.abs())) }
 }
 
-/// The energy error of a motion over ten million steps.
+/// Returns the energy error of a motion over ten million steps.
 fn energy_error<M, K>(
     system: &M,
     start: M::State,

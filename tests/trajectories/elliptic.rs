@@ -4,11 +4,12 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-/// Functions of one modulus k, given by k² and 1 − k², so that neither is lost where it is small.
+/// Functions of one modulus k, given by k² and 1 − k², so that small values of either keep their
+/// digits.
 pub(crate) struct Elliptic {
     square: f64,
     complement: f64,
-    /// The means aₙ with cₙ = ½ (aₙ₋₁ − bₙ₋₁), of which c₀ = k.
+    /// The means aₙ with cₙ = ½ (aₙ₋₁ − bₙ₋₁), where c₀ = k.
     means: Vec<(f64, f64)>,
 }
 
@@ -17,7 +18,7 @@ impl Elliptic {
         let (mut a, mut b) = (1.0, complement.sqrt());
         let mut means = vec![(a, square.sqrt())];
         let mut difference = 1.0;
-        // The next one would be its square.
+        // The next difference would be its square.
         while difference > 1e-9 * a {
             difference = 0.5 * (a - b);
             (a, b) = (0.5 * (a + b), (a * b).sqrt());
@@ -26,12 +27,12 @@ impl Elliptic {
         Elliptic { square, complement, means }
     }
 
-    /// The quarter of a period, K = π / 2a.
+    /// Returns the quarter period, K = π / 2a.
     pub(crate) fn quarter(&self) -> f64 {
         FRAC_PI_2 / self.means[self.means.len() - 1].0
     }
 
-    /// sn u, cn u, dn u.
+    /// Returns sn u, cn u, dn u.
     pub(crate) fn functions(&self, u: f64) -> [f64; 3] {
         let steps = self.means.len() - 1;
         let last = f64::from(1 << steps) * self.means[steps].0 * u;
@@ -44,7 +45,7 @@ impl Elliptic {
     }
 }
 
-/// By mpmath, `ellipk` and `ellipfun` with m = 0.81 at u = 7/4.
+/// Values by mpmath, `ellipk` and `ellipfun` with m = 0.81 at u = 7/4.
 const QUARTER: f64 = 2.280_549_138_422_770_2;
 const KNOWN: [f64; 3] = [0.971_325_976_186_824_7, 0.237_751_651_907_430_47, 0.485_577_941_084_247_26];
 

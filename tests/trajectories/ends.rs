@@ -1,4 +1,4 @@
-//! Reference trajectories, to the digits that 53 bits allow.
+//! Reference trajectories, to the precision of 53 bits.
 
 use lagrange::Simulate;
 use lagrange::integrate::Verner98;
@@ -8,7 +8,7 @@ use super::references::{Numbers, state};
 use super::systems::{DoublePendulum, Pendulum, Star, Top};
 
 lagrange::system! {
-    /// A point mass on a rod that may swing to all sides; theta is measured from straight down.
+    /// A point mass on a rod that swings in all directions; theta is measured from straight down.
     struct SphericalPendulum;
 
     param l = 1.0, g = 9.81;
@@ -45,7 +45,7 @@ lagrange::system! {
         + 35 / hypot(x5 - x7, y5 - y7) + 42 / hypot(x6 - x7, y6 - y7));
 }
 
-/// The largest error at the times, from the start at zero.
+/// Returns the largest error at the times, from the start at zero.
 fn error<M, const N: usize>(system: &M, case: &str, times: &[f64]) -> f64
 where
     M: MechanicalSystem<Scalar = f64, State = [f64; N]>,
@@ -74,7 +74,7 @@ where
 #[test]
 fn motions_end_where_more_digits_say() {
     assert_reaches(&Pendulum::default(), "pendulum", &[10.0], 1e-13);
-    // Rounding of the period grows with time.
+    // The rounding of the period grows with time.
     assert_reaches(&Pendulum::default(), "pendulum", &[2000.0], 1e-9);
     assert_reaches(&DoublePendulum::default(), "double_pendulum_horizontal", &[1.0, 5.0, 10.0], 2e-12);
     assert_reaches(&SphericalPendulum::default(), "spherical_pendulum", &[10.0], 2e-13);

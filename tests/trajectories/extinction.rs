@@ -5,7 +5,7 @@ use lagrange::integrate::{Method, StepFailure, Taylor, Verner98};
 use lagrange::simulate::Trajectory;
 
 lagrange::system! {
-    /// The level of a tank with an outlet, by Torricelli for p = 1/2.
+    /// The level of a tank with an outlet, by Torricelli's law for p = 1/2.
     #[derive(Clone, Debug)]
     struct Tank<S>;
 
@@ -28,7 +28,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A flow between two tanks, whose direction follows from the sign of the difference.
+    /// A flow between two tanks, whose direction is the sign of the difference.
     #[derive(Clone, Debug)]
     struct Levelled;
 
@@ -49,10 +49,10 @@ lagrange::system! {
 }
 
 const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
-/// Far more steps than a method needs that does not crawl.
+/// Far more steps than a method needs unless it crawls.
 const STEPS: u64 = 3000;
 
-/// The solution of ẋ = −xᵖ from 1.
+/// Returns the solution of ẋ = −xᵖ from 1.
 fn level(p: f64, t: f64) -> f64 {
     (1.0 - (1.0 - p) * t).max(0.0).powf(1.0 / (1.0 - p))
 }
@@ -90,7 +90,7 @@ fn a_tank_drains_at_time_zero_and_in_single_precision() {
     assert!(end[0].abs() < 1e-5, "{end:?}");
 }
 
-/// Both methods are compared with the pair at a tolerance far below.
+/// Both methods are compared with the pair at a much smaller tolerance.
 #[test]
 fn tanks_in_cascade_drain_and_are_filled_again() {
     for refill in [100.0, 6.0] {
@@ -116,8 +116,8 @@ fn tanks_in_cascade_drain_and_are_filled_again() {
     }
 }
 
-/// The series rests where the flow vanishes. The pair meets the surface from both sides: it stays
-/// near it in short steps, or refuses.
+/// The series rests where the flow vanishes. The pair approaches the surface from both sides: it
+/// stays near it in short steps, or refuses.
 #[test]
 fn a_flow_that_turns_with_the_level_rests_or_names_the_surface() {
     for p in [1.0 / 3.0, 0.5, 0.75] {

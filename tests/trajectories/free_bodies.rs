@@ -1,5 +1,5 @@
-//! Bodies in free flight over a million steps: momenta and energy change by rounding only, and
-//! quaternions keep their length.
+//! Bodies in free flight over a million steps: momenta and energy change only by rounding, and
+//! quaternions keep unit length.
 
 use lagrange::integrate::{RungeKutta4, integrate};
 
@@ -23,12 +23,11 @@ lagrange::system! {
 type State = [f64; 22];
 
 const STEPS: u32 = 1_000_000;
-/// So small that what the method itself changes in all steps together, a few 1e-15, is less than
-/// what rounding does.
+/// Small enough that the accumulated error of the method, a few 1e-15, is less than rounding.
 const STEP: f64 = 1.0 / 4096.0;
-/// One state of so many is looked at.
+/// One in this many states is recorded.
 const INTERVAL: u32 = 1009;
-/// A rounding to the nearest number, relative to it.
+/// Relative error of rounding to the nearest number.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 const TRUNK: usize = 3;
 const SHOULDER: usize = 7;
@@ -37,7 +36,7 @@ const START: State = [
     0.02, -0.09, -0.03, 0.5, -0.3, 0.7, -0.4, 0.9, 0.2, -0.6, // velocities
 ];
 
-/// What is seen of a long motion, energies and momenta as differences from the first ones.
+/// Observations along a long motion, with energies and momenta as differences from the first ones.
 struct Seen {
     energies: Vec<(f64, f64)>,
     /// The largest change of the linear and of the angular momentum.
@@ -55,14 +54,14 @@ fn halves(y: &State) -> ([f64; 12], [f64; 10]) {
     lagrange::system::split::<Flyer>(y)
 }
 
-/// The first energy, and the sizes of the momenta at first.
+/// Returns the first energy, and the initial magnitudes of the momenta.
 fn sizes() -> (f64, [f64; 2]) {
     let (flyer, (q, v)) = (Flyer::default(), halves(&START));
     let size = |vector: [f64; 3]| vector.iter().fold(0.0_f64, |sum, x| sum.hypot(*x));
     (flyer.energy(0.0, &q, &v), [size(flyer.p(0.0, &q, &v)), size(flyer.l(0.0, &q, &v))])
 }
 
-/// Follows the motion of a system, with energies and momenta as they are by default.
+/// Follows the motion of a system, and records energies and momenta.
 fn follow(moving: &Flyer, steps: u32, step: f64) -> Seen {
     let flyer = Flyer::default();
     let measured = |y: &State| {
@@ -86,10 +85,9 @@ fn follow(moving: &Flyer, steps: u32, step: f64) -> Seen {
     Seen { energies, momenta, end }
 }
 
-/// The change that a fitted line makes over all the time, beside the most that a line makes of a
-/// random walk with the same changes from one point to the next. Of a walk of n changes with the
-/// variance s² the line changes with the variance 6/5 n s², and three times its root is exceeded
-/// once in four hundred walks.
+/// Returns the change of a fitted line over the whole time, beside the bound for a random walk with
+/// the same increments. For a walk of n increments with variance s², the change of the line has the
+/// variance 6/5 n s². Three times its root is exceeded once in four hundred walks.
 fn trend(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
     let [time, value] =
@@ -105,8 +103,8 @@ fn length(quaternion: &[f64]) -> f64 {
     quaternion.iter().map(|component| component * component).sum::<f64>().sqrt()
 }
 
-/// Each step rounds the velocities, and with them what is kept, by about a rounding of its size to
-/// either side: √n of them after n steps.
+/// Returns the size of a random walk after some steps. Each step rounds the velocities, and with
+/// them the conserved quantities, by about one rounding to either side: √n of them after n steps.
 fn walk(steps: u32) -> f64 {
     f64::from(steps).sqrt() * ROUNDING
 }
@@ -137,8 +135,8 @@ fn a_body_that_is_a_little_different_does_not_keep_them() {
     assert!(seen.momenta[1] > 1e-8 && largest > 1e-8, "{:?}, {largest:e}", seen.momenta);
 }
 
-/// Sixty-four times the step: what the method loses has a slope, and in a tenth of the steps it is
-/// more than what rounding does in all.
+/// With sixty-four times the step, the loss of the method has a slope. In a tenth of the steps it
+/// exceeds all rounding.
 #[test]
 fn a_trend_of_the_energy_is_seen() {
     let seen = follow(&Flyer::default(), STEPS / 10, 64.0 * STEP);

@@ -48,7 +48,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A bead between springs on a wire that turns.
+    /// A bead between springs on a rotating wire.
     #[derive(Clone, Debug)]
     pub(crate) struct Wire;
 
@@ -61,12 +61,12 @@ lagrange::system! {
 }
 
 const MILLION: u32 = 1_000_000;
-/// One state of so many is looked at.
+/// One in this many states is recorded.
 const INTERVAL: u32 = 1009;
 const SPHERE: [f64; 6] = [0.6, 0.0, -0.8, 0.4, 1.5, 0.3];
 const RODS: [f64; 8] = [0.6, -0.8, 1.4, -1.4, 0.4, 0.3, 1.0, 1.1];
 
-/// What is seen of a long motion.
+/// Observations along a long motion.
 struct Seen {
     energy: Line,
     /// The largest residuals of positions and of velocities.
@@ -81,7 +81,7 @@ impl Seen {
     }
 }
 
-/// A million steps, with the residuals of these constraints.
+/// Takes a million steps, and records the residuals of these constraints.
 fn watched<M, K>(
     system: &M,
     start: M::State,
@@ -149,10 +149,10 @@ fn two_rods_keep_their_lengths_and_their_energy() {
     watched(&rods, RODS, 0.005, &StormerVerlet { step: 0.005 }, residuals).check(2e-2, 4e-15, 4e-14);
 }
 
-/// What is done at every step.
+/// A callback for every step.
 type Observe<'a, const N: usize> = &'a mut dyn FnMut(f64, &[f64; N]);
 
-/// These are put back after each step.
+/// These states are projected after each step.
 #[test]
 fn gauss_methods_stay_on_constraints_by_projection() {
     let (rods, end) = (TwoRods::default(), 1000.0);
@@ -218,7 +218,7 @@ fn a_bead_on_a_turning_wire_oscillates_for_ever() {
             residual = residual.max(largest(wire.constraints(t, &q, &v)));
         });
         println!("wire: {error:e}, residual {residual:e}");
-        // Time, and so the angle of the wire, is rounded.
+        // Time, and with it the angle of the wire, is rounded.
         assert!(error < bound && residual < end * wire.rate * f64::EPSILON, "{error:e} {residual:e}");
     };
     check(
@@ -235,7 +235,7 @@ fn a_bead_on_a_turning_wire_oscillates_for_ever() {
     );
 }
 
-/// Multipliers are tensions, and methods that do not say them do not spoil them.
+/// Multipliers are tensions, and methods that do not return them do not affect them.
 #[test]
 fn the_tension_of_the_rod_follows_from_the_motion() {
     let sphere = Sphere::default();

@@ -1,7 +1,6 @@
-//! Long motions, whose many steps only optimised code takes in reasonable time.
+//! Long motions, whose many steps take optimised code.
 //!
-//! `cargo motions` runs them; without optimisation there is
-//! nothing here but for lints.
+//! `cargo motions` runs them. Without optimisation this file is only linted.
 #![cfg(any(not(debug_assertions), clippy))]
 
 mod adaptive;

@@ -1,4 +1,4 @@
-//! Mechanisms over many turns: constraints hold to rounding and energy stays bounded, whatever the
+//! Mechanisms over many turns: constraints hold to rounding and energy stays bounded, for any
 //! method.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -24,14 +24,14 @@ lagrange::system! {
     emit { momentum_rates }
 }
 
-/// What was seen along a motion.
+/// Observations along a motion.
 #[derive(Default, Debug)]
 pub(crate) struct Seen {
     /// Largest residual of positions, in the units of the constraints.
     position: f64,
     /// Largest residual of velocities.
     velocity: f64,
-    /// Largest change of the energy, in relation to its first value if that is more than 1 J.
+    /// Largest change of the energy, relative to its first value if that exceeds 1 J.
     energy: f64,
     /// Number of steps.
     pub(crate) steps: usize,
@@ -49,7 +49,7 @@ fn largest(vector: &impl AsRef<[f64]>) -> f64 {
     vector.as_ref().iter().fold(0.0, |largest, value| value.abs().max(largest))
 }
 
-/// Integrates, and looks at every state.
+/// Integrates, and inspects every state.
 pub(crate) fn run<M>(system: &M, start: M::State, end: f64, method: &impl Method<M>) -> (M::State, Seen)
 where
     M: ConstrainedSystem<Scalar = f64> + EnergyFunction,
@@ -71,7 +71,7 @@ where
     (last, seen)
 }
 
-/// How long a thousand turns of the four-bar linkage take, in s.
+/// Duration of a thousand turns of the four-bar linkage, in s.
 const THOUSAND_TURNS: f64 = 173.358_935_930_585_8;
 
 #[track_caller]
@@ -116,9 +116,9 @@ fn a_pendulum_in_cartesian_coordinates_is_where_it_is_in_an_angle() {
     seen.assert(1e-15, 1e-14, 1e-11);
 }
 
-/// The cranks pass the line of their joints ten times in ten seconds. Rounding is magnified there,
-/// the more so the nearer to the line a step ends; corrections leave alone there what they would
-/// only magnify.
+/// The cranks pass the line of their joints ten times in ten seconds. Rounding is amplified there,
+/// more so the closer to the line a step ends. Corrections ignore components that they would only
+/// amplify.
 #[test]
 fn forty_windows_pass_the_line_where_their_constraints_depend_on_each_other() {
     let (windows, start) = (Windows::default(), n_four_bar::state(FRAC_PI_2, -1.0));

@@ -1,4 +1,4 @@
-//! A single pendulum over a million seconds: how far it is behind or ahead of its time.
+//! The phase error of a single pendulum over a million seconds.
 //!
 //! Its period is 4 K(sin(θ₀/2))/ω₀ = 2 π/(ω₀ M(1, cos(θ₀/2))) with the complete elliptic integral K
 //! and the arithmetic–geometric mean M. Source: Landau, Lifshitz, *Mechanics*, §11.
@@ -12,20 +12,19 @@ use crate::systems::Pendulum;
 const AMPLITUDE: f64 = 1.0;
 
 fn mean(mut a: f64, mut b: f64) -> f64 {
-    // The number of right digits doubles each time.
+    // The number of correct digits doubles each time.
     for _ in 0..8 {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());
     }
     a
 }
 
-/// By how many seconds the pendulum is early after about `seconds`.
+/// Returns the lead of the pendulum in seconds after about `seconds`.
 fn lead<K: Method<Pendulum>>(method: &K, seconds: f64) -> f64 {
     let pendulum = Pendulum::default();
     let frequency = (pendulum.g / pendulum.l).sqrt();
     let period = TAU / (frequency * mean(1.0, (AMPLITUDE / 2.0).cos()));
-    // A quarter of a period after a turning point it passes the lowest point at full speed,
-    // backwards.
+    // A quarter period after a turning point it passes the lowest point at full speed, backwards.
     let end = ((seconds / period).round() + 0.25) * period;
     let [theta, rate] =
         integrate(&pendulum, 0.0, [AMPLITUDE, 0.0], end, method, |_, _| {}).expect("a finite motion");

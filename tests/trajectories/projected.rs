@@ -20,7 +20,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with a constraint that is stabilised.
+    /// The rod with stabilisation.
     #[derive(Clone, Debug)]
     pub(crate) struct StabilisedRod;
 
@@ -33,7 +33,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in an angle.
+    /// The pendulum of the rod in an angle.
     #[derive(Clone, Debug)]
     pub(crate) struct Angle;
 
@@ -56,7 +56,7 @@ lagrange::system! {
     constraint blade = dot(y) * cos(theta) - dot(x) * sin(theta);
 }
 
-/// What became of a motion.
+/// The outcome of a motion.
 #[derive(Debug)]
 struct Seen<Y> {
     /// The largest residuals of positions and of velocities.
@@ -64,7 +64,7 @@ struct Seen<Y> {
     /// The largest error of the energy.
     energy: f64,
     end: Y,
-    /// When it ended.
+    /// The time of its end.
     time: f64,
     evaluations: u64,
 }
@@ -73,7 +73,7 @@ fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
 
-/// Follows a motion up to `end`, or as far as it goes.
+/// Follows a motion up to `end`, or as far as possible.
 fn follow<M, K>(system: &M, start: M::State, end: f64, method: &K) -> Seen<M::State>
 where
     M: OdeSystem<Scalar = f64> + EnergyFunction + ConstrainedSystem,
@@ -96,11 +96,11 @@ where
     Seen { end: *stepper.state(), time: stepper.time(), evaluations: stepper.work().evaluations, ..seen }
 }
 
-/// Level and at rest.
+/// Horizontal and at rest.
 const START: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 const END: f64 = 1000.0;
 
-/// Where the rod ends, from its angle.
+/// Returns the end of the rod, from its angle.
 fn reference() -> [f64; 2] {
     let level = [std::f64::consts::FRAC_PI_2, 0.0];
     let tight = Verner98::tolerance(1e-15);
@@ -108,7 +108,7 @@ fn reference() -> [f64; 2] {
     [theta.sin(), -theta.cos()]
 }
 
-/// The row of a table, and the error of the position at the end.
+/// Prints the row of a table, and returns the error of the position at the end.
 fn row(name: &str, seen: &Seen<[f64; 4]>, [x, y]: [f64; 2]) -> f64 {
     let error = (seen.end[0] - x).hypot(seen.end[1] - y);
     let (Seen { energy, time, evaluations, .. }, [positions, velocities]) = (seen, seen.residuals);
@@ -118,7 +118,7 @@ fn row(name: &str, seen: &Seen<[f64; 4]>, [x, y]: [f64; 2]) -> f64 {
     error
 }
 
-/// The table in the documentation of `lagrange::constraint`.
+/// Prints the table in the documentation of `lagrange::constraint`.
 #[test]
 fn projection_needs_no_rate_and_leaves_no_residuals() {
     let (rod, reference) = (Rod::default(), reference());
@@ -150,7 +150,7 @@ fn projection_needs_no_rate_and_leaves_no_residuals() {
     assert!(seen.residuals[0] > 1e-7 && error > 3e-5, "{seen:?}");
 }
 
-/// Residuals and energies of a method over a thousand seconds on a rod and on a skate.
+/// Checks residuals and energies of a method over a thousand seconds on a rod and on a skate.
 fn assert_held<K>(method: &K, energies: [f64; 2])
 where
     K: Method<Rod> + Method<Skate>,

@@ -4,13 +4,13 @@ use core::array::from_fn;
 
 pub(crate) type Quaternion = [f64; 4];
 
-/// A turn about an axis of length one.
+/// Returns a rotation about a unit axis.
 pub(crate) fn turn(axis: [f64; 3], angle: f64) -> Quaternion {
     let (sin, cos) = (0.5 * angle).sin_cos();
     [cos, sin * axis[0], sin * axis[1], sin * axis[2]]
 }
 
-/// Hamilton's product: the second turn and then the first.
+/// Returns Hamilton's product: the second rotation, then the first.
 pub(crate) fn product(a: Quaternion, b: Quaternion) -> Quaternion {
     let ([s, u @ ..], [t, v @ ..]) = (a, b);
     let w = cross(u, v);
@@ -18,7 +18,7 @@ pub(crate) fn product(a: Quaternion, b: Quaternion) -> Quaternion {
     [s * t - dot(u, v), x, y, z]
 }
 
-/// A vector in turned axes as it is in the world.
+/// Returns a vector of rotated axes in the world.
 pub(crate) fn turned(q: Quaternion, vector: [f64; 3]) -> [f64; 3] {
     let [s, u @ ..] = q;
     let once = cross(u, vector);
@@ -34,7 +34,7 @@ pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     from_fn(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
 }
 
-/// The largest difference of components, where the sign does not matter.
+/// Returns the largest difference of components, up to a common sign.
 pub(crate) fn distance(a: Quaternion, b: Quaternion) -> f64 {
     let largest = |sign: f64| a.iter().zip(b).fold(0.0_f64, |most, (x, y)| most.max((x - sign * y).abs()));
     largest(1.0).min(largest(-1.0))

@@ -19,7 +19,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass on a spring whose force is a power of the length, of any exponent from zero on.
+    /// A mass on a spring whose force is a power of the length, with any nonnegative exponent.
     #[derive(Clone, Debug)]
     struct Spring<S>;
 
@@ -31,7 +31,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Balls in a row whose forces are powers of how far they overlap; all but the first touch.
+    /// Balls in a row whose forces are powers of their overlap; all but the first touch.
     #[derive(Clone, Debug)]
     struct Beads<S>;
 
@@ -49,7 +49,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A radial spring without a natural length, by the distance and by its square root.
+    /// A radial spring without rest length, by the distance and by its square root.
     #[derive(Clone, Debug)]
     struct Radial;
 
@@ -61,7 +61,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A shaft that stiffens, a diode and two coupled angles, all given by equations.
+    /// A stiffening shaft, a diode and two coupled angles, all given by equations.
     #[derive(Clone, Debug)]
     struct Solved<S>;
 
@@ -84,7 +84,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass that a table of the time pushes, in straight lines between its points.
+    /// A mass pushed by a piecewise linear table of time.
     #[derive(Clone, Debug)]
     struct Pushed<S>;
 
@@ -96,7 +96,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass on a spring of straight lines, softer on one side.
+    /// A mass on a piecewise linear spring, softer on one side.
     #[derive(Clone, Debug)]
     struct Bilinear<S>;
 
@@ -108,7 +108,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two masses that two tables push, one of them by values and slopes for both.
+    /// Two masses pushed by two tables, one of which provides values and slopes for both.
     struct Shared;
 
     coord x, y;
@@ -141,7 +141,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A force that jumps at points of a table, whose slopes it is made of, until the table ends.
+    /// A force built from the slopes of a table, which jumps at its points, until the table ends.
     #[derive(Clone, Debug)]
     struct Jumping;
 
@@ -186,8 +186,8 @@ fn powers_have_series() {
     near(&single.map(f64::from), &by_pair(&Powers::<f64>::default(), start, 3.0), 1e-4);
 }
 
-/// v²/2 + |x|^(n+1)/(n+1) is conserved. A base that starts from zero has no series there, and one
-/// that stays there is none.
+/// v²/2 + |x|^(n+1)/(n+1) is conserved. A base that passes zero has no series there; one that stays
+/// at zero needs none.
 #[test]
 fn powers_of_zero_keep_the_energy() {
     for n in [0.3, 1.0, 1.7, 2.0, 3.0] {
@@ -241,7 +241,7 @@ fn solutions_of_equations_have_series() {
     }
 }
 
-/// Pushes are polynomials between the points, so that the integrals are known.
+/// Pushes are polynomials between the points, so the integrals are known.
 #[test]
 fn tables_of_the_time_are_integrated_exactly() {
     // Areas of trapezoids, and their moments about the end.
@@ -265,7 +265,7 @@ fn tables_of_the_time_are_integrated_exactly() {
     near(&back.expect("reaches the start"), &[0.0, 0.0], 1e-13);
 }
 
-/// Half an oscillation with the frequency 1, half with 3.
+/// Half an oscillation with frequency 1, half with frequency 3.
 #[test]
 fn springs_of_straight_lines_oscillate_in_parts() {
     let spring = Bilinear::<f64>::default();
@@ -279,7 +279,7 @@ fn springs_of_straight_lines_oscillate_in_parts() {
             [-(t - until).sin(), -(t - until).cos()]
         }
     };
-    // From a point of the table, and to both of its sides.
+    // From a point of the table, to either side of it.
     for t in [0.5, 3.0, 20.0, 100.0] {
         near(&end(&spring, [0.0, 1.0], t, &method), &wanted(t), 1e-11);
         let [x, v] = wanted(t);
@@ -297,7 +297,7 @@ fn tables_of_the_state_have_series() {
     let wheel = Wheel::<f64>::default();
     for start in [[0.0, 0.0], [3.0, 1.0], [-1.0, 4.0]] {
         let found = end(&wheel, start, 4.0, &Taylor::tolerance(1e-13));
-        // A pair steps over the points, where it loses digits.
+        // The pair steps across the points, where it loses digits.
         near(&found, &by_pair(&wheel, start, 4.0), 1e-9);
         let tight = Taylor { order: Some(18), ..Taylor::tolerance(1e-14) };
         near(&found, &end(&wheel, start, 4.0, &tight), 1e-11);
@@ -306,7 +306,7 @@ fn tables_of_the_state_have_series() {
     }
 }
 
-/// x = v₀ − f(x) along the path: the speed is 3 − x up to 1, and falls twice as fast beyond.
+/// x = v₀ − f(x) along the path: the speed is 3 − x up to 1, and decreases twice as fast beyond.
 #[test]
 fn several_series_may_follow_one_table() {
     let start = [0.2, 1.5, 0.3, -0.4];
@@ -315,7 +315,7 @@ fn several_series_may_follow_one_table() {
 
 #[test]
 fn rates_may_jump_at_the_points_of_a_table() {
-    // To x = 1 it takes ln(3/2), to x = 3/2 from there ln 2 at twice that.
+    // It takes ln(3/2) to x = 1, and from there to x = 3/2 ln 2 at twice the rate.
     let t = 1.5_f64.ln() + 0.5 * 2.0_f64.ln();
     near(&end(&Jumping, [0.0, 3.0], t, &Taylor::tolerance(1e-12)), &[1.5, 1.0], 1e-11);
     let failed = integrate(&Jumping, 0.0, [0.0, 5.0], 9.0, &Taylor::tolerance(1e-9), |_, _| {});

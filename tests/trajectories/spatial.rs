@@ -1,5 +1,5 @@
-//! Mechanisms in space: one whose loop has a constraint too many, a slider-crank in two
-//! declarations, a stiff governor.
+//! Mechanisms in space: a loop with one constraint too many, a slider-crank in two declarations, a
+//! stiff governor.
 
 use lagrange::constraint::project;
 use lagrange::integrate::{Method, PlainGaussLegendre, RungeKutta4, StepFailure, Verner98, integrate};
@@ -11,7 +11,7 @@ use crate::mechanisms::{assert_near, run};
 use crate::references::{Numbers, state};
 use crate::spatial_slider_crank::{BallSliderCrank, SpatialSliderCrank};
 
-/// `N` numbers from a place on.
+/// Returns `N` numbers from an index on.
 fn part<const N: usize>(numbers: &[f64], from: usize) -> [f64; N] {
     std::array::from_fn(|i| numbers[from + i])
 }
@@ -43,8 +43,8 @@ fn bricards_mechanism_stays_closed_in_steps_of_equal_length() {
     seen.assert(1e-14, 1e-13, 1e-9);
 }
 
-/// Off the curve of closed loops no constraint follows from the others any more. On it every second
-/// angle is the same.
+/// Off the curve of closed loops all constraints are independent. On it every second angle is the
+/// same.
 #[test]
 fn bricards_mechanism_is_closed_from_a_place_where_it_is_open() {
     let mechanism = Bricard::default();
@@ -58,8 +58,8 @@ fn bricards_mechanism_is_closed_from_a_place_where_it_is_open() {
     }
 }
 
-/// The same state with the orientation of the rod in the axes of the crank: `a` about x, then `b`
-/// about y.
+/// Returns the same state with the orientation of the rod in the axes of the crank: `a` about x,
+/// then `b` about y.
 fn with_ball([crank, x, a, b, rate, x_rate, a_rate, b_rate]: [f64; 8]) -> [f64; 11] {
     assert_eq!(crank, 0.0);
     let ((sa, ca), (sb, cb)) = ((a / 2.0).sin_cos(), (b / 2.0).sin_cos());
@@ -85,7 +85,7 @@ fn a_slider_crank_in_space_is_where_its_loop_closes() {
     }
 }
 
-/// The end of a motion, and how many steps led there.
+/// Returns the end of a motion, and the number of steps.
 fn end_of(governor: &Governor, end: f64, method: &impl Method<Governor>) -> ([f64; 8], usize) {
     let start = state::<8>("governor", Numbers::Binary, 0.0);
     let mut steps = 0;

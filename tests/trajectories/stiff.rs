@@ -6,7 +6,7 @@ use lagrange::system::MechanicalSystem;
 use crate::systems::Planet;
 
 lagrange::system! {
-    /// A point mass on a spring that hardly gives, in Cartesian coordinates.
+    /// A point mass on a very stiff spring, in Cartesian coordinates.
     #[derive(Clone, Debug)]
     struct ElasticPendulum;
 
@@ -16,7 +16,7 @@ lagrange::system! {
     potential = m * g * y + spring_energy(k, hypot(x, y) - l);
 }
 
-/// What is left of a second, or the longest stable step.
+/// Returns the state after a second, or the longest stable step.
 fn swing<K: Method<ElasticPendulum>>(method: &K) -> Result<[f64; 4], f64> {
     let outcome = integrate(&ElasticPendulum::default(), 0.0, [0.6, -0.8, 0.0, 0.0], 1.0, method, |_, y| {
         assert!((y[0].hypot(y[1]) - 1.0).abs() < 0.1, "an unstable state was shown: {y:?}");
@@ -27,7 +27,7 @@ fn swing<K: Method<ElasticPendulum>>(method: &K) -> Result<[f64; 4], f64> {
     })
 }
 
-/// Refuses long steps, and passes with the step that it names.
+/// Asserts that long steps are refused, and that the suggested step succeeds.
 #[track_caller]
 fn assert_refuses<K: Method<ElasticPendulum>>(method: fn(f64) -> K, stable: f64) {
     let limit = swing(&method(1e-3)).expect_err("the step is thirty times too long");
@@ -56,7 +56,7 @@ lagrange::system! {
     potential = g * (ya + yb);
 }
 
-/// Evaluations beyond those of the formula, over a thousand seconds.
+/// Counts evaluations beyond those of the formula, over a thousand seconds.
 fn looks<M, K>(system: &M, start: M::State, method: &K, each: u64) -> u64
 where
     M: MechanicalSystem<Scalar = f64>,

@@ -46,7 +46,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A symmetric top with a fixed point, in Euler's angles.
+    /// A symmetric top with a fixed point, in Euler angles.
     #[derive(Clone, Debug)]
     pub(crate) struct Top;
 

@@ -1,4 +1,4 @@
-//! Taylor series on motions whose answers are known.
+//! Taylor series on motions with known answers.
 
 use lagrange::Simulate;
 use lagrange::integrate::{Method, StepFailure, Stepper, Taylor, Verner98, integrate};
@@ -31,8 +31,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Everything that a formula may hold: time, an input, damping, a state, roots, quotients and
-    /// functions of velocities.
+    /// Every element of a formula: time, an input, damping, a state, roots, quotients and functions
+    /// of velocities.
     #[derive(Clone, Debug)]
     struct Mixture<S>;
 
@@ -49,7 +49,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A heavy body with one fixed point.
+    /// A heavy body with a fixed point.
     #[derive(Clone, Debug)]
     struct Top;
 
@@ -91,8 +91,8 @@ fn a_hundred_orbits_lose_as_much_as_rounding_makes_of_the_period() {
     assert!(error < 2e-12, "{error:e}");
 }
 
-/// Starts at which coefficients vanish in turn, where rules that look at two coefficients take far
-/// too long steps.
+/// Starts at which coefficients vanish in turn. Rules that use two coefficients take far too long
+/// steps there.
 #[test]
 fn symmetric_starts_keep_their_tolerance_at_every_order() {
     use std::f64::consts::{FRAC_PI_2, PI};
@@ -170,7 +170,7 @@ fn coefficients_begin_with_the_rate() {
     assert!(error(&coefficients[0], &system.rhs(0.25, &y)) < 1e-14);
 }
 
-/// A double pendulum that is expanded with the instructions of the target alone.
+/// A double pendulum expanded with the instructions of the target alone.
 struct WithoutChoice(DoublePendulum);
 
 impl OdeSystem for WithoutChoice {
@@ -189,7 +189,7 @@ impl TaylorSystem for WithoutChoice {
         DoublePendulum::series()
     }
 
-    // Code of the caller's instructions may not reach in here.
+    // Code with the caller's instructions may not be inlined here.
     #[inline(never)]
     fn expand(&self, t: f64, y: &[f64; 4], series: &mut Self::Series, coefficients: &mut [[f64; 4]]) {
         self.0.expand(t, y, series, coefficients);
@@ -221,7 +221,7 @@ fn settings_without_sense_are_refused() {
     refused(Taylor { longest_step: Some(0.0), ..Taylor::tolerance(1e-9) });
 }
 
-/// Steps are as long on the way to a far end as to a near one.
+/// Steps have the same length on the way to a far end as to a near one.
 #[test]
 fn steps_do_not_depend_on_the_end() {
     let (system, start, method) = (DoublePendulum::default(), [2.0, 1.5, 0.0, 0.0], Taylor::tolerance(1e-9));
@@ -236,7 +236,8 @@ fn steps_do_not_depend_on_the_end() {
     assert_eq!(near, far);
 }
 
-/// A planet without angular momentum reaches the sun; the run ends before it with a finite state.
+/// A planet without angular momentum falls into the sun; the run ends before the collision with a
+/// finite state.
 #[test]
 fn a_collision_ends_the_run_with_its_last_good_state() {
     let result = integrate(&Kepler, 0.0, [1.0, 0.0, 0.0, 0.0], 2.0, &Taylor::tolerance(1e-9), |_, _| {});
@@ -247,7 +248,7 @@ fn a_collision_ends_the_run_with_its_last_good_state() {
 }
 
 lagrange::system! {
-    /// A pendulum that a stop pushes back, with events on the way.
+    /// A pendulum reflected by a stop, with events on the way.
     #[derive(Clone, Debug)]
     struct Stopped;
 
@@ -281,8 +282,7 @@ fn events_and_switches_are_met_as_by_other_methods() {
 }
 
 lagrange::system! {
-    /// A mass at rest that is pushed for a short time, whose series show nothing of the push before
-    /// it.
+    /// A mass at rest, pushed for a short time. Its series contain no trace of the later push.
     #[derive(Clone, Debug)]
     struct Pushed;
 

@@ -1,5 +1,5 @@
-//! Tops in unit quaternions, whose motions are known: the free one of Euler, one that tumbles, and
-//! the heavy one that precesses steadily.
+//! Tops in unit quaternions with known motions: Euler's free top, a tumbling one, and the heavy top
+//! in steady precession.
 //!
 //! Sources: Landau, Lifshitz, *Mechanics*, §§ 35 and 37; Whittaker, *Analytical Dynamics*, § 69.
 
@@ -13,7 +13,7 @@ use crate::elliptic::Elliptic;
 use crate::quaternions::{Quaternion, cross, distance, dot, product, turn, turned};
 
 lagrange::system! {
-    /// A body with three different moments of inertia, held at its centre of mass.
+    /// A body with three different moments of inertia, supported at its centre of mass.
     #[derive(Clone, Debug)]
     struct Brick;
 
@@ -24,7 +24,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A bar along y with a stem along z at its middle, where the origin is.
+    /// A bar along y with a stem along z from its middle, which is the origin.
     #[derive(Clone, Debug)]
     struct Handle;
 
@@ -50,7 +50,7 @@ lagrange::system! {
     ball tip = ground to top;
 }
 
-/// How much a body must differ from what it should be for a test to see it.
+/// Relative change of a body that a test must detect.
 const CONTROL: f64 = 1.0 + 1e-6;
 const AXIS: [f64; 3] = [1.0 / 3.0, 2.0 / 3.0, -2.0 / 3.0];
 
@@ -62,9 +62,9 @@ fn error(found: [f64; 3], known: [f64; 3]) -> f64 {
     found.iter().zip(known).fold(0.0, |largest, (found, known)| (found - known).abs().max(largest))
 }
 
-/// The angular velocity of a free body along its principal axes, whose second component is zero at
-/// first: (37.10), and with the first axis and the third exchanged if the angular momentum turns
-/// about the first.
+/// The angular velocity of a free body along its principal axes, whose second component is
+/// initially zero: (37.10). The first and the third axis are exchanged if the angular momentum
+/// circles the first.
 struct FreeTop {
     inertia: [f64; 3],
     amplitudes: [f64; 3],
@@ -99,8 +99,8 @@ impl FreeTop {
         found
     }
 
-    /// The angle by which a period turns the body about the angular momentum: (37.17) by the
-    /// trapezoidal rule, which converges faster than any power for what is periodic.
+    /// Returns the angle of rotation about the angular momentum in one period: (37.17) by the
+    /// trapezoidal rule. For periodic integrands it converges faster than any power.
     fn turn_in_a_period(&self) -> f64 {
         let points = 128;
         let rate = |index: i32| {
@@ -112,7 +112,7 @@ impl FreeTop {
         mean * self.period() * size(self.momentum(0.0))
     }
 
-    /// In the axes of the body.
+    /// Returns the angular momentum in the axes of the body.
     fn momentum(&self, t: f64) -> [f64; 3] {
         let w = self.angular_velocity(t);
         from_fn(|k| self.inertia[k] * w[k])
@@ -125,7 +125,7 @@ fn size(vector: [f64; 3]) -> f64 {
 
 const PERIODS: u32 = 5;
 
-/// Largest errors of angular velocities, and of orientations after whole periods.
+/// Returns the largest errors of angular velocities, and of orientations after whole periods.
 fn errors_of_free_top(brick: &Brick, start: [f64; 2]) -> [f64; 2] {
     let known = FreeTop::new([0.3, 0.5, 0.7], start);
     let first = turn(AXIS, 1.0);
@@ -157,8 +157,8 @@ fn a_free_top_turns_by_elliptic_functions() {
     }
 }
 
-/// The moments of [`Handle`] along y, z, x, from the smallest, and the place of its centre of mass
-/// on the stem.
+/// Returns the moments of [`Handle`] along y, z, x, from the smallest, and the position of its
+/// centre of mass on the stem.
 fn moments_of_handle() -> ([f64; 3], f64) {
     let (bar, stem) = (0.3, 0.1);
     let across = |mass: f64, r: f64, h: f64| mass * (3.0 * r * r + h * h) / 12.0;
@@ -170,8 +170,8 @@ fn moments_of_handle() -> ([f64; 3], f64) {
     ([y, bar_across + along(stem, 0.01), bar_across + stem_across + offsets], center)
 }
 
-/// A rotation about the stem, with a little about x: the times of the first flips, between which 2
-/// K pass.
+/// Returns the times of the first flips for a rotation about the stem with a little about x. Flips
+/// are 2 K apart.
 fn flips_of(handle: &Handle, [spin, aside]: [f64; 2], until: f64) -> Vec<f64> {
     let (_, center) = moments_of_handle();
     let w = [aside, 0.0, spin];
@@ -188,7 +188,7 @@ fn flips_of(handle: &Handle, [spin, aside]: [f64; 2], until: f64) -> Vec<f64> {
     flips
 }
 
-/// Largest relative error of the times of flips.
+/// Returns the largest relative error of the times of flips.
 fn error_of_flips(handle: &Handle) -> f64 {
     let ([small, middle, large], _) = moments_of_handle();
     let [spin, aside] = [6.0_f64, 0.02];
@@ -212,9 +212,9 @@ fn a_handle_tumbles_with_the_period_of_elliptic_functions() {
     assert!(other > 1e-8, "{other}");
 }
 
-/// Largest errors of a steady precession over two of its turns, of angular velocities as parts of
-/// the spin and of orientations. Its rate ψ̇ satisfies A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0, with the
-/// angle θ and the spin ω₃.
+/// Returns the largest errors of a steady precession over two of its turns, of angular velocities
+/// relative to the spin and of orientations. Its rate ψ̇ satisfies A cos θ ψ̇² − C ω₃ ψ̇ + m g l =
+/// 0, with the angle θ and the spin ω₃.
 fn errors_of_precession(top: &Spinning, theta: f64, spin: f64, is_fast: bool) -> [f64; 2] {
     let (about_tip, along, weight) = (0.05 + 1.25 * 0.4 * 0.4, 0.02, 1.25 * 9.81 * 0.4);
     let (a, b) = (about_tip * theta.cos(), along * spin);

@@ -3,7 +3,7 @@
 //! The inertia of an articulated body is kept in three blocks. With motion (α, a) it answers with
 //! the moment A α + B a and the force Bᵀ α + C a, in addition to its bias. A joint about z that
 //! transmits no torque leaves nothing in row 2 of A and B. Only a corner of A and two rows of B are
-//! therefore turned.
+//! therefore rotated.
 
 use crate::handwritten::{SinCos, fma};
 
@@ -20,10 +20,10 @@ struct Swept {
     coriolis: [f64; 4],
     /// Moment about the joint and force at zero acceleration.
     bias: [Vector; 2],
-    /// Acceleration of the joint for unit accelerations of the link before in these axes, negated;
-    /// but for rotation about z.
+    /// Acceleration of the joint for unit accelerations of the previous link in these axes,
+    /// negated, except for rotation about z.
     factor: [f64; 5],
-    /// Acceleration of the joint when the link before does not accelerate.
+    /// Acceleration of the joint when the previous link does not accelerate.
     free: f64,
 }
 
@@ -36,8 +36,7 @@ struct Articulated {
     bias: [Vector; 2],
 }
 
-/// The inertia of an articulated body that its joint holds no longer: nothing answers to rotation
-/// about z.
+/// The inertia of an articulated body released by its joint: nothing resists rotation about z.
 struct Freed {
     /// xx, xy and yy of A.
     corner: [f64; 3],
@@ -47,7 +46,7 @@ struct Freed {
 }
 
 impl<const N: usize> Chain<N> {
-    /// Accelerations without torques.
+    /// Computes accelerations without torques.
     #[inline]
     pub(crate) fn accelerations<F: SinCos>(&self, q: &[f64; N], v: &[f64; N]) -> [f64; N] {
         let mut swept = [Swept::default(); N];
@@ -57,7 +56,8 @@ impl<const N: usize> Chain<N> {
             body.add(&self.links[i], swept[i].bias);
             body = body.handed_on(&self.links[i], &mut swept[i]);
         }
-        // Apart from the others: of what is handed on to the first link most is not needed.
+        // Separate from the others, since most of what is passed on to the first link is not
+        // needed.
         body.add(&self.links[1], swept[1].bias);
         body = body.handed_on(&self.links[1], &mut swept[1]);
         body.add(&self.links[0], swept[0].bias);
@@ -73,7 +73,7 @@ impl<const N: usize> Chain<N> {
     }
 }
 
-/// Velocities, and what depends on them.
+/// Computes velocities, and the quantities that depend on them.
 #[inline(always)]
 fn outward<F: SinCos, const N: usize>(chain: &Chain<N>, q: &[f64; N], v: &[f64; N], swept: &mut [Swept; N]) {
     let sines = sines::<F, N>(q);
@@ -91,7 +91,7 @@ fn outward<F: SinCos, const N: usize>(chain: &Chain<N>, q: &[f64; N], v: &[f64; 
 }
 
 impl Link {
-    /// v ×* I v.
+    /// Returns v ×* I v.
     #[inline(always)]
     fn bias(&self, angular: Vector, linear: Vector) -> [Vector; 2] {
         let momentum = scaled_sum(self.mass, linear, cross(angular, self.first_moment));
@@ -101,7 +101,7 @@ impl Link {
 }
 
 impl Articulated {
-    /// With a link, which is rigid.
+    /// Adds a link, which is rigid.
     #[inline(always)]
     fn add(&mut self, link: &Link, bias: [Vector; 2]) {
         let [x, y, z] = link.first_moment;
@@ -156,7 +156,8 @@ impl Articulated {
 }
 
 impl Freed {
-    /// x and y of the moment and the force for an acceleration whose components along z are zero.
+    /// Returns x and y of the moment and the force for an acceleration whose components along z are
+    /// zero.
     #[inline(always)]
     fn forces(&self, [u, v, x, y]: [f64; 4]) -> [f64; 5] {
         let Freed { corner: [xx, xy, yy], coupling: [first, second], massive } = self;
@@ -168,7 +169,8 @@ impl Freed {
         [rotary[0] + linear[0], rotary[1] + linear[1], force[0], force[1], force[2]]
     }
 
-    /// In the axes of the link before and about its joint, with a bias that is there already.
+    /// Transforms to the axes of the previous link and about its joint, and adds to an existing
+    /// bias.
     #[inline(always)]
     fn before(&self, e: &Matrix, at: Vector, bias: [Vector; 2]) -> Articulated {
         let Freed { corner: [xx, xy, yy], coupling: rows, massive } = self;
@@ -198,8 +200,8 @@ fn about([x, y, z]: Vector, b: &Matrix, c: &Matrix) -> Symmetric {
 }
 
 impl Swept {
-    /// The acceleration of the joint, from the motion of the link before, which becomes that of
-    /// this link.
+    /// Computes the acceleration of the joint from the motion of the previous link, which becomes
+    /// that of this link.
     #[inline(always)]
     fn accelerate(&self, [angular, linear]: &mut [Vector; 2], at: Vector) -> f64 {
         let [u, v, x, y] = self.coriolis;

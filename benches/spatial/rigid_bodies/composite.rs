@@ -1,8 +1,8 @@
 //! The mass matrix by composite rigid bodies.
 //!
 //! The reference is the origin of the world and its axes, not those of the links. Inertias and
-//! forces then need not be handed on from link to link. That costs more than turning each link's
-//! inertia once, at twenty joints more than twice as much. The axis z of a joint at the place p
+//! forces then need not be passed on from link to link. That costs more than rotating each link's
+//! inertia once, at twenty joints more than twice as much. The axis z of a joint at the position p
 //! moves the bodies behind it with z and p × z at the origin. Entry (i, j) is the power of the
 //! force for joint j there.
 
@@ -15,7 +15,7 @@ use super::vectors::{
 };
 use super::{Chain, Link, sines};
 
-/// A link, alone or with all behind it as one rigid body.
+/// A link, alone or with all links behind it as one rigid body.
 #[derive(Clone, Copy, Default)]
 struct Composite {
     mass: f64,
@@ -23,8 +23,8 @@ struct Composite {
     inertia: Symmetric,
 }
 
-/// For each joint what its unit rate is at the origin, components apart: several joints are handled
-/// in one instruction.
+/// The motion of each joint at unit rate at the origin, by components, so that one instruction
+/// handles several joints.
 struct Motions<const N: usize> {
     angular: [[f64; N]; 3],
     linear: [[f64; N]; 3],
@@ -50,7 +50,7 @@ impl<const N: usize> Chain<N> {
     }
 }
 
-/// Each link in the axes of the world.
+/// Returns each link in the axes of the world.
 #[inline(always)]
 fn placed<F: SinCos, const N: usize>(
     chain: &Chain<N>,
@@ -74,7 +74,8 @@ fn placed<F: SinCos, const N: usize>(
 }
 
 impl Composite {
-    /// A link whose axes in the world are the rows of `rotation` and whose joint is at this place.
+    /// Returns a link whose axes in the world are the rows of `rotation` and whose joint is at this
+    /// position.
     #[inline(always)]
     fn of(link: &Link, rotation: &Matrix, at: Vector) -> Composite {
         let turned = transposed_product(rotation, link.first_moment);
@@ -96,7 +97,8 @@ impl Composite {
         }
     }
 
-    /// Moment about the origin and force that this motion needs per unit acceleration.
+    /// Returns the moment about the origin and the force that this motion needs per unit
+    /// acceleration.
     #[inline(always)]
     fn forces(&self, angular: Vector, linear: Vector) -> [Vector; 2] {
         let moment = cross_sum(self.first_moment, linear, product(&self.inertia.rows(), angular));
@@ -105,7 +107,7 @@ impl Composite {
 }
 
 impl<const N: usize> Motions<N> {
-    /// Row and column J of the matrix up to its diagonal, from what joint J moves.
+    /// Fills row and column J of the matrix up to its diagonal, from the bodies that joint J moves.
     #[inline(always)]
     fn fill<const J: usize>(&self, body: &Composite, matrix: &mut [[f64; N]; N]) {
         let of_joint = |components: &[[f64; N]; 3]| from_fn(|k| components[k][J]);

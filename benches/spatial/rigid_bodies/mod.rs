@@ -1,4 +1,4 @@
-//! Dynamics of chains of revolute joints by hand: what an expert would write for any such chain.
+//! Handwritten dynamics of chains of revolute joints: an expert's code for any such chain.
 //!
 //! A module, not a separate bench. The algorithms are those of Featherstone, *Rigid Body Dynamics
 //! Algorithms* (2008):
@@ -7,12 +7,12 @@
 //! - the articulated-body algorithm (table 7.1), in the axes of the links.
 //!
 //! They are written for speed: arrays on the stack, the number of joints known to the compiler, and
-//! symmetric matrices by their six entries. A transform is a rotation and a place. Every joint
-//! turns about the z of its link, so that its motion subspace picks a component. The first link has
-//! no velocity but its own rate and nothing to hand on, and is written separately.
+//! symmetric matrices by their six entries. A transform is a rotation and a position. Every joint
+//! rotates about the z-axis of its link, so that its motion subspace selects a component. The first
+//! link has no velocity but its own rate and nothing to pass on, and is written separately.
 //!
 //! Numbers of the chain are run-time values, as in every library of dynamics. Unlike emitted code,
-//! none of this knows which of them are 0 or 1, or that a link has no mass. Branches, prismatic
+//! nothing here knows which of them are 0 or 1, or that a link has no mass. Branches, prismatic
 //! joints and contact are not supported.
 
 mod articulated;
@@ -25,15 +25,14 @@ use std::array::from_fn;
 use crate::handwritten::{SinCos, fma};
 use vectors::{Matrix, Symmetric, Vector, cross_sum, dot, product, scaled, transposed_product};
 
-/// A joint and the link that it carries, in the axes of that link, as descriptions of robots state
-/// it.
+/// A joint and the link that it carries, in the axes of that link, as in descriptions of robots.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Joint {
     /// Position of the joint on the previous link.
     pub(crate) at: [f64; 3],
     /// Roll, pitch and yaw of the link's axes there.
     pub(crate) turned: [f64; 3],
-    /// About which of these it turns.
+    /// Index of the axis of rotation among these.
     pub(crate) axis: usize,
     pub(crate) mass: f64,
     pub(crate) centroid: [f64; 3],
@@ -41,17 +40,17 @@ pub(crate) struct Joint {
     pub(crate) inertia: [f64; 6],
 }
 
-/// A chain of N links, each on a revolute joint on the one before, under gravity along −z.
+/// A chain of N links, each on a revolute joint on the previous one, under gravity along −z.
 #[derive(Clone, Debug)]
 pub(crate) struct Chain<const N: usize> {
     links: [Link; N],
     gravity: f64,
 }
 
-/// A link in axes in which it turns about z.
+/// A link in axes in which it rotates about z.
 #[derive(Clone, Copy, Debug, Default)]
 struct Link {
-    /// From the axes of the link before to those of this one at angle 0, in rows.
+    /// Rotation from the axes of the previous link to those of this one at angle 0, in rows.
     turned: Matrix,
     /// Position of the joint, in the axes of the previous link.
     at: Vector,
@@ -91,7 +90,7 @@ impl Link {
         let half_trace = (inertia.xx + inertia.yy + inertia.zz) / 2.0;
         let rows = inertia.rows();
         Link {
-            // (A₀ᵀ P A)ᵀ with A₀ and A from z to the axes about which the joints turn.
+            // (A₀ᵀ P A)ᵀ with A₀ and A from z to the axes of the joints.
             turned: multiplied(&transposed(&own), &multiplied(&transposed(&oriented(joint.turned)), &before)),
             at: transposed_product(&before, joint.at),
             mass: joint.mass,
@@ -103,7 +102,7 @@ impl Link {
         }
     }
 
-    /// From the axes of the link before to those of this one, in rows.
+    /// Returns the rotation from the axes of the previous link to those of this one, in rows.
     #[inline(always)]
     fn rotation(&self, (sin, cos): (f64, f64)) -> Matrix {
         let [x, y, z] = self.turned;
@@ -115,15 +114,15 @@ impl Link {
     }
 }
 
-/// Sines and cosines of all joints, before anything else: calls in between would push all that is
-/// at work out of the registers.
+/// Computes sines and cosines of all joints first. Calls in between would spill all registers in
+/// use.
 #[inline(always)]
 fn sines<F: SinCos, const N: usize>(q: &[f64; N]) -> [(f64, f64); N] {
     let waves = F::of(*q);
     from_fn(|i| F::at(&waves, i))
 }
 
-/// The rotation that permutes axes so that z becomes the given one.
+/// Returns the rotation that permutes axes so that z becomes the given one.
 fn cycled(axis: usize) -> Matrix {
     let mut matrix = Matrix::default();
     for (column, row) in [(0, axis + 1), (1, axis + 2), (2, axis)] {
@@ -132,7 +131,7 @@ fn cycled(axis: usize) -> Matrix {
     matrix
 }
 
-/// Rz(yaw) Ry(pitch) Rx(roll).
+/// Returns Rz(yaw) Ry(pitch) Rx(roll).
 fn oriented([roll, pitch, yaw]: [f64; 3]) -> Matrix {
     let [(sr, cr), (sp, cp), (sy, cy)] = [roll, pitch, yaw].map(f64::sin_cos);
     [
@@ -151,7 +150,7 @@ fn multiplied(a: &Matrix, b: &Matrix) -> Matrix {
     transposed(&columns.map(|column| product(a, column)))
 }
 
-/// A moment and a force in the axes of the link before, and about its joint.
+/// Returns a moment and a force in the axes of the previous link, about its joint.
 #[inline(always)]
 fn handed_on(e: &Matrix, at: Vector, [moment, force]: [Vector; 2]) -> [Vector; 2] {
     let force = transposed_product(e, force);

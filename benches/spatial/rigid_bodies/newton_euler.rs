@@ -1,7 +1,7 @@
 //! Inverse dynamics by recursive Newton–Euler.
 //!
-//! Accelerations are classical ones of the joints, so that no linear velocity is needed (Luh,
-//! Walker, Paul). The six products of K = ω̇× + (ω×)² serve both the place of the next joint and
+//! Accelerations are classical ones of the joints, so linear velocities are not needed (Luh,
+//! Walker, Paul). The six products of K = ω̇× + (ω×)² serve both the position of the next joint and
 //! the forces on the link (Balafoutis and Patel):
 //!
 //! ```text
@@ -25,7 +25,7 @@ struct Motion {
 }
 
 impl<const N: usize> Chain<N> {
-    /// Torques for accelerations `a`.
+    /// Computes torques for accelerations `a`.
     #[inline]
     pub(crate) fn inverse_dynamics<F: SinCos>(&self, q: &[f64; N], v: &[f64; N], a: &[f64; N]) -> [f64; N] {
         let sines = sines::<F, N>(q);
@@ -53,7 +53,7 @@ impl<const N: usize> Chain<N> {
     }
 }
 
-/// The torque on the first link as if it were the only one.
+/// Returns the torque on the first link as if it were the only one.
 #[inline(always)]
 fn first_torque(link: &Link, acceleration: f64, linear: Vector) -> f64 {
     let [x, y, _] = link.first_moment;
@@ -91,7 +91,7 @@ impl Motion {
         }
     }
 
-    /// Moment about the joint and force that the link needs.
+    /// Returns the moment about the joint and the force that the link needs.
     #[inline(always)]
     fn forces(&self, link: &Link) -> [Vector; 2] {
         let force = scaled_sum(link.mass, self.linear, product(&self.spread, link.first_moment));
@@ -100,7 +100,7 @@ impl Motion {
     }
 }
 
-/// Σ x × K x dm.
+/// Returns Σ x × K x dm.
 #[inline(always)]
 fn moment_of(spread: &Matrix, second: Symmetric) -> Vector {
     // Rows of the symmetric J times rows of K: (K J) by rows.

@@ -11,7 +11,7 @@ pub(super) fn dot(a: Vector, b: Vector) -> f64 {
     fma(a[0], b[0], fma(a[1], b[1], a[2] * b[2]))
 }
 
-/// a·b + c by components.
+/// Returns a·b + c by components.
 #[inline(always)]
 pub(super) fn scaled_sum(a: f64, b: Vector, c: Vector) -> Vector {
     [fma(a, b[0], c[0]), fma(a, b[1], c[1]), fma(a, b[2], c[2])]
@@ -32,7 +32,7 @@ pub(super) fn cross(a: Vector, b: Vector) -> Vector {
     [fma(a[1], b[2], -(a[2] * b[1])), fma(a[2], b[0], -(a[0] * b[2])), fma(a[0], b[1], -(a[1] * b[0]))]
 }
 
-/// a × b + c.
+/// Returns a × b + c.
 #[inline(always)]
 pub(super) fn cross_sum(a: Vector, b: Vector, c: Vector) -> Vector {
     [
@@ -42,13 +42,13 @@ pub(super) fn cross_sum(a: Vector, b: Vector, c: Vector) -> Vector {
     ]
 }
 
-/// M x.
+/// Returns M x.
 #[inline(always)]
 pub(super) fn product(m: &Matrix, x: Vector) -> Vector {
     [dot(m[0], x), dot(m[1], x), dot(m[2], x)]
 }
 
-/// Mᵀ x.
+/// Returns Mᵀ x.
 #[inline(always)]
 pub(super) fn transposed_product(m: &Matrix, x: Vector) -> Vector {
     scaled_sum(x[0], m[0], scaled_sum(x[1], m[1], scaled(x[2], m[2])))
@@ -72,7 +72,7 @@ impl Symmetric {
         [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     }
 
-    /// The symmetric matrix with these entries on the diagonal and above.
+    /// Returns the symmetric matrix with these entries on the diagonal and above.
     #[inline(always)]
     pub(super) fn from_entries(entry: impl Fn(usize, usize) -> f64) -> Symmetric {
         Symmetric {
@@ -97,7 +97,7 @@ impl Symmetric {
         }
     }
 
-    /// Eᵀ S E, with the rows of E.
+    /// Returns Eᵀ S E, with the rows of E.
     #[inline(always)]
     pub(super) fn turned_back(self, e: &Matrix) -> Symmetric {
         let half = self.rows().map(|row| transposed_product(e, row));

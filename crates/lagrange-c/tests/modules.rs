@@ -1,6 +1,6 @@
-//! Modules of C, compiled by the C compiler of the machine without a warning. All functions return
-//! what the interpreter returns, bit by bit. Scripts return it up to the rounding of elementary
-//! functions, where the machine has Node.js.
+//! Modules of C, compiled by the machine's C compiler without a warning. All functions return the
+//! results of the interpreter, bit by bit. Where the machine has Node.js, scripts return them up to
+//! the rounding of elementary functions.
 #![cfg(unix)]
 
 mod systems;
@@ -18,18 +18,18 @@ use lagrange_core::program::Program;
 
 use systems::SYSTEMS;
 
-/// States at which each system is compared.
+/// Number of states at which each system is compared.
 const STATES: usize = 40;
 const OPTIONS: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
 
-/// Time, state and p, with residuals of constraints behind it.
+/// Time, state and p, followed by the residuals of constraints.
 struct Sample {
     t: f64,
     y: Vec<f64>,
     p: Vec<f64>,
 }
 
-/// A system with its module and the states at which both are compared.
+/// A system with its module and the states of the comparison.
 struct Case {
     numeric: NumericSystem,
     module: Module,
@@ -47,7 +47,7 @@ fn refusal(text: &str) -> Refusal {
     Module::new(&programs(text), None).expect_err("C cannot say this")
 }
 
-/// Numbers between −1 and 1 by a linear congruential generator.
+/// Returns numbers between −1 and 1 by a linear congruential generator.
 fn random(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
@@ -71,7 +71,7 @@ impl Case {
         Case { numeric: NumericSystem::of(Arc::new(programs)), module, samples }
     }
 
-    /// The functions that the header declares, behind the prefix.
+    /// Returns the functions that the header declares, without their prefix.
     fn functions(&self) -> Vec<&str> {
         let head = format!("void {}_", self.module.name);
         let lines = self.module.header.lines().filter(|line| line.contains("(double t,"));
@@ -118,12 +118,12 @@ impl Case {
     }
 }
 
-/// A program that prints the results of all functions at all states.
+/// Returns a program that prints the results of all functions at all states.
 fn main_of(cases: &[Case]) -> String {
     let list = |values: &[f64]| {
         values.iter().chain(&[0.0]).map(|value| format!("{value:?}")).collect::<Vec<_>>().join(", ")
     };
-    // Each call is a function behind a pointer: compilers need minutes for one that holds all.
+    // Each call is a function behind a pointer, since compilers need minutes for a single one.
     let mut calls = Vec::new();
     for case in cases {
         for (Sample { t, y, p }, function) in
@@ -167,7 +167,7 @@ fn written(folder: &Path, name: &str, text: &str) -> PathBuf {
     path
 }
 
-/// A script that prints the results of all functions at all states.
+/// Returns a script that prints the results of all functions at all states.
 fn script_of(case: &Case) -> String {
     let script = Script::new(case.numeric.programs(), |_| true).expect("what C computes");
     assert_eq!(script.functions, case.functions());
@@ -188,7 +188,7 @@ fn script_of(case: &Case) -> String {
     )
 }
 
-/// Elementary functions of both differ by an ulp or two, which sums that cancel make larger.
+/// Elementary functions of both differ by an ulp or two, which cancellation amplifies.
 #[test]
 fn scripts_have_the_numbers_of_the_interpreter() {
     const NEAR: f64 = 256.0 * f64::EPSILON;
@@ -217,7 +217,7 @@ fn functions_of_modules_have_the_bits_of_the_interpreter() {
     }
 }
 
-/// Runs the functions of all cases; returns their values, a line for each.
+/// Runs the functions of all cases, and returns their values, a line for each.
 fn run(folder: &Path, cases: &[Case], compiler: &str) -> String {
     fs::create_dir_all(folder).expect("a folder");
     let mut sources = vec![written(folder, "main.c", &main_of(cases))];
@@ -234,7 +234,8 @@ fn numbers(line: &str) -> Vec<f64> {
     line.split_whitespace().map(|word| word.parse().expect("a number")).collect()
 }
 
-/// Compares numbers, of which the largest of a function has a size.
+/// Compares numbers. The third argument of `is_same` is the magnitude of the largest result of a
+/// function.
 fn compare(cases: &[Case], printed: &str, is_same: impl Fn(f64, f64, f64) -> bool) {
     let mut lines = printed.lines();
     let mut compared = 0;
@@ -254,7 +255,7 @@ fn compare(cases: &[Case], printed: &str, is_same: impl Fn(f64, f64, f64) -> boo
     assert!(lines.next().is_none() && compared > 10_000, "{compared} finite numbers are compared");
 }
 
-/// Where gradients of constraints are parallel, as at y = 0, C has no second way.
+/// The gradients of constraints are parallel at y = 0, and C has no alternative to elimination.
 #[test]
 fn nothing_is_plausible_where_elimination_fails() {
     let mut case = Case::new(

@@ -1,4 +1,5 @@
-//! The S-function of `examples/simulink`, run by a stand-in for Simulink beside a closed form.
+//! The S-function of `examples/simulink`, run by a stand-in for Simulink and compared with a closed
+//! form.
 #![cfg(unix)]
 
 use std::fs;

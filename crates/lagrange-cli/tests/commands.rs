@@ -1,4 +1,4 @@
-//! The command as users run it: exit codes, what it writes, and what it says of wrong files.
+//! The command as users run it: exit codes, output, and messages about wrong files.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -32,14 +32,14 @@ fn errors(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("UTF-8")
 }
 
-/// The text that a command writes without mistakes or warnings.
+/// Returns the text that a command writes without errors or warnings.
 fn written(arguments: &[&str]) -> String {
     let result = run(arguments);
     assert_eq!((result.status.code(), errors(&result).as_str()), (Some(0), ""), "{arguments:?}");
     output(&result)
 }
 
-/// A path in a folder for temporary files.
+/// Returns a path in a folder for temporary files.
 fn temporary(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
@@ -248,7 +248,7 @@ fn a_declaration_may_stand_in_its_macro() {
     let text = fs::read_to_string(data("mistakes.lag")).expect("a declaration");
     let listing = |text: &str| errors(&run_on(text, &["check", "-"]));
     let wrapped = listing(&format!("\n::lagrange::system! {{\n{text}}}\n"));
-    // Two lines further down.
+    // Two lines lower.
     let place = |listing: &str| {
         let place = listing.lines().find_map(|line| line.trim().strip_prefix("--> <stdin>:"));
         place.map(str::to_owned).expect("a place")
@@ -283,7 +283,7 @@ fn declarations_are_found_in_files_of_rust() {
     assert!(refused(&two).contains("write one of `#Swing`, `#Spring` behind the name of the file"));
     assert!(refused(&format!("{two}#Top")).contains("no `#Top` among `#Swing`, `#Spring`"));
     assert!(refused(&format!("{}#Top", data("swing.lag"))).contains("there is no `system!`, so no `#Top`"));
-    // Mistakes keep their place in the file.
+    // Errors keep their location in the file.
     assert!(
         refused(&format!("{two}#Spring")).contains("two.rs:10:"),
         "{}",
@@ -293,7 +293,7 @@ fn declarations_are_found_in_files_of_rust() {
     assert_eq!(output(&piped), written(&["statements", &one]));
 }
 
-/// The errors of commands that each refuse a declaration.
+/// Returns the errors of commands that each refuse a declaration.
 fn refusals(text: &str, commands: &[&[&str]]) -> Vec<String> {
     let refused = |command: &&[&str]| {
         let result = run_on(text, command);
@@ -352,7 +352,7 @@ fn noise_is_refused_by_all_that_integrates_none() {
         "{}",
         output(&plain)
     );
-    // A linear model is that without noise.
+    // The linear model is that without noise.
     let model = run_on(text, &["linearise", "-"]);
     assert_eq!(model.status.code(), Some(0), "{}", errors(&model));
 }

@@ -1,4 +1,4 @@
-//! Ensembles on the command line: ends beside closed forms, and everything that can be wrong.
+//! Ensembles on the command line: final states against closed forms, and all possible errors.
 
 use std::fs;
 use std::path::Path;
@@ -31,7 +31,7 @@ fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).expect("UTF-8")
 }
 
-/// The columns and rows that a command writes without mistakes.
+/// Returns the columns and rows that a command writes without errors.
 fn table(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     let result = ensemble(arguments);
     assert_eq!((result.status.code(), text(&result.stderr)), (Some(0), ""), "{arguments:?}");
@@ -108,7 +108,7 @@ fn ends_depend_on_the_seed_alone() {
 #[test]
 fn motions_that_fail_are_rows_of_nan_and_named() {
     let file = declaration("fails.lag", "coord x; param a; kinetic = 1/2 * dot(x)^2; force x = 2 * x^3 * a;");
-    // From x = 1 with ẋ = 1 and a = 1 it is 1/(1 − t), and harmless for a near 0.
+    // From x = 1 with ẋ = 1 and a = 1 it is 1/(1 − t), and regular for a near 0.
     let start = ["--start", "x=1", "--start", "x_dot=1", "--vary", "a=0..2", "--motions", "20"];
     let result = ensemble(&[&[&*file, "--until", "1.2"], &start[..]].concat());
     assert_eq!(result.status.code(), Some(3));

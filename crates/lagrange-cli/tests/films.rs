@@ -1,4 +1,4 @@
-//! Films on the command line: formats, curves, and what is refused.
+//! Films on the command line: formats, curves, and refusals.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Linear models on the command line, beside matrices by hand, and everything that can be wrong.
+//! Linear models on the command line, against matrices by hand, and all possible errors.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -18,7 +18,7 @@ fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).expect("UTF-8")
 }
 
-/// The object that a command writes without mistakes.
+/// Returns the object that a command writes without errors.
 fn model(arguments: &[&str]) -> Value {
     let result = linearise(&[arguments, &["--json"]].concat());
     assert_eq!((result.status.code(), text(&result.stderr)), (Some(0), ""), "{arguments:?}");
@@ -42,8 +42,8 @@ fn declaration(name: &str, text: &str) -> String {
     path.to_str().expect("UTF-8").to_owned()
 }
 
-/// At θ = π: (M + m) ẍ − m l θ̈ = u and l θ̈ − ẍ = g δ, so that ẍ = (u + m g δ)/M and
-/// θ̈ = (ẍ + g δ)/l.
+/// At θ = π: `(M + m) ẍ − m l θ̈ = u` and `l θ̈ − ẍ = g δ`, so that `ẍ = (u + m g δ)/M` and
+/// `θ̈ = (ẍ + g δ)/l`.
 #[test]
 fn the_pole_on_a_cart_is_that_by_hand() {
     let at = [CART, "--equilibrium", "--at", "x=50 cm", "--hold", "x", "--set", "m=300 g", "--set", "u=0"];
@@ -102,7 +102,7 @@ fn modes_have_frequencies_and_damping_ratios() {
     assert!(parts.iter().all(|part| written.contains(part)) && !written.contains("\nB"), "{written}");
 }
 
-/// The torque that holds an arm at an angle, m g l sin a, and the model there.
+/// The torque that holds an arm at an angle, m g l sin a, and the linear model there.
 #[test]
 fn inputs_are_trimmed() {
     let path = declaration(

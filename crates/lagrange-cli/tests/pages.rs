@@ -1,12 +1,12 @@
-//! Live pages: their motions beside those of `lagrange simulate`, where the machine has Node.js,
-//! and what is refused.
+//! Live pages: their motions against those of `lagrange simulate`, where the machine has Node.js,
+//! and refusals.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Systems with the times at which their motions are compared: events, a stop, switches in time and
-/// state, a closed loop, a quaternion, clocks, a table, an unknown, a rolling constraint.
+/// Systems with the times of the comparison. They have events, a stop, switches in time and state,
+/// a closed loop, a quaternion, clocks, a table, an unknown or a rolling constraint.
 const SYSTEMS: [(&str, &str, f64); 9] = [
     (
         "double",
@@ -72,7 +72,7 @@ const SYSTEMS: [(&str, &str, f64); 9] = [
     ),
 ];
 
-/// Runs the motion of a page without a browser, and prints what it reaches.
+/// A script that runs the motion of a page without a browser, and prints its end.
 const RUN: &str = "
 const motion = startsMotion(model, functions);
 motion.start(model.states.map((state) => state.value), model.quantities.map((field) => field.value));
@@ -91,7 +91,7 @@ fn folder() -> PathBuf {
     folder
 }
 
-/// The file of a declaration, and that of its page.
+/// Returns the file of a declaration, and that of its page.
 fn written(name: &str, declaration: &str) -> [String; 2] {
     let paths = ["lag", "html"].map(|extension| folder().join(format!("{name}.{extension}")));
     fs::write(&paths[0], declaration).expect("a file that can be written");
@@ -105,7 +105,7 @@ fn page(name: &str, declaration: &str) -> String {
     fs::read_to_string(page).expect("a page")
 }
 
-/// Runs a page to its end: time, state and message; `None` where there is no Node.js.
+/// Runs a page to its end, and returns time, state and message, or `None` without Node.js.
 fn run(name: &str, page: &str, end: f64) -> Option<(f64, Vec<f64>, Option<String>)> {
     let (_, script) = page.rsplit_once("<script>").expect("a script");
     let (motion, _) = script.split_once("// The page:").expect("the motion stands before the page");
@@ -161,7 +161,7 @@ fn a_motion_that_slides_along_a_switch_ends_in_words() {
     assert!((t - 0.5).abs() < 1e-6 && failure.contains("slides along a switch"), "{failure} at {t}");
 }
 
-/// Bounces end at v/g (1 + e)/(1 − e) after the first fall; the ball does not fall through the
+/// Bounces end at v/g (1 + e)/(1 − e) after the first fall. The ball does not fall through the
 /// floor.
 #[test]
 fn bounces_that_accumulate_end_in_words() {

@@ -1,4 +1,4 @@
-//! Motions on the command line: files, values with units, and everything that can be wrong.
+//! Motions on the command line: files, values with units, and all possible errors.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).expect("UTF-8")
 }
 
-/// The rows of a motion that is computed without mistakes.
+/// Returns the rows of a motion computed without errors.
 fn rows(arguments: &[&str]) -> (String, Vec<Vec<f64>>) {
     let result = simulate(arguments);
     assert_eq!((result.status.code(), text(&result.stderr)), (Some(0), ""), "{arguments:?}");
@@ -32,15 +32,15 @@ fn temporary(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// A declaration in a file for temporary files.
+/// Writes a declaration to a file for temporary files.
 fn declaration(name: &str, text: &str) -> String {
     let path = temporary(name);
     fs::write(&path, text).expect("written");
     path.to_str().expect("UTF-8").to_owned()
 }
 
-/// θ = 2 arcsin(k sn(K(k) − √(g/l) t, k)) with k = sin(θ₀/2), by an integration in 200 000 steps of
-/// order four.
+/// θ = 2 arcsin(k sn(K(k) − √(g/l) t, k)) with k = sin(θ₀/2), by 200 000 integration steps of order
+/// four.
 #[test]
 fn a_pendulum_swings_from_its_declared_start() {
     let (head, rows) =
@@ -181,7 +181,7 @@ fn systems_that_need_a_compiler_are_refused_by_name() {
     assert!(text(&mistake.stderr).contains("mistake.lag:1:"), "{}", text(&mistake.stderr));
 }
 
-/// Words of a command line, in which quotes hold spaces.
+/// Splits a command line into words; quotes may enclose spaces.
 fn words(line: &str) -> Vec<String> {
     let parts = line.split('\'').enumerate();
     let words = parts.flat_map(|(place, part)| -> Vec<String> {
@@ -194,7 +194,7 @@ fn words(line: &str) -> Vec<String> {
     words.collect()
 }
 
-/// True for equal texts, but for the last digits of numbers, which differ between platforms.
+/// True for equal texts, except for the last digits of numbers, which differ between platforms.
 fn are_alike(one: &str, other: &str) -> bool {
     let cells = |text: &str| text.split([',', '\n']).map(str::to_owned).collect::<Vec<_>>();
     let (one, other) = (cells(one), cells(other));

@@ -1,14 +1,14 @@
-//! Proposals of methods on the command line, tried by the motions that they propose.
+//! Proposals of methods on the command line, verified by running them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 const SWING: &str = "tests/data/swing.lag";
-/// A state that follows a pendulum a million times as fast as that moves.
+/// A state that follows a pendulum at a million times its rate.
 const STIFF: &str = "struct Stiff; coord x = 1; state y = 0; kinetic = 1/2 * dot(x)^2; potential = 1/2 * x^2;
     dot(y) = -1e6 * (y - x);";
-/// A ball that bounces until an event stops it.
+/// A bouncing ball that an event stops.
 const STOP: &str = "struct Ball; coord y = 1; kinetic = 1/2 * dot(y)^2; potential = 9.81 * y + sin(y);
     event floor = y, falling => { dot(y) = -0.7 * dot(y); } event end = t + y - 1.3, rising => stop;";
 
@@ -31,7 +31,7 @@ fn temporary(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// The last row of a motion.
+/// Returns the last row of a motion.
 fn end(file: &str, until: &str, options: &[&str]) -> Vec<f64> {
     let result = run(&[&["simulate", file, "--until", until], options].concat());
     assert_eq!(result.status.code(), Some(0), "{options:?}: {}", text(&result.stderr));
@@ -39,7 +39,7 @@ fn end(file: &str, until: &str, options: &[&str]) -> Vec<f64> {
     last.split(',').map(|cell| cell.parse().expect("a number")).collect()
 }
 
-/// Tries the proposal for an error against a run that is as fine as `reference`.
+/// Runs the proposal for an error against a run with the finer options `reference`.
 fn try_proposal(file: &str, until: &str, error: f64, reference: &[&str]) -> String {
     let wanted = error.to_string();
     let result = run(&["trade", file, "--until", until, "--error", &wanted, "--longest", "0.01"]);

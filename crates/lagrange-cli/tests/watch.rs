@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 /// Longest wait for a run.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A command that is watching; it ends with the test.
+/// A watching command, which ends with the test.
 struct Watching {
     child: Child,
     log: PathBuf,
@@ -31,7 +31,7 @@ impl Watching {
         Watching { child: command.spawn().expect("the command starts"), log }
     }
 
-    /// Waits until so many runs are over, and returns what was printed.
+    /// Waits until a number of runs have ended, and returns the output.
     fn runs(&self, count: usize) -> String {
         let start = Instant::now();
         loop {
@@ -51,7 +51,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The position at the end of a motion.
+/// Returns the position at the end of a motion.
 fn end(folder: &Path) -> f64 {
     let motion = fs::read_to_string(folder.join("motion.csv")).expect("a motion");
     let last = motion.lines().last().and_then(|row| row.split(',').nth(1));

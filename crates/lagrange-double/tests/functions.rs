@@ -34,7 +34,7 @@ fn evaluate(function: &str, x: Double, y: Double) -> Double {
     }
 }
 
-/// The error of a result in units of 2⁻¹⁰⁶ of the value, a sum of three doubles.
+/// Returns the error of a result in units of 2⁻¹⁰⁶ of the value, a sum of three doubles.
 fn error(found: Double, value: &[f64]) -> f64 {
     let (upper, lower) = found.parts();
     if value[0] == 0.0 {

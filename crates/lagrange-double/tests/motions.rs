@@ -1,4 +1,4 @@
-//! Motions of thirty digits.
+//! Motions with thirty digits.
 
 use lagrange::integrate::{Method, RungeKutta4, Taylor, Verner98, integrate};
 use lagrange::system::OdeSystem;
@@ -32,7 +32,7 @@ fn read(text: &str) -> Double {
     text.parse().expect("a number")
 }
 
-/// A state of `tools/references.py`, with decimals as they are written.
+/// Returns a state of `tools/references.py`, from its printed decimals.
 fn state(system: &str, t: &str) -> [Double; 4] {
     let rows = include_str!("../../../tests/references/states.csv").lines();
     let start = format!("{system},decimal,{t},");
@@ -67,7 +67,7 @@ fn the_double_pendulum_is_right_to_26_digits() {
     assert!(error < 1e-26, "{error:e}");
 }
 
-/// Energy is the closed form that any amplitude has.
+/// Returns the energy, which is known in closed form for any amplitude.
 fn energy([angle, speed]: [Double; 2]) -> Double {
     Double::from(0.5) * speed * speed - angle.cos()
 }
@@ -112,8 +112,8 @@ fn the_spacing_at_one_is_not_lost() {
 }
 
 lagrange::system! {
-    /// A mass that a table of the time pushes against a spring whose energy is a power. Numbers of
-    /// the table are exact in binary.
+    /// A mass pushed by a table of time against a spring with a power as its energy. Numbers of the
+    /// table are exact in binary.
     #[derive(Clone, Debug)]
     struct Pushed<S>;
 

@@ -1,5 +1,5 @@
-//! Films of declarations that take both ways: compiled by the macro, and read as text. Pages must
-//! be the same, byte by byte.
+//! Films of declarations in both forms: compiled by the macro, and read as text. Pages must be
+//! identical, byte by byte.
 
 use lagrange::Simulate;
 use lagrange::draw::{Drawing, DrawnSpace};
@@ -54,7 +54,7 @@ both_ways! {
     }
 }
 
-/// Compares the pages of a motion; the state at the start are its entries in order.
+/// Compares the pages of a motion. Its initial state lists the entries in order.
 fn compare<M: Scene<Scalar = f64, Space: DrawnSpace>>(
     text: &str,
     compiled: &M,

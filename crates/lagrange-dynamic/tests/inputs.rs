@@ -1,5 +1,5 @@
-//! Inputs of declarations that are read as text: laws and sampled controllers, beside closed forms
-//! and compiled types.
+//! Inputs of declarations read as text: laws and sampled controllers, against closed forms and
+//! compiled types.
 
 use std::fmt::Debug;
 
@@ -47,7 +47,7 @@ fn declared(text: &str) -> DeclaredSystem {
     DeclaredSystem::new(programs).unwrap_or_else(|refusal| panic!("{refusal}"))
 }
 
-/// Columns with their names, events, work and failure, with all digits.
+/// Returns columns with their names, events, work and failure, with all digits.
 fn record<M: MechanicalSystem<Scalar = f64>>(
     motion: Result<Trajectory<M>, SimulationError<M>>,
 ) -> (String, Vec<String>)
@@ -100,7 +100,7 @@ impl Visitor for Fed<'_> {
     }
 }
 
-/// The last value of a column.
+/// Returns the last value of a column.
 fn last(csv: &str, name: &str) -> f64 {
     let mut lines = csv.lines();
     let column = lines.next().expect("names").split(',').position(|column| column == name).expect("a column");
@@ -113,7 +113,7 @@ fn a_spring_as_a_law_swings_as_its_closed_form() {
     let cart = declared(CART);
     for feed in [Feed::Law, Feed::LawByRadau] {
         let (csv, _) = cart.visit(Fed { start: &[1.0, 0.0], end: 3.0, law, feed });
-        // ẍ = −4 x + cos t, of which cos(t)/3 is a solution.
+        // ẍ = −4 x + cos t, with the particular solution cos(t)/3.
         let x = 2.0 / 3.0 * 6.0_f64.cos() + 3.0_f64.cos() / 3.0;
         assert!((last(&csv, "x") - x).abs() < 1e-7, "{csv}");
         assert_eq!(last(&csv, "brake"), 0.0);
@@ -134,7 +134,7 @@ fn a_held_feedback_moves_as_its_recursion() {
     assert!((last(&csv, "x") - x).abs() < 1e-12 && (last(&csv, "x_dot") - v).abs() < 1e-12, "{csv}");
 }
 
-/// Compares a compiled type and the same declaration as text, fed in the same way.
+/// Compares a compiled type with the same declaration as text, under the same inputs.
 macro_rules! assert_same_bits {
     ($System:ident, $TEXT:ident, $entries:expr, $start:expr, $law:expr) => {
         for feed in [Feed::Law, Feed::LawByRadau, Feed::EveryTenth] {

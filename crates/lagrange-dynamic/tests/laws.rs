@@ -34,7 +34,7 @@ fn programs(text: &str) -> Programs {
     Programs::new(&system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}")))
 }
 
-/// The verdict on a system: nothing, if all laws hold.
+/// The verdict on a system, `None` if all laws hold.
 struct Verdict(Option<Vec<f64>>);
 
 impl Visitor for Verdict {
@@ -57,7 +57,7 @@ fn verdict(programs: Programs) -> Option<String> {
     system.visit(Verdict(start))
 }
 
-/// The operations with one wrong sign or one missing term that can stand in the place of another.
+/// Returns operations with one wrong sign or one missing term that can replace another.
 fn mutations(op: &Op) -> Vec<Mutant> {
     let instead = |op| Mutant::Op(op);
     match *op {
@@ -82,7 +82,7 @@ enum Mutant {
     Operand(ValueId),
 }
 
-/// The program with a mutant in the place of one of its operations.
+/// Returns the program with a mutant in place of one of its operations.
 fn mutated(program: &Program, place: ValueId, mutant: &Mutant) -> Program {
     let mut builder = Builder::new();
     let mut new: Vec<(ValueId, ValueId)> = Vec::new();
@@ -99,7 +99,7 @@ fn mutated(program: &Program, place: ValueId, mutant: &Mutant) -> Program {
     builder.finish(&program.outputs().iter().map(at).collect::<Vec<_>>())
 }
 
-/// Programs of what laws concern, to be replaced.
+/// Returns the programs that laws concern, for replacement.
 fn tested(programs: &mut Programs) -> Vec<(String, &mut Program)> {
     let Programs { accelerations, products, jacobian, .. } = programs;
     let products = products

@@ -1,12 +1,12 @@
-//! Equilibria and linear models of declarations that take both ways: compiled by the macro, and
-//! read as text. They must be the same, bit by bit.
+//! Equilibria and linear models of declarations in both forms: compiled by the macro, and read as
+//! text. They must be identical, bit by bit.
 
 use lagrange::linear::{LinearModel, Linearise};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
 use lagrange_dynamic::{AnalysisError, DeclaredSystem, SearchSettings};
 
-/// A declaration that takes both ways.
+/// Declares a system in both forms.
 macro_rules! both {
     ($name:ident { $($declaration:tt)* }) => {
         lagrange::system! {
@@ -59,7 +59,7 @@ fn near(state: &[f64]) -> SearchSettings {
     SearchSettings { time: 0.0, near: state.to_vec(), hold: Vec::new(), trim: Vec::new() }
 }
 
-/// All of a model, with all digits of its numbers.
+/// Returns a whole model as text, with all digits of its numbers.
 fn words(model: &LinearModel) -> String {
     format!("{model:?} {:?}", model.modes())
 }

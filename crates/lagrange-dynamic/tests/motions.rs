@@ -1,5 +1,5 @@
-//! Motions of declarations that take both ways: compiled by the macro, and read as text. All
-//! samples, events and counts of work must be the same, bit by bit.
+//! Motions of declarations in both forms: compiled by the macro, and read as text. All samples,
+//! events and counts of work must be identical, bit by bit.
 
 mod systems;
 
@@ -17,7 +17,7 @@ use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Visitor};
 
 use systems::*;
 
-/// Everything that a motion consists of, in words, with all digits of numbers.
+/// The content of a motion as text, with all digits of numbers.
 #[derive(PartialEq)]
 struct Record(Vec<String>);
 
@@ -80,7 +80,7 @@ visit_by!(
     StochasticRungeKutta4<f64>
 );
 
-/// Compares both ways from a state to a time, by a method, and the kind of their end.
+/// Compares both forms from a state to a time, by a method, including the kind of their end.
 macro_rules! assert_same_bits {
     ($System:ident, $text:expr, $start:expr, $end:expr, $method:expr) => {
         assert_same_bits!($System, $text, $start, $end, $method, "Reached")
@@ -206,7 +206,7 @@ fn failures_have_the_same_words() {
     assert_same_bits!(Root, ROOT, [0.1, -1.0], 2.0, adaptive(), "Failed");
 }
 
-/// Runs with a parameter outside of its range, or with none.
+/// Runs with a parameter outside its range, or NaN.
 struct RangedMotion;
 
 impl Visitor for RangedMotion {

@@ -8,7 +8,7 @@ use std::thread;
 
 use super::{UNFINISHED, csv_cell, save, save_bytes};
 
-/// An empty folder that is deleted at the end.
+/// An empty folder, deleted at the end.
 struct Folder(PathBuf);
 
 impl Folder {

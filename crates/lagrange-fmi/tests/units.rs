@@ -33,7 +33,7 @@ fn programs(text: &str) -> Programs {
     Programs::new(&derived.unwrap_or_else(|report| panic!("{text}: {report}")))
 }
 
-/// Defaults, and the declared state; 0.3 where nothing is declared.
+/// Returns defaults and the declared state, 0.3 where nothing is declared.
 fn start(programs: &Programs) -> Start {
     let numeric = NumericSystem::of(Arc::new(programs.clone()));
     let states = programs.layout.positions + programs.layout.velocities;
@@ -85,7 +85,7 @@ fn run(program: &Path, guid: &str, arguments: &[&str]) -> Output {
     Command::new(program).arg(guid).args(arguments).output().expect("a program")
 }
 
-/// Status, time, and the first two variables; the same by both versions.
+/// Returns status, time, and the first two variables, which must agree between both versions.
 fn stepped(name: &str, text: &str, arguments: &[&str]) -> ([f64; 4], String) {
     let [two, three] = VERSIONS.map(|version| stepped_by(name, &unit(text, version), arguments));
     assert_eq!(two.0, three.0);
@@ -117,7 +117,7 @@ fn units_of_all_systems_compile_and_are_described() {
     }
 }
 
-/// Checks what a schema does not say: places of variables, and units that are defined.
+/// Checks properties beyond the schema: references of variables, and definitions of units.
 fn check_description(unit: &MockupUnit) {
     let description = &unit.description;
     let document = Document::parse(description).unwrap_or_else(|error| panic!("{error}: {description}"));
@@ -233,7 +233,7 @@ fn switches_are_located() {
     assert!((x - 0.95).abs() < 1e-12 && (speed - 1.0).abs() < 1e-12, "{x} {speed}");
 }
 
-/// Events whose direction is not restricted fire once at each zero, also those that start there.
+/// Events of either direction fire once at each zero, including zeros at the start.
 #[test]
 fn zeros_fire_once() {
     let text =
@@ -247,8 +247,8 @@ fn zeros_fire_once() {
     assert_eq!(messages.lines().count(), 3, "{messages}");
 }
 
-/// A pendulum in Cartesian coordinates keeps its length in a long motion, and rejects a start that
-/// has another one.
+/// A pendulum in Cartesian coordinates keeps its length in a long motion, and rejects a start with
+/// a different length.
 #[test]
 fn constraints_hold() {
     let rod = "struct Rod; coord x = 0.6, y = -0.8; kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
@@ -345,7 +345,7 @@ fn refusals_name_what_is_missing() {
     assert!(rejected.to_string().contains("no-such-option"), "{rejected}");
 }
 
-/// Derivatives by state and inputs are slopes of the rates and of the outputs, also through
+/// Derivatives by state and inputs are slopes of the rates and of the outputs, even through
 /// accelerations, multipliers and quaternions.
 #[test]
 fn derivatives_are_slopes() {

@@ -1,10 +1,10 @@
-//! A URDF file beside what Pinocchio computes from it: the tool behind `docs/robots.md`, called by
-//! `tools/urdf.py --robots`.
+//! A URDF file compared with Pinocchio's results for it: the tool behind `docs/robots.md`, called
+//! by `tools/urdf.py --robots`.
 //!
 //! `cargo run --release -p lagrange-import --example beside_pinocchio -- robot.urdf reference.txt [--free] [--trust-inertia]`
-//! prints freedoms, constraints, operations of the accelerations, the largest relative difference
-//! from the reference, and the number of links whose inertia no body has. If nothing is imported,
-//! it prints the reason. Without files it takes one of the tests.
+//! prints degrees of freedom, constraints and operations of the accelerations. It also prints the
+//! largest relative difference from the reference, and the number of links with an impossible
+//! inertia. If nothing is imported, it prints the reason. Without files it takes one of the tests.
 
 #[path = "../tests/import/reference.rs"]
 mod reference;
@@ -56,7 +56,7 @@ fn compare(robot: &str, reference: &str, options: &Options) -> Result<String, St
     Ok(format!("{freedoms} {constraints} {} {difference:.1e} {impossible}", operations(&derived)))
 }
 
-/// Operations that the accelerations take.
+/// Counts the operations of the accelerations.
 fn operations(derived: &Derived) -> usize {
     let roots: &[ExprId] = &derived.equations.accelerations;
     let program = lower(&derived.model.graph, roots, &Labels::default());

@@ -1,5 +1,6 @@
-//! Code of rustc, code of Cranelift and the interpreter, in one run: rates, and ten seconds of
-//! motion. `cargo bench` in the folder of the crate; `docs/command_line.md` has motions of four.
+//! Code of rustc, code of Cranelift and the interpreter in one run: rates, and ten seconds of
+//! motion. Run `cargo bench` in the folder of the crate; `docs/command_line.md` lists motions of
+//! four systems.
 
 #[allow(dead_code, clippy::assign_op_pattern, reason = "as the tests of lagrange-dynamic declare them")]
 #[macro_use]
@@ -53,10 +54,10 @@ both_ways! {
 
 const ROUNDS: usize = 30;
 const END: f64 = 10.0;
-/// Evaluations of the rates in a round.
+/// Evaluations of the rates per round.
 const EVALUATIONS: u32 = 2_000;
 
-/// Runs once; returns the evaluations.
+/// A motion: one run, which returns the number of evaluations.
 struct Motion<'a>(&'a [f64]);
 
 impl Visitor for Motion<'_> {
@@ -67,7 +68,7 @@ impl Visitor for Motion<'_> {
     }
 }
 
-/// The time of an evaluation of the rates.
+/// Repeated evaluations of the rates.
 struct Rates<'a>(&'a [f64]);
 
 impl Visitor for Rates<'_> {
@@ -101,7 +102,7 @@ fn read(text: &str) -> DeclaredSystem {
     DeclaredSystem::new(Programs::new(&derived.expect("regular"))).expect("runs")
 }
 
-/// The least times of three ways: rustc, Cranelift, interpreter.
+/// The shortest times of three ways: rustc, Cranelift, interpreter.
 #[derive(Clone, Copy)]
 struct Least([Duration; 3]);
 
@@ -117,13 +118,13 @@ impl Least {
     }
 }
 
-/// The time to compile what rates need, and to evaluate them once.
+/// Returns the time to compile the rates and evaluate them once.
 fn to_compile(read: &DeclaredSystem, compiler: &Arc<Compiler>, y: &[f64]) -> Duration {
     let system = read.clone().compiled_by(compiler.clone());
     timed(|| system.numeric().rhs(0.0, y)).0
 }
 
-/// The least of several times, in milliseconds.
+/// Returns the shortest of several times, in milliseconds.
 fn least(time: impl Fn() -> Duration) -> f64 {
     (0..ROUNDS).map(|_| time()).min().expect("a round").as_secs_f64() * 1e3
 }

@@ -1,6 +1,6 @@
-//! Compiled programs of all declarations of the repository have the bits of the interpreter: at
-//! random numbers, and where zeros, infinities, the smallest and the largest numbers and NaN are
-//! among them.
+//! Compiled programs of all declarations of the repository have the bits of the interpreter. That
+//! holds for random numbers, and among zeros, infinities, the smallest and the largest numbers and
+//! NaN.
 
 #[path = "../../../lagrange-core/tests/mutants/corpus.rs"]
 mod corpus;
@@ -9,12 +9,12 @@ mod equality;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
 
-/// Declarations that are derived, of those that there are.
+/// Smallest number of declarations that are derived.
 const FEWEST: usize = 400;
-/// Maximum number of programs that are too large to be compiled, such as the linear model of a
+/// Largest number of programs that are too large to be compiled, such as the linear model of a
 /// bicycle.
 const MOST_TOO_LARGE: usize = 5;
-/// Characters of the longest declaration.
+/// Length of the longest declaration, in characters.
 const LONGEST: usize = 20_000;
 
 #[test]
@@ -24,7 +24,7 @@ fn all_programs_of_all_declarations_have_the_bits_of_the_interpreter() {
     for declaration in corpus::declarations(LONGEST) {
         let text = declaration.pieces.join(" ");
         let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
-        // Examples of mistakes are among the declarations.
+        // Some declarations are examples of mistakes.
         let Ok(derived) = derived else { continue };
         systems += 1;
         checked.check(&Programs::new(&derived)).unwrap_or_else(|message| panic!("{text}: {message}"));

@@ -1,5 +1,4 @@
-//! Motions of compiled text have the bits of those of interpreted text, with all that interrupts
-//! them.
+//! Motions of compiled text have the bits of interpreted text, including all interruptions.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};

@@ -1,5 +1,5 @@
 //! Random programs of all operations, and random declarations, have the bits of the interpreter.
-//! Numbers that do not suffice, and programs that are too large, are refused.
+//! Too few numbers, and programs that are too large, are refused.
 
 mod equality;
 
@@ -26,13 +26,13 @@ const ROLES: [Role; 11] = [
     Role::Side(1),
     Role::Multiplier(0),
     Role::Acceleration(1),
-    // No number has this role, so that it is NaN.
+    // This role has no number, so it is NaN.
     Role::Reaction(0),
 ];
 const RELATIONS: [Relation; 4] =
     [Relation::Less, Relation::LessEqual, Relation::Greater, Relation::GreaterEqual];
 
-/// A program of random operations on earlier values.
+/// Returns a program of random operations on earlier values.
 fn random_program(random: &mut Random, length: usize) -> Program {
     let mut builder = Builder::new();
     let mut values = ROLES.map(|role| builder.push(Op::Input(role))).to_vec();
@@ -64,7 +64,7 @@ fn random_operation(random: &mut Random, values: &[ValueId], builder: &mut Build
             builder.push(if detail % 2 == 0 { Op::SinOf(pair) } else { Op::CosOf(pair) })
         }
         12 => {
-            // Batches of one angle to six, where four are computed at a time.
+            // Batches of one to six angles, where four are computed at a time.
             let angles = [a, b, c, d, a, b][..1 + detail % 6].into();
             let (batch, place) = (builder.push(Op::SinCosEach(angles)), (detail % (1 + detail % 6)) as u32);
             builder.push(if detail % 2 == 0 { Op::SinIn(batch, place) } else { Op::CosIn(batch, place) })
@@ -97,7 +97,7 @@ fn random_programs_have_the_bits_of_the_interpreter() {
     assert!(checked.finite * 4 > checked.outputs, "{checked:?}");
 }
 
-/// A term of the language in x, y, their rates, a parameter and the time.
+/// Returns a term of the language in x, y, their rates, a parameter and the time.
 fn random_term(random: &mut Random, depth: u32) -> String {
     const LEAVES: [&str; 7] = ["x", "y", "dot(x)", "k", "t", "0.7", "3"];
     const FUNCTIONS: [&str; 12] =
@@ -128,7 +128,7 @@ fn random_declarations_have_the_bits_of_the_interpreter() {
              potential = k * sin(x) * y^2; force x = {force}; force y = {along}; output pushed = {force};"
         );
         let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
-        // Some terms are undefined everywhere, which is a mistake.
+        // Some terms are undefined everywhere, which is an error.
         let Ok(derived) = derived else { continue };
         systems += 1;
         checked.check(&Programs::new(&derived)).unwrap_or_else(|message| panic!("{text}: {message}"));
@@ -137,7 +137,7 @@ fn random_declarations_have_the_bits_of_the_interpreter() {
     assert!(checked.finite * 4 > checked.outputs, "{checked:?}");
 }
 
-/// Both unknowns are solved for by one call; a table is asked for its value.
+/// A system in which one call solves for both unknowns, and a table provides a value.
 const COUPLED: &str =
     "coord x = 0.2; table lift(s) = [(0, 0), (1, 2), (2, 3)], interpolation: natural, outside: extend;
     solve (a, b): 0 = a + 0.1 * sin(b) - x, 0 = b + 0.1 * cos(a) - 2 * x;
@@ -188,7 +188,7 @@ fn short_lists_and_other_lengths_of_outputs_are_refused() {
     assert!(run(&[1.0; 3], &[1.0; 3], &mut output) && are_same(output[0], 2.0));
 }
 
-/// A program of sums of earlier values.
+/// Returns a program of sums of earlier values.
 fn sums(length: usize) -> Program {
     let mut builder = Builder::new();
     let mut values = vec![builder.push(Op::Input(Role::Time))];

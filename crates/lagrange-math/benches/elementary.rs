@@ -1,8 +1,7 @@
-//! Nanoseconds a number for elementary functions of eight numbers at a time, beside the functions
-//! of the standard library one by one.
+//! Nanoseconds per number for elementary functions of eight numbers at a time, compared with the
+//! functions of the standard library one by one.
 //!
-//! Products are fused if the target that this is compiled for has that:
-//! `RUSTFLAGS="-C target-cpu=native"`.
+//! Products are fused if the compilation target supports it: `RUSTFLAGS="-C target-cpu=native"`.
 
 use std::array::from_fn;
 use std::hint::black_box;
@@ -15,7 +14,7 @@ const N: usize = 8;
 const ROUNDS: usize = 500;
 const EVALUATIONS: usize = 500;
 
-/// The least time for a number among many rounds.
+/// Returns the shortest time per number among many rounds.
 #[inline(never)]
 fn time(scale: f64, function: impl Fn([f64; N]) -> [f64; N]) -> f64 {
     let start: [f64; N] = black_box(from_fn(|k| scale * (0.11 + 0.1 * k as f64)));
@@ -25,7 +24,7 @@ fn time(scale: f64, function: impl Fn([f64; N]) -> [f64; N]) -> f64 {
         let began = Instant::now();
         for _ in 0..EVALUATIONS {
             let values = function(numbers);
-            // Each evaluation waits for the one before, as in an integrator.
+            // Each evaluation waits for the previous one, as in an integrator.
             for k in 0..N {
                 numbers[k] = start[k] + 1e-200 * values[k];
             }

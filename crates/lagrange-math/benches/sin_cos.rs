@@ -1,8 +1,8 @@
-//! Nanoseconds for the sines and cosines of a number of angles, beside the function of the standard
-//! library.
+//! Nanoseconds for the sines and cosines of a number of angles, compared with the function of the
+//! standard library.
 //!
-//! Each evaluation waits for the one before, as in an integrator, so that latency counts. The
-//! results enter a recursion like those of mechanics, in which nothing invites vector instructions.
+//! Each evaluation waits for the previous one, as in an integrator, so latency counts. The results
+//! enter a recursion like those of mechanics, which does not invite vector instructions.
 
 use std::array::from_fn;
 use std::hint::black_box;
@@ -17,7 +17,7 @@ fn platform<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     angles.map(f64::sin_cos)
 }
 
-/// The least time of an evaluation among many rounds.
+/// Returns the shortest time per evaluation among many rounds.
 #[inline(never)]
 fn time<const N: usize>(function: impl Fn([f64; N]) -> [(f64, f64); N]) -> f64 {
     let start: [f64; N] = black_box(from_fn(|k| 1.3 + 0.37 * k as f64));

@@ -1,4 +1,4 @@
-//! Content and places of drawings.
+//! Content and positions of drawings.
 
 mod cells;
 mod documents;

@@ -1,4 +1,4 @@
-"""The examples of the documentation run as they stand there."""
+"""The examples of the documentation run as printed."""
 
 from pathlib import Path
 
@@ -14,6 +14,6 @@ def test_the_page_has_examples():
 
 @pytest.mark.parametrize("example", EXAMPLES)
 def test_examples_run(example, monkeypatch):
-    # Plots are drawn and not shown.
+    # Plots are drawn, but not shown.
     monkeypatch.setenv("MPLBACKEND", "agg")
     exec(compile(example, str(PAGE), "exec"), {})

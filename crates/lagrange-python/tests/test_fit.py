@@ -1,4 +1,4 @@
-"""Fits beside SciPy, closed forms and motions that made the data."""
+"""Fits against SciPy, closed forms and the motions behind the data."""
 
 import lagrange
 import numpy as np
@@ -17,7 +17,7 @@ TIMES = np.linspace(0.1, 6, 60)
 
 
 def noisy(scale=1e-2):
-    """x = exp(-t/10) cos(2 t) from (1, -0.1), which belongs to k = 4.01 and c = 0.2, with noise."""
+    """Returns x = exp(-t/10) cos(2 t) from (1, -0.1), the solution for k = 4.01 and c = 0.2, with noise."""
     return np.exp(-TIMES / 10) * np.cos(2 * TIMES) + scale * np.random.default_rng(5).standard_normal(60)
 
 
@@ -53,7 +53,7 @@ def test_fits_find_what_made_the_data():
     bound = system.fit({"t": TIMES, "x": exact}, vary={"k": (None, 3.5), "c": (0, None)}, start=[1, -0.1], begin=0)
     assert bound.values["k"] == 3.5 and bound.standard_errors["k"] is None
     assert system.parameters["k"] == 3
-    # Of a swinging rod, by an event, and of an input.
+    # For a swinging rod, by an event, and for an input.
     arm = lagrange.System("param g = 9; coord a = 0.5; input u = 0; kinetic = 1/2*dot(a)^2; potential = -g*cos(a); force a = u; event low = a, crossing => { dot(a) = 0.9 * dot(a); }")
     times = np.linspace(0, 3, 31)
     made = arm.with_parameters(g=9.81, u=0.3).simulate(until=3, every=0.1, tolerance=1e-12)
@@ -66,7 +66,7 @@ def test_fits_name_what_data_do_not_tell():
     with pytest.raises(lagrange.FitError, match="do not tell all") as raised:
         system.fit({"t": TIMES, "x": noisy()}, vary={"m": (0.1, 10), "k": (0.1, 100), "c": (0, 10)}, start=[1, -0.1], begin=0)
     best = raised.value.fit
-    # Mass, stiffness and damping may all grow by the same part.
+    # Mass, stiffness and damping may all grow by the same factor.
     np.testing.assert_allclose(np.abs(list(best.weakest.values())), np.full(3, np.sqrt(1 / 3)), atol=1e-4)
     assert best.covariance is None and best.correlations is None
     with pytest.raises(lagrange.FitError, match="1 iterations"):

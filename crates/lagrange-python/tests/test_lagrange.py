@@ -1,4 +1,4 @@
-"""The module beside closed forms and SciPy."""
+"""The module against closed forms and SciPy."""
 
 import threading
 
@@ -35,7 +35,7 @@ BALL = """
 
 
 def by_hand(t, y, g=9.81):
-    """Accelerations of the double pendulum with unit masses and lengths, from its 2 x 2 system."""
+    """Returns accelerations of the double pendulum with unit masses and lengths, from its 2 x 2 system."""
     a, b, da, db = y
     mass = np.array([[2.0, np.cos(a - b)], [np.cos(a - b), 1.0]])
     force = [-np.sin(a - b) * db**2 - 2 * g * np.sin(a), np.sin(a - b) * da**2 - g * np.sin(b)]

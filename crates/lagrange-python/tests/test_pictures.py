@@ -28,7 +28,7 @@ def slider(**values):
 
 
 def test_derivatives_by_parameters_are_exact():
-    """a = (u - w x / l - k x) / m at x = 0.75."""
+    """Checks a = (u - w x / l - k x) / m at x = 0.75."""
     found = slider().parameter_jacobian(0.0, [0.75, -3.0])
     force = 0.5 - 0.25 * 0.75 / 0.5 - 8 * 0.75
     exact = [[0, 0, 0], [-force / 2**2, -0.75 / 2, 0.25 * 0.75 / 0.5**2 / 2]]

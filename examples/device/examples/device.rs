@@ -2,7 +2,7 @@
 //! processor.
 //!
 //! `cargo run --release --example device` in the folder of `lagrange-device`. The motions are those
-//! of double pendulums, 10 s each, from starts that differ by little. Ends of the device and of the
+//! of double pendulums, 10 s each, from slightly different starts. Ends of the device and of the
 //! scalar code must agree.
 
 use std::error::Error;
@@ -27,7 +27,7 @@ lagrange::system! {
 const STEP: f64 = 1e-2;
 const TOLERANCE: f64 = 1e-9;
 const END: f64 = 10.0;
-/// Motions of the scalar code, which is timed by fewer.
+/// Number of motions of the scalar code, for which a few suffice to measure the time.
 const SAMPLE: usize = 256;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -59,8 +59,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Ends of some motions by the scalar code: in equal steps, and by the pair of orders nine and
-/// eight.
+/// Returns the ends of some motions by the scalar code: in equal steps, and by the pair of orders
+/// nine and eight.
 fn sample(pendulum: &DoublePendulum, starts: &[[f64; 4]]) -> Result<[Vec<[f64; 4]>; 2], Box<dyn Error>> {
     println!("scalar code, one thread, {SAMPLE} motions:");
     let starts = &starts[..SAMPLE];
@@ -79,8 +79,7 @@ fn sample(pendulum: &DoublePendulum, starts: &[[f64; 4]]) -> Result<[Vec<[f64; 4
     Ok([equal, adaptive])
 }
 
-/// Computes twice, since the first time the kernel is compiled, and prints how fast the second time
-/// was.
+/// Computes twice, since the first run compiles the kernel, and prints the speed of the second run.
 fn timed<T, E>(method: &str, motions: usize, compute: impl Fn() -> Result<T, E>) -> Result<T, E> {
     compute()?;
     let start = Instant::now();

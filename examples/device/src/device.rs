@@ -1,4 +1,4 @@
-//! Devices, and how one is found.
+//! Devices, and the search for one.
 
 use lagrange_runtime::simulate::InitialState;
 use lagrange_runtime::system::KernelSystem;
@@ -8,14 +8,14 @@ use crate::ensemble::Motions;
 use crate::error::DeviceError;
 use crate::number::DeviceNumber;
 
-/// A device that computes many motions at a time.
+/// A device that computes many motions at once.
 pub struct Device {
     backend: Box<dyn Backend>,
 }
 
 impl Device {
-    /// The first device: a graphics processor if there is one, by CUDA rather than by OpenCL, else
-    /// another device of OpenCL.
+    /// Opens the first device: a graphics processor if there is one, by CUDA rather than by OpenCL,
+    /// else another device of OpenCL.
     ///
     /// # Errors
     /// [`NotFound`](DeviceError::NotFound), which names the missing parts and how to install them.
@@ -25,7 +25,7 @@ impl Device {
         Ok(all.swap_remove(first))
     }
 
-    /// All devices, at least one; a device that CUDA and OpenCL both know is there twice.
+    /// Returns all devices, at least one. A device known to both CUDA and OpenCL appears twice.
     ///
     /// # Errors
     /// [`NotFound`](DeviceError::NotFound), which names the missing parts and how to install them.

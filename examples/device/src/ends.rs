@@ -32,7 +32,7 @@ impl<S> Columns for States<S> {
     }
 }
 
-/// A motion that failed: how far it came, and why no further.
+/// A failed motion, with the time that it reached and the cause.
 #[non_exhaustive]
 pub struct Failure<M: KernelSystem> {
     /// Index of the motion.
@@ -41,7 +41,7 @@ pub struct Failure<M: KernelSystem> {
     pub time: M::Scalar,
     /// The last good state; finite, unless the start was not.
     pub state: M::State,
-    /// Why it came no further: `NotFinite`, `TooManySteps` or `StepUnderflow`.
+    /// The cause: `NotFinite`, `TooManySteps` or `StepUnderflow`.
     pub cause: StepFailure<M::Scalar>,
 }
 
@@ -77,7 +77,8 @@ impl<M: KernelSystem> Ends<M> {
         self.columns.as_ref().columns[0].len()
     }
 
-    /// The state at which the motion with this index ended; `None` if it failed or there is none.
+    /// Returns the final state of the motion with this index, or `None` if it failed or does not
+    /// exist.
     pub fn state(&self, index: usize) -> Option<M::State> {
         if index >= self.len() || self.failures.binary_search_by_key(&index, |failure| failure.index).is_ok()
         {
@@ -90,7 +91,7 @@ impl<M: KernelSystem> Ends<M> {
         Some(state)
     }
 
-    /// The motions that failed, in their order.
+    /// Returns the failed motions, in their order.
     pub fn failures(&self) -> &[Failure<M>] {
         &self.failures
     }
@@ -104,7 +105,7 @@ impl<M: KernelSystem> Deref for Ends<M> {
     }
 }
 
-/// Not the rows, which may be millions.
+/// Leaves out the rows, which may be millions.
 impl<M: KernelSystem> fmt::Debug for Ends<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Ends").field("len", &self.len()).field("failures", &self.failures.len()).finish()

@@ -12,7 +12,7 @@ use crate::number::{DeviceNumber, Precision};
 /// Changes the system of a motion.
 type Change<'a, M> = Box<dyn Fn(usize, &M) -> M + 'a>;
 
-/// Motions of one system. They want to know when they end.
+/// Motions of one system, for which an end must be set.
 #[must_use = "specify the end of the motions: `.until(time)`"]
 pub struct Motions<'a, M: KernelSystem> {
     backend: &'a dyn Backend,
@@ -54,7 +54,7 @@ impl<'a, M: KernelSystem<Scalar: DeviceNumber>> Motions<'a, M> {
     }
 }
 
-/// Motions that can be computed, by the pair of orders five and four of Dormand and Prince unless
+/// Motions ready to be computed, by the pair of orders five and four of Dormand and Prince unless
 /// another method is chosen.
 #[must_use = "nothing happens before `.run()`"]
 pub struct Ensemble<'a, M: KernelSystem> {
@@ -68,8 +68,8 @@ pub struct Ensemble<'a, M: KernelSystem> {
 }
 
 impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
-    /// The error that is tolerated in a step, as a part of the state and in its units: 1e-9 by
-    /// default, 1e-5 in single precision.
+    /// Sets the error tolerated in a step, both as a fraction of the state and in its units: 1e-9
+    /// by default, 1e-5 in single precision.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.tolerance = Some(tolerance);
         self
@@ -81,14 +81,14 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         self
     }
 
-    /// The most steps of a motion, those that were rejected among them; a million by default.
+    /// Sets the largest number of steps of a motion, including rejected ones; a million by default.
     pub fn max_steps(mut self, limit: u32) -> Self {
         self.most = limit;
         self
     }
 
-    /// Computes in `f32`, many times faster on most devices, and the only way on those without
-    /// `f64`. Systems in `f32` always do.
+    /// Computes in `f32`, many times faster on most devices, and the only possibility on those
+    /// without `f64`. Systems in `f32` always do.
     pub fn single_precision(mut self) -> Self {
         self.is_single = true;
         self
@@ -97,8 +97,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
     /// Computes all motions.
     ///
     /// # Errors
-    /// If a setting is invalid, or the device cannot compute. A failed motion is no error: its row
-    /// holds NaN, and [`failures`](Ends::failures) describes it.
+    /// Returns an error if a setting is invalid, or if the device cannot compute. A failed motion
+    /// is not an error: its row holds NaN, and [`failures`](Ends::failures) describes it.
     pub fn run(self) -> Result<Ends<M>, DeviceError> {
         let backend = self.motions.backend;
         if self.is_single {
@@ -135,8 +135,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         let (method, step) = match self.step.map(DeviceNumber::to_f64) {
             Some(step) if step > 0.0 && step.is_finite() => (Method::RungeKutta4, step),
             Some(_) => return Err(DeviceError::Setting("the step size must be positive and finite")),
-            // What is still to come, such as a push at a given time, does not show in the errors of
-            // a system at rest.
+            // Future changes, such as a push at a given time, do not appear in the errors of a
+            // system at rest.
             None => (Method::DormandPrince, (self.end.to_f64() - from.to_f64()).abs() / 20.0),
         };
         let tolerance = self.tolerance.map_or(T::TOLERANCE, DeviceNumber::to_f64);
@@ -148,7 +148,7 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         let parameters = (0..starts.len()).map(|index| self.parameters_of(index)).collect::<Vec<_>>();
         let states = starts.iter().map(|start| start.as_ref().to_vec()).collect::<Vec<_>>();
         let (count, nothing) = (starts.len(), T::ZERO);
-        // No step went before, whose error the controller could use.
+        // There is no previous step with an error for the controller.
         let controls = [vec![nothing; count], vec![T::from_f64(1e-4); count], vec![nothing; count]].concat();
         Ok(Work {
             method,
@@ -167,7 +167,7 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         })
     }
 
-    /// Parameters and inputs of a motion.
+    /// Returns parameters and inputs of a motion.
     fn parameters_of(&self, index: usize) -> Vec<M::Scalar> {
         let Motions { system, change, .. } = &self.motions;
         let changed = change.as_ref().map(|change| change(index, system));
@@ -175,8 +175,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
     }
 }
 
-/// Rows, of which there is one at least, as columns one after the other; one number if rows are
-/// empty.
+/// Returns rows, of which there is at least one, as columns one after the other, or a single number
+/// if rows are empty.
 fn columns<S: DeviceNumber, T: Precision>(rows: &[Vec<S>]) -> Vec<T> {
     let width = rows.first().map_or(0, Vec::len);
     let entries = (0..width).flat_map(|column| rows.iter().map(move |row| T::from_f64(row[column].to_f64())));

@@ -2,18 +2,18 @@
 
 use std::fmt;
 
-/// Why a device computed nothing.
+/// The reason why a device computed nothing.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum DeviceError {
-    /// There is no device that can be used; why, for each of the ways that were tried.
+    /// There is no usable device; the reasons, one for each API.
     NotFound(Vec<String>),
     /// The device has no numbers of double precision.
     NoDoublePrecision {
         /// Name of the device.
         device: String,
     },
-    /// A setting that makes no sense, in words.
+    /// An invalid setting, in words.
     Setting(&'static str),
     /// The compiler of the device refused the text.
     Build {

@@ -39,9 +39,9 @@ impl DeviceNumber for f32 {
 
 /// The precision of a device.
 pub(crate) trait Precision: DeviceNumber {
-    /// The error that is tolerated unless another is asked for.
+    /// The error tolerated by default.
     const TOLERANCE: f64;
-    /// The smallest relative error that can be asked for.
+    /// The smallest relative error that may be set.
     const LEAST_TOLERANCE: f64;
 
     /// The equations of motion of a system.

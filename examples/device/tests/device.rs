@@ -1,7 +1,7 @@
 //! Motions on the device against those of the scalar code.
 //!
-//! Without a device nothing is compared, which is said; `LAGRANGE_DEVICE=required` makes that an
-//! error.
+//! Without a device nothing is compared, and a message reports that; `LAGRANGE_DEVICE=required`
+//! makes it an error.
 
 use lagrange::Simulate;
 use lagrange::system::StepFailure;
@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A body that tumbles, with a quaternion among its positions.
+    /// A tumbling body, with a quaternion among its positions.
     #[derive(Clone)]
     pub struct Tumbler;
     param spin = 1.0;
@@ -34,14 +34,14 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass that falls into a centre in a finite time.
+    /// A mass that falls into a centre in finite time.
     #[derive(Clone)]
     pub struct Falling;
     param mu = 1.0;
     coord r;
     kinetic = 1/2 * dot(r)^2;
     potential = -mu / r;
-    // Not a number behind the centre.
+    // NaN beyond the centre.
     force r = 1e-30 * sqrt(r);
     emit { kernel }
 }
@@ -57,7 +57,7 @@ fn device() -> Option<Device> {
     }
 }
 
-/// More motions than a group has threads, and no multiple of it.
+/// Returns more motions than a group has threads, and not a multiple of that.
 fn starts() -> Vec<[f64; 4]> {
     (0..100).map(|i| [0.3 + 0.01 * f64::from(i), 0.2, -0.1, 0.004 * f64::from(i)]).collect()
 }
@@ -67,7 +67,7 @@ fn longer(i: usize, pendulums: &mut Pendulums) {
     pendulums.motor = 0.3 - 1e-3 * i as f64;
 }
 
-/// The largest distance of the motions from those of the scalar code.
+/// Returns the largest distance of the motions from those of the scalar code.
 fn distance(found: impl Fn(usize) -> [f64; 4], expected: impl Fn(&Pendulums, [f64; 4]) -> [f64; 4]) -> f64 {
     let distances = starts().into_iter().enumerate().flat_map(|(i, start)| {
         let mut pendulums = Pendulums::default();
@@ -75,7 +75,7 @@ fn distance(found: impl Fn(usize) -> [f64; 4], expected: impl Fn(&Pendulums, [f6
         let (found, expected) = (found(i), expected(&pendulums, start));
         (0..4).map(move |k| (found[k] - expected[k]).abs())
     });
-    // What is not a number is not within any distance.
+    // NaN is not within any distance.
     distances.fold(0.0, |most, distance| if distance <= most { most } else { distance })
 }
 
@@ -142,7 +142,7 @@ fn single_precision_has_its_digits() -> Result<(), DeviceError> {
     Ok(())
 }
 
-/// Steps are some spacings of times long there, and too short from 10⁶ on.
+/// Steps are a few spacings of times long there, and too short from 10⁶ on.
 #[test]
 fn motions_do_not_depend_on_where_time_is_counted_from() -> Result<(), DeviceError> {
     let Some(device) = device() else { return Ok(()) };
@@ -184,7 +184,7 @@ fn quaternions_keep_their_length() -> Result<(), DeviceError> {
     Ok(())
 }
 
-/// A motion that fails is a row of NaN, and the others go on.
+/// A failed motion is a row of NaN, and the others continue.
 #[test]
 fn failures_keep_the_last_good_state() -> Result<(), DeviceError> {
     let Some(device) = device() else { return Ok(()) };

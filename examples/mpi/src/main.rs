@@ -31,7 +31,7 @@ lagrange::system! {
     potential = m1 * g * y1 + m2 * g * y2;
 }
 
-/// Motions of ten seconds; one in a thousand fails at its start.
+/// Returns motions of ten seconds, one in a thousand of which fails at its start.
 fn ensemble(
     pendulum: &DoublePendulum,
     motions: usize,

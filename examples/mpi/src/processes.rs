@@ -122,7 +122,7 @@ fn merged<R: Reduce + Pack>(
     merge(parts);
     let mut result = Ok(());
     for rank in FIRST + 1..processes.size() {
-        // All are received, also after a damaged one.
+        // All are received, even after a damaged one.
         let (words, _) = processes.process_at_rank(rank).receive_vec::<u64>();
         result = result.and(unpacked(words, rank).map(&mut merge));
     }

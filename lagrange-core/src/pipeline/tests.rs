@@ -305,24 +305,24 @@ fn reduced_types_keep_attributes_but_not_documentation() {
 #[test]
 fn documentation_of_names_is_kept_in_emitted_code() {
     let text = "
-        /// Of a parameter.
+        /// Documents a parameter.
         param m = 1, mu = 1/2;
-        /// Of an input.
+        /// Documents an input.
         input u;
-        /// Of a coordinate.
+        /// Documents a coordinate.
         coord x, y;
         kinetic = 1/2*m*(dot(x)^2 + dot(y)^2);
         potential = 9.81*m*y;
         force x = u;
-        /// Of a contact.
+        /// Documents a contact.
         event floor = y, falling => impact(0);
-        /// Of friction.
+        /// Documents friction.
         friction rub = dot(x), mu*floor;
-        /// Of an output.
+        /// Documents an output.
         output height = y;";
     let items = derived(text).emit(&quote!(::lagrange)).expect("constants that fit").to_string();
     for of in ["a parameter", "an input", "a coordinate", "a contact", "friction", "an output"] {
-        assert!(items.contains(&format!("\" Of {of}.\"")), "{of}: {items}");
+        assert!(items.contains(&format!("\" Documents {of}.\"")), "{of}: {items}");
     }
 }
 

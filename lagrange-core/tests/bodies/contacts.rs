@@ -5,7 +5,7 @@ use lagrange_core::syntax::print;
 
 use super::derive;
 
-/// The plain events, frictions and forces, and the `let`s whose names contain a word.
+/// Returns the plain events, frictions and forces, and the `let`s whose names contain a word.
 fn plain(text: &str, word: &str) -> Vec<String> {
     let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
     let text = print::statements(&system.declaration);
@@ -108,7 +108,7 @@ fn a_contact_with_a_stiffness_is_a_potential_and_forces() {
     assert_eq!(powers, ["power_touch_dissipation", "power_touch_friction", "power_balance"]);
 }
 
-/// One surface for each gap, and one where a force would pull.
+/// Each gap has one surface and, with dissipation, another where the force would pull.
 #[test]
 fn sixteen_compliant_contacts_have_32_surfaces() {
     let text = |dissipation: &str| {
@@ -128,7 +128,7 @@ fn sixteen_compliant_contacts_have_32_surfaces() {
     }
 }
 
-/// Names that nothing mentions are no mistake of whoever declares a contact.
+/// Names that a contact declares cause no warning if nothing uses them.
 #[test]
 fn a_contact_need_not_be_mentioned() {
     for contact in ["inside bowl;", "inside bowl { stiffness: 1e4; }", "on ground { stiffness: 1e4; }"] {
@@ -145,8 +145,8 @@ fn a_contact_need_not_be_mentioned() {
     }
 }
 
-/// Under a point, terrain has its slope; coordinates of heights are those of no declaration, in
-/// functions.
+/// Under a point, terrain has its slope. The coordinate of a height does not capture a parameter of
+/// the same name in a function.
 #[test]
 fn a_point_on_terrain_is_a_height_over_a_slope() {
     let found = plain(

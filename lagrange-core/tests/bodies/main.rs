@@ -13,7 +13,7 @@ fn derive(text: &str) -> Derived {
     system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"))
 }
 
-/// Accelerations and multipliers at a state that is nothing special.
+/// Returns the accelerations and multipliers at a generic state.
 fn motion(text: &str) -> Vec<f64> {
     let derived = derive(text);
     let count = derived.model.coordinates.len();
@@ -298,7 +298,7 @@ fn multipliers_keep_their_names_where_a_joint_before_them_is_left_out() {
     assert_eq!(names.collect::<Vec<_>>(), ["tip_x", "tip_y"]);
 }
 
-/// Two arms turn about parallel axes at one height, so that nothing holds their tips together along
+/// Two arms turn about parallel axes at the same height, so nothing holds their tips together along
 /// the axes.
 #[test]
 fn a_pin_has_the_components_of_its_force_that_the_motion_determines() {
@@ -316,8 +316,8 @@ fn a_pin_has_the_components_of_its_force_that_the_motion_determines() {
     let system = NumericSystem::new(&derived);
     let force = system.output("f", 0.0, &[0.0; 2], &[0.0; 2]).expect("an output");
     assert!(force[0] != 0.0 && force[1].is_finite() && force[2] == 0.0, "{force:?}");
-    // The moment of the force about the axis of a, and the one that drives it: J p̈, where J = 1
-    // about its own axis.
+    // The moment about the axis of a, and the moment that drives it: J p̈, where J = 1 about its
+    // own axis.
     let acceleration = system.acceleration(0.0, &[0.0; 2], &[0.0; 2])[0];
     assert!((force[1] - force[0] + 1.0 - acceleration).abs() < 1e-14, "{force:?} {acceleration}");
 }

@@ -1,9 +1,9 @@
-//! Bodies in space whose numbers, places and points are out of the ordinary.
+//! Bodies in space with unusual numbers, places and points.
 
 use super::{assert_same, derive, mistakes};
 use lagrange_core::pipeline::NumericSystem;
 
-/// An arm of two bodies, with what is said of its second joint.
+/// Returns an arm of two bodies whose second joint is given.
 fn arm(joint: &str) -> String {
     format!(
         "param e = 0.00003;

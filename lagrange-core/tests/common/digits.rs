@@ -1,4 +1,4 @@
-//! Real numbers of as many bits as wanted, and elementary functions of them.
+//! Real numbers with any number of bits, and elementary functions of them.
 
 use astro_float_num::{BigFloat, Consts, Radix, RoundingMode, WORD_BIT_SIZE};
 use lagrange_core::expr::Function;
@@ -6,10 +6,11 @@ use lagrange_core::number::Number;
 
 pub(crate) use astro_float_num::BigFloat as Real;
 
-/// Results are not correctly rounded; the precision is chosen so large that it does not matter.
+/// Results need not be correctly rounded: the precision is chosen large enough that rounding is
+/// negligible.
 const ROUNDING: RoundingMode = RoundingMode::None;
 
-/// Arithmetic with a number of bits.
+/// Arithmetic with a given number of bits.
 pub(crate) struct Arithmetic {
     bits: usize,
     constants: Consts,
@@ -34,7 +35,7 @@ impl Arithmetic {
         BigFloat::from_i32(value, self.bits)
     }
 
-    /// A decimal such as `-2.5e-3`.
+    /// Returns the value of a decimal such as `-2.5e-3`.
     pub(crate) fn decimal(&mut self, text: &str) -> Real {
         BigFloat::parse(text, Radix::Dec, self.bits, ROUNDING, &mut self.constants)
     }
@@ -69,7 +70,7 @@ impl Arithmetic {
         a.sqrt(self.bits, ROUNDING)
     }
 
-    /// Σ aᵢ bᵢ
+    /// Returns Σ aᵢ bᵢ.
     pub(crate) fn dot(&self, a: &[Real], b: &[Real]) -> Real {
         let products = a.iter().zip(b).map(|(a, b)| self.multiply(a, b));
         products.fold(self.integer(0), |sum, product| self.add(&sum, &product))
@@ -79,7 +80,7 @@ impl Arithmetic {
         self.constants.pi(self.bits, ROUNDING)
     }
 
-    /// A rational power of a base that is positive unless the power is whole.
+    /// Returns a rational power of a base that is positive unless the power is whole.
     pub(crate) fn power(&mut self, base: &Real, exponent: &Number) -> Real {
         let twice = (exponent * &Number::TWO).to_i32();
         let magnitude = match (exponent.to_i32(), twice) {
@@ -94,7 +95,7 @@ impl Arithmetic {
         if exponent.is_negative() { self.divide(&self.integer(1), &magnitude) } else { magnitude }
     }
 
-    /// The value of an elementary function.
+    /// Returns the value of an elementary function.
     pub(crate) fn call(&mut self, function: Function, arguments: &[Real]) -> Real {
         let (x, bits, constants) = (&arguments[0], self.bits, &mut self.constants);
         let second = || &arguments[1];
@@ -122,8 +123,8 @@ impl Arithmetic {
         }
     }
 
-    /// The angle of (x, y): that of the half plane to the right, turned by half a turn to the left
-    /// of it.
+    /// Returns the angle of (x, y). In the left half-plane it is that of the opposite vector,
+    /// turned by half a turn.
     fn atan2(&mut self, y: &Real, x: &Real) -> Real {
         let half_turn = self.constants.pi(self.bits, ROUNDING);
         if x.is_zero() {
@@ -139,7 +140,7 @@ impl Arithmetic {
     }
 }
 
-/// Nearly the nearest `f64`: good for judging errors.
+/// Returns a number within rounding of the nearest `f64`, good enough for judging errors.
 pub(crate) fn approximate(value: &Real) -> f64 {
     if value.is_zero() {
         return 0.0;

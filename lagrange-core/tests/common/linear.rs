@@ -2,7 +2,7 @@
 
 use crate::digits::{Arithmetic, Real};
 
-/// The solution of M x = b, M in rows; `None` if a pivot vanishes.
+/// Returns the solution of M x = b, M in rows; `None` if a pivot vanishes.
 pub(crate) fn solve(arithmetic: &Arithmetic, matrix: &[Real], right: &[Real]) -> Option<Vec<Real>> {
     let n = right.len();
     let mut rows = matrix

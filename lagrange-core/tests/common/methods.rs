@@ -44,12 +44,12 @@ fn summarise_methods(item: &ItemImpl, lines: &mut String) {
     }
 }
 
-/// Tokens without the spaces between them.
+/// Returns tokens without the spaces between them.
 fn plain(tokens: &TokenStream) -> String {
     tokens.to_string().replace(' ', "")
 }
 
-/// Operators by sign, and calls, a macro or a method's included.
+/// Operators by sign, and calls of functions, macros and methods.
 #[derive(Default)]
 struct Counts {
     signs: [usize; 4],

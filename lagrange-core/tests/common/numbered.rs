@@ -3,8 +3,8 @@
 use std::env;
 use std::ops::Range;
 
-/// Reads the cases to take from an environment variable, a count or a range such as `17..18`; the
-/// usual ones if it is not set.
+/// Reads the cases to run from an environment variable, either a count or a range such as `17..18`.
+/// If it is not set, the default number is taken.
 pub(crate) fn numbered(variable: &str, usual: usize) -> Range<usize> {
     let number =
         |text: &str| text.parse().unwrap_or_else(|_| panic!("{variable} is a number or a range, not {text}"));

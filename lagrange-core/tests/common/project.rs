@@ -1,4 +1,4 @@
-//! Crates made up by tests, outside the workspace.
+//! Crates that tests generate, outside the workspace.
 
 use std::fs;
 use std::path::Path;

@@ -11,7 +11,7 @@ impl Random {
         Random { state: seed }
     }
 
-    /// The numbers of a case, apart from those of its neighbours.
+    /// Returns the generator for one case, independent of those of its neighbours.
     pub(crate) fn of_case(case: u64) -> Random {
         Random::new(case.wrapping_mul(0xd134_2543_de82_ef95))
     }
@@ -24,23 +24,23 @@ impl Random {
         bits ^ (bits >> 31)
     }
 
-    /// Between two numbers.
+    /// Draws a number between two bounds.
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.bits() >> 11) as f64 / 53.0_f64.exp2())
     }
 
-    /// One of 0, 1, … n − 1.
+    /// Draws one of 0, 1, … n − 1.
     pub(crate) fn below(&mut self, n: usize) -> usize {
         (self.bits() % n.max(1) as u64) as usize
     }
 
-    /// An element of a list that is not empty.
+    /// Draws an element of a nonempty list.
     pub(crate) fn choice<'a, T>(&mut self, list: &'a [T]) -> &'a T {
         &list[self.below(list.len())]
     }
 
-    /// Of either sign, its magnitude between two powers of ten with an even distribution of the
-    /// exponent.
+    /// Draws a number of either sign whose magnitude lies between two powers of ten, with a
+    /// uniformly distributed exponent.
     pub(crate) fn decades(&mut self, low: f64, high: f64) -> f64 {
         let magnitude = 10.0_f64.powf(self.between(low, high));
         if self.below(2) == 0 { magnitude } else { -magnitude }

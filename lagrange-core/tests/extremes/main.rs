@@ -1,8 +1,6 @@
-//! What is left of the digits of accelerations and energies where numbers of very different size
-//! meet.
+//! Digits that accelerations and energies keep when numbers of very different size meet.
 //!
-//! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors
-//! that were found.
+//! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors.
 
 mod cases;
 #[path = "../common/digits.rs"]

@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::digits::{Arithmetic, Real, approximate};
 use crate::reference::Reference;
 
-/// The last digits of the files are rounded, and energies are differences.
+/// The last digits of the files are rounded, and energies are computed as differences.
 const PRINTED: f64 = 1e-28;
 
 #[test]

@@ -1,12 +1,12 @@
-//! Accelerations of a declared system to as many digits as wanted: the judge of what is derived.
+//! Accelerations of a declared system to any number of digits: the reference for derived code.
 //!
-//! Of the derivation under test only differentiation is used. M = ∂²L/∂v² and f = ∂L/∂q − (∂p/∂q) v
-//! − ∂p/∂t + Q with p = ∂L/∂v stay undivided expressions (Goldstein, Poole and Safko, *Classical
-//! Mechanics*, 3rd ed., §1.4); with unit quaternions, q̇ = N v, it is Nᵀ ∂L/∂q, and an angular
-//! velocity ω adds −ω × ∂L/∂ω (Lurie, *Analytical Mechanics*, §10.1). M a = f is solved in numbers
-//! by Gaussian elimination with partial pivoting (Golub and Van Loan, *Matrix Computations*, 4th
-//! ed., §3.4). The number of bits is doubled until two results agree, so that the condition of M
-//! does not matter.
+//! Only differentiation is shared with the derivation under test. M = ∂²L/∂v² and f = ∂L/∂q −
+//! (∂p/∂q) v − ∂p/∂t + Q with p = ∂L/∂v stay undivided expressions (Goldstein, Poole and Safko,
+//! *Classical Mechanics*, 3rd ed., §1.4). With unit quaternions, q̇ = N v, the term ∂L/∂q becomes
+//! Nᵀ ∂L/∂q. An angular velocity ω adds −ω × ∂L/∂ω (Lurie, *Analytical Mechanics*, §10.1). M a = f
+//! is solved numerically by Gaussian elimination with partial pivoting (Golub and Van Loan, *Matrix
+//! Computations*, 4th ed., §3.4). The number of bits is doubled until two results agree, so that
+//! the condition of M does not matter.
 
 use lagrange_core::calculus::{AccelerationTerms, Rates, gradient};
 use lagrange_core::expr::ExprId;
@@ -18,11 +18,11 @@ use lagrange_core::symbol::Role;
 use crate::digits::{Arithmetic, Real, approximate};
 use crate::linear::solve;
 
-/// The precisions that are tried, in bits.
+/// The precisions to try, in bits.
 const BITS: [usize; 5] = [256, 512, 1024, 2048, 4096];
-/// How well two results must agree, relative to each entry.
+/// Required agreement between two results, relative to each entry.
 const AGREEMENT: f64 = 1e-30;
-/// What is smaller than this, relative to the largest entry, is zero.
+/// Threshold below which an entry counts as zero, relative to the largest one.
 const NOTHING: f64 = 1e-200;
 
 /// The undivided equations of motion of a declaration.
@@ -33,7 +33,7 @@ pub(crate) struct Reference {
     momenta: Vec<ExprId>,
 }
 
-/// What is known at a state.
+/// Exact values at a state.
 #[derive(Clone, Debug)]
 pub(crate) struct Truth {
     /// q̈
@@ -45,7 +45,7 @@ pub(crate) struct Truth {
 }
 
 impl Reference {
-    /// The equations of a declaration given as text.
+    /// Derives the equations of a declaration given as text.
     pub(crate) fn new(declaration: &str) -> Reference {
         let mut model = parse(declaration).unwrap_or_else(|report| panic!("{report}")).model;
         let velocities = model.velocities();
@@ -60,8 +60,8 @@ impl Reference {
         self.forcing.len()
     }
 
-    /// The truth where symbols have the values that `value_of` gives; `None` if the mass matrix is
-    /// singular.
+    /// Returns the exact values where symbols have the values of `value_of`, or `None` if the mass
+    /// matrix is singular.
     pub(crate) fn at(&self, value_of: impl Fn(Role, &mut Arithmetic) -> Real) -> Option<Truth> {
         let mut before: Option<Truth> = None;
         for bits in BITS {
@@ -95,7 +95,7 @@ impl Reference {
         Some(Truth { accelerations, energy, scales })
     }
 
-    /// ‖S‖₁ ‖S⁻¹‖₁ of the mass matrix M, as it is and scaled to a unit diagonal, S = D M D.
+    /// Returns ‖S‖₁ ‖S⁻¹‖₁ of the mass matrix M, as it is and scaled to a unit diagonal, S = D M D.
     pub(crate) fn conditions(&self, value_of: impl Fn(Role, &mut Arithmetic) -> Real) -> [f64; 2] {
         let mut arithmetic = Arithmetic::new(1024);
         let n = self.size();
@@ -111,7 +111,7 @@ impl Reference {
     }
 }
 
-/// What is added up to an entry.
+/// Summands of an entry.
 type Terms = Vec<(ExprId, Number)>;
 
 fn forcing(model: &mut Model, momenta: &[ExprId]) -> Vec<ExprId> {
@@ -134,7 +134,7 @@ fn forcing(model: &mut Model, momenta: &[ExprId]) -> Vec<ExprId> {
     terms.into_iter().map(|terms| model.graph.sum(Number::ZERO, terms)).collect()
 }
 
-/// Nᵀ ∂L/∂q for rates N v of the positions.
+/// Returns Nᵀ ∂L/∂q for rates N v of the positions.
 fn slopes(model: &mut Model) -> Vec<Terms> {
     let (velocities, positions) = (model.velocities(), model.positions());
     let graph = &mut model.graph;
@@ -149,7 +149,7 @@ fn slopes(model: &mut Model) -> Vec<Terms> {
     terms
 }
 
-/// −ω × p at the angular velocities.
+/// Adds −ω × p at the angular velocities.
 fn add_turning(model: &mut Model, momenta: &[ExprId], terms: &mut [Terms]) {
     let velocities = model.velocities();
     for orientation in &model.orientations {
@@ -164,7 +164,7 @@ fn add_turning(model: &mut Model, momenta: &[ExprId], terms: &mut [Terms]) {
     }
 }
 
-/// ‖M‖₁ ‖M⁻¹‖₁; infinite for a singular matrix.
+/// Returns ‖M‖₁ ‖M⁻¹‖₁, or infinity for a singular matrix.
 fn condition(arithmetic: &Arithmetic, matrix: &[Real], n: usize) -> f64 {
     let sum = |column: &[Real]| {
         column.iter().fold(arithmetic.integer(0), |sum, entry| arithmetic.add(&sum, &entry.abs()))
@@ -186,7 +186,7 @@ fn agree(found: &[Real], before: &[Real]) -> bool {
     })
 }
 
-/// |found − exact| / |exact|; 0 if both are 0.
+/// Returns |found − exact| / |exact|, or 0 if both are 0.
 pub(crate) fn relative_error(found: &Real, exact: &Real) -> f64 {
     let arithmetic = Arithmetic::new(256);
     let difference = arithmetic.subtract(found, exact);

@@ -19,17 +19,17 @@ pub(crate) struct Scene {
     rows: Vec<Row>,
 }
 
-/// A row of a table: columns with their entries, the empty ones left out.
+/// A row of a table: columns with their entries, without the empty ones.
 struct Row {
     cells: Vec<(String, String)>,
 }
 
-/// All scenes in the plane or of points, by name.
+/// Returns all scenes of points or in the plane, by name.
 pub(crate) fn scenes() -> Vec<Scene> {
     scenes_in("")
 }
 
-/// The scenes of a folder beside the tables.
+/// Returns the scenes of a folder beside the tables.
 pub(crate) fn scenes_in(folder: &str) -> Vec<Scene> {
     let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/extremes")).join(folder);
     let entries = fs::read_dir(directory).expect("the directory of scenes");
@@ -58,7 +58,7 @@ impl Scene {
     }
 }
 
-/// The column of a velocity: `dot x` of a coordinate, the name of an angular velocity.
+/// Returns the column of a velocity: `dot x` for a coordinate, the name for an angular velocity.
 fn speed(model: &Model, index: usize) -> String {
     let speed = &model.speeds[index];
     match speed.coordinate {
@@ -69,7 +69,7 @@ fn speed(model: &Model, index: usize) -> String {
     }
 }
 
-/// The column of an acceleration.
+/// Returns the column of an acceleration.
 fn acceleration(model: &Model, index: usize) -> String {
     let speed = speed(model, index);
     if speed.starts_with("dot ") { format!("d{speed}") } else { format!("dot {speed}") }
@@ -96,14 +96,14 @@ impl Row {
         }
     }
 
-    /// Whether a way keeps its bounds; where a table has no bound nothing is promised.
+    /// True if a way keeps its bounds. Where a table has no bound, any error is allowed.
     fn allows(&self, way: Way, errors: &Errors) -> bool {
         let keeps = |column: &str, error: f64| self.number(column).is_none_or(|bound| error <= bound);
         let keeps_energy = way != STRICT || keeps("strict energy", errors.energy);
         keeps(way.name, errors.worst_component()) && keeps_energy
     }
 
-    /// What is to be said about the goal.
+    /// Returns the remark on the goal of a scene.
     fn remark(&self, way: Way, errors: &Errors) -> &'static str {
         let Some(goal) = self.number("goal").filter(|_| way == STRICT) else { return "" };
         let is_promised = ["strict", "strict energy"].iter().all(|column| self.number(column).is_some());
@@ -115,7 +115,7 @@ impl Row {
     }
 }
 
-/// The errors of every row, to be read with `--nocapture`.
+/// Prints the errors of every row, shown by `--nocapture`.
 #[test]
 fn accelerations_keep_their_digits_at_the_extremes() {
     let failures = scenes().iter().flat_map(Scene::judge).collect::<Vec<_>>();
@@ -123,7 +123,7 @@ fn accelerations_keep_their_digits_at_the_extremes() {
 }
 
 impl Scene {
-    /// Prints the errors of every row; those that are too large.
+    /// Prints the errors of every row, and returns those that are too large.
     fn judge(&self) -> Vec<String> {
         println!("\n{}: cond M, cond of M with unit diagonal; magnification of rounded inputs;", self.name);
         println!("  along each way the relative error of every acceleration; of the energy");
@@ -162,7 +162,7 @@ fn listed(numbers: &[f64]) -> String {
     numbers.iter().map(|number| format!("{number:.1e}")).collect::<Vec<_>>().join(" ")
 }
 
-/// Numbers of sixty digits that were computed elsewhere.
+/// The printed numbers were computed elsewhere, with sixty digits.
 #[test]
 fn the_reference_gives_the_printed_accelerations() {
     let mut arithmetic = Arithmetic::new(256);

@@ -1,9 +1,10 @@
-//! Bodies in space of which one is 10⁹ times as heavy, as light, as long or as short as the others.
+//! Bodies in space, one of which is 10⁹ times as heavy, as light, as long or as short as the
+//! others.
 //!
-//! Errors are judged as in [`sweep`](crate::sweep), in units of rounding by κ + c, the
-//! magnification of rounded inputs and the condition of the scaled mass matrix. All levels keep
-//! that everywhere. With three freedoms `strict` keeps κ + √c, as in the plane; with more it is
-//! never worse than `standard` and mostly better where lengths differ: see
+//! Errors are judged as in [`sweep`](crate::sweep), in units of rounding by `κ + c`. This is the
+//! magnification of rounded inputs plus the condition of the scaled mass matrix. All levels keep
+//! that bound everywhere. With three degrees of freedom `strict` keeps κ + √c, as in the plane.
+//! With more it is never worse than `standard`, and mostly better where lengths differ: see
 //! `tests/extremes/README.md`.
 
 use std::env;
@@ -18,21 +19,21 @@ use crate::reference::{Reference, Truth};
 use crate::scenes::{Scene, scenes_in};
 use crate::trial::{FAST, STANDARD, STRICT, Sample, Subject, Way};
 
-/// What is derived in seconds without optimisation; the others are judged if `LAGRANGE_EXTREMES` is
-/// set.
+/// Scenes derived within seconds without optimisation. The others are judged if `LAGRANGE_EXTREMES`
+/// is set.
 const QUICK: [&str; 3] = ["ball_chain", "universal_and_hinge", "universal_chain"];
 /// Ratios of one mass or length to the others.
 const RATIOS: [f64; 2] = [1e-9, 1e9];
-/// The number of freedoms up to which `strict` keeps κ + √c.
+/// The number of degrees of freedom up to which `strict` keeps κ + √c.
 const FEW: usize = 3;
 const LEVELS: [Way; 3] = [FAST, STANDARD, STRICT];
 const SEED: u64 = 40;
 /// The constant in the bounds.
 const SLACK: f64 = 4.0;
-/// From this condition on a mass matrix in doubles may be singular, and results not finite.
+/// Condition above which a mass matrix in doubles may be singular, and results may not be finite.
 const SINGULAR: f64 = 0.1 / f64::EPSILON;
 
-/// What differs between the bodies.
+/// The property in which one body differs from the others.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
     Nothing,
@@ -42,7 +43,8 @@ enum Kind {
 
 const KINDS: [Kind; 3] = [Kind::Nothing, Kind::Mass, Kind::Length];
 
-/// A state with angles of any size and quaternions of length one, all masses and lengths being one.
+/// Returns a state with angles of any size, unit quaternions, and all masses and lengths equal to
+/// one.
 fn state(model: &Model, random: &mut Random) -> Sample {
     let mut q = model.coordinates.iter().map(|_| random.between(-PI, PI)).collect::<Vec<_>>();
     for orientation in &model.orientations {
@@ -55,12 +57,13 @@ fn state(model: &Model, random: &mut Random) -> Sample {
     Sample { settings, t: 0.0, q, v }
 }
 
-/// Names of masses and lengths.
+/// Returns the names of masses and lengths.
 fn sizes(model: &Model) -> impl Iterator<Item = String> {
     model.parameters.iter().map(|parameter| parameter.name.clone()).filter(|name| name != "g")
 }
 
-/// States at which all bodies are alike, and at which one mass or one length is not.
+/// Returns states at which all bodies are alike, and states at which one mass or one length
+/// differs.
 fn samples(model: &Model) -> Vec<(Kind, Sample)> {
     let mut random = Random::new(SEED);
     let mut samples = Vec::new();
@@ -78,7 +81,7 @@ fn samples(model: &Model) -> Vec<(Kind, Sample)> {
     samples
 }
 
-/// A state with what is known there.
+/// A state with its exact values.
 struct Judged {
     kind: Kind,
     sample: Sample,
@@ -95,7 +98,7 @@ impl Judged {
         Judged { kind, sample, truth, magnification, condition }
     }
 
-    /// The error that a level may make, in units of rounding.
+    /// Returns the error that a level may make, in units of rounding.
     fn allowed(&self, way: Way) -> f64 {
         let is_rotated = way == STRICT && self.sample.v.len() <= FEW;
         let condition = if is_rotated { self.condition.sqrt() } else { self.condition };
@@ -103,7 +106,7 @@ impl Judged {
     }
 }
 
-/// The largest errors at a level: of an acceleration, relative to itself, and in units of rounding
+/// The largest errors at a level: of an acceleration relative to itself, and in units of rounding
 /// over κ + c and over κ + √c.
 #[derive(Default)]
 struct Worst {
@@ -118,7 +121,8 @@ impl fmt::Display for Worst {
     }
 }
 
-/// Prints the largest errors of a scene at a level; the states at which they are too large.
+/// Prints the largest errors of a scene at a level, and returns the states at which they are too
+/// large.
 fn judge(scene: &Scene, way: Way, judged: &[Judged]) -> Vec<String> {
     let mut subject = Subject::new(&scene.declaration, way);
     let (mut failures, mut worst) = (Vec::new(), KINDS.map(|_| Worst::default()));
@@ -141,7 +145,7 @@ fn judge(scene: &Scene, way: Way, judged: &[Judged]) -> Vec<String> {
     failures
 }
 
-/// The largest errors, to be read with `--nocapture`.
+/// Prints the largest errors, shown by `--nocapture`.
 #[test]
 fn bodies_in_space_lose_no_more_digits_than_their_level_does() {
     println!(

@@ -1,10 +1,11 @@
 //! All scenes at random parameters and states that span 24 decades.
 //!
-//! Two numbers say what error is to be expected in units of rounding: the magnification κ of
-//! rounded inputs, which no algorithm escapes that computes sines and products of the inputs, and
-//! the condition number c of the mass matrix scaled to a unit diagonal. Elimination by pivots loses
-//! κ + c, elimination by rotations of velocities weighted with the roots of their masses κ + √c
-//! (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §10.1 and §20.1).
+//! Two numbers predict the error in units of rounding. The magnification κ of rounded inputs
+//! affects every algorithm that computes sines and products of the inputs. The other is the
+//! condition number c of the mass matrix scaled to a unit diagonal. Elimination by pivots loses
+//! `κ + c`. Elimination by rotations loses `κ + √c` if velocities are weighted with the roots of
+//! their masses. See Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §10.1 and
+//! §20.1.
 
 use std::f64::consts::PI;
 
@@ -19,16 +20,16 @@ use crate::trial::{DENSE, SQUARES, STANDARD, STRICT, Sample, Subject, WAYS, Way}
 /// Random states of each scene.
 const CASES: usize = 24;
 const SEED: u64 = 20;
-/// Digits beyond which nothing is left.
+/// Number of decimal digits after which no digit remains.
 const MOST_DIGITS: usize = 16;
 /// Constants in the bounds κ + c and κ + √c.
 const SLACK: f64 = 16.0;
-/// From this condition on a mass matrix in doubles may be singular, and results not finite.
+/// Condition above which a mass matrix in doubles may be singular, and results may not be finite.
 const SINGULAR: f64 = 0.1 / f64::EPSILON;
-/// The share of all states at which bounds must be kept, exceptions included.
+/// The share of all states at which bounds must hold, exceptions included.
 const SHARE: f64 = 0.9;
 
-/// What was lost at one state, in units of rounding, and what had to be expected.
+/// The loss at one state, in units of rounding, and the expected loss.
 struct Loss {
     sample: Sample,
     error: f64,
@@ -37,19 +38,19 @@ struct Loss {
 }
 
 impl Loss {
-    /// The error relative to what eliminations by pivots, or by rotations, would make.
+    /// Returns the error relative to the expected error of elimination by pivots or by rotations.
     fn beyond(&self, condition: fn(f64) -> f64) -> f64 {
         let is_singular = self.error.is_infinite() && self.condition > SINGULAR;
         if is_singular { 0.0 } else { self.error / (self.magnification + condition(self.condition)) }
     }
 
     fn digits(&self) -> usize {
-        // A float is turned into the nearest index that there is.
+        // A float becomes the nearest valid index.
         (self.error.max(1.0).log10().round() as usize).min(MOST_DIGITS)
     }
 }
 
-/// What enters the bound of a way: c or √c.
+/// Returns the function of the condition in the bound of a way: c or √c.
 fn conditioned(way: Way) -> fn(f64) -> f64 {
     match way {
         STRICT | SQUARES => f64::sqrt,
@@ -57,8 +58,8 @@ fn conditioned(way: Way) -> fn(f64) -> f64 {
     }
 }
 
-/// The scenes in which a way exceeds its bound at some states, because forces cancel without
-/// showing it.
+/// Returns the scenes in which a way exceeds its bound at some states, because forces cancel
+/// unnoticed.
 fn exceptions(way: Way) -> &'static [&'static str] {
     match way {
         STANDARD | DENSE => &["relative_pendulum", "two_link_arm", "written_out_pendulum"],
@@ -77,8 +78,8 @@ fn exceptions(way: Way) -> &'static [&'static str] {
     }
 }
 
-/// Positive parameters from 10⁻¹² to 10¹²; angles of any size, tiny ones, and differences that are
-/// tiny.
+/// Draws positive parameters from 10⁻¹² to 10¹², angles of any size, tiny angles, and tiny
+/// differences between them.
 fn sample(model: &Model, random: &mut Random) -> Sample {
     let parameters = model.parameters.iter();
     let settings = parameters.map(|p| (p.name.clone(), random.decades(-12.0, 12.0).abs())).collect();
@@ -96,7 +97,7 @@ fn sample(model: &Model, random: &mut Random) -> Sample {
     Sample { settings, t: 0.0, q, v }
 }
 
-/// The losses along each way at the same random states of a scene.
+/// Returns the losses along each way at the same random states of a scene.
 fn losses(scene: &Scene) -> [(Way, Vec<Loss>); WAYS.len()] {
     let reference = Reference::new(&scene.declaration);
     let mut random = Random::new(SEED);
@@ -120,8 +121,8 @@ fn losses(scene: &Scene) -> [(Way, Vec<Loss>); WAYS.len()] {
     })
 }
 
-/// How many states lost 0, 1, … digits, and the states at which more was lost than expected, to be
-/// read with `--nocapture`.
+/// Prints the number of states that lost 0, 1, … digits, and the states with unexpectedly large
+/// losses, shown by `--nocapture`.
 #[test]
 fn digits_are_lost_only_to_the_condition_of_the_mass_matrix() {
     let mut all = WAYS.map(|way| (way, Vec::new()));
@@ -148,7 +149,7 @@ fn digits_are_lost_only_to_the_condition_of_the_mass_matrix() {
     assert!(failures.is_empty(), "more digits are lost than must be: {failures:?}");
 }
 
-/// The share of states at which a way keeps its bound.
+/// Returns the share of states at which a way keeps its bound.
 fn share(way: Way, losses: &[Loss]) -> f64 {
     let kept = losses.iter().filter(|loss| loss.beyond(conditioned(way)) <= SLACK);
     kept.count() as f64 / losses.len() as f64
@@ -164,7 +165,7 @@ fn print_histogram(name: &str, way: Way, losses: &[Loss]) {
     println!("{name:20} {:9} {counts}  {pivots:.0e} {rotations:.0e}", way.name);
 }
 
-/// The state at which a bound is exceeded most.
+/// Prints the state at which a bound is exceeded most.
 fn print_worst(way: Way, losses: &[Loss]) {
     let condition = conditioned(way);
     let worst = losses.iter().max_by(|a, b| a.beyond(condition).total_cmp(&b.beyond(condition)));

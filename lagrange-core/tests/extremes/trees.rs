@@ -1,4 +1,4 @@
-//! Random trees of point masses on massless links: their accelerations by all strategies.
+//! Random trees of point masses on massless links, and their accelerations by all strategies.
 
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -8,31 +8,31 @@ use crate::random::Random;
 use crate::reference::Reference;
 use crate::trial::{DENSE, RECURSIVE, SQUARES, Sample, Subject};
 
-/// Numbers of bodies, and how many trees of each number.
+/// Numbers of bodies, with the number of trees for each.
 const SIZES: [(usize, usize); 6] = [(1, 2), (2, 6), (5, 6), (12, 4), (30, 2), (60, 2)];
 const SEED: u64 = 60;
 /// The largest errors of the mass matrix and of the other strategies, relative to the largest
-/// acceleration, both in the scales of the mass matrix. Its condition grows with a power of the
-/// number of links, which the others do not feel.
+/// acceleration in the scales of the mass matrix. The condition of the mass matrix grows with a
+/// power of the number of links, but does not affect the other strategies.
 const BOUNDS: [f64; 2] = [1e-10, 1e-13];
 
-/// How a tree is built.
+/// The shape of a tree.
 #[derive(Clone, Copy, Debug)]
 enum Shape {
     Chain,
     Branching,
 }
 
-/// What angles are measured from.
+/// The direction from which angles are measured.
 #[derive(Clone, Copy, Debug)]
 enum Angles {
     Absolute,
     Relative,
-    /// Either, body by body.
+    /// Either of them, body by body.
     Mixed,
 }
 
-/// All pairs, taken in turn.
+/// All pairs, used in turn.
 const KINDS: [(Shape, Angles); 6] = [
     (Shape::Chain, Angles::Absolute),
     (Shape::Branching, Angles::Relative),
@@ -42,8 +42,8 @@ const KINDS: [(Shape, Angles); 6] = [
     (Shape::Branching, Angles::Absolute),
 ];
 
-/// The declaration of a tree with `n` bodies. Half of the trees have torsion springs at their
-/// joints.
+/// Returns the declaration of a tree with `n` bodies. Half of the trees have torsion springs at
+/// their joints.
 fn declaration(n: usize, shape: Shape, angles: Angles, random: &mut Random) -> String {
     let mut text = "const g = 9.81; let p0 = (0, 0); let a0 = 0;\n".to_owned();
     let has_springs = random.below(2) == 0;

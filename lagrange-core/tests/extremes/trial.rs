@@ -20,7 +20,7 @@ pub(crate) struct Sample {
 }
 
 impl Sample {
-    /// The value of a symbol, that of a parameter being its default unless it is set.
+    /// Returns the value of a symbol. A parameter has its default unless it is set.
     pub(crate) fn value(&self, model: &Model, role: Role) -> f64 {
         let setting = |name: &str, default| {
             let set = self.settings.iter().find(|(known, _)| known == name);
@@ -63,22 +63,22 @@ impl Sample {
     }
 }
 
-/// The relative change of an input by which slopes are found; far above rounding in 1024 bits.
+/// The relative change of an input in difference quotients, far above rounding in 1024 bits.
 const CHANGE: f64 = 1e-90;
 
 impl Reference {
-    /// The truth at a sample; `None` where the mass matrix is singular.
+    /// Returns the exact values at a sample, or `None` where the mass matrix is singular.
     pub(crate) fn truth(&self, sample: &Sample) -> Option<Truth> {
         self.at(|role, arithmetic| self.value(sample, None, role, arithmetic))
     }
 
-    /// The condition numbers of the mass matrix as it is and scaled to a unit diagonal.
+    /// Returns the condition numbers of the mass matrix as it is and scaled to a unit diagonal.
     pub(crate) fn conditions_at(&self, sample: &Sample) -> [f64; 2] {
         self.conditions(|role, arithmetic| self.value(sample, None, role, arithmetic))
     }
 
-    /// The value of a symbol, with one input a little larger. Quaternions of floats are not of
-    /// length one; they are made so.
+    /// Returns the value of a symbol while one input is slightly larger. Rounded quaternions are
+    /// normalised.
     fn value(&self, sample: &Sample, larger: Option<Role>, role: Role, arithmetic: &mut Arithmetic) -> Real {
         let value = |role| {
             let value = arithmetic.float(sample.value(&self.model, role));
@@ -95,7 +95,7 @@ impl Reference {
         arithmetic.divide(&components[first], &length)
     }
 
-    /// Everything that accelerations may depend on.
+    /// Returns every input on which accelerations may depend.
     pub(crate) fn roles(&self) -> Vec<Role> {
         let count = |n: usize| 0..u32::try_from(n).expect("few symbols");
         let model = &self.model;
@@ -106,7 +106,7 @@ impl Reference {
         parameters.chain(inputs).chain(states).chain([Role::Time]).collect()
     }
 
-    /// How roundings of the inputs are magnified at a sample.
+    /// Returns the magnification of rounded inputs at a sample.
     pub(crate) fn magnification(&self, sample: &Sample, truth: &Truth) -> Magnification {
         let exact = self.moved(sample, None);
         let mut sum = Magnification { components: vec![0.0; exact.len()], scaled: 0.0 };
@@ -120,13 +120,13 @@ impl Reference {
         sum
     }
 
-    /// |xⱼ ∂äᵢ/∂xⱼ| / |äᵢ| for one input xⱼ.
+    /// Returns |xⱼ ∂äᵢ/∂xⱼ| / |äᵢ| for one input xⱼ.
     pub(crate) fn slopes(&self, sample: &Sample, input: Role) -> Vec<f64> {
         let [moved, exact] = [Some(input), None].map(|larger| self.moved(sample, larger));
         moved.iter().zip(&exact).map(|(moved, exact)| relative_error(moved, exact) / CHANGE).collect()
     }
 
-    /// The accelerations with one input a little larger.
+    /// Returns the accelerations while one input is slightly larger.
     fn moved(&self, sample: &Sample, larger: Option<Role>) -> Vec<Real> {
         let truth = self.with_bits(1024, &|role, arithmetic: &mut Arithmetic| {
             self.value(sample, larger, role, arithmetic)
@@ -135,17 +135,17 @@ impl Reference {
     }
 }
 
-/// By how much a rounding of each input is magnified, summed over all parameters, coordinates and
+/// The magnification of rounding errors in the inputs, summed over all parameters, coordinates and
 /// velocities.
 #[derive(Clone, Debug)]
 pub(crate) struct Magnification {
     /// Σⱼ |xⱼ ∂äᵢ/∂xⱼ| / |äᵢ|
     pub(crate) components: Vec<f64>,
-    /// The same of the largest acceleration, in the scales of [`Errors::scaled`].
+    /// That magnification of the largest acceleration, in the scales of [`Errors::scaled`].
     pub(crate) scaled: f64,
 }
 
-/// A way to accelerations.
+/// A way of computing accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Way {
     pub(crate) name: &'static str,
@@ -153,7 +153,7 @@ pub(crate) struct Way {
     pub(crate) strategy: StrategyChoice,
 }
 
-/// The levels as users get them, and every strategy.
+/// The levels of accuracy as users get them, and every strategy.
 pub(crate) const WAYS: [Way; 5] = [STANDARD, STRICT, DENSE, RECURSIVE, SQUARES];
 pub(crate) const FAST: Way = level("fast", Accuracy::Fast);
 pub(crate) const STANDARD: Way = level("standard", Accuracy::Standard);
@@ -170,17 +170,17 @@ const fn strategy(name: &'static str, strategy: Strategy) -> Way {
     Way { name, level: Accuracy::Standard, strategy: StrategyChoice::Always(strategy) }
 }
 
-/// What comes of a declaration.
+/// A declaration derived along one way.
 pub(crate) struct Subject {
     system: NumericSystem,
 }
 
-/// How far results are from the truth.
+/// Differences between results and exact values.
 #[derive(Clone, Debug)]
 pub(crate) struct Errors {
     /// |Δäᵢ| / |äᵢ|
     pub(crate) components: Vec<f64>,
-    /// max √Mᵢᵢ |Δäᵢ| / max √Mᵢᵢ |äᵢ|, which no choice of units changes.
+    /// max √Mᵢᵢ |Δäᵢ| / max √Mᵢᵢ |äᵢ|, which is independent of units.
     pub(crate) scaled: f64,
     /// The relative error of the energy.
     pub(crate) energy: f64,
@@ -193,14 +193,14 @@ impl Errors {
 }
 
 impl Subject {
-    /// A declaration without a head, along a way.
+    /// Derives a declaration without a head along a way.
     pub(crate) fn new(declaration: &str, way: Way) -> Subject {
         let text = format!("#[accuracy({})] struct Subject; {declaration}", way.level.name());
         let derived = parse(&text).and_then(|system| system.derive(way.strategy));
         Subject { system: NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}"))) }
     }
 
-    /// q̈ at a sample.
+    /// Returns q̈ at a sample.
     pub(crate) fn accelerations(&mut self, sample: &Sample) -> Vec<f64> {
         for (name, value) in &sample.settings {
             assert!(self.system.set(name, *value), "{name} is declared");
@@ -208,7 +208,7 @@ impl Subject {
         self.system.acceleration(sample.t, &sample.q, &sample.v)
     }
 
-    /// How far it is from the truth at a sample.
+    /// Returns the errors at a sample.
     pub(crate) fn errors(&mut self, sample: &Sample, truth: &Truth) -> Errors {
         let accelerations = self.accelerations(sample);
         let energy = self.system.product(Product::Energy, sample.t, &sample.q, &sample.v);
@@ -223,7 +223,7 @@ impl Subject {
     }
 }
 
-/// The relative error of a float; infinite unless it is finite.
+/// Returns the relative error of a float, or infinity unless it is finite.
 fn error(found: f64, exact: &Real) -> f64 {
     if !found.is_finite() {
         return f64::INFINITY;
@@ -231,8 +231,8 @@ fn error(found: f64, exact: &Real) -> f64 {
     relative_error(&Arithmetic::new(64).float(found), exact)
 }
 
-/// The largest error in scales that make the diagonal of the mass matrix one, relative to the
-/// largest acceleration in the same scales.
+/// Returns the largest error in scales that make the diagonal of the mass matrix one, relative to
+/// the largest acceleration in the same scales.
 fn scaled(found: &[Real], truth: &Truth) -> f64 {
     let arithmetic = Arithmetic::new(512);
     let scale = |values: &[Real]| {

@@ -1,4 +1,4 @@
-//! What is not a number, and what has no value, is never answered with a plausible number.
+//! NaN and undefined values in the input never lead to a plausible number in the result.
 
 use std::cell::LazyCell;
 use std::fs;
@@ -12,13 +12,13 @@ use crate::reference::Reference;
 use crate::scenes::scenes;
 use crate::trial::{SQUARES, Sample, Subject, WAYS};
 
-/// Accelerations that change less than this, relative to the change of an input, do not depend on
-/// it.
+/// Threshold for the change of an acceleration, relative to that of an input. Below it the
+/// acceleration is independent of the input.
 const INDEPENDENT: f64 = 1e-60;
 
-/// Near infinity.
+/// A number that stands for infinity in a limit.
 const FAR: f64 = 1e100;
-/// What is smaller may be zero at infinity.
+/// Threshold below which a number may be zero at infinity.
 const NEAR_ZERO: f64 = 1e-30;
 
 /// A system of `tests/oracle` at its first state.
@@ -55,12 +55,12 @@ impl Case {
     }
 }
 
-/// Every way.
+/// Derives a declaration along every way.
 fn subjects(declaration: &str) -> Vec<(&'static str, Subject)> {
     WAYS.map(|way| (way.name, Subject::new(declaration, way))).into()
 }
 
-/// Which accelerations depend on an input is found by moving it a little.
+/// Moving an input slightly shows which accelerations depend on it.
 #[test]
 fn an_acceleration_is_not_a_number_if_something_it_depends_on_is_none() {
     let mut failures = Vec::new();
@@ -110,7 +110,8 @@ fn an_acceleration_at_infinity_is_the_limit_or_not_finite() {
 }
 
 impl Case {
-    /// The finite accelerations at an infinite input that they depend on, and those near it.
+    /// Returns the finite accelerations at an infinite input on which they depend, and those
+    /// nearby.
     fn limits(
         &self,
         reference: &Reference,
@@ -149,7 +150,7 @@ struct Singularity {
     undefined: &'static [usize],
 }
 
-/// Where pivots vanish exactly.
+/// Singularities at which pivots vanish exactly.
 const EXACT: [Singularity; 9] = [
     singularity("kepler", &[], &[0.0, 0.3], &[1.0, 1.0], &[0, 1]),
     singularity("spherical_pendulum", &[], &[0.0, 0.3], &[1.0, 1.0], &[1]),
@@ -162,8 +163,8 @@ const EXACT: [Singularity; 9] = [
     singularity("rolling_ball", &[("R", 1.0)], &[0.4, 0.0], &[1.0, 2.0], &[0]),
 ];
 
-/// Where pivots vanish only if angles are subtracted before sines are taken: sin² + cos² is
-/// rounded.
+/// Singularities at which pivots vanish only if angles are subtracted before sines are taken, since
+/// sin² + cos² is rounded.
 const PARALLEL: [Singularity; 3] = [
     singularity("double_pendulum", &[("m1", 0.0)], &[0.3, 0.3], &[1.0, -2.0], &[0, 1]),
     singularity("relative_pendulum", &[("m2", 0.0)], &[0.3, 0.4, 0.0], &[1.0, -2.0, 0.5], &[1, 2]),
@@ -181,7 +182,7 @@ const fn singularity(
 }
 
 impl Singularity {
-    /// What answers with numbers.
+    /// Returns the ways that yield numbers.
     fn failures(&self, subjects: impl Fn(&str) -> Vec<(&'static str, Subject)>) -> Vec<String> {
         let scenes = scenes();
         let scene = scenes.iter().find(|scene| scene.name == self.scene).expect("a scene");

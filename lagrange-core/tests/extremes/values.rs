@@ -8,7 +8,7 @@ use lagrange_core::symbol::Role;
 use crate::digits::{Arithmetic, Real};
 
 impl Arithmetic {
-    /// The values of `roots` where symbols have the values that `value_of` gives.
+    /// Returns the values of `roots` where symbols have the values of `value_of`.
     pub(crate) fn evaluate(
         &mut self,
         graph: &Graph,

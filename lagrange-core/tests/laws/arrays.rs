@@ -1,5 +1,5 @@
-//! Arrays, loops and sums: the code is that of the declaration that is written out, and values are
-//! those of references that were.
+//! Arrays, loops and sums: the code equals that of the declaration written out, and values equal
+//! those of references.
 
 use std::fs;
 use std::path::Path;
@@ -16,7 +16,7 @@ use quote::quote;
 const MASSES: &str = "[0.93, 0.86, 0.79, 0.72, 0.65, 0.58, 0.51, 0.44, 0.37, 0.30]";
 const LENGTHS: &str = "[0.85, 0.80, 0.75, 0.70, 0.65, 0.60, 0.55, 0.50, 0.45, 0.40]";
 
-/// What is emitted of a correct text if fields are not arrays.
+/// Returns the code emitted for a correct text whose fields are not arrays.
 fn emitted(text: &str) -> String {
     let derived = parse(text).and_then(|mut system| {
         system.declaration.arrays.clear();
@@ -26,7 +26,7 @@ fn emitted(text: &str) -> String {
     tokens.unwrap_or_else(|report| panic!("{text}\n{report}")).to_string()
 }
 
-/// The statements without arrays as text, and those with arrays printed.
+/// Returns the statements without arrays as text, and those with arrays as printed.
 fn written_out(text: &str) -> [String; 2] {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report).expect("tokens");
@@ -46,7 +46,7 @@ fn oracle(name: &str) -> String {
     fs::read_to_string(path).expect("a declaration")
 }
 
-/// Point masses on massless rods with angles `a` of the rods.
+/// Returns point masses on massless rods with angles `a` of the rods.
 fn chain(n: usize, angles: &str) -> String {
     let first = |list: &str| list.split(", ").take(n).collect::<Vec<_>>().join(", ").replace(']', "");
     let (masses, lengths) = (first(MASSES), first(LENGTHS));
@@ -97,14 +97,14 @@ fn systems_of_the_oracle_have_the_same_bits_with_arrays() {
     }
 }
 
-/// Linear interpolation by hand, on either side of the last point as it is declared.
+/// Interpolates linearly by hand, and continues beyond the last point as declared.
 fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
     let piece = points.windows(2).find(|pair| x <= pair[1].0).unwrap_or(&points[points.len() - 2..]);
     let [(a, y), (b, z)] = [piece[0], piece[1]];
     y + (z - y) * (x - a) / (b - a)
 }
 
-/// Each table has its own points, those of the last one in a file, and functions use them.
+/// Each table has its own points, the last one from a file, and functions use them.
 #[test]
 fn tables_of_an_array_have_the_values_of_their_own_points() {
     let text = r#"
@@ -138,7 +138,7 @@ fn tables_of_an_array_have_the_values_of_their_own_points() {
     }
 }
 
-/// What may stand in the loop over all of a random system.
+/// Terms for the loop over all coordinates of a random system.
 const TERMS: [&str; 12] = [
     "kinetic = 1/2*m[i]*(i + 1)*dot(q[i])^2;",
     "let p[i] = (l[i]*sin(q[i]), -l[i]*cos(q[i])); kinetic = kinetic_energy(m[i], dot(p[i]) + (dot(q[0]), 0));",

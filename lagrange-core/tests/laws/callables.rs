@@ -1,4 +1,4 @@
-//! Functions of the crate and tables: printed and read they say the same, and tables have the
+//! Functions of the crate and tables keep their meaning when printed and read. Tables have the
 //! derivatives that differences show.
 
 use lagrange_core::derive::StrategyChoice;
@@ -8,7 +8,7 @@ use proptest::prelude::{Just, Strategy, any, prop_assert, prop_assert_eq, prop_o
 
 use crate::printing::{emitted, printed_and_read, read};
 
-/// Options of a table in which energies may be, and of any.
+/// Options of a table that is smooth enough for energies, and of any table.
 const SMOOTH: [&str; 2] =
     ["interpolation: natural, outside: extend", "outside: error, interpolation: natural"];
 const ANY: [&str; 4] = [
@@ -18,7 +18,7 @@ const ANY: [&str; 4] = [
     "interpolation: linear, outside: extend",
 ];
 
-/// Points of a table from −2 to 2 at least, in text.
+/// Returns points of a table from −2 to 2 at least, in text.
 fn points() -> impl Strategy<Value = String> {
     let steps = proptest::collection::vec((1_u32..8, -30_i32..30), 2..8);
     steps.prop_map(|steps| {
@@ -33,7 +33,8 @@ fn points() -> impl Strategy<Value = String> {
     })
 }
 
-/// A function of the crate with some of its derivatives listed, or with all of them by default.
+/// Returns a function of the crate with some of its derivatives listed, or with all of them by
+/// default.
 fn external() -> impl Strategy<Value = &'static str> {
     prop_oneof![
         Just("function push(u);"),
@@ -42,7 +43,7 @@ fn external() -> impl Strategy<Value = &'static str> {
     ]
 }
 
-/// A system with tables in its energy and in a force, and with functions of the crate.
+/// Returns a system with tables in its energy and in a force, and with functions of the crate.
 fn systems() -> impl Strategy<Value = String> {
     let surface = (any::<bool>(), -20_i32..20);
     (points(), points(), 0..SMOOTH.len(), 0..ANY.len(), external(), surface).prop_map(
@@ -95,7 +96,7 @@ proptest! {
         let one_sided = [(at(x + h, v) - at(x, v)) / h, (at(x, v + h) - at(x, v)) / h];
         for ((found, central), forward) in jacobian.into_iter().zip(differences).zip(one_sided) {
             let scale = found.abs().max(at(x, v).abs()).max(1.0);
-            // A point of a table between the states makes both differences miss by the same.
+            // A point of a table between the states gives both differences the same error.
             let bound = 2.0 * (central - forward).abs() + 1e-6 * scale;
             prop_assert!((found - central).abs() < bound, "{found} or {central}\n{text}");
         }

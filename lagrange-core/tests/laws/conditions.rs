@@ -1,4 +1,4 @@
-//! Conditions of several comparisons mean what their signs say.
+//! Conditions of several comparisons follow their operators.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};

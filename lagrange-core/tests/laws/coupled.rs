@@ -1,5 +1,5 @@
-//! Algebraic unknowns that are solved for together: what follows from their equations is what
-//! follows from their solution, where that can be written out.
+//! Coupled algebraic unknowns give the same results as their closed-form solutions, where these
+//! exist.
 
 use std::sync::LazyLock;
 
@@ -15,8 +15,8 @@ fn system(text: &str) -> NumericSystem {
     NumericSystem::new(&derived.expect("a regular system"))
 }
 
-/// A crank of length 1 that drives a rocker of length 3 through a coupler of length 4, on a base of
-/// length 3.5, with a mass on the coupler and a spring at the rocker.
+/// Returns a crank of length 1 that drives a rocker of length 3 through a coupler of length 4. The
+/// base has the length 3.5, the coupler carries a mass, and a spring holds the rocker.
 fn four_bar(unknowns: &str) -> String {
     format!(
         "param a = 1, b = 4, c = 3, d = 7/2, m = 2, k = 5, g = 9.81; coord phi;
@@ -36,8 +36,8 @@ const CLOSED: &str = "
         0 = a * sin(phi) + b * sin(coupler) - c * sin(rocker),
         start: (0.7, 1.5);
 ";
-/// The loop closure in closed form, by the triangle over the diagonal from the end of the crank to
-/// the pivot of the rocker.
+/// The loop closure in closed form, from the triangle over the diagonal between the end of the
+/// crank and the pivot of the rocker.
 const WRITTEN: &str = "
     let (ex, ey) = (d - a * cos(phi), -a * sin(phi));
     let diagonal = sqrt(ex^2 + ey^2);
@@ -46,7 +46,7 @@ const WRITTEN: &str = "
     let rocker = towards + pi - acos((c^2 + diagonal^2 - b^2) / (2 * c * diagonal));
 ";
 
-/// Both, each derived once.
+/// Both linkages, each derived once.
 static LINKAGES: LazyLock<[NumericSystem; 2]> =
     LazyLock::new(|| [CLOSED, WRITTEN].map(|unknowns| system(&four_bar(unknowns))));
 
@@ -68,7 +68,7 @@ proptest! {
     }
 }
 
-/// Values of the outputs `found` of a system at x = 0 with these parameters.
+/// Returns the outputs `found` of a system at x = 0 with these parameters.
 fn found(text: &str, parameters: &[(&str, f64)]) -> Vec<f64> {
     let mut system = system(&format!("coord x; kinetic = 1/2 * dot(x)^2; {text}"));
     parameters.iter().for_each(|(name, value)| assert!(system.set(name, *value)));
@@ -134,7 +134,7 @@ fn heated_bodies_in_a_row_have_the_temperatures_that_scipy_finds() {
     check(&found(row, &[("power", 200.0)]), &hotter);
 }
 
-/// Eight points between springs that stiffen, in a row that x stretches.
+/// Eight points in a row between stiffening springs. The coordinate x stretches the row.
 const ROW: &str = "
     const n = 8;
     param k = 2, h = 3; coord x;
@@ -171,7 +171,7 @@ fn eight_unknowns_have_the_derivatives_that_differences_show() {
         let speed = system.output("speed", 0.0, &[x], &[2.0]).expect("it is declared")[0];
         assert!((speed - 2.0 * difference(&middle)).abs() < 1e-9, "{speed}");
     }
-    // Without the load in the middle all nine springs would be alike.
+    // Without the load in the middle all nine springs would be equal.
     let third = std::f64::consts::PI;
     let force = -system.acceleration(0.0, &[third], &[0.0])[0];
     let s = third / 9.0;
@@ -184,24 +184,24 @@ fn what_has_no_common_solution_is_not_a_number() {
         found(&format!("param p = 1; solve (y, z): {equations}; output found = (y, z);"), &[])
     };
     for equations in [
-        // A line that passes the circle, one that touches it, and two circles one in the other.
+        // A line outside the circle, a line that touches it, and one circle inside another.
         "0 = y^2 + z^2 - 1, 0 = y + z - 3 * p, start: (1, 1/2)",
         "0 = y^2 + z^2 - 2, 0 = y + z - 2 * p, start: (2, 1/2)",
         "0 = y^2 + z^2 - 1, 0 = y^2 + z^2 - y / 4 - 3 * p, start: (1, 1/2)",
-        // Both come near zero far away only.
+        // Both approach zero only far away.
         "0 = sqrt(y^2 + p) - y, 0 = z + y - p, start: (1, 1)",
         "0 = (y - 1000)^2 + 1e-12 * p, 0 = z - y, start: (1, 1), iterations: 1000",
-        // The Jacobian is singular at the start, and everywhere on the way.
+        // The Jacobian is singular at the start, and everywhere along the way.
         "0 = y * z, 0 = y + z, start: (0, 0)",
         "0 = y^2 - p, 0 = z^2 - p, start: (0, 0)",
-        // Roots and logarithms without values.
+        // Roots and logarithms outside their domains.
         "0 = sqrt(y - 3 * p) + z, 0 = z + y, start: (1, 1)",
         "0 = y + z^3 - p, 0 = y - 2 * z - 3 * p, start: (100, 50), iterations: 2",
     ] {
         let values = of(equations);
         assert!(values.iter().all(|value| value.is_nan()), "{equations} {values:?}");
     }
-    // The same within their reach.
+    // The same equations where they have solutions.
     for (equations, expected) in [
         ("0 = y^2 + z^2 - 1, 0 = y + z - p, start: (1, 1/2)", [1.0, 0.0]),
         ("0 = y * z - p + 1, 0 = y + 2 * z - 2 * p, start: (0, 3)", [0.0, 1.0]),

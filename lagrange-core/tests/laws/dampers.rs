@@ -14,7 +14,7 @@ fn numeric(text: &str) -> NumericSystem {
     NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}{text}")))
 }
 
-/// A body on a damper, placed by the coordinates.
+/// Returns a body on a damper, placed by the coordinates.
 fn damped(coordinates: &str, center: &str, anchor: &str) -> NumericSystem {
     numeric(&format!(
         "coord {coordinates}; body block {{ mass: {MASS}; center: {center}; }}
@@ -22,12 +22,12 @@ fn damped(coordinates: &str, center: &str, anchor: &str) -> NumericSystem {
     ))
 }
 
-/// x after the time t if it is damped by itself: m ẍ = −c ẋ.
+/// Returns x at the time t under damping alone: m ẍ = −c ẋ.
 fn exact(start: [f64; 2], t: f64) -> f64 {
     start[0] + start[1] * MASS / DAMPING * -(-DAMPING / MASS * t).exp_m1()
 }
 
-/// One step of the classical Runge–Kutta method.
+/// Returns the state after one step of the classical Runge–Kutta method.
 fn step(system: &NumericSystem, y: &[f64], h: f64) -> Vec<f64> {
     let moved = |by: &[f64], h: f64| y.iter().zip(by).map(|(y, k)| y + h * k).collect::<Vec<_>>();
     let first = system.rhs(0.0, y);
@@ -47,7 +47,7 @@ fn the_order_of_a_method_survives_the_passage_through_the_other_end() {
     ];
     for (system, n) in systems {
         let errors = [8, 16].map(|steps| {
-            // The first stage is at the other end itself.
+            // The first stage is exactly at the other end.
             let (mut y, h) = (vec![0.0; 2 * n], 2.0 / f64::from(steps));
             y[n..].fill(1.5);
             (0..steps).for_each(|_| y = step(&system, &y, h));

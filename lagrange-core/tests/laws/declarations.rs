@@ -1,4 +1,4 @@
-//! What holds for every text: nothing panics, and the same text always gives the same tokens.
+//! Laws for every text: nothing panics, and the same text always gives the same tokens.
 
 use std::path::Path;
 use std::process::Command;
@@ -15,13 +15,13 @@ use quote::quote;
 use crate::machines::machines;
 use crate::printing::SCENE;
 
-/// Where the crate is.
+/// Folder of the crate.
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-/// Names the file that a child process writes.
+/// Environment variable with the name of the file that a child process writes.
 const CHILD: &str = "LAGRANGE_LAWS_CHILD";
-/// Longer declarations are not mutated: deriving them takes too long.
+/// Length beyond which declarations are not mutated, because deriving them takes too long.
 const LONGEST_MUTATED: usize = 1_500;
-/// Words that mean something in many places.
+/// Words with a meaning in many places.
 const WORDS: [&str; 40] = [
     " 0 ",
     " - ",
@@ -65,7 +65,7 @@ const WORDS: [&str; 40] = [
     "; emit { motion, drawing, statements };",
 ];
 
-/// The declarations that are derived correctly.
+/// Declarations without errors.
 static DECLARATIONS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let directories = ["oracle", "constrained"].map(|name| Path::new(ROOT).join("../tests").join(name));
     let entries = directories.iter().map(|path| fs::read_dir(path).expect("a directory of declarations"));
@@ -76,7 +76,7 @@ static DECLARATIONS: LazyLock<Vec<String>> = LazyLock::new(|| {
     paths.iter().map(|path| fs::read_to_string(path).expect("readable text")).collect()
 });
 
-/// What the whole pipeline makes of a text: emitted tokens, or complaints.
+/// Returns the result of the whole pipeline for a text: emitted tokens, or errors.
 fn emitted(text: &str) -> String {
     let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     match derived.and_then(|derived| derived.emit(&quote!(::lagrange))) {
@@ -85,7 +85,7 @@ fn emitted(text: &str) -> String {
     }
 }
 
-/// What the macro makes of a text, if it is made of tokens.
+/// Returns the output of the macro for a text, if the text consists of tokens.
 fn expanded(text: &str) -> Option<String> {
     let tokens = format!("pub struct Machine; {text}").parse::<TokenStream>().ok()?;
     Some(expand(tokens, &quote!(::lagrange)).to_string())
@@ -126,7 +126,7 @@ fn mutations() -> impl Strategy<Value = Mutation> {
     ]
 }
 
-/// A correct declaration with a few of its words or statements changed.
+/// Returns a correct declaration with a few changed words or statements.
 fn mutated() -> impl Strategy<Value = String> {
     let texts = DECLARATIONS.iter().map(String::as_str).chain([SCENE]);
     let short = texts.filter(|text| text.len() <= LONGEST_MUTATED).map(str::to_owned);
@@ -139,7 +139,7 @@ fn mutated() -> impl Strategy<Value = String> {
     })
 }
 
-/// Names, numbers, spaces and single characters.
+/// Splits a text into names, numbers, spaces and single characters.
 fn words(text: &str) -> Vec<String> {
     let class = |c: char| (c.is_alphanumeric() || "_.".contains(c), c.is_whitespace());
     let characters = text.chars().collect::<Vec<_>>();

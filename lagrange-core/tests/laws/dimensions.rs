@@ -1,9 +1,9 @@
-//! A formula is dimensionally right if and only if it scales when the base units change: dimensions
-//! that are found against numbers.
+//! A formula is dimensionally correct if and only if it scales with the base units. Inferred
+//! dimensions are compared with numbers.
 //!
-//! The reference knows nothing of dimensions of expressions. It evaluates a tree, whose leaves have
-//! values of their own, once more with base units that are smaller by some factors, and looks
-//! whether the result is multiplied by a product of powers of these.
+//! The reference knows nothing about dimensions of expressions. It evaluates a tree whose leaves
+//! have values of their own, once more with base units that are smaller by some factors. A correct
+//! formula is multiplied by a product of powers of these factors.
 
 use lagrange_core::diagnostics::Report;
 use lagrange_core::pipeline::parse;
@@ -13,9 +13,9 @@ use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
 const TREES: usize = 1000;
-/// Base units that occur: m, s and kg.
+/// Base units in use: m, s and kg.
 const BASES: usize = 3;
-/// Names with exponents of these.
+/// Names with their exponents of the base units.
 const NAMES: [(&str, &str, [f64; BASES]); 6] = [
     ("a", "m", [1.0, 0.0, 0.0]),
     ("b", "s", [0.0, 1.0, 0.0]),
@@ -24,20 +24,20 @@ const NAMES: [(&str, &str, [f64; BASES]); 6] = [
     ("e", "1", [0.0; BASES]),
     ("f", "m^(1/2)", [0.5, 0.0, 0.0]),
 ];
-/// Exponents of m and s that are tried for a name whose dimension is to be found, in halves.
+/// Largest exponent of m and s, in halves, for a name whose dimension is unknown.
 const LARGEST_HALVES: i32 = 4;
 
-/// A formula. Every leaf has a value of its own, so that nothing cancels.
+/// A formula. Every leaf has its own value, so that nothing cancels.
 #[derive(Clone)]
 enum Tree {
     Name(usize),
-    /// The name whose dimension is not declared.
+    /// The name with an undeclared dimension.
     Unknown,
     Number(u32),
     Sum(Box<Tree>, Box<Tree>),
     Product(Box<Tree>, Box<Tree>),
     Quotient(Box<Tree>, Box<Tree>),
-    /// To the power of halves.
+    /// A power whose exponent counts halves.
     Power(Box<Tree>, i32),
     Exponential(Box<Tree>, Box<Tree>),
     Sine(Box<Tree>),
@@ -63,7 +63,7 @@ fn tree(random: &mut Random, depth: u32) -> Tree {
     }
     let kind = random.below(12);
     let first = Box::new(tree(random, depth - 1));
-    // Half of the sums are right by themselves.
+    // Half of the sums are correct by construction.
     let alike = if random.below(2) == 0 { first.clone() } else { Box::new(tree(random, depth - 1)) };
     let second = Box::new(tree(random, depth - 1));
     match kind {
@@ -95,8 +95,7 @@ impl Tree {
         }
     }
 
-    /// The value where names have the values that `leaf` gives, one call for each leaf in its
-    /// order.
+    /// Returns the value where `leaf` gives the value of each leaf in its order.
     fn value(&self, leaf: &mut impl FnMut(Option<usize>) -> f64) -> f64 {
         match self {
             Tree::Name(name) => leaf(Some(*name)),
@@ -131,8 +130,8 @@ impl Tree {
         }
     }
 
-    /// By what the value is multiplied if base units are smaller by these factors; the values of
-    /// leaves depend on the seed.
+    /// Returns the factor of the value if base units are smaller by these factors. The seed
+    /// determines the values of leaves.
     fn ratio(&self, seed: f64, unknown: &[f64; BASES], factors: &[f64; BASES]) -> f64 {
         let at = |factors: &[f64; BASES]| {
             let mut leaves = 0.0;
@@ -146,7 +145,8 @@ impl Tree {
         at(factors) / at(&[1.0; BASES])
     }
 
-    /// Whether it scales, if the unknown name has these exponents; nothing where numbers overflow.
+    /// True if the formula scales when the unknown name has these exponents. `None` where numbers
+    /// overflow.
     fn scales(&self, unknown: &[f64; BASES]) -> Option<bool> {
         let (p, q) = ([1.31, 0.83, 1.17], [0.91, 1.23, 1.09]);
         let both = [p[0] * q[0], p[1] * q[1], p[2] * q[2]];
@@ -159,7 +159,7 @@ impl Tree {
         is_known.then(|| (product / (one * quotient) - 1.0).abs() < 1e-9)
     }
 
-    /// Whether it scales for no exponents of the unknown name, as far as they are tried.
+    /// True if the formula scales for no exponents of the unknown name within the range tried.
     fn cannot_scale(&self) -> Option<bool> {
         if !self.has_unknown() {
             return self.scales(&[0.0; BASES]).map(|scales| !scales);
@@ -181,14 +181,14 @@ impl Tree {
     }
 }
 
-/// What is found of a formula.
+/// The result of checking a formula.
 enum Found {
-    /// It is right, and the name without a unit has these exponents.
+    /// Correct, with the inferred exponents of the name without a unit.
     Right([f64; BASES]),
     Wrong,
 }
 
-/// Whether dimensions are right; nothing if something else is wrong.
+/// Returns the result of the dimension check, or `None` if something else is wrong.
 fn found(tree: &Tree) -> Option<Found> {
     let names = NAMES.map(|(name, unit, _)| format!("{name}: {unit}")).join(", ");
     let text = format!(
@@ -208,7 +208,7 @@ fn found(tree: &Tree) -> Option<Found> {
     }
 }
 
-/// Exponents of m, s and kg of a unit.
+/// Returns the exponents of m, s and kg of a unit.
 fn exponents(unit: &str) -> [f64; BASES] {
     let mut report = Report::default();
     let declaration = parse_text(&format!("param u: {unit};"), &mut report).expect("a unit");

@@ -1,4 +1,4 @@
-//! What holds for every expression: how it is built, differentiated, written and read.
+//! Laws for every expression: how it is built, differentiated, written and read.
 
 use lagrange_core::calculus::{gradient, partial, substitute};
 use lagrange_core::collections::HashMap;
@@ -12,10 +12,11 @@ use crate::formulas::{
     DECLARATION, Point, build, has_undefined_part, largest_part, leaves, leeway, points, steps, value,
 };
 
-/// Texts longer than this are those of graphs that share a lot; they nest deeper than can be read.
+/// Length of text beyond which graphs share so much that the text nests too deeply to be read.
 const LONGEST_TEXT: usize = 2_000;
 
-/// An expression read from text, with its graph; the complaints if the language refuses it.
+/// Reads an expression from text and returns it with its graph, or the errors if the language
+/// refuses it.
 fn read(text: &str) -> Result<(Graph, ExprId), String> {
     let system = parse(&format!("{DECLARATION} output value = {text};"));
     let model = system.map_err(|report| report.to_string())?.model;
@@ -23,7 +24,7 @@ fn read(text: &str) -> Result<(Graph, ExprId), String> {
     Ok((model.graph, root))
 }
 
-/// Operands with small weights, twice in different orders.
+/// Returns operands with small weights, twice in different orders.
 fn shuffled() -> impl Strategy<Value = [Vec<(u8, i8)>; 2]> {
     let operands = prop::collection::vec((any::<u8>(), -4..5_i8), 1..8).boxed();
     operands.prop_flat_map(|list| {
@@ -32,14 +33,14 @@ fn shuffled() -> impl Strategy<Value = [Vec<(u8, i8)>; 2]> {
     })
 }
 
-/// The letters and digits of a text, sorted.
+/// Returns the letters and digits of a text, sorted.
 fn words(text: &str) -> String {
     let mut words = text.chars().filter(|c| c.is_alphanumeric()).collect::<Vec<_>>();
     words.sort_unstable();
     words.into_iter().collect()
 }
 
-/// ∂/∂symbol by central differences of fourth order, with an estimate of their error.
+/// Returns ∂/∂symbol by central differences of fourth order, with an estimate of their error.
 fn difference(graph: &Graph, root: ExprId, point: &Point, symbol: usize) -> (f64, f64) {
     let at = |step: f64| {
         let mut point = *point;
@@ -97,7 +98,8 @@ proptest! {
             let [forward, backward] = [forward, backward].map(|id| value(&graph, id, &point));
             prop_assert!((forward - backward).abs() <= leeway, "{forward} or {backward}: {written}");
             let (expected, error) = difference(&graph, root, &point, i);
-            // Near a pole, or where terms of very different size meet, differences tell nothing.
+            // Near a pole, or where terms of very different size meet, differences carry no
+            // information.
             let tells = error <= 1e-6 * (1.0 + expected.abs());
             let tolerance = leeway + 1e-4 * (1.0 + expected.abs());
             prop_assert!(
@@ -128,7 +130,7 @@ proptest! {
         );
     }
 
-    /// Order of reading decides about the order and the sign of a sum in a product.
+    /// The order of reading determines the order and the sign of a sum in a product.
     #[test]
     fn writing_what_was_read_changes_no_more_than_order_and_signs(steps in steps(14)) {
         let mut graph = Graph::new();

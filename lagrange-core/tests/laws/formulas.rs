@@ -31,14 +31,14 @@ pub(crate) fn points() -> impl Strategy<Value = Point> {
     [(); SYMBOLS.len()].map(|()| (-200..200).prop_map(|hundredths: i32| f64::from(hundredths) / 100.0))
 }
 
-/// What to build next, and from which of the expressions built so far.
+/// The next operation, and the earlier expressions that it takes.
 pub(crate) type Step = (u8, u8, u8, i8);
 
 pub(crate) fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
     prop::collection::vec(any::<Step>(), 1..most)
 }
 
-/// The symbols and a few numbers.
+/// Returns the symbols and a few numbers.
 pub(crate) fn leaves(graph: &mut Graph) -> Vec<ExprId> {
     let mut leaves = SYMBOLS.map(|(name, role)| graph.symbol(name, role)).to_vec();
     leaves.push(graph.pi());
@@ -47,12 +47,12 @@ pub(crate) fn leaves(graph: &mut Graph) -> Vec<ExprId> {
     leaves
 }
 
-/// Leaves and what the steps make of them, in order of their making.
+/// Returns the leaves and the results of the steps, in order of construction.
 pub(crate) fn build(graph: &mut Graph, steps: &[Step]) -> Vec<ExprId> {
     let leaves = leaves(graph);
     let mut made = leaves.clone();
     for &(kind, i, j, n) in steps {
-        // One operand is mostly new, so that expressions become deep.
+        // One operand is mostly recent, so that expressions become deep.
         let a = made[made.len() - 1 - usize::from(i) % made.len().min(4)];
         let b = made[usize::from(j) % made.len()];
         let n = i64::from(n % 5);
@@ -74,19 +74,18 @@ pub(crate) fn build(graph: &mut Graph, steps: &[Step]) -> Vec<ExprId> {
     made
 }
 
-/// The value at a point.
+/// Returns the value at a point.
 pub(crate) fn value(graph: &Graph, expression: ExprId, point: &Point) -> f64 {
     evaluate(graph, &[expression], |role| coordinate(point, role))[0]
 }
 
-/// The largest magnitude of anything that the expression is made of.
+/// Returns the largest magnitude of any part of the expression.
 pub(crate) fn largest_part(graph: &Graph, expression: ExprId, point: &Point) -> f64 {
     let parts = evaluate(graph, &graph.reachable(&[expression]), |role| coordinate(point, role));
     parts.into_iter().fold(0.0, |largest, part| part.abs().max(largest))
 }
 
-/// Whether anything that the expression is made of is undefined at a point where nothing vanishes
-/// by chance.
+/// True if any part of the expression is undefined at a point where nothing vanishes by chance.
 pub(crate) fn has_undefined_part(graph: &Graph, expression: ExprId) -> bool {
     const GENERIC: Point =
         [0.314_159, 0.271_828, -0.577_216, 0.493_147, 0.141_421, -0.173_205, 0.618_034, 0.915_966];
@@ -99,8 +98,9 @@ fn coordinate(point: &Point, role: Role) -> f64 {
     position.map_or(f64::NAN, |position| point[position])
 }
 
-/// How far apart two values may be for rounding alone: as far as values at points that differ by a
-/// little more than rounding. Infinite where the expression has no value or is about to switch.
+/// Returns the largest difference that rounding alone may cause between two values. It is measured
+/// between values at points that differ by slightly more than rounding. It is infinite where the
+/// expression has no value or is about to switch.
 pub(crate) fn leeway(graph: &Graph, expression: ExprId, point: &Point) -> f64 {
     let centre = value(graph, expression, point);
     let spread = (0..6).map(|shift| {

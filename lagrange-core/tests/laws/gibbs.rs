@@ -1,5 +1,5 @@
-//! A Gibbs function and the energies that it stands for give the same equations of motion, at
-//! random states and where rates and angles are exactly zero.
+//! A Gibbs function and its energies give the same equations of motion, at random states and where
+//! rates and angles are exactly zero.
 
 use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::model::Product;
@@ -11,15 +11,15 @@ use crate::one_in;
 /// Bounds rounding in differently ordered sums and eliminations.
 const ROUNDED: f64 = 1e-9;
 
-/// Energies, the Gibbs function that states all of them or part of them, and what else is declared.
+/// Energies, the Gibbs function that replaces all or some of them, and the other statements.
 struct Pair {
     energies: &'static str,
     gibbs: &'static str,
     rest: &'static str,
 }
 
-/// A top about a fixed point: in body axes, ω are Euler's kinematic equations, and with α = ω̇ the
-/// Gibbs function states Euler's equations. Gravity acts as an acceleration of the base.
+/// A top about a fixed point. In body axes, ω satisfies Euler's kinematic equations, and with α =
+/// ω̇ the Gibbs function leads to Euler's equations. Gravity acts as an acceleration of the base.
 const TOP: Pair = Pair {
     energies: "coord psi, theta, phi;
         let w1 = dot(psi)*sin(theta)*sin(phi) + dot(theta)*cos(phi);
@@ -33,8 +33,8 @@ const TOP: Pair = Pair {
     rest: "dissipation = 1/2*0.3*dot(phi)^2; force theta = 0.7*sin(t);",
 };
 
-/// An arm that turns about a vertical axis and bends at its elbow, the accelerations of its two
-/// links in their own axes, with a motor that no Gibbs function states.
+/// An arm that turns about a vertical axis and bends at its elbow. The accelerations of its two
+/// links are in their own axes. Its motor is in no Gibbs function.
 const ARM: Pair = Pair {
     energies: "coord yaw, shoulder, elbow, motor;
         let (c1, s1) = (cos(shoulder), sin(shoulder));
@@ -61,8 +61,8 @@ const ARM: Pair = Pair {
         force (0.3, -0.2) at (sin(yaw)*cos(shoulder), sin(shoulder));",
 };
 
-/// A bead on a moving ellipse, held there by a constraint, and another that rolls: velocities are
-/// rates of positions, and the Gibbs function takes the base with it.
+/// A bead held on a moving ellipse by a constraint, and another that rolls. Velocities are rates of
+/// positions, and the Gibbs function includes the motion of the base.
 const BEAD: Pair = Pair {
     energies: "coord x, y, phi;
         let lift = 0.1*sin(3*t);
@@ -81,8 +81,8 @@ impl Pair {
         NumericSystem::new(&system.derive(choice).unwrap_or_else(|report| panic!("{report}")))
     }
 
-    /// Compares everything that follows from the energies with what follows from the Gibbs function
-    /// by each strategy.
+    /// Compares every consequence of the energies with that of the Gibbs function, by each
+    /// strategy.
     fn check(&self, [q, v, a]: [&[f64]; 3]) {
         let by_energies = self.system("", StrategyChoice::Always(Strategy::MassMatrix));
         for strategy in [Strategy::MassMatrix, Strategy::ArticulatedBody] {
@@ -92,7 +92,7 @@ impl Pair {
     }
 }
 
-/// Compares everything that follows from two declarations.
+/// Compares every consequence of two declarations.
 pub(crate) fn assert_equal(both: [&NumericSystem; 2], [q, v, a]: [&[f64]; 3]) {
     assert_near("acceleration", both.map(|system| system.acceleration(0.3, q, v)));
     assert_near("multipliers", both.map(|system| system.multipliers(0.3, q, v)));
@@ -113,7 +113,7 @@ fn assert_near(what: &str, [expected, found]: [Vec<f64>; 2]) {
     }
 }
 
-/// Numbers, every third of them exactly zero.
+/// Draws numbers, every third of them exactly zero.
 pub(crate) fn numbers(count: usize) -> impl Values<Value = Vec<f64>> {
     prop::collection::vec(prop_oneof![1 => Just(0.0), 2 => -2.0..2.0], count)
 }

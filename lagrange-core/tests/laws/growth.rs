@@ -1,6 +1,6 @@
-//! How equations grow with the number of bodies, counted in operations, expressions and emitted
-//! tokens: in proportion, on chains and on trees, in generalised coordinates and with pins between
-//! bodies.
+//! Equations grow in proportion to the number of bodies, counted in operations, expressions and
+//! emitted tokens. That holds for chains and trees, in generalised coordinates and with pins
+//! between bodies.
 
 use std::fmt::Write;
 
@@ -14,14 +14,15 @@ use super::mechanisms::Mechanism;
 
 const CHAINS: [usize; 2] = [20, 150];
 const WITHOUT_MATRIX: [usize; 2] = [50, 200];
-/// Small random trees are flat, and cheaper by a strategy that large ones do not take.
+/// Sizes of trees. Smaller random trees are flat, and cheaper by a strategy that large trees do not
+/// use.
 const TREES: [usize; 2] = [100, 400];
-/// Large enough that trees have bodies with many pins, which couple all that they hold.
+/// Sizes at which trees have bodies with many pins, which couple all attached bodies.
 const PINNED: [usize; 2] = [48, 144];
-/// Their mass matrices are so large that zeros are not written.
+/// Sizes at which mass matrices are large enough that zeros are not written.
 const EMITTED: [usize; 2] = [36, 144];
 
-/// n point masses on massless rods under gravity, each hanging from its parent, 0 being the
+/// Returns n point masses on massless rods under gravity, each hanging from its parent, 0 being the
 /// support.
 fn pendulums(n: usize, relative: bool, parent: impl Fn(usize) -> usize) -> String {
     let mut text = "param g; let (x0, y0) = (0, 0); let a0 = 0;".to_owned();
@@ -43,13 +44,14 @@ fn chain(n: usize, relative: bool) -> String {
     pendulums(n, relative, |i| i - 1)
 }
 
-/// The same system without the product that has n² entries.
+/// Returns the same system without the product that has n² entries.
 fn without_mass_matrix(text: &str) -> String {
     format!("{text} emit {{ no mass_matrix }}")
 }
 
-/// A tree in which the parent of each body is drawn from all before it, by a linear congruential
-/// generator (Knuth, *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line 26).
+/// Returns a tree in which the parent of each body is drawn from all before it. The generator is
+/// linear congruential (Knuth, *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line
+/// 26).
 fn tree(n: usize, relative: bool) -> String {
     let mut state = 1_u64;
     let parents = (1..=n as u64).map(|i| {
@@ -60,14 +62,14 @@ fn tree(n: usize, relative: bool) -> String {
     pendulums(n, relative, |i| parents[i - 1])
 }
 
-/// What a derivation costs.
+/// The cost of a derivation.
 struct Cost {
     bodies: usize,
     /// Operations of the accelerations.
     operations: usize,
-    /// Values of the program that computes them.
+    /// Values of their program.
     values: usize,
-    /// Expressions made in the course of the derivation, beside those of the mass matrix.
+    /// Expressions created during the derivation, without those of the mass matrix.
     expressions: usize,
 }
 
@@ -80,7 +82,7 @@ fn cost(bodies: usize, text: &str, strategy: StrategyChoice) -> Cost {
     let program =
         optimise(&lower(&model.graph, &equations.accelerations, &Labels::default()), model.accuracy);
     let couplings = equations.mass_matrix.iter().flatten().filter(|&&entry| !model.graph.is_zero(entry));
-    // Both triangles are counted, so this is at most five expressions for each coupling.
+    // Both triangles are counted, so this allows five expressions for each coupling.
     let of_couplings = couplings.count() * 5 / 2;
     Cost {
         bodies,
@@ -90,7 +92,7 @@ fn cost(bodies: usize, text: &str, strategy: StrategyChoice) -> Cost {
     }
 }
 
-/// Whether a body of a large system costs as much as one of a small one, up to a quarter: small
+/// True if a body of a large system costs as much as one of a small system, up to a quarter. Small
 /// systems have a larger share of bodies at their ends. A cost of n log n would fail.
 fn is_linear(costs: &[Cost], cost: impl Fn(&Cost) -> usize) -> Result<(), Vec<usize>> {
     let per_body = costs.iter().map(|c| cost(c) / c.bodies).collect::<Vec<_>>();
@@ -156,7 +158,7 @@ fn random_trees_in_relative_angles_grow_in_proportion() {
     assert_linear(&TREES, |n| tree(n, true));
 }
 
-/// Mechanisms in which the places and the angles of all bars are coordinates.
+/// Mechanisms that have the places and the angles of all bars as coordinates.
 const MECHANISMS: [fn(usize) -> Mechanism; 3] =
     [Mechanism::chain, Mechanism::random_tree, Mechanism::four_bars];
 
@@ -172,8 +174,7 @@ fn pinned_bodies_grow_in_proportion_by_every_strategy() {
 
 #[test]
 fn pinned_bodies_may_be_declared_in_any_order() {
-    // Multiples of a number that shares no factor with the sizes, which are made of twos and
-    // threes.
+    // Multiples of a number coprime to the sizes, which are products of twos and threes.
     let declaration = |n| Mechanism::chain(n).declaration("standard", |i| (i * 5 + 2) % n);
     assert_linear(&PINNED, declaration);
 }

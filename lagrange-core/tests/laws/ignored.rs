@@ -1,5 +1,5 @@
-//! Laws of machines whose cyclic coordinates are ignored: forces on the others, energies and
-//! velocities stay those of the whole machine.
+//! Machines with ignored cyclic coordinates: forces on the others, energies and velocities remain
+//! those of the whole machine.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -19,7 +19,7 @@ const FLYWHEELS: &str = "coord s, r;
     dot(heat) = dot(r)^2 - heat;
     reduce Reduced { ignore r, s; }";
 
-/// A machine with flywheels, and the same without them.
+/// A machine with flywheels, and the same machine without them.
 struct Pair {
     whole: NumericSystem,
     reduced: NumericSystem,
@@ -30,7 +30,7 @@ struct Pair {
     text: String,
 }
 
-/// Turns of the flywheels, and the state.
+/// Angles of the flywheels, and the state.
 const OUTER: [f64; 3] = [0.3, -0.7, 0.4];
 /// Their velocities.
 const SPINS: [f64; 2] = [0.8, -1.1];
@@ -57,7 +57,7 @@ impl Pair {
         [[&self.q[..], &OUTER].concat(), [&self.v[..], &SPINS].concat()]
     }
 
-    /// Positions with the turns behind the state, as states.
+    /// Returns the positions, with the angles of the flywheels behind the state, as states.
     fn reduced_positions(&self) -> Vec<f64> {
         [&self.q[..], &[OUTER[2], OUTER[0], OUTER[1]]].concat()
     }
@@ -67,7 +67,8 @@ impl Pair {
         self.whole.product(product, self.t, &q, &v).expect("derived by default")
     }
 
-    /// The forces that accelerations of the machine need, while nothing acts on the flywheels.
+    /// Returns the forces for given accelerations of the machine while the flywheels are free of
+    /// forces.
     fn forces(&self, a: &[f64]) -> Vec<f64> {
         let ([q, v], n) = (self.whole_state(), self.q.len());
         let forces = |spins: [f64; 2]| {
@@ -85,7 +86,7 @@ impl Pair {
         forces(spins)[..n].to_vec()
     }
 
-    /// The scale of errors.
+    /// Returns the scale of errors.
     fn scale(&self) -> f64 {
         let all = [self.of_whole(Product::Forcing), self.of_whole(Product::MassMatrix)].concat();
         all.into_iter().fold(1.0, |largest: f64, x| largest.max(x.abs()))

@@ -5,17 +5,17 @@ use std::fmt::Write;
 
 use proptest::prelude::{Just, Strategy, any, prop, prop_oneof};
 
-/// The most bodies, and coordinates, of a machine.
+/// The largest number of bodies, and of coordinates, of a machine.
 const MOST_BODIES: usize = 5;
 
-/// What the machine is fixed to: a point and a direction.
+/// Supports of the machine: a point and a direction.
 const SUPPORTS: [&str; 3] = [
     "let (x0, y0) = (0, 0); let a0 = 0;",
     "let (x0, y0) = (sin(3*t)/5, t^2/7); let a0 = 0;",
     "let (x0, y0) = (1/3, 0); let a0 = t/2 + cos(t)/4;",
 ];
 
-/// Where body `#` is, in its coordinate `q#` and the place of its parent `@`.
+/// Position of body `#` in its coordinate `q#` and the position of its parent `@`.
 const JOINTS: [&str; 5] = [
     "let a# = q#; let (x#, y#) = (x@ + l#*sin(a#), y@ - l#*cos(a#));",
     "let a# = a@ + q#; let (x#, y#) = (x@ + l#*sin(a#), y@ - l#*cos(a#));",
@@ -24,7 +24,7 @@ const JOINTS: [&str; 5] = [
     "let a# = a@ + q#/2; let (x#, y#) = (x@ + 2*q# - l#*sin(a#), y@ + 1 - l#*cos(a#));",
 ];
 
-/// The kinetic energy of body `#`; definite in `dot(q#)` as long as its parent rests.
+/// The kinetic energy of body `#`, which is definite in `dot(q#)` while its parent rests.
 const INERTIAS: [&str; 11] = [
     "kinetic = 1/2*m#*(dot(x#)^2 + dot(y#)^2);",
     "kinetic = kinetic_energy(m#, (dot(x#), dot(y#))) + 1/2*m#*dot(a#)^2;",
@@ -39,7 +39,7 @@ const INERTIAS: [&str; 11] = [
     "kinetic = (if x# < y# { m# } else { m# + (x# - y#)^5/9 })*inner(dot((x#, y#)), dot((x#, y#)))/2;",
 ];
 
-/// What else may act on body `#`.
+/// Further loads on body `#`.
 const EXTRAS: [&str; 13] = [
     "potential = gravitational_energy(m#, g, y#);",
     "potential = spring_energy(k, q# - 1/4);",
@@ -73,13 +73,13 @@ pub(crate) struct Machine {
 }
 
 impl Machine {
-    /// The same machine under the level of accuracy `strict`.
+    /// Returns the same machine at the level of accuracy `strict`.
     pub(crate) fn strict(&self) -> Machine {
         Machine { text: format!("#[accuracy(strict)] struct Machine;\n{}", self.text), ..self.clone() }
     }
 }
 
-/// A body: its parent, joint, inertia, mass and length in tenths, and what acts on it.
+/// A body: its parent, joint, inertia, mass and length in tenths, and loads.
 #[derive(Clone, Debug)]
 struct Body {
     parent: usize,
@@ -89,7 +89,7 @@ struct Body {
     extras: Vec<&'static str>,
 }
 
-/// Any machine.
+/// Returns any machine.
 pub(crate) fn machines() -> impl Strategy<Value = Machine> {
     let formulation = prop_oneof![3 => Just(false), 1 => Just(true)];
     let bodies = prop::collection::vec(body(), 1..=MOST_BODIES);
@@ -139,7 +139,7 @@ fn declaration(support: &str, bodies: &[Body], as_lagrangian: bool) -> String {
     text
 }
 
-/// A statement with energies as terms of the Lagrangian.
+/// Joins the energies of a statement as terms of the Lagrangian.
 fn joined(statement: &str) -> String {
     match statement.strip_prefix("potential = ") {
         Some(potential) => format!("lagrangian = -({});", potential.trim_end_matches(';')),

@@ -1,6 +1,6 @@
-//! Even powers of magnitudes are polynomials: at every state, and at exact zeros above all.
+//! Even powers of magnitudes are polynomials at every state, especially at exact zeros.
 //!
-//! Random systems are written with `abs`, `norm`, `hypot` and roots of squares; what they mean is a
+//! Random systems are written with `abs`, `norm`, `hypot` and roots of squares. Each stands for a
 //! polynomial, which is differentiated in exact rational arithmetic.
 //! `PROPTEST_CASES=2560 cargo test -p lagrange-core --release --test laws magnitudes` takes 5120
 //! systems.
@@ -13,11 +13,11 @@ use proptest::prelude::ProptestConfig;
 
 use crate::polynomials::{Polynomial, VARIABLES};
 
-/// Errors relative to the largest entry, with one beside it.
+/// Bound on errors relative to the largest entry, or to one if that is larger.
 const TOLERANCE: f64 = 1e-11;
 const SMALLEST_PIVOT: f64 = 1e-3;
 const COORDINATES: usize = 2;
-/// States at which a system is looked at.
+/// States at which each system is tested.
 const STATES: usize = 3;
 const NAMES: [&str; VARIABLES] = ["x", "y", "dot(x)", "dot(y)", "k"];
 
@@ -34,7 +34,7 @@ impl Random {
         (bits ^ (bits >> 31)) % n
     }
 
-    /// A multiple of one quarter, not zero, of magnitude one at most.
+    /// Draws a nonzero multiple of one quarter with a magnitude of at most one.
     fn quarters(&mut self) -> Number {
         let magnitude = 1 + self.below(4) as i64;
         let sign = if self.below(2) == 0 { 1 } else { -1 };
@@ -42,7 +42,7 @@ impl Random {
     }
 }
 
-/// An expression in the language and the polynomial that it is.
+/// An expression in the language with the polynomial that it equals.
 #[derive(Clone)]
 struct Term {
     text: String,
@@ -55,7 +55,7 @@ impl Term {
     }
 }
 
-/// A linear function of two variables, or a product of them.
+/// Draws a linear function of two variables, or a product of them.
 fn simple(random: &mut Random, variables: [usize; 2]) -> Term {
     let [a, b] = variables.map(Polynomial::variable);
     let [p, q] = variables.map(|variable| NAMES[variable]);
@@ -69,7 +69,7 @@ fn simple(random: &mut Random, variables: [usize; 2]) -> Term {
     }
 }
 
-/// An even power of magnitudes of simple expressions.
+/// Draws an even power of magnitudes of simple expressions.
 fn even(random: &mut Random, variables: [usize; 2]) -> Term {
     let (u, w) = (simple(random, variables), simple(random, variables));
     let (square, other) = (u.value.power(2), w.value.power(2));
@@ -110,13 +110,13 @@ fn even(random: &mut Random, variables: [usize; 2]) -> Term {
 const POSITIONS: [usize; 2] = [0, 1];
 const VELOCITIES: [usize; 2] = [2, 3];
 
-/// d/dt of a function of positions.
+/// Returns d/dt of a function of positions.
 fn rate(value: &Polynomial) -> Polynomial {
     let parts = POSITIONS.map(|i| value.derivative(i).times(&Polynomial::variable(COORDINATES + i)));
     parts[0].plus(&parts[1])
 }
 
-/// What a declaration is made of.
+/// The contents of a declaration.
 struct System {
     text: String,
     kinetic: Polynomial,
@@ -140,7 +140,7 @@ impl System {
             system.text.push_str(&format!("kinetic = 1/2*({});\n", term.text));
             system.kinetic = system.kinetic.plus(&term.value.scaled(&Number::ratio(1, 2).expect("no zero")));
         }
-        // Rates of magnitudes, of whatever is a square.
+        // Rates of magnitudes, whatever is squared.
         let u = simple(random, POSITIONS);
         system.text.push_str(&format!("kinetic = dot(norm(({}, 0)))^2;\n", u.text));
         system.kinetic = system.kinetic.plus(&rate(&u.value).power(2));
@@ -154,7 +154,7 @@ impl System {
         system
     }
 
-    /// Whether the mass matrix is regular anywhere.
+    /// True if the mass matrix is regular somewhere.
     fn has_inertia(&self) -> bool {
         let generic = [3, 5, 7, 11, 13].map(|n| Number::ratio(n, 8).expect("no zero"));
         truth(self, &generic).is_some()
@@ -194,7 +194,7 @@ fn values(row: &[Polynomial], point: &Point) -> Vec<Number> {
     row.iter().map(|polynomial| polynomial.at(point)).collect()
 }
 
-/// The solution of two equations by Cramer's rule; `None` if they are singular.
+/// Solves two equations by Cramer's rule; `None` if they are singular.
 fn solve(mass: &[Vec<Number>], right: &[Number]) -> Option<Vec<Number>> {
     let minor = |a: &Number, b: &Number, c: &Number, d: &Number| &(a * d) - &(b * c);
     let inverse = minor(&mass[0][0], &mass[0][1], &mass[1][0], &mass[1][1]).reciprocal()?;
@@ -203,7 +203,7 @@ fn solve(mass: &[Vec<Number>], right: &[Number]) -> Option<Vec<Number>> {
     Some(vec![&first * &inverse, &second * &inverse])
 }
 
-/// ∂a/∂x = M⁻¹ (∂f/∂x − ∂M/∂x a) by the variable with this index.
+/// Returns ∂a/∂x = M⁻¹ (∂f/∂x − ∂M/∂x a) for the variable with this index.
 fn slope(equations: &Equations, mass: &[Vec<Number>], a: &[Number], at: &Point, index: usize) -> Vec<Number> {
     let right = (0..COORDINATES).map(|i| {
         let changes = equations.mass[i].iter().zip(a).map(|(m, a)| &m.derivative(index).at(at) * a);
@@ -215,7 +215,7 @@ fn slope(equations: &Equations, mass: &[Vec<Number>], a: &[Number], at: &Point, 
 /// The accelerations, and every product with its value.
 type Truth = (Vec<Number>, Vec<(Product, Vec<Number>)>);
 
-/// Every product with its exact value.
+/// Returns every product with its exact value.
 fn truth(system: &System, at: &Point) -> Option<Truth> {
     let equations = Equations::new(system);
     let mass = equations.mass.iter().map(|row| values(row, at)).collect::<Vec<_>>();
@@ -245,7 +245,7 @@ fn truth(system: &System, at: &Point) -> Option<Truth> {
 }
 
 fn point(random: &mut Random) -> Point {
-    // Everything zero, everything at rest, or each component by itself.
+    // Everything zero, everything at rest, or each component independently.
     let kind = random.below(4);
     let mut point = std::array::from_fn(|i| match kind {
         0 => Number::ZERO,
@@ -266,12 +266,12 @@ fn assert_near(found: &[f64], exact: &[Number], what: &str) {
     assert!(found.iter().zip(&exact).all(is_near), "{what}: {found:?}, not {exact:?}");
 }
 
-/// Compares everything that a system hands out; whether it was regular.
+/// Compares every product of a system, and returns true if the system was regular.
 fn check(system: &System, numeric: &NumericSystem, at: &Point) -> bool {
     let state = at.each_ref().map(Number::to_f64);
     let (q, v) = (&state[..COORDINATES], &state[COORDINATES..2 * COORDINATES]);
     let Some((a, products)) = truth(system, at) else { return false };
-    // Pivots near zero lose digits that are not at stake here.
+    // Near-zero pivots lose digits, which this test does not judge.
     let mass = products[0].1.clone();
     let determinant = &(&mass[0] * &mass[3]) - &(&mass[1] * &mass[2]);
     if [&mass[0], &mass[3], &determinant].into_iter().any(|pivot| pivot.to_f64() < SMALLEST_PIVOT) {
@@ -285,7 +285,7 @@ fn check(system: &System, numeric: &NumericSystem, at: &Point) -> bool {
     }
     let accelerations = a.iter().map(Number::to_f64).collect::<Vec<_>>();
     let forces = numeric.inverse_dynamics(0.0, q, v, &accelerations).expect("it is emitted");
-    // What is left of M a − f, in parts of M a.
+    // The residual M a − f, relative to M a.
     let largest = |values: &[f64]| values.iter().fold(1.0_f64, |largest, value| largest.max(value.abs()));
     let scale = largest(&mass.iter().map(Number::to_f64).collect::<Vec<_>>()) * largest(&accelerations);
     let parts = forces.iter().map(|force| force / scale).collect::<Vec<_>>();

@@ -1,5 +1,5 @@
-//! Laws that hold whatever the declaration, checked on random ones. `PROPTEST_CASES` scales how
-//! many.
+//! Laws that hold for any declaration, checked on random ones. `PROPTEST_CASES` scales their
+//! number.
 
 mod arrays;
 mod callables;
@@ -40,7 +40,7 @@ mod vectors;
 
 use proptest::prelude::ProptestConfig;
 
-/// A share of the usual number of cases, for laws that are slow to check.
+/// Returns a fraction of the usual number of cases, for laws that are slow to check.
 fn one_in(share: u32) -> ProptestConfig {
     let usual = ProptestConfig::default();
     ProptestConfig { cases: usual.cases / share, failure_persistence: None, ..usual }

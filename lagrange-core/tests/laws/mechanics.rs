@@ -1,6 +1,6 @@
-//! What holds for the equations of every machine. The Lagrangian, the loads and the Rayleigh
-//! function are taken from the checked model by reference evaluation, their derivatives by finite
-//! differences, so that nothing of the derivation is used to check itself.
+//! Laws for the equations of every machine. The Lagrangian, the loads and the Rayleigh function of
+//! the checked model are evaluated by reference code, and differentiated by finite differences. So
+//! no part of the derivation is used to check itself.
 
 use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::expr::ExprId;
@@ -17,10 +17,10 @@ use crate::trees::trees;
 const DIFFERENCED: f64 = 1e-6;
 /// Bounds rounding in differently ordered sums and eliminations.
 const ROUNDED: f64 = 1e-9;
-/// The same for trees of well-conditioned bodies.
+/// Bounds rounding in trees of well-conditioned bodies.
 const ROUNDED_IN_TREES: f64 = 1e-11;
 
-/// A machine's model beside what was derived from it, at its state.
+/// A machine's model beside the equations derived from it, at its state.
 struct Laboratory {
     model: Model,
     strategy: Strategy,
@@ -56,7 +56,7 @@ impl Laboratory {
         self.derived.inverse_dynamics(self.t, &self.q, &self.v, a).expect("it is derived by default")
     }
 
-    /// The value of an expression of the model.
+    /// Returns the value of an expression of the model.
     fn value(&self, expression: ExprId) -> f64 {
         let graph = &self.model.graph;
         let constant = |default: Option<ExprId>| {
@@ -80,10 +80,10 @@ impl Laboratory {
         })[0]
     }
 
-    /// The derivative of `f` while the state moves at a rate, by a central difference of fourth
-    /// order.
+    /// Returns the derivative of `f` while the state moves at a rate, by a central difference of
+    /// fourth order.
     fn slope(&mut self, rate: &Rate, f: impl Fn(&Laboratory) -> f64) -> f64 {
-        // The largest change of anything is 10⁻³.
+        // No variable changes by more than 10⁻³.
         let step = 1e-3 / rate.q.iter().chain(&rate.v).fold(1.0, |largest: f64, r| largest.max(r.abs()));
         let (t, q, v) = (self.t, self.q.clone(), self.v.clone());
         let moved = |start: &[f64], rate: &[f64], step: f64| {
@@ -100,12 +100,12 @@ impl Laboratory {
         (8.0 * near - far) / (12.0 * step)
     }
 
-    /// ∂f/∂v
+    /// Returns ∂f/∂v.
     fn velocity_slopes(&mut self, f: impl Fn(&Laboratory) -> f64) -> Vec<f64> {
         (0..self.size()).map(|i| self.slope(&Rate::of_velocity(self.size(), i), &f)).collect()
     }
 
-    /// ∂f/∂q
+    /// Returns ∂f/∂q.
     fn position_slopes(&mut self, f: impl Fn(&Laboratory) -> f64) -> Vec<f64> {
         (0..self.size()).map(|i| self.slope(&Rate::of_position(self.size(), i), &f)).collect()
     }
@@ -114,7 +114,7 @@ impl Laboratory {
         self.value(self.model.lagrangian)
     }
 
-    /// The generalised forces of loads and dissipation. Velocities of loads are affine, so that
+    /// Returns the generalised forces of loads and dissipation. Velocities of loads are affine, so
     /// their coefficients are plain differences.
     fn applied_forces(&mut self) -> Vec<f64> {
         let mut forces = self.velocity_slopes(|laboratory| -laboratory.value(laboratory.model.dissipation));
@@ -168,18 +168,18 @@ fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + b).collect()
 }
 
-/// The product of a matrix, in rows, and a vector.
+/// Returns the product of a matrix, in rows, and a vector.
 fn times(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     matrix.chunks(vector.len()).map(|row| dot(row, vector)).collect()
 }
 
-/// Whether two vectors agree relative to their largest entry and to `scale`.
+/// True if two vectors agree relative to their largest entry and to `scale`.
 fn agree(a: &[f64], b: &[f64], tolerance: f64, scale: f64) -> bool {
     let largest = a.iter().chain(b).fold(1.0 + scale, |largest, x| largest.max(x.abs()));
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance * largest)
 }
 
-/// Whether a symmetric matrix has a Cholesky factor.
+/// True if a symmetric matrix has a Cholesky factor.
 fn is_positive_definite(matrix: &[f64], n: usize) -> bool {
     let mut factor = vec![0.0; n * n];
     (0..n).all(|i| {
@@ -192,7 +192,7 @@ fn is_positive_definite(matrix: &[f64], n: usize) -> bool {
     })
 }
 
-/// Sliders on an arm in space. Whichever moves first, its rotations leave squares of all others.
+/// Sliders on an arm in space. Eliminating any one of them first leaves squares of all others.
 const SLIDERS_ON_AN_ARM: &str = "
     param m1 = 0.2, l1 = 0.3; coord q1;
     let p1 = (l1*sin(q1), -l1*cos(q1), 0);
@@ -253,7 +253,7 @@ proptest! {
         let squares = StrategyChoice::Always(Strategy::SumOfSquares);
         for machine in [tree.strict(), tree] {
             let laboratory = Laboratory::new(&machine, squares);
-            // Squares of few trees fill in so much that the mass matrix is shorter.
+            // For a few trees the squares fill in so much that the mass matrix is shorter.
             prop_assume!(laboratory.strategy == Strategy::SumOfSquares);
             let found = laboratory.acceleration();
             prop_assert!(agree(&dense, &found, ROUNDED_IN_TREES, 0.0), "{dense:?} or {found:?}");
@@ -280,7 +280,7 @@ proptest! {
         let scale = forcing.iter().fold(0.0_f64, |largest, f| largest.max(f.abs()));
         let nothing = laboratory.inverse_dynamics(&acceleration);
         prop_assert!(agree(&nothing, &vec![0.0; forcing.len()], ROUNDED, scale), "{nothing:?}");
-        // Any other acceleration needs M (a' − a).
+        // Any other acceleration needs the additional force M (a' − a).
         let change = machine.q.iter().map(|q| 3.0 * q - 1.0).collect::<Vec<_>>();
         let other = acceleration.iter().zip(&change).map(|(a, change)| a + change).collect::<Vec<_>>();
         let (found, needed) = (laboratory.inverse_dynamics(&other), times(&matrix, &change));
@@ -329,7 +329,7 @@ proptest! {
 proptest! {
     #![proptest_config(crate::one_in(16))]
 
-    /// Both ways, whichever is the cheaper, in every direction of the state.
+    /// Compares both ways, whichever is cheaper, in every direction of the state.
     #[test]
     fn jacobians_are_slopes_of_the_accelerations(machine in machines()) {
         let differentiated = Machine { text: format!("{} emit {{ jacobian }}", machine.text), ..machine };
@@ -370,7 +370,7 @@ proptest! {
     }
 }
 
-/// Configurations in which single squares do not hold an unknown that others hold.
+/// Configurations in which single squares lack an unknown that others contain.
 #[test]
 fn squares_that_lose_an_unknown_somewhere_do_no_harm() {
     let rising = "param l = 0.3; coord a, b;

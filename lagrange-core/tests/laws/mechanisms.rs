@@ -1,10 +1,10 @@
-//! Plane mechanisms of pinned bars: declared with the place and the angle of every bar, and by hand
-//! in the angles alone.
+//! Plane mechanisms of pinned bars, declared with the place and angle of every bar, and by hand in
+//! the angles alone.
 //!
 //! In the angles the bars of a tree need no constraints. With e(φ) = (cos φ, sin φ), the centre of
-//! bar i is Σⱼ cᵢⱼ e(φⱼ) beside a fixed point, where cᵢⱼ is the length of a bar that carries it and
-//! half of its own. So M = Σᵢ mᵢ cᵢⱼ cᵢₖ cos(φⱼ − φₖ) beside the moments of inertia m l²/12, and
-//! what closes a loop is Σⱼ dⱼ e(φⱼ) = constant.
+//! bar i is Σⱼ cᵢⱼ e(φⱼ) beside a fixed point. Here cᵢⱼ is the length of a bar that carries it, and
+//! half of its own length. So M = Σᵢ mᵢ cᵢⱼ cᵢₖ cos(φⱼ − φₖ) beside the moments of inertia m l²/12.
+//! A loop is closed by Σⱼ dⱼ e(φⱼ) = constant.
 
 use std::fmt::Write;
 
@@ -13,7 +13,7 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 
 const GRAVITY: f64 = 9.81;
 
-/// What the beginning or the end of a bar is pinned to.
+/// The place to which the beginning or the end of a bar is pinned.
 #[derive(Clone, Copy, Debug)]
 enum Place {
     Ground(f64),
@@ -27,11 +27,11 @@ struct Bar {
     begins: Place,
 }
 
-/// Bars and what closes loops: the ends of bars, pinned to other places, too.
+/// Bars and loop closures, which are ends of bars pinned to other places.
 pub(crate) struct Mechanism {
     bars: Vec<Bar>,
     loops: Vec<(usize, Place)>,
-    /// The angles about which states are drawn, and how far from them.
+    /// The angles around which states are drawn, and the width of their distribution.
     posture: Vec<f64>,
     spread: f64,
 }
@@ -48,7 +48,8 @@ impl Numbers {
 }
 
 impl Mechanism {
-    /// Bars of different masses and lengths, each of which begins where `begins` says.
+    /// Returns bars of different masses and lengths, each of which begins at the place that
+    /// `begins` gives.
     fn tree(n: usize, mut begins: impl FnMut(usize) -> Place) -> Mechanism {
         let mut numbers = Numbers(7);
         let mut number = || (64.0 * (0.5 + numbers.next())).round() / 64.0;
@@ -56,12 +57,12 @@ impl Mechanism {
         Mechanism { bars: (0..n).map(bar).collect(), loops: Vec::new(), posture: vec![0.0; n], spread: 3.0 }
     }
 
-    /// Each bar hangs from the one before it.
+    /// Returns a chain, in which each bar hangs from the one before it.
     pub(crate) fn chain(n: usize) -> Mechanism {
         Mechanism::tree(n, |i| if i == 0 { Place::Ground(0.0) } else { Place::End(i - 1) })
     }
 
-    /// Each bar hangs from one drawn from all before it and the ground.
+    /// Returns a tree in which each bar hangs from the ground or a random earlier bar.
     pub(crate) fn random_tree(n: usize) -> Mechanism {
         let mut numbers = Numbers(1);
         Mechanism::tree(n, |i| match (numbers.next() * (i + 1) as f64) as usize {
@@ -70,9 +71,9 @@ impl Mechanism {
         })
     }
 
-    /// Cranks on the ground, each coupled with the next: n bars, of which every second is a crank,
-    /// and one more crank. Cranks stand and couplers lie, since errors grow from cell to cell where
-    /// they are nearly parallel.
+    /// Returns a row of cranks on the ground, each coupled with the next: n bars, every second one
+    /// a crank, and one more crank. Cranks are upright and couplers are level, since errors grow
+    /// from cell to cell where they are nearly parallel.
     pub(crate) fn four_bars(n: usize) -> Mechanism {
         let is_crank = |i: usize| i.is_multiple_of(2) || i == n;
         let begins = |i| if is_crank(i) { Place::Ground(i as f64) } else { Place::End(i - 1) };
@@ -85,12 +86,12 @@ impl Mechanism {
         }
     }
 
-    /// A chain whose end is pinned to the ground, too.
+    /// Returns a chain whose end is pinned to the ground, too.
     fn ring(n: usize) -> Mechanism {
         Mechanism { loops: vec![(n - 1, Place::Ground(1.0))], ..Mechanism::chain(n) }
     }
 
-    /// The declaration, whose statements for the bars may come in another order.
+    /// Returns the declaration, with the statements for the bars in the given order.
     pub(crate) fn declaration(&self, level: &str, order: impl Fn(usize) -> usize) -> String {
         let (mut bodies, mut pins) = (String::new(), Vec::new());
         let end = |place: Place| match place {
@@ -114,8 +115,8 @@ impl Mechanism {
         format!("#[accuracy({level})] struct M; gravity = (0, -{GRAVITY});\n{bodies}{}", pins.concat())
     }
 
-    /// Σⱼ dⱼ e(φⱼ) is the end of a bar, beside a fixed point; with the half of the last length its
-    /// centre.
+    /// Returns the coefficients dⱼ such that Σⱼ dⱼ e(φⱼ) is the end of a bar, beside a fixed point.
+    /// With half of the last length it is the centre.
     fn slopes(&self, bar: usize, last: f64) -> Vec<f64> {
         let mut slopes = vec![0.0; self.bars.len()];
         let (mut next, mut share) = (Place::End(bar), last);
@@ -143,7 +144,7 @@ impl Mechanism {
         }
     }
 
-    /// The accelerations of the angles: M α + Jᵀμ = f under J α = d.
+    /// Returns the accelerations of the angles: M α + Jᵀμ = f under J α = d.
     fn angular_accelerations(&self, angles: &[f64], rates: &[f64]) -> Vec<f64> {
         let (n, m) = (self.bars.len(), 2 * self.loops.len());
         let mut rows = vec![vec![0.0; n + m + 1]; n + m];
@@ -177,7 +178,7 @@ impl Mechanism {
         solution
     }
 
-    /// The state and the accelerations of the declared coordinates, bar by bar.
+    /// Returns the state and the accelerations of the declared coordinates, bar by bar.
     fn motion(&self, angles: &[f64], rates: &[f64]) -> [Vec<f64>; 3] {
         let accelerations = self.angular_accelerations(angles, rates);
         let mut motion = [Vec::new(), Vec::new(), Vec::new()];
@@ -229,7 +230,7 @@ impl Mechanism {
     }
 }
 
-/// The solution of linear equations, the right-hand side in the last column, by elimination with
+/// Solves linear equations, with the right-hand side in the last column, by elimination with
 /// partial pivoting.
 fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let n = rows.len();

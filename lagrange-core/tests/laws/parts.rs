@@ -1,5 +1,4 @@
-//! Parts: the code is that of the declaration in which every part is written by hand where it is
-//! placed.
+//! Parts: the code equals that of a declaration in which each placed part is written by hand.
 
 use std::fmt::Write as _;
 
@@ -38,7 +37,7 @@ const QUADRUPED: &str = "
     output mean = sum(i in 0..4, leg[i].foot.z) / 4;
     emit { statements, no inverse_dynamics }";
 
-/// The same without parts.
+/// Returns the same robot without parts.
 fn quadruped_by_hand() -> String {
     let mut text = "param g = 9.81, mass = 12; gravity = (0, 0, -g);
         body trunk { mass: mass; shape: cuboid(0.6, 0.3, 0.15); } free trunk;"
@@ -74,7 +73,7 @@ const BOXES: &str = "
     }
     chest[i in 0..2]: Box { at: i; }";
 
-/// The same without parts.
+/// Returns the same boxes without parts.
 fn boxes_by_hand() -> String {
     let mut text = "gravity = (0, -9.81);".to_owned();
     for i in 0..2 {
@@ -94,7 +93,7 @@ fn corners_in_parts_touch_as_those_written_by_hand() {
     assert_eq!(emitted(&composed), emitted(&flat));
 }
 
-/// What is emitted of a correct text if members are called as in the expanded text.
+/// Returns the code emitted for a correct text if members are named as in the expanded text.
 fn emitted(text: &str) -> String {
     let derived = parse(text).and_then(|mut system| {
         system.declaration.arrays.clear();
@@ -105,7 +104,7 @@ fn emitted(text: &str) -> String {
     tokens.unwrap_or_else(|report| panic!("{text}\n{report}")).to_string()
 }
 
-/// The statements without parts as text.
+/// Returns the statements without parts as text.
 fn written_out(text: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report).expect("tokens");
@@ -121,7 +120,7 @@ fn written_out(text: &str) -> String {
 fn a_quadruped_of_one_leg_has_the_code_of_one_with_four() {
     let by_hand = quadruped_by_hand();
     assert_eq!(emitted(QUADRUPED), emitted(&by_hand));
-    // The plain statements are a declaration of the same.
+    // The plain statements declare the same system.
     let statements = parse(QUADRUPED).expect("a correct declaration").statements();
     assert_eq!(statements, parse(&by_hand).expect("a correct declaration").statements());
     assert_eq!(statements, parse(&statements).expect("a correct declaration").statements());
@@ -133,7 +132,7 @@ struct RandomPart {
     /// Names of arguments, with their defaults.
     arguments: Vec<(String, Option<Text>)>,
     items: Vec<Item>,
-    /// Numbers in it, as they are called from outside.
+    /// Numbers in it, by their names outside.
     numbers: Vec<String>,
 }
 
@@ -147,8 +146,8 @@ enum Piece {
 
 enum Item {
     Statement(Text),
-    /// A part by its number, under a name, with the number of elements and the arguments, one of
-    /// each for each element.
+    /// A part by its number, under a name, with the number of elements and the arguments, one list
+    /// for each element.
     Place {
         name: String,
         part: usize,
@@ -165,7 +164,7 @@ fn name(name: impl Into<String>) -> Piece {
     Piece::Name(name.into())
 }
 
-/// A sum of products of these names and numbers.
+/// Returns a sum of products of these names and numbers.
 fn sum(names: &[String], random: &mut Random) -> Text {
     let mut sum = vec![text(format!("{}", random.below(9)))];
     for _ in 0..random.below(3) {
@@ -176,7 +175,7 @@ fn sum(names: &[String], random: &mut Random) -> Text {
     sum
 }
 
-/// Parts that place those before them; the last is the declaration itself.
+/// Returns parts that place earlier parts; the last one is the declaration itself.
 fn random_parts(random: &mut Random) -> Vec<RandomPart> {
     let mut parts: Vec<RandomPart> = Vec::new();
     let count = 2 + random.below(3);
@@ -234,7 +233,7 @@ fn random_part(before: &[RandomPart], is_whole: bool, random: &mut Random) -> Ra
     part
 }
 
-/// Places a part; returns the numbers in it.
+/// Places a part, and returns the numbers in it.
 fn place(
     part: &mut RandomPart,
     before: &[RandomPart],
@@ -274,7 +273,7 @@ fn composed_text(pieces: &Text) -> String {
     pieces.iter().map(as_written).collect()
 }
 
-/// The declaration of parts.
+/// Returns the declaration of parts.
 fn composed(parts: &[RandomPart]) -> String {
     let mut out = String::new();
     for (number, part) in parts.iter().enumerate() {
@@ -313,17 +312,17 @@ fn composed_item(item: &Item) -> String {
     }
 }
 
-/// Values of arguments by their names, written by hand.
+/// Values of arguments by name, written by hand.
 type Values = Vec<(String, String)>;
 
-/// A text with the names that they have where everything is written by hand.
+/// Returns a text with the names used when everything is written by hand.
 fn flat_text(pieces: &Text, prefix: &str, values: &Values) -> String {
     let flat = pieces.iter().map(|piece| match piece {
         Piece::Text(text) => text.clone(),
         Piece::Name(path) => match values.iter().find(|(name, _)| name == path) {
             Some((_, value)) => format!("({value})"),
             None => {
-                // Indices of parts are in the name; those of an array stay.
+                // Indices of parts become part of the name; those of an array stay.
                 let (around, own) =
                     path.rsplit_once('.').map_or((String::new(), &path[..]), |(around, own)| {
                         (around.replace(['[', '.'], "_").replace(']', "") + "_", own)
@@ -335,7 +334,7 @@ fn flat_text(pieces: &Text, prefix: &str, values: &Values) -> String {
     flat.collect()
 }
 
-/// The statements of a part, written by hand.
+/// Returns the statements of a part, written by hand.
 fn flat(parts: &[RandomPart], number: usize, prefix: &str, values: &Values, out: &mut String) {
     for item in &parts[number].items {
         match item {

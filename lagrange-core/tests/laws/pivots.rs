@@ -1,5 +1,5 @@
-//! Motions that are determined although a pivot vanishes: masses that are zero under constraints,
-//! inertia that is switched off, and indefinite Lagrangians.
+//! Motions that are determined although a pivot vanishes: zero masses under constraints, disabled
+//! inertia, and indefinite Lagrangians.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
@@ -15,7 +15,7 @@ fn assert_near(found: &[f64], expected: &[f64], what: &str) {
     assert!(found.len() == expected.len() && found.iter().zip(expected).all(is_near), "{what}: {found:?}");
 }
 
-/// x and y accelerate alike, and only y has a mass.
+/// x and y have the same acceleration, and only y has a mass.
 #[test]
 fn constraints_make_up_for_masses_that_are_zero() {
     for mass in ["m0", "(if x < 1 { 1 } else { 0 })"] {
@@ -29,7 +29,7 @@ fn constraints_make_up_for_masses_that_are_zero() {
     }
 }
 
-/// By hand: sin x ẍ + ½ cos x ẋ² + ÿ + 1 = 0 and ẍ + y = 0.
+/// The equations are sin x ẍ + ½ cos x ẋ² + ÿ + 1 = 0 and ẍ + y = 0.
 #[test]
 fn a_zero_pivot_of_a_regular_matrix_is_no_singularity() {
     let system = numeric("coord x, y; lagrangian = 1/2*sin(x)*dot(x)^2 + dot(x)*dot(y) - 1/2*y^2 - x;");
@@ -40,7 +40,7 @@ fn a_zero_pivot_of_a_regular_matrix_is_no_singularity() {
     }
 }
 
-/// In body axes squares stand in sums with products, where no sign shows.
+/// In body axes, squares occur in sums with products, where their signs are not apparent.
 #[test]
 fn kinetic_energies_need_no_second_way() {
     for (declared, needs_second_way) in [("kinetic", false), ("lagrangian", true)] {
@@ -85,7 +85,7 @@ fn pivots_of_multipliers_may_vanish_where_mass_is_indefinite() {
     assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
 }
 
-/// Determinant by expansion along the first row.
+/// Expands the determinant along the first row.
 fn determinant(m: &[Vec<f64>]) -> f64 {
     if m.is_empty() {
         return 1.0;
@@ -95,7 +95,7 @@ fn determinant(m: &[Vec<f64>]) -> f64 {
     (0..m.len()).map(|j| sign(j) * m[0][j] * determinant(&minor(j))).sum()
 }
 
-/// The solution by Cramer's rule.
+/// Solves by Cramer's rule.
 fn cramer(m: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
     let with = |j: usize| {
         let mut changed = m.to_vec();
@@ -108,8 +108,8 @@ fn cramer(m: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
 proptest! {
     #![proptest_config(crate::one_in(2))]
 
-    /// Entries of M that are zero where the coordinates are, and parameters that are zero by
-    /// default; up to two constraints.
+    /// Entries of M vanish where the coordinates do, and parameters are zero by default. There are
+    /// up to two constraints.
     #[test]
     fn regular_equations_have_a_solution(
         entries in prop::collection::vec(0..4_usize, 6),
@@ -147,7 +147,7 @@ proptest! {
         }
         prop_assume!(determinant(&matrix).abs() > 0.5);
         let Ok(derived) = parse(&text).and_then(|parsed| parsed.derive(StrategyChoice::Cheapest)) else {
-            // Refused, because nothing moves somewhere.
+            // Refused, because some coordinate has no inertia.
             return Ok(());
         };
         let system = NumericSystem::new(&derived);

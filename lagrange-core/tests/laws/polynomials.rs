@@ -1,4 +1,4 @@
-//! Polynomials with exact coefficients, differentiated by the power rule: a judge that shares
+//! Polynomials with exact coefficients, differentiated by the power rule: a reference that shares
 //! nothing with the calculus under test.
 
 use std::collections::BTreeMap;
@@ -52,7 +52,7 @@ impl Polynomial {
         (0..exponent).fold(Polynomial::constant(Number::ONE), |power, _| power.times(self))
     }
 
-    /// ∂/∂x of the variable with this index.
+    /// Returns ∂/∂x for the variable with this index.
     pub(crate) fn derivative(&self, index: usize) -> Polynomial {
         let terms = self.0.iter().filter(|(exponents, _)| exponents[index] > 0).map(|(exponents, c)| {
             let mut lowered = *exponents;

@@ -1,4 +1,4 @@
-//! `emit { power }`: the powers add up to the rate of the energy, which differences measure.
+//! `emit { power }`: the powers add up to the rate of the energy, found by differences.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -10,14 +10,14 @@ fn derived(text: &str) -> Derived {
     system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"))
 }
 
-/// The powers by name, with the balance at the end.
+/// Returns the powers by name, with the balance at the end.
 fn powers(derived: &Derived, t: f64, q: &[f64], v: &[f64]) -> Vec<(String, f64)> {
     let numeric = NumericSystem::new(derived);
     let names = derived.model.outputs.iter().filter(|output| output.name.starts_with("power_"));
     names.map(|output| (output.name.clone(), numeric.output(&output.name, t, q, v).unwrap()[0])).collect()
 }
 
-/// The rate of the energy along the motion, by a central difference of fourth order.
+/// Returns the rate of the energy along the motion, by a central difference of fourth order.
 fn energy_rate(derived: &Derived, t: f64, q: &[f64], v: &[f64]) -> f64 {
     let numeric = NumericSystem::new(derived);
     let y = [q, v].concat();
@@ -30,12 +30,12 @@ fn energy_rate(derived: &Derived, t: f64, q: &[f64], v: &[f64]) -> f64 {
     (8.0 * (energy(h) - energy(-h)) - (energy(2.0 * h) - energy(-2.0 * h))) / (12.0 * h)
 }
 
-/// Entries in (−1, 1) that look random.
+/// Returns pseudorandom entries in (−1, 1).
 fn state(seed: usize, length: usize) -> Vec<f64> {
     (0..length).map(|i| ((seed * 37 + i * 61 + 11) as f64 * 0.7548776662466927).fract() * 2.0 - 1.0).collect()
 }
 
-/// Checks a system at rest and at states that look random, on no manifold of constraints.
+/// Checks a system at rest and at pseudorandom states, which satisfy no constraints.
 fn check(text: &str, expected: &[&str]) {
     let derived = derived(text);
     let (positions, velocities) = (derived.model.coordinates.len(), derived.model.speeds.len());
@@ -130,12 +130,12 @@ fn powers_are_those_by_hand() {
         assert_eq!(*name, format!("power_{short}"));
         assert!((power - value).abs() < 1e-15, "{name}: {power}");
     }
-    // A bead on a rod that turns at the rate 2: h = (ṙ² − 4 r²)/2 is kept, T + V is not.
+    // A bead on a rod that turns at the rate 2: h = (ṙ² − 4 r²)/2 is conserved, T + V is not.
     let turning = "coord r; kinetic = kinetic_energy(1, dot((r * cos(2 * t), r * sin(2 * t))));";
     let names = powers(&derived(turning), 0.4, &[0.9], &[1.5]);
     assert_eq!(names.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["power_balance"]);
-    // The same bead in Cartesian coordinates: the rod does the work λ·(0, 1)ᵀ 2 r with the Coriolis
-    // force 2·2 ṙ, so that the power is 8 r ṙ. Both are at t = 0, where the rod is the x axis.
+    // The same bead in Cartesian coordinates. The rod does the work λ·(0, 1)ᵀ 2 r with the Coriolis
+    // force 2·2 ṙ, so the power is 8 r ṙ. Both are evaluated at t = 0, where the rod is the x axis.
     let held = derived(
         "coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); constraint rod = y * cos(2*t) - x * sin(2*t);",
     );

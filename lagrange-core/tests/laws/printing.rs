@@ -1,5 +1,5 @@
-//! What is printed of a declaration says the same: it is printed again alike, and the same code is
-//! emitted for it.
+//! A printed declaration keeps its meaning: it is printed again alike, and the same code is emitted
+//! for it.
 
 use std::fs;
 use std::path::Path;
@@ -26,7 +26,7 @@ pub(crate) fn read(text: &str) -> Declaration {
     declaration.expect("tokens")
 }
 
-/// The code for a declaration, or what is wrong with it.
+/// Returns the code for a declaration, or its errors.
 pub(crate) fn emitted(declaration: Declaration) -> Result<String, String> {
     let mut report = Report::default();
     let mut declaration = without_arrays(declaration, &mut report);
@@ -41,12 +41,13 @@ pub(crate) fn emitted(declaration: Declaration) -> Result<String, String> {
     }
 }
 
-/// What is reported, without where it stands.
+/// Returns the messages of a report without their locations.
 fn messages(report: &Report) -> String {
     report.diagnostics().iter().map(|diagnostic| format!("{}\n", diagnostic.message)).collect()
 }
 
-/// The declaration with its statements printed and read; head and documentation are not printed.
+/// Returns the declaration with its statements printed and read. Head and documentation are not
+/// printed.
 pub(crate) fn printed_and_read(declaration: &Declaration) -> Declaration {
     let again = read(&print::statements(declaration));
     assert_eq!(again.statements.len(), declaration.statements.len());

@@ -1,4 +1,4 @@
-//! Products that are not asked for cost nothing: neither expressions nor emitted code.
+//! Unrequested products cost nothing, neither expressions nor emitted code.
 
 use std::collections::BTreeMap;
 
@@ -18,8 +18,8 @@ const SYSTEM: &str = "
     dissipation = 1/2*c*dot(x)^2; force x = u;
 ";
 
-/// A bob on a boom in space, with a force whose point needs the names of all axes: statements that
-/// only products need give names to parts of the equations, too.
+/// A bob on a boom in space, with a force whose point needs the names of all axes. Statements that
+/// only products need also name parts of the equations.
 const IN_SPACE: &str = "
     param m = 2, l = 1; gravity = (0, 0, -9.81);
     body bob { mass: m; inertia: (1, 1, 2); centroid: (0, 0, -l); }
@@ -27,7 +27,7 @@ const IN_SPACE: &str = "
     force (1, 2, 3) at bob.point(1, 2, 3);
 ";
 
-/// An oscillator, which keeps its energy.
+/// An oscillator, which conserves its energy.
 const CONSERVATIVE: &str = "param k = 1; coord x; kinetic = 1/2*dot(x)^2; potential = spring_energy(k, x);";
 
 /// A derivation with some products.
@@ -49,7 +49,7 @@ fn emission(declared: &str, wanted: &[Product]) -> Emission {
     Emission { expressions, methods: methods(&syn::parse2(items).expect("valid Rust")) }
 }
 
-/// The methods and constants of the emitted struct, by name.
+/// Returns the methods and constants of the emitted struct, by name.
 fn methods(file: &syn::File) -> BTreeMap<String, String> {
     let mut methods = BTreeMap::new();
     for item in &file.items {
@@ -90,7 +90,7 @@ fn a_product_adds_its_method_and_nothing_to_the_others() {
     }
 }
 
-/// A system that can have a product.
+/// Returns a system that can have a product.
 fn system_with(product: Product) -> &'static str {
     match product {
         Product::Frames | Product::FrameJacobians => IN_SPACE,
@@ -99,7 +99,7 @@ fn system_with(product: Product) -> &'static str {
     }
 }
 
-/// The methods and constants of a product.
+/// Returns the methods and constants of a product.
 fn added_by(product: Product) -> Vec<&'static str> {
     match product {
         Product::Kernel => vec!["KERNEL_F32", "KERNEL_F64"],
@@ -119,7 +119,7 @@ fn added_by(product: Product) -> Vec<&'static str> {
     }
 }
 
-/// Products that must be there for another.
+/// Returns the products on which another depends.
 fn needed_by(product: Product) -> &'static [Product] {
     match product {
         Product::MomentumRates => &[Product::MassMatrix, Product::Momenta],
@@ -129,7 +129,7 @@ fn needed_by(product: Product) -> &'static [Product] {
 
 #[test]
 fn what_is_not_asked_for_is_not_derived() {
-    // The other products are made of what leads to the accelerations.
+    // The other products are built from the expressions that lead to the accelerations.
     let [bare, with] =
         [vec![], vec![Product::InverseDynamics]].map(|products| emission(SYSTEM, &products).expressions);
     assert!(with > bare, "{with} expressions with inverse dynamics, {bare} without");

@@ -1,6 +1,6 @@
-//! Components along moving axes give the same equations whether or not it shows that a joint turns
-//! them: where cosines are written as 1 − 2 sin²(x/2), generalised momenta and their rates take the
-//! place of brackets.
+//! Components along moving axes give the same equations whether or not the derivation sees that a
+//! joint turns them. Where cosines are written as 1 − 2 sin²(x/2), generalised momenta and their
+//! rates replace brackets.
 
 use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
@@ -9,8 +9,8 @@ use proptest::prelude::proptest;
 use crate::gibbs::{assert_equal, numbers};
 use crate::one_in;
 
-/// Axes that turn with time and with coordinates, each made of others, in either sense, with
-/// weights that change, products of all kinds and terms that are linear in the velocities.
+/// Returns axes that turn with time and with coordinates, each made of others, in either sense.
+/// Weights change, products are of all kinds, and some terms are linear in the velocities.
 fn declaration(cosine: impl Fn(&str) -> String) -> String {
     let [theta, b, d] = ["theta", "b", "d"].map(cosine);
     format!(

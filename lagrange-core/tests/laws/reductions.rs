@@ -1,6 +1,6 @@
-//! What holds for reduced types of any machine, by the inverse dynamics of the whole one:
-//! coordinates that are frozen drop out, and in small ones the reduced machine differs by what is
-//! neglected and by no more.
+//! Reduced types of any machine, judged by the inverse dynamics of the whole one. Frozen
+//! coordinates drop out. With small coordinates the reduced machine differs by the neglected terms
+//! and no more.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -11,13 +11,13 @@ use crate::machines::{Machine, machines};
 
 /// Bounds rounding in differently ordered sums.
 const ROUNDED: f64 = 1e-9;
-/// Step of first differences, so short that squares like |v| v do not show, and what bounds the
-/// error then.
+/// Step of first differences, short enough that squares such as |v| v are invisible, and the bound
+/// of their error.
 const SLOPE: (f64, f64) = (1e-7, 1e-5);
-/// The same for second differences.
+/// Step of second differences, and the bound of their error.
 const BEND: (f64, f64) = (3e-4, 1e-4);
 
-/// A machine beside a reduced one. Positions of reduced coordinates are off any kink: those are at
+/// A machine beside a reduced one. Positions of reduced coordinates avoid kinks, which are at
 /// hundredths.
 struct Pair {
     whole: NumericSystem,
@@ -30,7 +30,7 @@ struct Pair {
 impl Pair {
     fn new(mut machine: Machine, frozen: u32, small: u32) -> Pair {
         machine.q.iter_mut().for_each(|q| *q += 0.003);
-        // Nothing rests that is not small: norms of velocities are not smooth there.
+        // All other coordinates move, because norms of velocities are not smooth at rest.
         machine.v.iter_mut().for_each(|v| *v += 0.3_f64.copysign(*v));
         let is_in = |set: u32, i: usize| set >> i & 1 == 1;
         let is_frozen = (0..machine.q.len()).map(|i| is_in(frozen, i)).collect::<Vec<_>>();
@@ -47,9 +47,9 @@ impl Pair {
         Pair { whole, reduced, machine, is_frozen, is_small }
     }
 
-    /// The difference in generalised forces that remain, for accelerations `a`: those on
-    /// coordinates that are not small, then those on small ones. What is frozen rests; deviations,
-    /// with their rates, are multiplied by `scale`.
+    /// Returns the difference between the remaining generalised forces at accelerations `a`: first
+    /// those on coordinates that are not small, then those on small ones. Frozen coordinates rest;
+    /// deviations and their rates are multiplied by `scale`.
     fn difference(&self, a: &[f64], scale: f64) -> [Vec<f64>; 2] {
         let Machine { t, q, v, .. } = &self.machine;
         let all = 0..q.len();
@@ -74,13 +74,12 @@ impl Pair {
         rows
     }
 
-    /// Without the frozen entries.
+    /// Returns the entries that are not frozen.
     fn free(&self, list: &[f64]) -> Vec<f64> {
         list.iter().zip(&self.is_frozen).filter(|(_, is_frozen)| !**is_frozen).map(|(x, _)| *x).collect()
     }
 
-    /// What errors are measured against: the largest force, accelerations being of the order of
-    /// one.
+    /// Returns the scale of errors: the largest force while accelerations are of order one.
     fn scale(&self) -> f64 {
         let Machine { t, q, v, .. } = &self.machine;
         let forcing = self.whole.product(Product::Forcing, *t, q, v).expect("derived by default");
@@ -94,7 +93,7 @@ fn derived(text: &str) -> Derived {
     system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}: {text}"))
 }
 
-/// Σ weight · value for each of the rows of one kind.
+/// Returns Σ weight · value for each row of one kind.
 fn weighted(values: &[[Vec<f64>; 2]; 5], rows: usize, weights: [f64; 5]) -> Vec<f64> {
     let row = |i: usize| values.iter().zip(weights).map(|(value, weight)| weight * value[rows][i]).sum();
     (0..values[0][rows].len()).map(row).collect()
@@ -117,8 +116,8 @@ proptest! {
         prop_assert!(largest(&free) <= ROUNDED * pair.scale(), "{free:?}: {}", pair.machine.text);
     }
 
-    /// With deviations and their rates of order ε the error is of order ε³ in the forces on what is
-    /// not small, and ε² in those on what is.
+    /// Deviations and their rates are of order ε. Then forces have errors of order ε² on small
+    /// coordinates, and ε³ on the others.
     #[test]
     fn what_is_small_is_linear(
         machine in machines(),

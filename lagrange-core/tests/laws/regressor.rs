@@ -1,4 +1,4 @@
-//! The inverse dynamics is the regressor times its parameters, and a rest that does not depend on
+//! The inverse dynamics equals the regressor times its parameters, plus a remainder independent of
 //! them.
 
 use lagrange_core::derive::StrategyChoice;
@@ -16,7 +16,7 @@ fn names(text: &str) -> Vec<String> {
     numeric(text).programs().variables.regressor.clone()
 }
 
-/// τ − Y π
+/// Returns the remainder τ − Y π.
 fn rest(system: &NumericSystem, (q, v, a): (&[f64], &[f64], &[f64])) -> Vec<f64> {
     let regressor = system.regressor(0.3, q, v, a).expect("it is requested");
     let parameters = system.regressor_parameters();
@@ -27,7 +27,7 @@ fn rest(system: &NumericSystem, (q, v, a): (&[f64], &[f64], &[f64])) -> Vec<f64>
     torques.iter().zip(rows).map(|(torque, row)| torque - product(row)).collect()
 }
 
-/// Compares the rest before and after all of `changed` are multiplied by a number.
+/// Compares the remainder before and after all of `changed` are multiplied by a number.
 fn assert_linear(text: &str, changed: &[&str], tolerance: f64) {
     let mut random = Random::new(7);
     let mut number = || random.between(-1.2, 1.2);
@@ -56,7 +56,7 @@ fn assert_linear(text: &str, changed: &[&str], tolerance: f64) {
     }
 }
 
-/// A rod on a cart in the plane, with everything that may be linear, and lengths that are not.
+/// A rod on a cart in the plane, with every parameter that may be linear, and lengths that are not.
 const PLANE: &str = "struct S;
     param mc = 3, m = 2, j = 0.4, x0 = 0.6, y0 = 0.1, l = 1, c = 0.2, d = 0.3, k = 5, g = 9.81, load = 0.5;
     coord x, phi; input u;
@@ -105,7 +105,7 @@ const SPACE: &str = "struct S;
 fn bodies_in_space_have_ten_parameters() {
     let found = names(SPACE);
     let of = |body: &str| found.iter().filter(|name| name.starts_with(&format!("{body}."))).count();
-    // About a vertical axis only the moment about it counts.
+    // About a vertical axis, only the moment of inertia about it matters.
     assert_eq!(["base", "boom", "slider", "stone"].map(of), [1, 10, 10, 10]);
     assert_eq!(found[found.len() - 2..], ["c", "k"]);
     let changed = ["m", "x0", "y0", "z0", "jxx", "jyy", "jzz", "jxy", "jyz", "c", "k"];
@@ -126,7 +126,7 @@ fn systems_of_energies_have_columns_for_what_is_linear() {
     assert_linear(lagrangian, &["m[0]", "m[2]", "b"], 1e-15);
 }
 
-/// Factors of a product of parameters are linear in the first of them.
+/// A product of parameters is linear in its first factor.
 #[test]
 fn of_a_product_the_first_parameter_is_taken() {
     let spring = "struct S; param a = 2, b = 3; coord x; kinetic = 1/2 * dot(x)^2;

@@ -1,12 +1,12 @@
-//! Units do not matter: if all masses are multiplied by a power of two and all lengths by another,
-//! nothing changes but exponents.
+//! Units do not matter: if all masses are multiplied by one power of two and all lengths by
+//! another, only exponents change.
 //!
-//! That holds for accelerations, multipliers and all products, each with the powers of mass and
-//! length in its own unit, at every level of accuracy and by every strategy, bit by bit. It ends
-//! where numbers do: where m l² overflows, the mass matrix cannot be written down, and on the way
-//! to derivatives there are powers of lengths up to the fifth beside a mass. So masses are
-//! multiplied by 2^a and lengths by 2^b with |a| + 5 |b| ≤ 900. Subnormal numbers have fewer
-//! digits, so results below the least normal one are left out.
+//! This holds for accelerations, multipliers and all products, each with the powers of mass and
+//! length in its own unit. It holds at every level of accuracy and by every strategy, bit by bit.
+//! It ends where the range of numbers does. Where m l² overflows, the mass matrix is not
+//! representable, and derivatives contain up to the fifth power of a length beside a mass. So
+//! masses are multiplied by 2^a and lengths by 2^b with |a| + 5 |b| ≤ 900. Subnormal numbers have
+//! fewer digits, so results below the least normal one are ignored.
 
 mod subjects;
 
@@ -41,7 +41,7 @@ const PRODUCTS: [Product; 16] = [
     Product::ParameterJacobian,
 ];
 
-/// Powers of two by which masses and lengths are multiplied.
+/// Powers of two that multiply masses and lengths.
 #[derive(Clone, Copy, Debug)]
 struct Scale {
     mass: i32,
@@ -59,7 +59,7 @@ impl Scale {
         Scale { mass, length }
     }
 
-    /// A number with these powers of mass and length in its unit.
+    /// Returns a number scaled by these powers of mass and length in its unit.
     fn of(self, value: f64, [mass, length]: [i32; 2]) -> f64 {
         let power = self.mass * mass + self.length * length;
         value * 2_f64.powi(power / 2) * 2_f64.powi(power - power / 2)
@@ -147,7 +147,7 @@ fn results(subject: &Subject, system: &NumericSystem, motion: &Motion, scale: Sc
     results
 }
 
-/// Asserts the law for a system in one way and a random state.
+/// Asserts the law for a system in one way at a random state.
 fn assert_units_do_not_matter(subject: &Subject, way: &Way, seed: u64) {
     let mut random = Random::of_case(seed);
     let motion = Motion::random(subject, &mut random);
@@ -160,7 +160,7 @@ fn assert_units_do_not_matter(subject: &Subject, way: &Way, seed: u64) {
             for (i, (value, unit)) in values.iter().zip(units).enumerate() {
                 let (scaled, found) = (scale.of(*value, *unit), found.values[i]);
                 let is_out_of_range = value.is_normal() && !scaled.is_normal();
-                // Derivatives are undefined where constraints depend on each other in one
+                // Derivatives are undefined where constraints become dependent in a single
                 // configuration.
                 let is_undefined = name.ends_with("jacobian") && value.is_nan() && found.is_nan();
                 assert!(
@@ -173,7 +173,7 @@ fn assert_units_do_not_matter(subject: &Subject, way: &Way, seed: u64) {
     }
 }
 
-/// Asserts the law for random states; `PROPTEST_CASES` scales how many.
+/// Asserts the law for random states, whose number `PROPTEST_CASES` scales.
 fn assert_units_do_not_matter_to(subjects: Vec<Subject>) {
     let states = u64::from(ProptestConfig::default().cases / 256).max(1);
     for subject in subjects {

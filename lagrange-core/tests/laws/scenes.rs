@@ -1,5 +1,4 @@
-//! What holds for any scene of rigid bodies: the forces and moments that are handed out to be drawn
-//! are all there are.
+//! In any scene of rigid bodies, the forces and moments handed out for drawing are complete.
 //!
 //! With ρ from a point P of the body to its centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z =
 //! M_P.
@@ -17,10 +16,10 @@ use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
 
 use crate::one_in;
 
-/// The most bodies of a scene.
+/// The largest number of bodies in a scene.
 const MOST_BODIES: usize = 3;
 
-/// Where body `#` is: any three coordinates that let it move freely.
+/// Placements of body `#`: any three coordinates that let it move freely.
 const PLACES: [&str; 4] = [
     "center: (x#, y#); angle: a#;",
     "origin: (x# - sin(y#)/3, y# + t*x#); angle: a# + t^2/5;",
@@ -28,7 +27,7 @@ const PLACES: [&str; 4] = [
     "center: ((2 + x#^2)*x#, y# - 1); angle: 2*a# - y#;",
 ];
 
-/// What it is made of; `%` is a number between 1 and 2.
+/// Inertias of a body; `%` is a number between 1 and 2.
 const MATTER: [&str; 5] = [
     "mass: %; inertia: 1/%; centroid: (1/5, -%/4);",
     "mass: %; shape: rectangle(%, 0.4);",
@@ -37,7 +36,7 @@ const MATTER: [&str; 5] = [
     "compound { disk(%), mass: 2; hole slender_rod(1), mass: 1/3, at: (%/5, 0), angle: 0.3; }",
 ];
 
-/// What holds body `#`, to body `@` before it if there is one.
+/// Joints of body `#`, with the earlier body `@` if there is one.
 const JOINTS: [(&str, &str); 5] = [
     ("", ""),
     ("pin b#.point(0.3, %) to b@.point(-%, 0.4);", "pin b#.point(0.3, %) to (sin(t), %);"),
@@ -52,7 +51,7 @@ const JOINTS: [(&str, &str); 5] = [
     ),
 ];
 
-/// What else acts on body `#`, and on `@` if there is one.
+/// Further loads on body `#`, and on `@` if there is one.
 const LOADS: [(&str, &str); 6] = [
     (
         "spring { from: b#.point(%, 0); to: b@; stiffness: %; rest: 1/2; }",
@@ -82,7 +81,7 @@ struct Stage {
     v: Vec<f64>,
 }
 
-/// The indices of what is chosen from the lists above for one body.
+/// The indices of the choices from the lists above for one body.
 type Choice = (usize, usize, usize, usize, Vec<usize>);
 
 fn stages() -> impl Strategy<Value = Stage> {
@@ -156,7 +155,8 @@ impl Scene {
         })
     }
 
-    /// Force and moment about a place of all that acts on a body, and how large what is summed is.
+    /// Returns the total force and the total moment about a place on a body, with the magnitude of
+    /// their summands.
     fn load(&self, wanted: &str, about: [f64; 2]) -> ([f64; 2], f64, f64) {
         let (mut force, mut moment, mut size) = ([0.0; 2], 0.0, 1.0);
         for item in &self.derived.model.scene.drawing {
@@ -179,8 +179,8 @@ impl Scene {
     }
 }
 
-/// m a of a body and J_P ω̇ + m (ρ × a_P)_z for the point P at ρ before the centre of mass, with
-/// the place of P.
+/// Returns `m a` of a body, and `J_P ω̇ + m (ρ × a_P)_z` with the position of P, which is at ρ
+/// before the centre of mass.
 fn rates(motion: &[f64], rho: [f64; 2]) -> ([f64; 2], f64, [f64; 2]) {
     let &[m, j, _, _, x, y, _, _, _, omega, ax, ay, alpha] = motion else { panic!("{motion:?}") };
     let acceleration =

@@ -1,6 +1,6 @@
-//! What holds for first-order states beside any machine: accelerations are those under inputs that
-//! have their values, rates are what their equations say, derivatives are those of both, and one
-//! that is frozen is a number.
+//! First-order states beside any machine. Accelerations are those under inputs with the values of
+//! the states. Rates follow their equations, derivatives those of both, and a frozen state is a
+//! number.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -9,8 +9,7 @@ use proptest::prelude::{Strategy, prop, prop_assert, prop_assert_eq, proptest};
 
 use crate::machines::{Machine, machines};
 
-/// The rates of two states, which make those of `w` and `z`, in a machine with at least one
-/// coordinate.
+/// Rates of the states `w` and `z`, in a machine with at least one coordinate.
 const RATES: [[&str; 2]; 4] = [
     ["u - k*w - c*dot(q1)", "w*q1 - z"],
     ["sin(q1 - t)*z", "-w*z + dot(q1)^2"],
@@ -18,7 +17,7 @@ const RATES: [[&str; 2]; 4] = [
     ["z", "k*(q1 - w) - c*z"],
 ];
 
-/// How the states act.
+/// The action of the states on the machine.
 const ACTIONS: [&str; 4] = [
     "force q1 = k*w - dot(q1)*z;",
     "potential = w*q1 + z^2*cos(q1);",
@@ -26,10 +25,10 @@ const ACTIONS: [&str; 4] = [
     "let pull = w*z; force q1 = pull*t; potential = k/2*(q1 - w)^2;",
 ];
 
-/// Step of differences, so short that no kink of a machine, at hundredths, comes between.
+/// Step of differences, short enough to avoid the kinks of a machine, which are at hundredths.
 const STEP: f64 = 1e-5;
 
-/// A machine with states, what it is without them, and the values of both.
+/// A machine with states, its parts without them, and the values of both.
 #[derive(Clone, Debug)]
 struct Motor {
     machine: Machine,
@@ -52,20 +51,20 @@ fn motors() -> impl Strategy<Value = Motor> {
 }
 
 impl Motor {
-    /// The machine with this in front of the action of the states and that behind it.
+    /// Returns the machine with text before and behind the action of the states.
     fn system(&self, before: &str, behind: &str) -> Result<NumericSystem, String> {
         let text = format!("{} {before} {} {behind}", self.machine.text, self.action);
         let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
         Ok(NumericSystem::new(&derived.map_err(|report| format!("{report}{text}"))?))
     }
 
-    /// With the states, declared before a coordinate or behind all.
+    /// Returns the machine with states declared before a coordinate or behind all.
     fn with_states(&self) -> Result<NumericSystem, String> {
         let [a, b] = self.rates;
         self.system("state w, z;", &format!("dot(w) = {a}; dot(z) = {b}; emit {{ jacobian }}"))
     }
 
-    /// With inputs in the place of the states, and outputs in that of their rates.
+    /// Returns the machine with inputs instead of the states, and outputs instead of their rates.
     fn with_inputs(&self) -> Result<NumericSystem, String> {
         let [a, b] = self.rates;
         let mut system =

@@ -1,8 +1,8 @@
-//! Sides of switches keep domains: of every elementary function of every expression that switches.
+//! Expressions on one side of a switch keep their domain, for every elementary function and every
+//! switching expression.
 //!
-//! On its side an expression has the values of the declaration, bit by bit but for rounding, NaN
-//! among them. A little beyond the surface it is finite and continuous, so that a step may look
-//! there.
+//! On its own side an expression has the declared values, bit by bit except for rounding, including
+//! NaN. Slightly beyond the surface it is finite and continuous, so that a step may probe there.
 
 use lagrange_core::derive::{StrategyChoice, Switch, one_sided};
 use lagrange_core::elementary::ROWS;
@@ -11,7 +11,7 @@ use lagrange_core::expr::{ExprId, Graph};
 use lagrange_core::pipeline::parse;
 use lagrange_core::symbol::Role;
 
-/// Expressions of x that switch, and are not negative.
+/// Nonnegative expressions of x that switch.
 const SWITCHED: [&str; 12] = [
     "abs(x)",
     "k*abs(x - 1/2)/3",
@@ -31,7 +31,7 @@ const NEGATIVE_EXPONENTS: [&str; 4] = ["(-1/2)", "(-1.7)", "(-p)", "(1 - p)"];
 /// Distances beyond a surface.
 const DISTANCES: [f64; 5] = [1e-15, 1e-13, 1e-6, 0.01, 0.3];
 
-/// An acceleration, as it is declared and on sides.
+/// An acceleration as declared, and restricted to sides.
 struct Sided {
     graph: Graph,
     declared: ExprId,
@@ -44,7 +44,7 @@ impl Sided {
         Sided::among("", force)
     }
 
-    /// A force beside declarations of functions.
+    /// Returns a force beside declarations of functions.
     fn among(functions: &str, force: &str) -> Sided {
         let text =
             format!("{functions} param k = 2, p = 3/2; coord x; kinetic = 1/2*dot(x)^2; force x = {force};");
@@ -75,8 +75,8 @@ impl Sided {
         self.switches.iter().map(value).map(|value| if value < 0.0 { -1.0 } else { 1.0 }).collect()
     }
 
-    /// Neighbouring numbers between which sides change, as far as multiples of a quarter and of a
-    /// third surround them.
+    /// Returns neighbouring numbers between which sides change, as far as multiples of a quarter
+    /// and of a third surround them.
     fn surfaces(&self) -> Vec<[f64; 2]> {
         let places = (-13..=13).map(|n| f64::from(n) / 4.0 + 0.01).collect::<Vec<_>>();
         let mut surfaces = Vec::new();
@@ -99,7 +99,7 @@ impl Sided {
     }
 }
 
-/// Accelerations with the function of what switches, and beside what switches.
+/// Returns accelerations that contain the function of a switching expression, or stand beside it.
 fn forms(function: impl Fn(&str) -> String) -> Vec<String> {
     let mut forms = SWITCHED.iter().map(|inner| function(inner)).collect::<Vec<_>>();
     forms.extend(SWITCHED.iter().map(|inner| format!("x*{}", function(inner))));
@@ -127,7 +127,7 @@ fn all_forms() -> Vec<String> {
         }
     }
     EXPONENTS.iter().for_each(|exponent| all.extend(forms(|inner| format!("({inner})^{exponent}"))));
-    // Of poles, only those of magnitudes are removed by a factor beside them.
+    // Among poles, a factor beside them removes only those of magnitudes.
     let is_pole_of_magnitude = |form: &String| !form.starts_with("x*(min") && !form.starts_with("x*((if");
     for exponent in NEGATIVE_EXPONENTS {
         all.extend(forms(|inner| format!("({inner})^{exponent}")).into_iter().filter(is_pole_of_magnitude));
@@ -244,7 +244,7 @@ fn arguments_of_tables_that_end_keep_their_domain() {
                 assert!(is_near, "{force}, {distance} beyond {side}: {found}, not {near}");
             }
         }
-        // On its side what lies outside has no value.
+        // On its own side an expression is undefined outside its domain.
         assert!(sided.at(sided.sided, 9.0, &sided.sides(9.0)).is_nan() || force.contains("min"), "{force}");
     }
 }

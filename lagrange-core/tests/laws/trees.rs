@@ -1,4 +1,4 @@
-//! Random trees of bodies whose kinetic energy is a sum of squares, in the plane and out of it, as
+//! Random trees of bodies whose kinetic energy is a sum of squares, in the plane and in space, as
 //! declarations.
 
 use std::fmt::Write;
@@ -7,17 +7,17 @@ use proptest::prelude::{Just, Strategy, any, prop, prop_oneof};
 
 use crate::machines::Machine;
 
-/// The most bodies, and coordinates, of a tree.
+/// The largest number of bodies, and of coordinates, of a tree.
 const MOST_BODIES: usize = 5;
 
-/// What the tree is fixed to: a point and a direction.
+/// Supports of the tree: a point and a direction.
 const SUPPORTS: [&str; 3] = [
     "let p0 = (0, 0, 0); let a0 = 0;",
     "let p0 = (sin(3*t)/5, t^2/7, cos(t)/3); let a0 = 0;",
     "let p0 = (1/3, 0, t/9); let a0 = t/2 + cos(t)/4;",
 ];
 
-/// Where body `#` is, in its coordinate `q#` and the place of its parent `@`.
+/// Position of body `#` in its coordinate `q#` and the position of its parent `@`.
 const JOINTS: [&str; 6] = [
     "let a# = q#; let p# = p@ + (l#*sin(a#), -l#*cos(a#), 0);",
     "let a# = a@ + q#; let p# = p@ + (l#*sin(a#), -l#*cos(a#), 0);",
@@ -27,7 +27,7 @@ const JOINTS: [&str; 6] = [
     "let a# = a@ + 1/2; let p# = p@ + (q#, -l#, q#/2);",
 ];
 
-/// The kinetic energy of body `#`; definite in `dot(q#)` as long as its parent rests.
+/// The kinetic energy of body `#`, which is definite in `dot(q#)` while its parent rests.
 const INERTIAS: [&str; 7] = [
     "kinetic = kinetic_energy(m#, dot(p#));",
     "kinetic = kinetic_energy(m#, dot(p#)) + 1/2*m#/9*dot(a#)^2;",
@@ -38,7 +38,7 @@ const INERTIAS: [&str; 7] = [
     "kinetic = kinetic_energy(m#, dot(p#)) + kinetic_energy(m#/2, dot(p# + (cos(a#), sin(a#), 1)/5));",
 ];
 
-/// What else may act on body `#`.
+/// Further loads on body `#`.
 const EXTRAS: [&str; 11] = [
     "potential = gravitational_energy(m#, g, p#.y);",
     "potential = spring_energy(k, q# - 1/4);",
@@ -53,7 +53,7 @@ const EXTRAS: [&str; 11] = [
     "torque u - c*t on a# - a@ + q#;",
 ];
 
-/// A body: its parent, joint, inertia, mass and length in tenths, and what acts on it.
+/// A body: its parent, joint, inertia, mass and length in tenths, and loads.
 #[derive(Clone, Debug)]
 struct Body {
     parent: prop::sample::Index,
@@ -63,10 +63,10 @@ struct Body {
     extras: Vec<&'static str>,
 }
 
-/// Any tree.
+/// Returns any tree.
 pub(crate) fn trees() -> impl Strategy<Value = Machine> {
     let bodies = prop::collection::vec(body(), 1..=MOST_BODIES);
-    // Zeros are where single squares lose an unknown.
+    // At zero, single squares lose an unknown.
     let number = || prop_oneof![1 => Just(0.0), 3 => (-150..150).prop_map(|n: i32| f64::from(n) / 100.0)];
     let vector = || prop::collection::vec(number(), MOST_BODIES);
     let state = (number(), vector(), vector());

@@ -1,4 +1,4 @@
-//! Units of the examples: they agree, and do not where two of them are swapped.
+//! Units of the examples agree, and disagree when two of them are swapped.
 
 use std::fs;
 use std::ops::Range;
@@ -7,15 +7,15 @@ use std::path::{Path, PathBuf};
 use lagrange_core::pipeline::parse_with;
 use lagrange_core::tables::FileText;
 
-/// Where the declarations of examples are, from the root of the repository.
+/// Locations of the declarations of examples, relative to the root of the repository.
 const PLACES: [&str; 3] = ["examples", "tests/mechanisms/four_bar.rs", "tests/mechanisms/squeezer.rs"];
 const TABLE: &str = "table";
-/// Statements in which names have units.
+/// Statements whose names have units.
 const DECLARING: [&str; 10] =
     ["param", "coord", "input", "const", "state", "output", "let", "velocity", "function", TABLE];
 /// A declaration of an example.
 struct Declaration {
-    /// The example, and the type.
+    /// Names of the example and of the type.
     name: String,
     text: String,
 }
@@ -23,7 +23,7 @@ struct Declaration {
 /// A name with its unit.
 struct Annotation {
     name: String,
-    /// Where the unit stands.
+    /// Location of the unit.
     unit: Range<usize>,
 }
 
@@ -38,7 +38,7 @@ fn examples_declare_units_that_agree() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Each name with one that has another unit.
+/// Swaps each name with one that has a different unit.
 #[test]
 fn swapped_units_are_seen() {
     let next = |index: usize, units: &[&str]| {
@@ -48,7 +48,7 @@ fn swapped_units_are_seen() {
     assert_eq!(unseen(next), "");
 }
 
-/// Any two names that have different units:
+/// Swaps any two names with different units:
 /// `cargo test --release -p lagrange-core --test laws swapped -- --ignored`.
 #[test]
 #[ignore = "takes a minute"]
@@ -59,7 +59,7 @@ fn any_two_swapped_units_are_seen() {
     assert_eq!(unseen(all), "");
 }
 
-/// Swaps that are no mistakes, among those of each name with the partners that it is given.
+/// Returns the swaps that cause no error, among those of each name with its given partners.
 fn unseen(partners: impl Fn(usize, &[&str]) -> Vec<usize>) -> String {
     let mut unseen = Vec::new();
     for Declaration { name, text } in declarations() {
@@ -79,7 +79,7 @@ fn unseen(partners: impl Fn(usize, &[&str]) -> Vec<usize>) -> String {
     unseen.join("\n")
 }
 
-/// A declaration in which two names have each other's units.
+/// Returns a declaration in which two names have exchanged their units.
 fn swapped(text: &str, one: &Annotation, other: &Annotation) -> String {
     let (first, second) = (&text[one.unit.clone()], &text[other.unit.clone()]);
     let (before, between, behind) =
@@ -87,7 +87,7 @@ fn swapped(text: &str, one: &Annotation, other: &Annotation) -> String {
     [before, second, between, first, behind].concat()
 }
 
-/// All errors of a declaration, if there are any.
+/// Returns all errors of a declaration, or `None` if there are none.
 fn errors(text: &str) -> Option<String> {
     let root = root();
     let read = |path: &str| {
@@ -101,7 +101,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// Those of all examples, in the order of their files.
+/// Returns the declarations of all examples, in the order of their files.
 fn declarations() -> Vec<Declaration> {
     let mut files = Vec::new();
     for place in PLACES.map(|place| root().join(place)) {
@@ -137,7 +137,7 @@ fn of_file(file: &Path) -> Vec<Declaration> {
     found
 }
 
-/// What stands before the brace that closes.
+/// Returns the text before the closing brace.
 fn body(text: &str) -> &str {
     let mut open = 1;
     let end = text.find(|character| {
@@ -147,14 +147,14 @@ fn body(text: &str) -> &str {
     &text[..end.unwrap_or(text.len())]
 }
 
-/// The units of a declaration in their order.
+/// Returns the units of a declaration in order.
 fn annotations(text: &str) -> Vec<Annotation> {
     let (mut start, mut depth, mut found) = (0, 0, Vec::new());
     for (place, character) in text.char_indices() {
         depth += depth_change(character);
         if depth == 0 && matches!(character, ';' | '}') {
             let keyword = text[start..place].split_whitespace().next().unwrap_or_default();
-            // Behind the points of a table stand its settings.
+            // The settings of a table follow its points.
             let end =
                 text[start..place].find('=').filter(|_| keyword == TABLE).map_or(place, |end| start + end);
             if DECLARING.contains(&keyword) {
@@ -168,7 +168,7 @@ fn annotations(text: &str) -> Vec<Annotation> {
     found
 }
 
-/// What stands behind a colon up to a value or another name.
+/// Returns the annotation between a colon and a value or another name.
 fn annotation(text: &str, colon: usize) -> Annotation {
     let (mut depth, rest) = (0, &text[colon + 1..]);
     let end = rest.find(|character| {
@@ -189,7 +189,7 @@ fn depth_change(character: char) -> i32 {
     }
 }
 
-/// The last name, before the indices of an array or the arguments of a function.
+/// Returns the last name, before the indices of an array or the arguments of a function.
 fn name_before(text: &str) -> String {
     let mut depth = 0;
     let is_inside = |character: char| {

@@ -1,5 +1,4 @@
-//! Algebraic unknowns: what follows from an equation is what follows from its solution, where that
-//! can be written out.
+//! Algebraic unknowns give the same results as their closed-form solutions, where these exist.
 
 use std::sync::LazyLock;
 
@@ -15,8 +14,7 @@ fn system(text: &str) -> NumericSystem {
     NumericSystem::new(&derived.expect("a regular system"))
 }
 
-/// A bead whose height, whose weight and whose drag are unknowns of equations; or the same written
-/// out.
+/// Returns a bead whose height, weight and drag are unknowns of equations, or written out.
 fn bead(unknowns: &str) -> String {
     format!(
         "param a = 2, b = 3/2, g = 9.81; coord x, z; state s;
@@ -42,7 +40,7 @@ const WRITTEN: &str = "
     let drag = exp(dot(z) / b);
 ";
 
-/// Both, each derived once.
+/// Both beads, each derived once.
 static BEADS: LazyLock<[NumericSystem; 2]> =
     LazyLock::new(|| [SOLVED, WRITTEN].map(|unknowns| system(&bead(unknowns))));
 
@@ -67,7 +65,7 @@ proptest! {
     }
 }
 
-/// A pendulum on a spring in series with one that stiffens.
+/// A pendulum on a spring in series with a stiffening spring.
 const SERIES: &str = "
     param soft = 20, hard = 50, stiff = 100, m = 1.5; coord x; state s;
     solve joint: 0 = soft * joint + hard * joint^3 - stiff * (x - joint);
@@ -100,7 +98,7 @@ fn derivatives_are_those_that_differences_show() {
                 "{column} {jacobian:?} {slope}"
             );
         }
-        // The force in both springs is the same, and the slope of the potential.
+        // The force is the same in both springs, and equals the slope of the potential.
         let joint = system.output("meets", 0.0, &[x, s], &[v]).expect("it is declared")[0];
         let (first, second) = (20.0 * joint + 50.0 * joint.powi(3), 100.0 * (x - joint));
         assert!((first - second).abs() < 1e-13 * (1.0 + first.abs()), "{first} {second}");
@@ -109,7 +107,7 @@ fn derivatives_are_those_that_differences_show() {
     }
 }
 
-/// Values of the unknown `y` of an equation, as those of an output.
+/// Returns values of the unknown `y` of an equation, as values of an output.
 fn solution(equation: &str, parameters: &[(&str, f64)]) -> f64 {
     let names = parameters.iter().map(|(name, _)| format!("param {name};")).collect::<String>();
     let text = format!("{names} coord x; kinetic = 1/2 * dot(x)^2; solve y: {equation}; output found = y;");
@@ -146,18 +144,18 @@ fn what_has_no_solution_or_is_not_found_is_not_a_number() {
     let a = &[("a", 1.0)];
     assert!(solution("0 = y^2 + a", a).is_nan());
     assert!(solution("0 = y^2 + a, start: 2, iterations: 1000", a).is_nan());
-    // No slope at the start.
+    // The slope vanishes at the start.
     assert!(solution("0 = y^2 - a", a).is_nan());
     assert_eq!(solution("0 = y^2 - a, start: 2", a), 1.0);
     assert_eq!(solution("0 = y^2 - a, start: -a", a), -1.0);
-    // One step too few, and as many as it takes.
+    // One iteration too few, and as many as needed.
     assert!(solution("0 = y^3 - 8 * a, start: 3, iterations: 4", a).is_nan());
     assert_eq!(solution("0 = y^3 - 8 * a, start: 3, iterations: 7", a), 2.0);
     assert!(solution("0 = a * y - 1", &[("a", f64::NAN)]).is_nan());
     assert!(solution("0 = a * y - 1", &[("a", 0.0)]).is_nan());
 }
 
-/// The unknown of an equation as a function of x, derived once.
+/// Returns the unknown of an equation as a function of x, derived once.
 fn along(equation: &str, functions: &str) -> impl Fn(f64) -> f64 {
     let text =
         format!("{functions} coord x; kinetic = 1/2 * dot(x)^2; solve y: {equation}; output found = y;");

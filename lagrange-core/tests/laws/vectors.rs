@@ -1,12 +1,12 @@
-//! Vectors, matrices and whole arrays: the code is that of the declaration with scalars.
+//! Vectors, matrices and whole arrays: the code equals that of the declaration with scalars.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::syntax::{parse_text, print};
 use quote::quote;
 
-/// The emitted code of a text whose fields are not arrays, without the numbers that tell texts
-/// apart.
+/// Returns the emitted code of a text whose fields are not arrays, without the numbers that
+/// identify texts.
 fn emitted(text: &str) -> String {
     let derived = parse(text).and_then(|mut system| {
         system.declaration.arrays.clear();
@@ -26,7 +26,7 @@ fn assert_same(vectors: &str, scalars: &str) {
     let from =
         |code: &str| code.chars().skip(differs.unwrap_or(0).saturating_sub(60)).take(160).collect::<String>();
     assert!(vectors_code == scalars_code, "{vectors}\n{}\n{}", from(&vectors_code), from(&scalars_code));
-    // What is printed is read as the same.
+    // The printed text reads as the same declaration.
     let mut report = lagrange_core::diagnostics::Report::default();
     let declaration = parse_text(vectors, &mut report).expect("tokens");
     assert_eq!(emitted(&print::statements(&declaration)), scalars_code, "{vectors}");
@@ -179,8 +179,8 @@ fn units_are_those_of_entries() {
     assert_eq!(report.matches("error at").count(), 1, "{report}");
 }
 
-/// The accelerations of a spherical pendulum by vectors against its closed form:
-/// ä = sin a cos a ḃ² − g/l sin a, b̈ = −2 cot a ȧ ḃ.
+/// The accelerations of a spherical pendulum by vectors agree with `ä = sin a cos a ḃ² − g/l sin a`
+/// and `b̈ = −2 cot a ȧ ḃ`.
 #[test]
 fn a_spherical_pendulum_is_that_of_textbooks() {
     let pendulum = numeric(
@@ -200,7 +200,7 @@ fn a_spherical_pendulum_is_that_of_textbooks() {
 }
 
 /// The Riccati equation of a Kalman filter in matrices rests at the covariance of SciPy's
-/// `linalg.solve_continuous_are`, and is reached from any start.
+/// `linalg.solve_continuous_are`, and reaches it from any start.
 #[test]
 fn a_kalman_filter_rests_at_the_covariance_of_scipy() {
     let filter = numeric(
@@ -210,7 +210,7 @@ fn a_kalman_filter_rests_at_the_covariance_of_scipy() {
          dot(P) = A * P + P * transpose(A) + Q - P * transpose(C) * C * P / r;",
     );
     let mut covariance = vec![0.5, 0.1, 0.1, 0.7];
-    // The classical Runge-Kutta method, up to rest.
+    // The classical Runge-Kutta method, until rest.
     let step = 0.02;
     for _ in 0..3000 {
         let ahead = |by: f64, slope: &[f64]| {

@@ -1,15 +1,14 @@
-//! The advice for functions and constants of other languages can be read, and means what it meant
-//! there.
+//! Advice for functions and constants of other languages parses, and keeps their meaning.
 
 use lagrange_core::expr::evaluate;
 use lagrange_core::pipeline::parse;
 use lagrange_core::symbol::Role;
 use lagrange_core::syntax::foreign::{FUNCTIONS, NAMES, function, name};
 
-/// Where functions are compared: within the domain of all of them.
+/// Arguments at which functions are compared, within the domain of all of them.
 const PLACE: [f64; 3] = [1.3, 0.7, 2.1];
 
-/// What an expression in x, y and z is worth there.
+/// Returns the value of an expression in x, y and z there.
 fn worth(expression: &str) -> Vec<f64> {
     let text =
         format!("coord x, y, z; kinetic = dot(x)^2 + dot(y)^2 + dot(z)^2; output worth = {expression};");
@@ -30,7 +29,7 @@ fn whatever_is_advised_can_be_read() {
         let arguments = if is_of_vectors { &vectors } else { &numbers };
         for name in *names {
             let written = function(name, &arguments[..*count]).expect(name);
-            // A condition has no template for its operands, and a delay does not change.
+            // A condition has no template for its operands, and the delay must be constant.
             worth(&written.replace("if a >", "if x >").replace("delay(x, y)", "delay(x, 0.7)"));
         }
     }

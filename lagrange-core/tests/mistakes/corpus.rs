@@ -1,4 +1,4 @@
-//! The files of mistakes. Lines of such a file are, besides comments with `#`:
+//! Files of mistakes. Besides comments with `#`, their lines are:
 //!
 //! ```text
 //! base NAME            names the statements that follow
@@ -14,22 +14,22 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// A mistake and the answer that it should get.
+/// A mistake with its expected answer.
 #[derive(Debug, Default)]
 pub(crate) struct Mistake {
     pub(crate) file: String,
     pub(crate) name: String,
     /// The whole declaration.
     pub(crate) text: String,
-    /// Where the error begins and where it ends: lines from one, columns from zero.
+    /// The beginning and the end of the error: lines from one, columns from zero.
     pub(crate) place: [(usize, usize); 2],
     pub(crate) says: Vec<String>,
     pub(crate) helps: Vec<String>,
-    /// Why there is no good answer yet.
+    /// The reason why there is no good answer yet.
     pub(crate) open: Option<String>,
 }
 
-/// Every mistake in the files beside this one, in the order of their names.
+/// Returns every mistake in the files beside this one, in order of name.
 pub(crate) fn mistakes() -> Vec<Mistake> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mistakes");
     let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
@@ -71,7 +71,7 @@ fn mistakes_of(file: &str, text: &str) -> Vec<Mistake> {
     mistakes.into_iter().map(placed).collect()
 }
 
-/// The mistake without the marks of its place in the text.
+/// Returns the mistake without the marks of its location in the text.
 fn placed(mut mistake: Mistake) -> Mistake {
     mistake.place = ['«', '»'].map(|mark| {
         let parts = mistake.text.split(mark).collect::<Vec<_>>();

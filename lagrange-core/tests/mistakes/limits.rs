@@ -1,5 +1,5 @@
-//! Limits: each in the table of the language is provoked, and what goes beyond one is refused
-//! before any work is done for it.
+//! Limits: a test exceeds each row of the table in the description of the language. Compilation
+//! refuses excesses before any work.
 
 use std::fs;
 use std::path::Path;
@@ -19,20 +19,19 @@ use lagrange_core::tables::{FileText, decoded};
 use crate::processor_time::of_this_thread;
 use crate::report;
 
-/// Processor time beyond which a refusal counts as work that was done first; refusals take
-/// milliseconds.
+/// Processor time beyond which a refusal must have done work first; refusals take milliseconds.
 const MAX_TIME: Duration = Duration::from_secs(5);
-/// Processor time beyond which the presentation of three bodies counts as hanging; it takes two
-/// seconds unoptimised.
+/// Processor time beyond which presenting three bodies counts as hanging; it takes two seconds
+/// unoptimised.
 const MAX_TIME_OF_PRESENTATION: Duration = Duration::from_secs(30);
 
-/// A row of the table: the limit, and what is said beyond it.
+/// A row of the table: the limit, and the message beyond it.
 struct Row {
     limit: String,
     message: String,
 }
 
-/// The rows of the table in the description of the language.
+/// Returns the rows of the table in the description of the language.
 fn rows() -> Vec<Row> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/language.md");
     let text = fs::read_to_string(path).expect("the description of the language");
@@ -49,7 +48,7 @@ fn points(count: usize) -> String {
     (0..count).map(|x| format!("({x}, 0)")).collect::<Vec<_>>().join(", ")
 }
 
-/// A limit with its name in the sources, and a declaration that goes beyond it.
+/// A limit with its name in the sources, and a declaration that exceeds it.
 type Excess = (&'static str, String, String);
 
 macro_rules! excess {
@@ -58,12 +57,12 @@ macro_rules! excess {
     };
 }
 
-/// A declaration that goes beyond each limit, in the order of the table.
+/// Returns a declaration that exceeds each limit, in the order of the table.
 fn excesses() -> Vec<Excess> {
     let coordinate = "coord x; kinetic = 1/2 * dot(x)^2;";
     let nested = MAX_NESTING as usize + 1;
     let many = MAX_WRITTEN_OUT + 1;
-    // Force, acceleration and their kin hold each of these terms.
+    // Force, acceleration and related expressions contain each of these terms.
     let terms = MANY_OPERATIONS / 8;
     let each = |count: usize, statement: &str| format!("{coordinate} for i in 0..{count} {{ {statement} }}");
     let jacobian = |count: usize| {
@@ -132,8 +131,8 @@ fn excesses() -> Vec<Excess> {
     ]
 }
 
-/// Everything that is reported of a declaration, warnings of what is accepted included. Its files
-/// are larger than any may be.
+/// Returns the report of a declaration, including warnings if it is accepted. Its files exceed
+/// every limit.
 fn said(text: &str) -> Report {
     let big = |path: &str| {
         if path.ends_with(".lag") {
@@ -176,7 +175,7 @@ fn limits_are_those_of_the_table() {
     }
 }
 
-/// Adding a limit to the sources means adding it here, and by this to the table.
+/// A new limit in the sources must be added here, and hence to the table.
 #[test]
 fn every_limit_has_a_row() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -188,7 +187,7 @@ fn every_limit_has_a_row() {
     assert!(missing.is_empty(), "no row shows {missing:?}");
 }
 
-/// Declarations that are far too large in one respect.
+/// Returns declarations that are far too large in one respect.
 fn giants() -> Vec<String> {
     let deep = |open: &str, inner: &str, close: &str| {
         format!("coord x; kinetic = {}{inner}{};", open.repeat(5_000), close.repeat(5_000))
@@ -235,7 +234,7 @@ fn giants() -> Vec<String> {
     giants
 }
 
-/// Limits are asked before work, so that nobody waits for an answer.
+/// Limits are checked before work, so that nobody waits for an answer.
 #[test]
 fn giants_are_answered_quickly() {
     let mut slow = Vec::new();
@@ -253,7 +252,7 @@ fn giants_are_answered_quickly() {
     assert!(slow.is_empty(), "{slow:#?}");
 }
 
-/// Where frames are skew, terms of the equations match the rules of presentation in dozens of ways.
+/// With skew frames, terms of the equations match the rules of presentation in dozens of ways.
 #[test]
 fn equations_of_skew_frames_are_written_quickly() {
     let text = "coord x, a;

@@ -1,9 +1,9 @@
-//! Mistakes that people make when they declare a system. Each must be answered by one error that
-//! stands at the right tokens, names the mistake and says what to do.
+//! Mistakes that people make when they declare a system. Each must lead to a single error, which
+//! points at the right tokens, names the mistake and suggests a remedy.
 //!
-//! The files of mistakes are beside this one; what cannot be answered stands in them with the
-//! reason. With `LAGRANGE_ANSWERS=words` the answers to all mistakes whose names contain the words
-//! are printed: `LAGRANGE_ANSWERS= cargo test -p lagrange-core --test mistakes -- --nocapture`.
+//! The files of mistakes are beside this one, including open cases with their reasons. With
+//! `LAGRANGE_ANSWERS=words`, the test prints the answers to all mistakes whose names contain the
+//! words: `LAGRANGE_ANSWERS= cargo test -p lagrange-core --test mistakes -- --nocapture`.
 
 mod advice;
 mod corpus;
@@ -18,12 +18,12 @@ use lagrange_core::pipeline::{expand, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Fewer mistakes are no test of a language.
+/// The smallest number of mistakes that makes a useful test.
 const FEWEST_MISTAKES: usize = 240;
-/// Of twenty mistakes one may be left without a good answer.
+/// One in this many mistakes may lack a good answer.
 const SHARE_OF_OPEN_ONES: usize = 20;
 
-/// Everything that is reported of a declaration.
+/// Returns the whole report of a declaration.
 fn report(text: &str) -> Report {
     let krate = quote!(::lagrange);
     let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
@@ -31,7 +31,7 @@ fn report(text: &str) -> Report {
     emitted.err().unwrap_or_default()
 }
 
-/// How often the compiler is made to report an error.
+/// Returns the number of `compile_error!` calls that a declaration leads to.
 fn compile_errors(text: &str) -> usize {
     let Ok(tokens) = text.parse::<TokenStream>() else { return 1 };
     let head = quote!(
@@ -42,7 +42,7 @@ fn compile_errors(text: &str) -> usize {
     expand(tokens, &quote!(::lagrange)).to_string().matches("compile_error !").count()
 }
 
-/// What is wrong with the answer to a mistake; empty if nothing is.
+/// Returns the faults in the answer to a mistake.
 fn faults(mistake: &Mistake) -> Vec<String> {
     let report = report(&mistake.text);
     let mut faults = Vec::new();

@@ -1,10 +1,10 @@
-//! How long a thread was at work, whoever else was.
+//! Processor time of one thread, independent of other load.
 
 use std::fs;
 use std::time::{Duration, Instant};
 
-/// The processor time of this thread; where the system does not tell, the time of day, from some
-/// beginning.
+/// Returns the processor time of this thread, or the elapsed time where the platform does not
+/// measure it.
 pub(crate) fn of_this_thread() -> Duration {
     let text = fs::read_to_string("/proc/thread-self/schedstat").ok();
     let nanoseconds = text.and_then(|text| text.split(' ').next()?.parse().ok());

@@ -1,8 +1,8 @@
-//! Slips of the pen: right declarations in which one token is left out or written twice. What is
-//! answered must be helpful.
+//! Slips of the pen: correct declarations with one token omitted or doubled. The answers must be
+//! helpful.
 //!
-//! A part of them is tried; all of them with
-//! `LAGRANGE_EXTREMES=1 cargo test -p lagrange-core --test mistakes slips`.
+//! By default the test takes a sample.
+//! `LAGRANGE_EXTREMES=1 cargo test -p lagrange-core --test mistakes slips` takes all.
 
 use std::fs;
 use std::path::Path;
@@ -11,12 +11,12 @@ use lagrange_core::diagnostics::{Report, Severity};
 use lagrange_core::pipeline::parse;
 use proc_macro2::{TokenStream, TokenTree};
 
-/// Of so many slips one is tried, a number that divides no usual length of a line.
+/// One in this many slips is tested. The number divides no common line length.
 const TRIED: usize = 13;
-/// The share of wrong slips, in percent, that are answered by a single error.
+/// The smallest share of wrong slips, in percent, that lead to a single error.
 const FEWEST_SINGLE: usize = 95;
 
-/// The declarations whose code is committed.
+/// Returns the declarations with golden code.
 fn declarations() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
     let folders = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
@@ -25,7 +25,7 @@ fn declarations() -> Vec<String> {
     files.iter().map(|path| fs::read_to_string(path).expect("a declaration")).collect()
 }
 
-/// Where the tokens of a text stand that are no brackets.
+/// Returns the locations of all tokens in a text except brackets.
 fn tokens(text: &str) -> Vec<std::ops::Range<usize>> {
     let stream = text.parse::<TokenStream>().expect("tokens");
     let mut pending = stream.into_iter().collect::<Vec<_>>();
@@ -36,20 +36,20 @@ fn tokens(text: &str) -> Vec<std::ops::Range<usize>> {
             other => places.push(other.span().byte_range()),
         }
     }
-    // Comments are tokens of the documentation that they stand for.
+    // Documentation comments appear as the tokens of their attributes.
     places.retain(|place| !text[place.clone()].starts_with("//"));
     places.sort_by_key(|place| place.start);
     places.dedup();
     places
 }
 
-/// The text with a token left out, and with the token twice.
+/// Returns the text with a token left out, and with the token twice.
 fn slips(text: &str, place: &std::ops::Range<usize>) -> [String; 2] {
     let (before, token, after) = (&text[..place.start], &text[place.clone()], &text[place.end..]);
     [format!("{before} {after}"), format!("{before}{token} {token}{after}")]
 }
 
-/// Checks what is said of every slip; the number of errors.
+/// Checks the report of every slip, and returns the number of errors.
 fn check(text: &str, report: &Report) -> usize {
     let errors =
         report.diagnostics().iter().filter(|one| one.severity == Severity::Error).collect::<Vec<_>>();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
-/// Where declarations are, from the root of the repository.
+/// Locations of declarations, relative to the root of the repository.
 const PLACES: [&str; 9] = [
     "lagrange-core/tests/mutants",
     "README.md",
@@ -17,18 +17,18 @@ const PLACES: [&str; 9] = [
     "src",
     "tests",
 ];
-/// What is put before a bare list of statements.
+/// Tokens to put before a bare list of statements.
 const HEAD: [&str; 4] = ["pub", "struct", "Machine", ";"];
-/// What begins a declaration in Rust and in documentation.
+/// The beginning of a declaration in Rust and in documentation.
 const MACRO: &str = "system! {";
 
-/// A declaration of the repository, right or wrong.
+/// A declaration of the repository, correct or not.
 pub(crate) struct Declaration {
-    /// Its tokens; brackets are tokens, too.
+    /// Its tokens, including brackets.
     pub(crate) pieces: Vec<String>,
 }
 
-/// Those of at most so many characters, in the order of their files.
+/// Returns the declarations up to a number of characters, in the order of their files.
 pub(crate) fn declarations(longest: usize) -> Vec<Declaration> {
     let mut folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
     let root =
@@ -62,14 +62,14 @@ fn texts(path: &Path) -> Vec<String> {
     }
 }
 
-/// What stands before the brace that closes the macro.
+/// Returns the text before the closing brace of the macro.
 fn body(text: &str) -> Option<String> {
     let mut open = 1;
     let end = text.find(|character| {
         open += i32::from(character == '{') - i32::from(character == '}');
         open == 0
     });
-    // In documentation comments of Rust every line begins with a mark.
+    // In documentation comments of Rust, every line begins with a marker.
     let unmarked = |line: &str| line.trim_start().trim_start_matches("//!").to_owned() + "\n";
     end.map(|end| text[..end].lines().map(unmarked).collect())
 }

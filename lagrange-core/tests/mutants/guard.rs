@@ -1,4 +1,4 @@
-//! Limits of time and memory: work that exceeds them is left behind, and the next case begins.
+//! Limits on time and memory: work that exceeds them is abandoned, and the next case begins.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -10,40 +10,39 @@ use std::sync::{Arc, Mutex, mpsc};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-/// Seconds of the processor for one case; unoptimised code is up to fifteen times slower.
+/// Processor seconds allowed for one case; unoptimised code is up to fifteen times slower.
 const MOST_SECONDS: f64 = if cfg!(debug_assertions) { 30.0 } else { 2.0 };
-/// Bytes in use at a time.
+/// Bytes allowed in use at a time.
 const MOST_BYTES: usize = 500_000_000;
-/// More failures are not looked for.
+/// Number of failures after which the search stops.
 const MOST_FAILURES: usize = 20;
-/// So many workers judge cases at a time.
+/// Number of workers that judge cases at a time.
 const WORKERS: usize = 2;
 /// The stack of the compiler's threads.
 const STACK: usize = 8 << 20;
 
-/// What the compiler makes of a text.
+/// The response of the compiler to a text.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Answer {
-    /// It complains.
+    /// Errors.
     Refused,
-    /// It emits code and warns.
+    /// Code with warnings.
     Accepted,
-    /// It emits code and says nothing.
+    /// Code without warnings.
     Clean,
 }
 
-/// A text with what is to be done with it, which gives an answer or says what is wrong with the
-/// output.
+/// A text with its judge, which returns an answer or an error about the output.
 pub(crate) struct Case {
     pub(crate) text: String,
     pub(crate) judge: fn(&str) -> Result<Answer, String>,
 }
 
-/// What became of a case.
+/// The outcome of a case.
 #[derive(Clone, Default)]
 pub(crate) struct Verdict {
     pub(crate) case: usize,
-    /// Of a failure only: all texts together would take more memory than all cases.
+    /// Kept for failures only: all texts together would take more memory than all cases.
     pub(crate) text: String,
     pub(crate) seconds: f64,
     pub(crate) bytes: usize,
@@ -54,12 +53,12 @@ pub(crate) struct Verdict {
 thread_local! {
     static IN_USE: Cell<usize> = const { Cell::new(0) };
     static MOST_IN_USE: Cell<usize> = const { Cell::new(0) };
-    /// Of a worker, what says that it waits because it asked for more than the limit. There is no
-    /// limit for other threads.
+    /// The flag by which a worker signals that it waits, because it asked for more than the limit.
+    /// Other threads have no limit.
     static EXCEEDED: Cell<Option<&'static AtomicBool>> = const { Cell::new(None) };
 }
 
-/// The allocator of the platform, which never answers a thread that asks for too much.
+/// The allocator of the platform, except that it never answers a thread that exceeds the limit.
 struct Limited;
 
 #[global_allocator]
@@ -76,7 +75,7 @@ fn count(size: usize) {
     }
 }
 
-// SAFETY: requests go to the allocator of the platform as they are, or never return.
+// SAFETY: requests reach the allocator of the platform unchanged, or never return.
 unsafe impl GlobalAlloc for Limited {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count(layout.size());
@@ -98,7 +97,7 @@ unsafe impl GlobalAlloc for Limited {
     }
 }
 
-/// What a worker is at.
+/// The case in progress of a worker.
 struct Current {
     case: usize,
     text: String,
@@ -106,7 +105,7 @@ struct Current {
     start: Duration,
 }
 
-/// Judges cases; `make` says what each is. Verdicts are in the order of the cases.
+/// Judges the cases that `make` builds. Verdicts are in the order of the cases.
 pub(crate) fn run(cases: Range<usize>, make: impl Fn(usize) -> Case + Send + Sync + 'static) -> Vec<Verdict> {
     let make: Arc<dyn Fn(usize) -> Case + Send + Sync> = Arc::new(make);
     let bound = |share: usize| cases.start + share * cases.len() / WORKERS;
@@ -132,13 +131,13 @@ fn one_by_one(cases: Range<usize>, make: &Arc<dyn Fn(usize) -> Case + Send + Syn
     verdicts
 }
 
-/// Runs a worker until all is done or it exceeds a limit.
+/// Runs a worker until it is done or exceeds a limit.
 fn watch(cases: Range<usize>, make: &Arc<dyn Fn(usize) -> Case + Send + Sync>) -> Vec<Verdict> {
     let current = Arc::new(Mutex::new(None::<Current>));
     let (sender, receiver) = mpsc::channel();
     let (clocks, clock) = mpsc::channel();
     let worker = (Arc::clone(make), Arc::clone(&current));
-    // The allocator asks it as long as the thread lives, which may be left behind.
+    // The allocator reads the flag as long as the thread lives, even after it is abandoned.
     let has_exceeded: &AtomicBool = Box::leak(Box::default());
     let work = move || {
         EXCEEDED.set(Some(has_exceeded));
@@ -177,7 +176,7 @@ fn watch(cases: Range<usize>, make: &Arc<dyn Fn(usize) -> Case + Send + Sync>) -
     }
 }
 
-/// Shows how far a long run has come, and failures as they happen.
+/// Prints the progress of a long run, and failures as they occur.
 fn told(verdict: &Verdict) {
     if verdict.case % 50_000 == 49_999 {
         println!("{} cases", verdict.case + 1);
@@ -187,14 +186,14 @@ fn told(verdict: &Verdict) {
     }
 }
 
-/// The limit that the worker exceeds, if it does.
+/// Returns the limit that the worker exceeds, if any.
 fn exceeded(has_exceeded: &AtomicBool, current: &Mutex<Option<Current>>, clock: &Clock) -> Option<String> {
     if has_exceeded.load(Ordering::SeqCst) {
         return Some(format!("more than {} MB", MOST_BYTES / 1_000_000));
     }
     let current = current.lock().expect("no panic");
     let seconds = current.as_ref().map(|current| (clock.now() - current.start).as_secs_f64());
-    // What ends by itself is reported with the time that it took.
+    // A case that ends on its own is reported with its duration.
     (seconds? > 10.0 * MOST_SECONDS).then(|| format!("more than {} s", 10.0 * MOST_SECONDS))
 }
 
@@ -211,7 +210,7 @@ fn judged(
     MOST_IN_USE.set(before);
     let result = catch_unwind(AssertUnwindSafe(|| judge(&text)));
     let bytes = MOST_IN_USE.get() - before;
-    // All texts that were read are remembered until they are forgotten.
+    // All texts remain in memory until they are invalidated.
     proc_macro2::extra::invalidate_current_thread_spans();
     let seconds = (clock.now() - start).as_secs_f64();
     *current.lock().expect("no panic") = None;
@@ -231,7 +230,7 @@ fn message(panic: &(dyn std::any::Any + Send)) -> String {
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
 }
 
-/// The processor time of a thread; the time of day where the system does not tell.
+/// The processor time of a thread, or the time of day where the platform does not measure it.
 #[derive(Clone)]
 struct Clock {
     statistics: Option<PathBuf>,

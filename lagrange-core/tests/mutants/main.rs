@@ -1,8 +1,7 @@
-//! No text makes the compiler panic, hang, grow or emit what is no Rust: all declarations of the
-//! repository, changed at random in a few places.
+//! No text makes the compiler panic, hang, use excessive memory or emit invalid Rust. The texts are
+//! all declarations of the repository, changed at random in a few places.
 //!
-//! Case n is the same in every run. `LAGRANGE_MUTANTS` says which ones to take, as a number or as a
-//! range:
+//! Case n is the same in every run. `LAGRANGE_MUTANTS` selects cases by a count or a range:
 //!
 //! ```sh
 //! LAGRANGE_MUTANTS=1000000 cargo test --release -p lagrange-core --test mutants
@@ -12,9 +11,9 @@
 //! `LAGRANGE_MUTANTS_COMPILED=200` builds that many of the accepted ones with `cargo check`,
 //! warnings denied.
 //!
-//! `LAGRANGE_TABLES=100000` tries that many files of tables (`table_files`).
+//! `LAGRANGE_TABLES=100000` tests that many files of tables (`table_files`).
 //!
-//! A test binary of its own, since it replaces the allocator.
+//! These tests have their own binary, since it replaces the allocator.
 
 mod compiled;
 mod corpus;
@@ -42,12 +41,13 @@ use guard::{Answer, Case, Verdict};
 use numbered::numbered;
 use random::Random;
 
-/// How many are taken in every run of the tests.
+/// Number of cases by default.
 const USUAL: usize = 20_000;
-/// One of so many is derived and emitted, too: unoptimised, that takes ten times as long as to read
-/// and check it.
+/// One in this many cases is also derived and emitted. Unoptimised, that takes ten times as long as
+/// reading and checking.
 const WHOLE: usize = if cfg!(debug_assertions) { 16 } else { 1 };
-/// Optimised builds also take long declarations, whose derivation takes others seconds.
+/// Length of the longest declaration. Only optimised builds take long ones, whose derivation takes
+/// other builds seconds.
 const LONGEST: usize = if cfg!(debug_assertions) { 700 } else { 6_000 };
 
 #[test]
@@ -88,27 +88,27 @@ fn every_mutant_is_emitted_or_complained_about() {
     compiled::without_warnings(&clean, |case| mutant(&shared, case));
 }
 
-/// A declaration with a few changes, the same for each number in every run; the first are the
-/// declarations themselves.
+/// Returns a declaration with a few changes, which depend on the number alone. The first mutants
+/// are the declarations themselves.
 fn mutant(corpus: &[Declaration], case: usize) -> String {
     if let Some(declaration) = corpus.get(case) {
         return mutation::text(&declaration.pieces);
     }
     let random = &mut Random::of_case(case as u64);
     let mut pieces = random.choice(corpus).pieces.clone();
-    // Most with a single change, so that many are accepted.
+    // Most mutants have a single change, so that many are accepted.
     for _ in 0..*random.choice(&[1, 1, 1, 2, 3]) {
         mutation::change(&mut pieces, corpus, random);
     }
     mutation::text(&pieces)
 }
 
-/// What is to be done with a text: everything, or no more than to read and check it.
+/// Returns a case that does everything with a text, or only reads and checks it.
 fn examined(text: String, is_whole: bool) -> Case {
     Case { judge: if is_whole { expanded } else { checked }, text }
 }
 
-/// What is emitted has to be Rust.
+/// Checks that the emitted code is Rust.
 fn expanded(text: &str) -> Result<Answer, String> {
     let Ok(tokens) = text.parse::<TokenStream>() else { return checked(text) };
     let emitted = expand(tokens, &quote!(::lagrange)).to_string();

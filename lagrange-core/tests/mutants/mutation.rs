@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::corpus::Declaration;
 use crate::random::Random;
 
-/// Numbers at the edges of what can be meant.
+/// Numbers at the boundaries of what is meaningful.
 const NUMBERS: [&str; 16] = [
     "0",
     "1",
@@ -24,7 +24,7 @@ const NUMBERS: [&str; 16] = [
     "0.1",
     "9007199254740993",
 ];
-/// What can stand around an expression.
+/// Contexts of an expression.
 const AROUND: [(&str, &str); 15] = [
     ("(", ")"),
     ("sin(", ")"),
@@ -93,7 +93,7 @@ pub(crate) fn change(pieces: &mut Vec<String>, corpus: &[Declaration], random: &
             list.swap(i, j);
             *pieces = list.concat();
         }
-        // A bracket or a letter, so that brackets do not match.
+        // A bracket or a letter, so that brackets no longer match.
         _ => {
             let place = random.below(pieces.len());
             pieces[place].pop();
@@ -101,7 +101,7 @@ pub(crate) fn change(pieces: &mut Vec<String>, corpus: &[Declaration], random: &
     }
 }
 
-/// The text of the tokens.
+/// Returns the text of the tokens.
 pub(crate) fn text(pieces: &[String]) -> String {
     pieces.join(" ")
 }
@@ -110,7 +110,7 @@ fn insert(pieces: &mut Vec<String>, place: usize, new: impl IntoIterator<Item = 
     pieces.splice(place..place, new);
 }
 
-/// A token, or everything from bracket to bracket.
+/// Chooses a token, or everything from bracket to bracket.
 fn part(pieces: &[String], random: &mut Random) -> Range<usize> {
     let start = random.below(pieces.len());
     let mut open = 0;
@@ -141,7 +141,7 @@ fn swap(pieces: &mut Vec<String>, random: &mut Random) {
     }
 }
 
-/// Puts an expression into others, a few or many times.
+/// Nests an expression in others, a few or many times.
 fn nest(pieces: &mut Vec<String>, random: &mut Random) {
     let (before, behind) = *random.choice(&AROUND);
     let depth = 1 + if random.below(4) == 0 { random.below(DEEPEST) } else { random.below(4) };
@@ -150,7 +150,7 @@ fn nest(pieces: &mut Vec<String>, random: &mut Random) {
     insert(pieces, range.start, [before.repeat(depth)]);
 }
 
-/// The tokens up to each semicolon outside of brackets.
+/// Returns the tokens up to each semicolon outside brackets.
 fn statements(pieces: &[String]) -> Vec<Vec<String>> {
     let mut open = 0;
     let list = pieces.split_inclusive(|piece| {

@@ -6,9 +6,9 @@ use super::guard::{self, Answer, Case};
 use super::random::Random;
 use super::table_judge::judged;
 
-/// How many are taken in every run of the tests.
+/// Number of cases by default.
 const USUAL: usize = 500;
-/// Stands for bytes that are no text.
+/// Stands for bytes that are not UTF-8.
 const NO_TEXT: char = '\u{fffd}';
 
 const FILES: [&str; 7] = [
@@ -76,7 +76,7 @@ fn file(case: usize) -> String {
     text
 }
 
-/// A line doubled, left out or at the place of another.
+/// Doubles or removes a line, or moves it to the place of another.
 fn with_lines_changed(text: &str, count: usize, random: &mut Random) -> String {
     let mut lines = text.split_inclusive('\n').collect::<Vec<_>>();
     let (one, other) = (random.below(count), random.below(count));
@@ -88,7 +88,7 @@ fn with_lines_changed(text: &str, count: usize, random: &mut Random) -> String {
     lines.concat()
 }
 
-/// The kind of table goes by the length of the file, as in the fuzz target.
+/// Chooses the kind of table by the length of the file, as in the fuzz target.
 fn answer(text: &str) -> Result<Answer, String> {
     let bytes = text.split(NO_TEXT).map(str::as_bytes).collect::<Vec<_>>().join(&0xff);
     Ok(if judged(&bytes, bytes.len()) { Answer::Accepted } else { Answer::Refused })
@@ -106,7 +106,7 @@ fn every_file_of_a_table_is_read_or_complained_about() {
     assert!(accepted > count / 20 && accepted < count, "{accepted} of {count}");
 }
 
-/// More rows than a table may have, in the time of reading them.
+/// The files have more rows than a table may have, and are refused in the time of reading them.
 #[test]
 fn long_files_come_to_an_end() {
     let rows = (0..700_000).map(|row| format!("{row}, {}\n", row % 7)).collect::<String>();

@@ -1,14 +1,14 @@
-//! The verdict on the bytes of any file that a table names: they are refused with words, or the
-//! table goes through its points.
+//! The verdict on the bytes of any file of a table: either a readable error, or a table that passes
+//! through its points.
 //!
-//! The fuzz target `tables` has no other.
+//! The fuzz target `tables` uses the same verdict.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, System, parse_with};
 use lagrange_core::syntax::ast::{StatementKind, TableSource};
 use lagrange_core::tables::{FileText, decoded};
 
-/// Statements that use a table with these settings, by a number.
+/// Returns statements that use a table, with settings selected by a number.
 fn declaration(kind: usize) -> String {
     let interpolation = ["linear", "natural", "monotone"][kind % 3];
     let outside = ["error", "clamp", "extend"][kind / 3 % 3];
@@ -22,11 +22,11 @@ fn declaration(kind: usize) -> String {
     )
 }
 
-/// Reads a table from a file of these bytes. The result is true if it is accepted.
+/// Reads a table from a file with these bytes. Returns true if it is accepted.
 ///
 /// # Panics
-/// If it is refused without an error that people can read, or the table does not go through its
-/// points, or nothing is emitted.
+/// Panics if the file is refused without a readable error, if the table does not pass through its
+/// points, or if no code is emitted.
 pub(crate) fn judged(bytes: &[u8], kind: usize) -> bool {
     let read = |_: &str| Ok(FileText { path: String::new(), text: decoded(bytes.to_vec())? });
     match parse_with(&declaration(kind), &read) {
@@ -47,11 +47,11 @@ pub(crate) fn judged(bytes: &[u8], kind: usize) -> bool {
     }
 }
 
-/// The difference from a value that rounding explains, as a fraction of the largest one: the end of
-/// a piece is computed from its beginning.
+/// Largest difference due to rounding, as a fraction of the largest value. The end of a piece is
+/// computed from its beginning.
 const ROUNDING: f64 = 1e-9;
 
-/// The points of the file that the system was read from.
+/// Returns the points of the file behind the system.
 fn points(system: &System) -> Vec<Vec<f64>> {
     let sources = system.declaration.statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Table(table) => Some(&table.source),
@@ -64,7 +64,7 @@ fn points(system: &System) -> Vec<Vec<f64>> {
     contents.flat_map(|file| file.points.iter().map(|(_, point)| point.clone())).collect()
 }
 
-/// The acceleration of the unit mass is what the table says.
+/// Checks that the acceleration of the unit mass has the values of the table.
 fn check_points(points: &[Vec<f64>], derived: &Derived) {
     assert!(points.len() > 1, "{points:?}");
     let system = NumericSystem::new(derived);

@@ -1,5 +1,5 @@
-//! The equations of motion as C, compiled by the C compiler of the machine: as C, and as CUDA with
-//! its words defined away. Graphics processors compile the same text (`examples/device`).
+//! The equations of motion as C, compiled by the machine's C compiler: as plain C, and as CUDA with
+//! its keywords defined away. Graphics processors compile the same text (`examples/device`).
 
 use std::fmt::Write;
 use std::fs;
@@ -20,12 +20,12 @@ use lagrange_core::symbol::Role;
 
 use crate::reference::{Reference, names};
 
-/// What CUDA has and C has not, for the text alone.
+/// Definitions that replace what CUDA has and C lacks, for the text alone.
 const CUDA: &str = "#define _GNU_SOURCE\n#include <math.h>\n#define __CUDACC__\n#define __device__\n#define __forceinline__ inline\n";
 const PRINT: &str = "#include <stdio.h>\n\
     static void print(int n, const double *x) { for (int i = 0; i < n; i++) printf(\"%.17g \", x[i]); printf(\"\\n\"); }\n";
 
-/// A system with the values of its parameters and inputs, and states at which it is compared.
+/// A system with the values of its parameters and inputs, and the states of the comparison.
 struct Case {
     name: String,
     derived: Derived,
@@ -66,7 +66,7 @@ fn check(cases: &[Case]) {
     }
 }
 
-/// A `double` would be a warning.
+/// A `double` would cause a warning.
 #[test]
 fn single_precision_is_that_throughout() {
     let print = "static void print(int n, const float *x) { (void)n, (void)x; }\n";
@@ -93,8 +93,7 @@ impl Surroundings for TwoNumbers {
     }
 }
 
-/// Of every function, large powers and every relation, where they are defined and where they are
-/// not.
+/// Tests every function, large powers and every relation, inside and outside their domains.
 #[test]
 fn functions_have_the_limits_of_the_language() {
     let mut graph = Graph::new();
@@ -123,7 +122,7 @@ fn functions_have_the_limits_of_the_language() {
         let expected = interpret(&computed, |role| if role == Role::Coordinate(0) { *x } else { *y });
         for (root, (found, expected)) in numbers(line).into_iter().zip(expected).enumerate() {
             let is_near = (found - expected).abs() <= 1e-13 * expected.abs() && expected.is_finite();
-            // Of zeros that are equal either is the smaller one.
+            // Of two equal zeros, either may count as the smaller one.
             let has_sign = !matches!(ROWS.get(root), Some(row) if [Function::Min, Function::Max].contains(&row.function));
             let is_same =
                 found == expected && (!has_sign || found.is_sign_negative() == expected.is_sign_negative());
@@ -133,14 +132,14 @@ fn functions_have_the_limits_of_the_language() {
     }
 }
 
-/// Vectors are compared to their largest entry.
+/// Compares vectors relative to their largest entry.
 fn agree(found: &[f64], expected: &[f64]) -> bool {
     let largest = expected.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-12 * largest;
     found.len() == expected.len() && found.iter().zip(expected).all(is_near)
 }
 
-/// The references of accelerations, each at its states.
+/// Returns the references of accelerations, each at its states.
 fn references() -> Vec<Case> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/oracle");
     let cases = names(&directory).into_iter().map(|name| {
@@ -153,7 +152,7 @@ fn references() -> Vec<Case> {
     cases.collect()
 }
 
-/// The models of robots and chains in space, quaternions among their positions.
+/// Returns the models of robots and chains in space, quaternions among their positions.
 fn models(is_wanted: impl Fn(&str) -> bool) -> Vec<Case> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/spatial/models");
     let entries = fs::read_dir(directory).expect("the directory of models");
@@ -173,7 +172,7 @@ fn models(is_wanted: impl Fn(&str) -> bool) -> Vec<Case> {
     cases.collect()
 }
 
-/// A motor whose current and whose temperature have rates of their own.
+/// Returns a motor whose current and whose temperature have rates of their own.
 fn with_states() -> Case {
     let motor = "param j = 0.75, k = 0.75, r = 0.75, l = 0.75; state heat; coord theta; state i; input u = 12;
         kinetic = 1/2 * j * dot(theta)^2; force theta = k * i - heat * theta;
@@ -195,8 +194,8 @@ fn case(
     Case { name, derived, values, states }
 }
 
-/// A program that prints the accelerations and the rates of the positions of all systems at their
-/// states.
+/// Returns a program that prints the accelerations and the rates of the positions of all systems at
+/// their states.
 fn program(cases: &[Case], precision: Precision) -> String {
     const NAMES: [&str; 3] = ["acceleration", "position_rates", "normalise"];
     const SIZES: [&str; 3] = ["POSITIONS", "VELOCITIES", "PARAMETERS"];
@@ -229,7 +228,7 @@ fn program(cases: &[Case], precision: Precision) -> String {
     format!("{functions}\nint main(void)\n{{\n{calls}return 0;\n}}\n")
 }
 
-/// A number as C takes it in single precision, too.
+/// Returns a number as a C literal, valid in single precision, too.
 fn literal(value: f64) -> String {
     match value {
         _ if value.is_nan() => "(REAL)NAN".to_owned(),
@@ -242,7 +241,7 @@ fn numbers(line: &str) -> Vec<f64> {
     line.split_whitespace().map(|word| word.parse().expect("a number")).collect()
 }
 
-/// What a program prints.
+/// Runs a program and returns its output.
 fn run(name: &str, text: &str) -> String {
     let program = compile(name, text, &[]);
     let output = Command::new(program).output().expect("the program starts");
@@ -250,7 +249,7 @@ fn run(name: &str, text: &str) -> String {
     String::from_utf8(output.stdout).expect("numbers")
 }
 
-/// The program that the C compiler makes of a text, without a warning.
+/// Compiles a program with the C compiler, which must not warn.
 fn compile(name: &str, text: &str, options: &[&str]) -> PathBuf {
     static NUMBER: AtomicUsize = AtomicUsize::new(0);
     let number = NUMBER.fetch_add(1, Ordering::Relaxed);

@@ -1,4 +1,4 @@
-//! What users add to bodies in space, and what they leave out.
+//! Additions of users to bodies in space, and parts that they omit.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -6,7 +6,7 @@ use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 
 use crate::motion::{assert_constant, assert_near};
 
-/// Rounding of accelerations that are found in two ways.
+/// Rounding between two ways of computing the same accelerations.
 const TOLERANCE: f64 = 1e-13;
 
 const ARM: &str = "gravity = (0, 0, -9.81);
@@ -62,7 +62,7 @@ fn a_frozen_joint_is_a_weld() {
     }
 }
 
-/// As many words as one: a joint with several coordinates is a chain of joints on frames.
+/// A joint with several coordinates is a chain of joints on frames.
 #[test]
 fn joints_are_chains_of_simpler_ones() {
     let pairs = [

@@ -1,4 +1,4 @@
-//! Files of declarations with what is expected of them. Their lines are, besides comments with `#`:
+//! Files of declarations with expected results. Besides comments with `#`, their lines are:
 //!
 //! ```text
 //! system WORDS         a system follows
@@ -29,30 +29,30 @@ pub(crate) struct State {
 }
 
 impl State {
-    /// The numbers of a word; none if the line is missing.
+    /// Returns the numbers of a word, or none if the line is missing.
     pub(crate) fn numbers(&self, word: &str) -> &[f64] {
         self.numbers.iter().find(|(known, _)| known == word).map_or(&[], |(_, numbers)| numbers)
     }
 
-    /// The numbers of a word, to be changed.
+    /// Returns the numbers of a word for modification.
     pub(crate) fn numbers_mut(&mut self, word: &str) -> &mut Vec<f64> {
         let found = self.numbers.iter_mut().find(|(known, _)| known == word);
         &mut found.expect("a line with this word").1
     }
 
-    /// The only number of a word.
+    /// Returns the only number of a word.
     pub(crate) fn number(&self, word: &str) -> Option<f64> {
         self.numbers(word).first().copied()
     }
 
-    /// Names of columns of the regressor with their entries.
+    /// Returns names of columns of the regressor with their entries.
     pub(crate) fn columns(&self) -> impl Iterator<Item = (&str, &[f64])> {
         self.numbers
             .iter()
             .filter_map(|(word, numbers)| Some((word.strip_prefix("column ")?, numbers.as_slice())))
     }
 
-    /// Names of outputs with their components.
+    /// Returns names of outputs with their components.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = (&str, &[f64])> {
         self.numbers
             .iter()
@@ -60,13 +60,13 @@ impl State {
     }
 }
 
-/// The text of a file beside this one.
+/// Returns the text of a file beside this one.
 pub(crate) fn read(path: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/spatial");
     fs::read_to_string(folder.join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// The systems of a file.
+/// Returns the systems of a file.
 pub(crate) fn cases(path: &str) -> Vec<Case> {
     let text = read(path);
     let mut cases: Vec<Case> = Vec::new();
@@ -91,7 +91,7 @@ pub(crate) fn cases(path: &str) -> Vec<Case> {
     cases
 }
 
-/// Everything up to the first number is the word.
+/// Splits a line before its first number: everything up to it is the word.
 fn numbers_of(line: &str) -> (String, Vec<f64>) {
     let parts = line.split(' ').collect::<Vec<_>>();
     let first = parts.iter().position(|part| part.parse::<f64>().is_ok()).expect("a number");

@@ -1,4 +1,4 @@
-//! Motions that are known in closed form, and what no motion changes.
+//! Motions known in closed form, and quantities that every motion conserves.
 //!
 //! Sources: Landau, Lifshitz, *Mechanics*, §§ 9, 14, 35 and 36; Goldstein, Poole, Safko, *Classical
 //! Mechanics*, §§ 5.6 and 5.7.
@@ -10,7 +10,7 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 use crate::cases::{cases, read};
 use crate::motion::{assert_constant, assert_near};
 
-/// Relative error that is allowed for an acceleration.
+/// Relative error allowed for an acceleration.
 const TOLERANCE: f64 = 1e-13;
 
 fn system(text: &str) -> NumericSystem {
@@ -25,8 +25,8 @@ const STATES: [([f64; 3], [f64; 3]); 4] = [
     ([0.0, 0.625, 0.0], [0.75, 0.5, -0.25]),
 ];
 
-/// Angles a about x and b about the y that is turned with it: b̈ = −sin b cos b ȧ² − g/l cos a sin
-/// b, ä = 2 tan b ȧ ḃ − g/l sin a / cos b.
+/// Angles a about x and b about the rotated y satisfy `b̈ = −sin b cos b ȧ² − g/l cos a sin b` and
+/// `ä = 2 tan b ȧ ḃ − g/l sin a / cos b`.
 #[test]
 fn a_spherical_pendulum_swings_as_its_two_equations_say() {
     let system = system(
@@ -55,8 +55,8 @@ fn a_spherical_pendulum_swings_as_its_two_equations_say() {
     }
 }
 
-/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where A cos
-/// θ ψ̇² − C ω₃ ψ̇ + m g l = 0.
+/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where
+/// `A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0`.
 #[test]
 fn a_gyroscope_precesses_steadily_at_both_of_its_rates() {
     let (mass, length, across, along) = (1.25, 0.4, 0.05, 0.02);
@@ -80,8 +80,8 @@ fn a_gyroscope_precesses_steadily_at_both_of_its_rates() {
     }
 }
 
-/// J₁ ω̇₁ = (J₂ − J₃) ω₂ ω₃ and so on, by joints and by angles; the angular momentum in the world
-/// and the energy do not change.
+/// J₁ ω̇₁ = (J₂ − J₃) ω₂ ω₃ and so on, with joints and with angles. The angular momentum in the
+/// world and the energy are conserved.
 #[test]
 fn a_free_top_turns_as_euler_says() {
     let inertia = [0.3, 0.5, 0.7];
@@ -109,7 +109,7 @@ fn a_free_top_turns_as_euler_says() {
     }
 }
 
-/// Two bodies on a frame that moves freely, without gravity: all that pulls is between them.
+/// Two bodies on a freely moving frame without gravity: all forces are internal.
 #[test]
 fn what_acts_between_bodies_keeps_momentum_and_angular_momentum() {
     let system = system(

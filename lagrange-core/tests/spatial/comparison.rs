@@ -1,4 +1,4 @@
-//! A derived system beside what is expected of it.
+//! A derived system compared with its expected results.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -6,16 +6,16 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 
 use crate::cases::{Case, State};
 
-/// Relative error that is allowed where the equations are well conditioned.
+/// Relative error allowed where the equations are well conditioned.
 const TOLERANCE: f64 = 1e-12;
-/// What each unit of the condition number costs beyond that: a few roundings.
+/// Additional error per unit of the condition number: a few roundings.
 const ROUNDING: f64 = 1e-15;
 
 pub(crate) fn assert_none(wrong: &[String]) {
     assert!(wrong.is_empty(), "{}\n{} are wrong", wrong.join("\n"), wrong.len());
 }
 
-/// What of a system differs from what is expected, in words.
+/// Returns descriptions of the differences between a system and its expected results.
 pub(crate) fn failures(case: &Case, level: &str, choice: StrategyChoice) -> Vec<String> {
     let text = format!("#[accuracy({level})] struct System;\n{}", case.text);
     let derived = parse(&text).and_then(|system| system.derive(choice));
@@ -60,8 +60,8 @@ fn wrong_results(system: &NumericSystem, state: &State) -> Vec<String> {
     wrong
 }
 
-/// How far numbers are from what is expected, unless that is within the tolerance of the largest of
-/// them or of one.
+/// Returns the distance of numbers from their expected values, unless it is within the tolerance of
+/// the largest of them or of one.
 fn difference(found: Option<&[f64]>, expected: &[f64], tolerance: f64) -> Option<String> {
     let Some(found) = found else { return Some("missing".to_owned()) };
     if found.len() != expected.len() {

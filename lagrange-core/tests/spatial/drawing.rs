@@ -1,4 +1,4 @@
-//! What there is to draw of the random trees: where joints are, and that what acts is all there is.
+//! Drawings of the random trees: joints are in their places, and all forces and moments are shown.
 
 use lagrange_core::bodies::{DrawnKind, SpatialJointForm};
 use lagrange_core::derive::StrategyChoice;
@@ -14,13 +14,13 @@ type Vector = [f64; 3];
 
 /// Relative error of sums of loads where the equations are well conditioned.
 const TOLERANCE: f64 = 1e-10;
-/// What each unit of the condition number costs beyond that.
+/// Additional error per unit of the condition number.
 const ROUNDING: f64 = 1e-14;
 
-/// Larger trees take most of the time and hold nothing that smaller ones do not.
+/// Larger trees take most of the time and contain nothing new.
 const MOST_VELOCITIES: usize = 7;
 
-/// Every tree of moderate size whose number is a multiple of this one.
+/// Returns every tree of moderate size whose number is a multiple of this one.
 fn trees(step: usize) -> impl Iterator<Item = Case> {
     let is_small = |tree: &Case| tree.states[0].numbers("v").len() <= MOST_VELOCITIES;
     cases("trees.txt").into_iter().filter(is_small).step_by(step)
@@ -69,8 +69,8 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// The axes of a link in rows of coordinates, and its origin; those of the world if it is the
-    /// ground.
+    /// Returns the axes of a link in rows of coordinates, and its origin. The ground has those of
+    /// the world.
     fn frame(&self, name: Option<&str>) -> ([Vector; 3], Vector) {
         let Some(name) = name else {
             return ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]);
@@ -81,7 +81,7 @@ impl<'a> Scene<'a> {
         ([0, 1, 2].map(|row| vector(&values, 3 * row)), vector(&values, 9))
     }
 
-    /// Origins of all links, and how they move.
+    /// Returns the origins of all links, and their motion.
     fn links(&self) -> Vec<Link<'_>> {
         let (twists, n) = (&self.derived.model.scene.twists, self.v.len());
         let moved = |values: Vec<f64>| {
@@ -101,7 +101,7 @@ impl<'a> Scene<'a> {
 struct Link<'a> {
     name: &'a str,
     origin: Vector,
-    /// Angular velocity and velocity of its origin by each velocity.
+    /// Angular velocity, and velocity of the origin, for each velocity of the tree.
     moved_by: Vec<[Vector; 2]>,
 }
 
@@ -129,12 +129,12 @@ fn size(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Aᵀ a: the components of a vector in axes that are the columns of A.
+/// Returns Aᵀ a: the components of a vector in axes that are the columns of A.
 fn own(axes: [Vector; 3], a: Vector) -> Vector {
     [0, 1, 2].map(|column| (0..3).map(|row| axes[row][column] * a[row]).sum())
 }
 
-/// A joint with what it joins.
+/// A joint with the links that it connects.
 struct Joint<'a> {
     name: &'a str,
     form: SpatialJointForm,
@@ -154,7 +154,7 @@ fn joints<'a>(scene: &Scene<'a>) -> Vec<Joint<'a>> {
     scene.derived.model.scene.drawing.iter().filter_map(joint).collect()
 }
 
-/// How far what a joint places is from where it may be.
+/// Returns the distance of the moving link from its allowed positions.
 fn gap_of(scene: &Scene<'_>, joint: &Joint<'_>) -> f64 {
     let (_, origin) = scene.frame(joint.links[1]);
     let moved = minus(origin, joint.at);
@@ -171,7 +171,7 @@ fn gap_of(scene: &Scene<'_>, joint: &Joint<'_>) -> f64 {
     }
 }
 
-/// Whether the axis is at rest in what the joint places.
+/// True if the axis is at rest in the moving link.
 fn keeps_axis(form: SpatialJointForm) -> bool {
     use MobilizerKind::{Ball, Free, Universal};
     !matches!(form, SpatialJointForm::Pin | SpatialJointForm::Mobilizer(Ball | Free | Universal))
@@ -215,8 +215,8 @@ fn joints_are_where_both_sides_say() {
     assert!(seen > 200 && pins > 5, "{seen} joints and {pins} pins");
 }
 
-/// Forces, moments and what resists them do no work on any motion that the joints leave: for each
-/// velocity the sum, and how large what is summed is.
+/// For each velocity, returns the virtual power of all forces and moments, and the magnitude of its
+/// summands. The total vanishes, since they do no work on motions that the joints allow.
 ///
 /// Source: Jourdain's principle, in Roberson, Schwertassek, *Dynamics of Multibody Systems*, §6.1.
 fn powers(scene: &Scene<'_>) -> Vec<[f64; 2]> {
@@ -257,7 +257,7 @@ fn powers(scene: &Scene<'_>) -> Vec<[f64; 2]> {
     powers
 }
 
-/// Whether something acts that has no place in the picture.
+/// True if some force or moment has no place in the picture.
 fn is_incomplete(tree: &Case, derived: &Derived) -> bool {
     let items = &derived.model.scene.drawing;
     let is_hidden =

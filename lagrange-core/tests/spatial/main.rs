@@ -1,6 +1,6 @@
-//! Bodies in space against independent answers: other people's algorithms for models of robots,
-//! Newton–Euler in the world with many digits for random trees, and motions that are known in
-//! closed form.
+//! Bodies in space against independent answers. Models of robots are compared with other people's
+//! algorithms, random trees with Newton–Euler equations in many digits, and some motions with
+//! closed forms.
 
 mod additions;
 mod cases;

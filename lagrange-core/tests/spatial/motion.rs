@@ -1,4 +1,4 @@
-//! What a motion changes, and what it keeps.
+//! Rates along a motion, and conserved quantities.
 
 use lagrange_core::pipeline::NumericSystem;
 
@@ -14,8 +14,8 @@ pub(crate) fn assert_near(found: &[f64], expected: &[f64], tolerance: f64, what:
     }
 }
 
-/// The rate of a function of the state along the motion: to the fourth order by Richardson's
-/// extrapolation of central differences between steps of Runge's and Kutta's method to either side.
+/// Returns the rate of a function of the state along the motion. It has the fourth order, by
+/// Richardson extrapolation of central differences between Runge–Kutta steps to either side.
 fn rates(system: &NumericSystem, q: &[f64], v: &[f64], f: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Vec<f64> {
     let start = [q, v].concat();
     let at = |s: f64| {
@@ -30,7 +30,7 @@ fn rates(system: &NumericSystem, q: &[f64], v: &[f64], f: impl Fn(&[f64], &[f64]
     fine.iter().zip(coarse).map(|(fine, coarse)| fine + (fine - coarse) / 3.0).collect()
 }
 
-/// The state after a step.
+/// Returns the state after a step.
 fn stepped(system: &NumericSystem, y: &[f64], step: f64) -> Vec<f64> {
     let moved =
         |rate: &[f64], part: f64| y.iter().zip(rate).map(|(y, rate)| y + part * step * rate).collect();
@@ -43,7 +43,7 @@ fn stepped(system: &NumericSystem, y: &[f64], step: f64) -> Vec<f64> {
     moved(&mean.collect::<Vec<_>>(), 1.0)
 }
 
-/// A function of the state does not change, compared with the size of what is between its parts.
+/// Asserts that a function of the state is conserved, relative to the magnitude of its parts.
 pub(crate) fn assert_constant(
     system: &NumericSystem,
     state: [&[f64]; 2],

@@ -1,4 +1,4 @@
-//! What equations of robots cost, in operations; `-- operations --nocapture` prints it.
+//! Costs of the equations of robots, in operations; `-- operations --nocapture` prints them.
 
 use lagrange_core::accuracy::Accuracy;
 use lagrange_core::derive::StrategyChoice;
@@ -9,8 +9,8 @@ use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
 use crate::cases::read;
 
-/// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost: what they
-/// cost and 2 %.
+/// Models with upper bounds on the cost of their accelerations, inverse dynamics and mass matrix:
+/// the measured cost plus 2 %.
 const MOST: [(&str, [usize; 3]); 8] = [
     ("ur5", [515, 297, 157]),
     ("panda", [1160, 617, 344]),
@@ -32,7 +32,7 @@ fn robots_cost_no_more_operations_than_they_did() {
     }
 }
 
-/// Operations of accelerations, inverse dynamics and the mass matrix.
+/// Counts the operations of accelerations, inverse dynamics and the mass matrix.
 pub(crate) fn costs_of(text: &str) -> [usize; 3] {
     let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
     let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));

@@ -10,12 +10,12 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 
 use crate::motion::{assert_constant, assert_near};
 
-/// Relative error that is allowed for an acceleration.
+/// Relative error allowed for an acceleration.
 const TOLERANCE: f64 = 1e-13;
-/// How much a moment of inertia is changed where that must be noticed.
+/// Factor on a moment of inertia in a control, whose effect must be noticed.
 const CONTROL: f64 = 1.0 + 1e-6;
 
-/// Unit quaternions: one, a quarter turn about −y, a half turn about z, and two more.
+/// Unit quaternions: the identity, a quarter turn about −y, a half turn about z, and two more.
 const QUATERNIONS: [[f64; 4]; 5] = [
     [1.0, 0.0, 0.0, 0.0],
     [std::f64::consts::FRAC_1_SQRT_2, 0.0, -std::f64::consts::FRAC_1_SQRT_2, 0.0],
@@ -35,14 +35,14 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     from_fn(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
 }
 
-/// A vector in turned axes as it is in the world: v + 2 w u × v + 2 u × (u × v).
+/// Returns a vector of rotated axes in the world: v + 2 w u × v + 2 u × (u × v).
 fn turned([w, u @ ..]: [f64; 4], vector: [f64; 3]) -> [f64; 3] {
     let once = cross(u, vector);
     let twice = cross(u, once);
     from_fn(|k| vector[k] + 2.0 * (w * once[k] + twice[k]))
 }
 
-/// J₁ ω̇₁ = (J₂ − J₃) ω₂ ω₃ and so on.
+/// Returns ω̇ from J₁ ω̇₁ = (J₂ − J₃) ω₂ ω₃ and so on.
 fn euler(inertia: [f64; 3], w: [f64; 3]) -> [f64; 3] {
     from_fn(|k| {
         let (next, last) = ((k + 1) % 3, (k + 2) % 3);
@@ -102,9 +102,9 @@ fn a_thrown_body_falls_and_turns_as_euler_says() {
     }
 }
 
-/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where A cos
-/// θ ψ̇² − C ω₃ ψ̇ + m g l = 0: the vertical then turns by −φ̇ about the axis in the axes of the
-/// body.
+/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where
+/// `A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0`. In the axes of the body, the vertical then turns by −φ̇
+/// about the axis.
 #[test]
 fn a_gyroscope_on_a_ball_precesses_steadily_at_both_of_its_rates() {
     let (mass, length, across, along) = (1.25, 0.4, 0.05, 0.02);
@@ -122,7 +122,7 @@ fn a_gyroscope_on_a_ball_precesses_steadily_at_both_of_its_rates() {
         for rate in [larger / a, c / larger] {
             let (own, phi) = (spin - rate * theta.cos(), -0.2_f64);
             let across = rate * theta.sin();
-            // ψ = 0: a turn by θ about x, then one by φ about z.
+            // ψ = 0: a rotation by θ about x, then one by φ about z.
             let ((s, c), (sin, cos)) = ((0.5 * theta).sin_cos(), (0.5 * phi).sin_cos());
             let q = [c * cos, s * cos, -s * sin, c * sin];
             let w = [across * phi.sin(), across * phi.cos(), spin];
@@ -138,7 +138,7 @@ fn a_gyroscope_on_a_ball_precesses_steadily_at_both_of_its_rates() {
     }
 }
 
-/// Without gravity all that pulls is between bodies.
+/// Without gravity all forces act between bodies.
 #[test]
 fn what_acts_between_free_bodies_keeps_momentum_and_angular_momentum() {
     let system = system(

@@ -1,4 +1,4 @@
-//! Models of robots whose masses, centroids and inertias are parameters: they move as with numbers,
+//! Models of robots with masses, centroids and inertias as parameters: they move as with numbers,
 //! and cost little more.
 
 use lagrange_core::accuracy::Accuracy;
@@ -11,18 +11,18 @@ use crate::comparison::{assert_none, failures};
 use crate::motion::assert_near;
 use crate::operations::costs_of;
 
-/// What of a model becomes parameters.
+/// Quantities of a model that become parameters.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     /// Masses.
     Masses,
     /// Masses, centroids and tensors of inertia.
     Inertias,
-    /// These and the places of joints.
+    /// These and the positions of joints.
     Everything,
 }
 
-/// A model with every number of that kind that is not zero as the default of a parameter.
+/// Returns a model in which every nonzero number of a kind is the default of a parameter.
 fn with_parameters(model: &str, kind: Kind) -> String {
     let words: &[&str] = match kind {
         Kind::Masses => &["mass: "],
@@ -103,8 +103,7 @@ const TWO_LINKS: &str = "param m1 = 2, m2 = 1.5, c = 0.3, i1 = 0.2, j = 0.1, i2 
     body rod { mass: m2; centroid: (0.3, 0, c); inertia: (j, i2, i3); }
     revolute b = crank to rod { at: (0, 0.7, 0); turned: (0.3, 0, pi/2); }";
 
-/// What a joint hides may be moved along or about its axis and nothing changes; of a mass or moment
-/// that was moved wrongly that cannot be said.
+/// Joints hide some masses and moments, which affect no acceleration. All others do.
 #[test]
 fn only_what_joints_hide_is_without_effect() {
     let mut system = NumericSystem::new(&derived(TWO_LINKS));
@@ -122,8 +121,8 @@ fn only_what_joints_hide_is_without_effect() {
     }
 }
 
-/// Operations that accelerations take at every call where what is made of parameters alone was
-/// prepared, and number of values and operations of that.
+/// Returns the operations of the accelerations at every call after preparing expressions of
+/// parameters, and the number of prepared values with their operations.
 fn prepared(text: &str) -> [usize; 3] {
     let derived = derived(text);
     let program = lower(&derived.model.graph, &derived.equations.accelerations, &Labels::default());
@@ -143,7 +142,7 @@ fn prepared_robots_cost_no_more_operations_than_they_did() {
     }
 }
 
-/// Model, and the most that it may cost: what it costs and 2 %.
+/// Models with upper bounds on their costs: the measured costs plus 2 %.
 const MOST_PREPARED: [(&str, [usize; 3]); 6] = [
     ("ur5", [528, 33, 72]),
     ("panda", [1163, 55, 235]),
@@ -153,8 +152,8 @@ const MOST_PREPARED: [(&str, [usize; 3]); 6] = [
     ("ball_5", [1397, 39, 54]),
 ];
 
-/// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost with
-/// masses as parameters and with all of inertia as parameters: what they cost and 2 %.
+/// Models with upper bounds on the cost of their accelerations, inverse dynamics and mass matrix,
+/// with masses or all inertias as parameters. The bounds are the measured costs plus 2 %.
 const MOST: [(&str, [[usize; 3]; 2]); 7] = [
     ("ur5", [[588, 358, 212], [600, 375, 225]]),
     ("panda", [[1340, 786, 494], [1399, 847, 551]]),

@@ -6,7 +6,7 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 
 use crate::cases::{Case, State, cases, read};
 
-/// Error beside the largest entry of a state's regressor.
+/// Error relative to the largest entry of a state's regressor.
 const TOLERANCE: f64 = 2e-15;
 
 fn numeric(name: &str, level: &str) -> NumericSystem {
@@ -16,7 +16,7 @@ fn numeric(name: &str, level: &str) -> NumericSystem {
     NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{name}: {report}")))
 }
 
-/// Columns that are zero in the files are left out of them, and structural zeros have no columns.
+/// Files omit columns of zeros, and structural zeros have no columns.
 fn assert_columns(system: &NumericSystem, state: &State, expected: &[(String, Vec<f64>)]) {
     let [q, v, wanted] = ["q", "v", "wanted"].map(|word| state.numbers(word));
     let names = &system.programs().variables.regressor;

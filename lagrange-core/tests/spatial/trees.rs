@@ -6,16 +6,16 @@ use lagrange_core::derive::{Strategy, StrategyChoice};
 use crate::cases::{Case, cases};
 use crate::comparison::{assert_none, failures};
 
-/// Each tree is derived by one of them in turn.
+/// Strategies, which the trees use in turn.
 const CHOICES: [StrategyChoice; 4] = [
     StrategyChoice::Cheapest,
     StrategyChoice::Always(Strategy::MassMatrix),
     StrategyChoice::Always(Strategy::ArticulatedBody),
     StrategyChoice::Always(Strategy::SumOfSquares),
 ];
-/// Trees with more velocities are not derived in every way.
+/// Number of velocities beyond which trees are not derived in every way.
 const MOST_VELOCITIES: usize = 4;
-/// Velocities of a free body: strict equations of some, with all roundings kept apart, take a
+/// Velocities of a free body. Strict equations of some, which keep all roundings apart, take a
 /// minute.
 const FREE: usize = 6;
 const LEVELS: [&str; 3] = ["fast", "standard", "strict"];
@@ -26,7 +26,7 @@ fn trees() -> Vec<Case> {
     trees
 }
 
-/// Every second tree, so that two tests share the time.
+/// Judges every second tree, so that two tests share the time.
 fn failures_of_half(half: usize) -> Vec<String> {
     let trees = trees();
     let chosen = trees.iter().enumerate().filter(|(index, _)| index % 2 == half);
@@ -46,18 +46,18 @@ fn every_other_tree_moves_as_newton_and_euler_say() {
     assert_none(&failures_of_half(1));
 }
 
-/// The numbers of positions and of velocities.
+/// Returns the numbers of positions and of velocities.
 fn size(tree: &Case) -> [usize; 2] {
     ["q", "v"].map(|word| tree.states[0].numbers(word).len())
 }
 
-/// Whether a tree has ball joints or free bodies.
+/// True if a tree has ball joints or free bodies.
 fn is_oriented(tree: &Case) -> bool {
     let [positions, velocities] = size(tree);
     positions > velocities
 }
 
-/// What is wrong of some trees, by all strategies.
+/// Returns the failures of some trees, by all strategies.
 fn failures_by_all<'a>(trees: impl Iterator<Item = &'a Case>, levels: &[&str]) -> Vec<String> {
     let ways = |tree| {
         let ways = CHOICES.iter().flat_map(|choice| levels.iter().map(|level| (*choice, *level)));

@@ -1,10 +1,10 @@
 //! The interpreter beside the reference.
 //!
-//! An error is judged by what changes where every operation of the reference is off at random by a
-//! relative 2⁻⁶⁴: how roundings grow on the way from energies to results, cancellation and the
-//! condition of all matrices included (Vignes, "A stochastic arithmetic for reliable scientific
-//! computation", Mathematics and Computers in Simulation 35 (1993) 233–261). So a wrong term stands
-//! out, and digits that no algorithm keeps are no fault.
+//! The scale of an error is the change of the result when each operation of the reference is
+//! perturbed at random by a relative 2⁻⁶⁴. It shows how roundings grow from energies to results,
+//! including cancellation and the condition of all matrices. See Vignes, "A stochastic arithmetic
+//! for reliable scientific computation", Mathematics and Computers in Simulation 35 (1993) 233–261.
+//! So a wrong term stands out, and digits that no algorithm keeps are not blamed.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -19,21 +19,22 @@ use crate::world::State;
 
 /// Bits of the reference, and of its noisy repetitions.
 const BITS: [usize; 2] = [256, 128];
-/// The size of noise is 2⁻⁶⁴.
+/// Noise has the relative magnitude 2⁻⁶⁴.
 const NOISE: i32 = 64;
-/// Repetitions to begin with, and before anything is called different.
+/// Repetitions at first, and before a difference is reported.
 const REPETITIONS: [u64; 2] = [1, 5];
-/// Roundings in doubles that may be worse than the worst of the repetitions.
+/// Factor by which roundings in doubles may exceed the worst of the repetitions.
 const SLACK: f64 = 64.0;
-/// Results of which fewer digits are left, relative to the largest of their kind, decide nothing.
+/// Relative uncertainty, compared with the largest result of a kind, above which results decide
+/// nothing.
 const FEWEST_DIGITS: f64 = 1e-7;
 
-/// What came of a state.
+/// The verdict on a state.
 #[derive(Clone, Debug)]
 pub(crate) enum Verdict {
-    /// The largest error in units of what is to be expected.
+    /// The largest error in units of the expected error.
     Agrees(f64),
-    /// The reference has no value, or too few digits can be expected.
+    /// The reference has no value, or too few digits to decide.
     Undecided(&'static str),
     Differs(String),
 }
@@ -44,7 +45,7 @@ impl Verdict {
     }
 }
 
-/// A system as the language derives it, or its complaints.
+/// Derives a system through the language, or returns its errors.
 pub(crate) fn derived(declaration: &Declaration, choice: StrategyChoice) -> Result<NumericSystem, String> {
     let derived = parse(&declaration.to_string()).and_then(|system| system.derive(choice));
     derived.map(|derived| NumericSystem::new(&derived)).map_err(|report| report.to_string())
@@ -80,8 +81,8 @@ fn judged(
         let floor = if name == "accelerations" || name.starts_with("output") { free } else { 0.0 };
         let noisy = noisy.iter().map(|results| &results[index].1[..]).collect();
         let kind = Kind { name, exact, noisy, floor };
-        // Accelerations and multipliers come first, of one matrix: what is singular for one of them
-        // is so for all.
+        // Accelerations and multipliers come first, from one matrix. If it is singular for one of
+        // them, it is so for all.
         if !kind.is_decided() {
             return Verdict::Undecided("ill-conditioned");
         }
@@ -104,7 +105,7 @@ struct Kind<'a> {
     name: &'a str,
     exact: &'a [Real],
     noisy: Vec<&'a [Real]>,
-    /// Size of what numbers may be differences of.
+    /// Magnitude of summands that numbers may be differences of.
     floor: f64,
 }
 
@@ -117,7 +118,7 @@ impl Kind<'_> {
         largest(self.exact).max(self.floor)
     }
 
-    /// The error that doubles may have. Elimination mixes numbers of a kind.
+    /// Returns the expected error of doubles. Elimination mixes numbers of a kind.
     fn expected(&self, k: usize) -> f64 {
         let changes = self.noisy.iter().map(|noisy| {
             let difference = Arithmetic::new(BITS[1]).subtract(&noisy[k], &self.exact[k]);
@@ -126,13 +127,14 @@ impl Kind<'_> {
         (changes.fold(0.0, f64::max) + self.largest()) * f64::EPSILON
     }
 
-    /// True if enough digits are left in all numbers.
+    /// True if all numbers keep enough digits.
     fn is_decided(&self) -> bool {
         let most = FEWEST_DIGITS * self.largest().max(1.0);
         (0..self.exact.len()).all(|k| self.expected(k) <= most)
     }
 
-    /// The error of a number in units of what is expected, or what is wrong.
+    /// Returns the error of a number in units of the expected error, or a description of the
+    /// failure.
     fn error(&self, k: usize, found: f64) -> Result<f64, String> {
         let (exact, expected) = (&self.exact[k], self.expected(k));
         let (name, value) = (self.name, approximate(exact));
@@ -150,7 +152,7 @@ impl Kind<'_> {
     }
 }
 
-/// What the interpreter has of a kind of results.
+/// Returns the interpreter's results of a kind.
 pub(crate) fn found(
     system: &NumericSystem,
     (State { t, q, v }, wanted): &(State, Vec<f64>),
@@ -177,7 +179,7 @@ pub(crate) fn found(
     }
 }
 
-/// The relative change of a result that two declarations must have to be told apart.
+/// The relative change of a result that tells two declarations apart.
 const VISIBLE: f64 = 2e-10;
 
 /// True if results of two declarations differ.

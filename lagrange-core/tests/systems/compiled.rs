@@ -1,8 +1,7 @@
-//! Random declarations through the macro and the compiler of Rust. Emitted code must compute the
-//! bits of the interpreter, and those must agree with the energies, as `compare` judges them.
+//! Random declarations through the macro and the Rust compiler. Emitted code must compute the bits
+//! of the interpreter, and these must agree with the energies, as judged by `compare`.
 //!
-//! The crate takes minutes to compile, so cases are taken on demand, by the numbers of all other
-//! cases:
+//! The crate takes minutes to compile, so cases are taken on demand, numbered as all others:
 //!
 //! ```sh
 //! LAGRANGE_COMPILED=48 cargo test -p lagrange-core --test systems compiled -- --nocapture
@@ -24,7 +23,7 @@ use crate::project::project;
 use crate::tree::Declaration;
 use crate::world::State;
 
-/// Results that both know, with the methods of emitted types for them, beside outputs.
+/// Results known to both, with the methods of emitted types for them, beside outputs.
 const METHODS: [(&str, &str); 10] = [
     ("accelerations", "acceleration"),
     ("multipliers", "multipliers"),
@@ -50,7 +49,7 @@ pub fn line(case: usize, state: usize, method: &str, value: &dyn Bits) {
 }
 ";
 
-/// The methods of the emitted type, each with the number of its arguments.
+/// Returns the methods of the emitted type, each with the number of its arguments.
 fn methods(declaration: &Declaration) -> Result<Vec<(String, usize)>, String> {
     let emitted = parse(&declaration.to_string())
         .and_then(|system| system.derive(StrategyChoice::Cheapest))
@@ -86,7 +85,7 @@ fn add_methods(item: &Item, methods: &mut Vec<(String, usize)>) {
     }
 }
 
-/// Writes a module that prints what the emitted type computes in the states of a case.
+/// Writes a module that prints the results of the emitted type at the states of a case.
 fn module(number: usize, case: &Case) -> Result<String, String> {
     let declaration = case.declaration.to_string().replace("struct Random", "pub struct Random");
     let mut code =
@@ -111,7 +110,7 @@ fn module(number: usize, case: &Case) -> Result<String, String> {
     Ok(code + "}\n}\n")
 }
 
-/// What the compiled crate printed: bits by case, state and method.
+/// Parses the output of the compiled crate: bits by case, state and method.
 fn results(printed: &str) -> BTreeMap<(usize, usize, String), Vec<u64>> {
     let lines = printed.lines().filter_map(|line| line.strip_prefix("= "));
     let result = |line: &str| {
@@ -122,8 +121,8 @@ fn results(printed: &str) -> BTreeMap<(usize, usize, String), Vec<u64>> {
     lines.filter_map(result).collect()
 }
 
-/// Compares what was printed of a case with the interpreter, and the interpreter with the energies.
-/// Returns the number of compared values.
+/// Compares the printed results of a case with the interpreter, and the interpreter with the
+/// energies. Returns the number of compared values.
 fn compared(
     number: usize,
     case: &Case,

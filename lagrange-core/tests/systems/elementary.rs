@@ -1,5 +1,5 @@
-//! Elementary functions of jets, by the derivatives that textbooks list (Abramowitz and Stegun, *Handbook
-//! of Mathematical Functions*, chapter 4).
+//! Elementary functions of jets, by textbook derivatives (Abramowitz and Stegun, *Handbook of
+//! Mathematical Functions*, chapter 4).
 
 use lagrange_core::expr::Function;
 use lagrange_core::number::Number;
@@ -8,7 +8,7 @@ use crate::digits::Real;
 use crate::jet::{Field, Jet};
 
 impl Field {
-    /// A rational power.
+    /// Returns a rational power.
     pub(crate) fn power(&mut self, a: &Jet, exponent: &Number) -> Jet {
         let base = &a.value[0];
         if base.is_zero() && exponent.to_i32().is_none() {
@@ -32,7 +32,7 @@ impl Field {
         self.compose(a, &derivatives)
     }
 
-    /// Zero, from where a root rises without a slope.
+    /// Returns zero without derivatives, as for a root of zero.
     fn without_slope(&self, a: &Jet) -> Jet {
         let nothing = |series: &Vec<Real>| series.iter().map(|_| Real::nan(None)).collect::<Vec<_>>();
         let mut root =
@@ -45,13 +45,13 @@ impl Field {
         self.power(a, &Number::HALF)
     }
 
-    /// √(Σ aᵢ²)
+    /// Returns √(Σ aᵢ²).
     pub(crate) fn norm(&mut self, a: &[Jet]) -> Jet {
         let square = self.dot(a, a);
         self.sqrt(&square)
     }
 
-    /// The value of an elementary function of one argument or two.
+    /// Returns the value of an elementary function of one or two arguments.
     pub(crate) fn call(&mut self, function: Function, arguments: &[Jet]) -> Jet {
         let a = &arguments[0];
         match function {
@@ -76,7 +76,7 @@ impl Field {
         }
     }
 
-    /// The angle of (x, y), as that of now beside the angle from there.
+    /// Returns the angle of (x, y): its present value, plus the angle from there.
     fn direction(&mut self, y: &Jet, x: &Jet) -> Jet {
         let now = self.function(Function::Atan2, &[y.value[0].clone(), x.value[0].clone()]);
         let [fixed_x, fixed_y] = [x, y].map(|side| self.series(&side.value[..1]));
@@ -150,7 +150,7 @@ impl Field {
             }
             Function::Abs => {
                 let sign = self.arithmetic.call(Function::Sign, std::slice::from_ref(x));
-                // At the kink itself the slope is zero and has none.
+                // At the kink itself the slope is zero, and has no slope.
                 let bend = if x.is_zero() { Real::nan(None) } else { self.integer(0) };
                 [f, sign, bend.clone(), bend]
             }
@@ -158,7 +158,7 @@ impl Field {
         }
     }
 
-    /// Σ cₖ xᵏ by Horner's rule.
+    /// Returns Σ cₖ xᵏ by Horner's rule.
     fn polynomial(&mut self, coefficients: &[i32], x: &Real) -> Real {
         let zero = self.integer(0);
         coefficients.iter().rev().fold(zero, |sum, &coefficient| {

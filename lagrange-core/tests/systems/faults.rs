@@ -1,18 +1,18 @@
-//! Faults on purpose: the reference of a declaration in which a number is a little different, or
-//! from which a term is gone, must not agree.
+//! Planted faults: a reference in which a number is slightly different, or a term is missing, must
+//! disagree.
 
 use crate::compare::{Verdict, derived, is_visible, verdict};
 use crate::generate::case;
 use crate::tree::{Declaration, Expr, Statement, Values};
 
-/// How much numbers are off.
+/// Relative change of numbers.
 const CHANGE: f64 = 1e-9;
 /// Cases in which faults are planted.
 const CASES: u64 = if cfg!(debug_assertions) { 6 } else { 60 };
-/// Of the faults of a case, one in so many is planted.
+/// One in this many faults of a case is planted.
 const SHARE: usize = 4;
 
-/// Declarations with a fault each.
+/// Returns declarations with one fault each.
 fn faulty(declaration: &Declaration) -> Vec<Declaration> {
     let mut found = Vec::new();
     for index in 0..declaration.statements.len() {
@@ -46,8 +46,8 @@ fn off(decimal: &str) -> String {
     format!("{:e}", value * (1.0 + CHANGE))
 }
 
-/// All faults that show in the results of the reference are found, and a good part does:
-/// accelerations at one state do not depend on the parameters of outputs, for example.
+/// All faults that affect the results of the reference are found, and many do. Others are
+/// invisible: accelerations at one state are independent of the parameters of outputs, for example.
 #[test]
 fn planted_faults_are_found() {
     let (mut planted, mut visible, mut missed) = (0, 0, Vec::new());

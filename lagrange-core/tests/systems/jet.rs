@@ -1,9 +1,9 @@
-//! Power series in a time that passes, each with its first variations.
+//! Power series in time, each with its first variations.
 //!
-//! A jet is x(τ) = x₀ + x₁ τ + x₂ τ² along a motion, and what it changes by to first order along
-//! neighbouring motions. The chain rule is all that is needed to compute with them (Griewank and
-//! Walther, *Evaluating Derivatives*, 2nd ed., chapter 13), and the rate of a jet is its derivative
-//! by τ. No formula is ever differentiated.
+//! A jet is x(τ) = x₀ + x₁ τ + x₂ τ² along a motion, with its first-order change along neighbouring
+//! motions. Arithmetic with jets needs nothing but the chain rule (Griewank and Walther,
+//! *Evaluating Derivatives*, 2nd ed., chapter 13). The rate of a jet is its derivative by τ. No
+//! formula is ever differentiated.
 
 use std::collections::HashMap;
 
@@ -13,8 +13,7 @@ use lagrange_core::number::Number;
 use crate::digits::{Arithmetic, Real};
 use crate::random::Random;
 
-/// Coefficients from the constant one upwards, as far as they are known; none of a variation that
-/// vanishes.
+/// Known coefficients from the constant one upwards. A vanishing variation has none.
 pub(crate) type Series = Vec<Real>;
 
 /// The series of a motion with its variations.
@@ -24,22 +23,24 @@ pub(crate) struct Jet {
     pub(crate) variations: Vec<Series>,
 }
 
-/// Coefficients of coordinates: energies hold rates, and equations of motion the rates of momenta.
+/// Number of coefficients of coordinates: energies contain rates, and equations of motion the rates
+/// of momenta.
 pub(crate) const ORDERS: usize = 3;
-/// Derivatives that a composition takes: those of the series, and one more for variations.
+/// Number of derivatives that a composition takes: those of the series, and one more for
+/// variations.
 const DERIVATIVES: usize = ORDERS + 1;
 
-/// Arithmetic with jets, exact or with every result changed a little at random.
+/// Arithmetic with jets, either exact or with a small random change of every result.
 pub(crate) struct Field {
     pub(crate) arithmetic: Arithmetic,
     pub(crate) variations: usize,
     noise: Option<Noise>,
     decimals: HashMap<String, Real>,
-    /// Values of functions, which all motions from a state share.
+    /// Values of functions, shared by all motions from a state.
     functions: HashMap<(Function, Vec<u64>), Real>,
 }
 
-/// Relative changes of results, equal ones of equal results, which show how roundings grow (Vignes,
+/// Relative changes of results, the same for equal results, which show how roundings grow (Vignes,
 /// "A stochastic arithmetic for reliable scientific computation", 1993).
 struct Noise {
     bits: i32,
@@ -57,13 +58,14 @@ impl Field {
         }
     }
 
-    /// Every result changes by 2⁻ⁿ of it, or by a half or a quarter of that.
+    /// Returns a field that changes every result by a relative 2⁻ⁿ, or by a half or a quarter of
+    /// that.
     pub(crate) fn noisy(bits: usize, n: i32, seed: u64) -> Field {
         let noise = Noise { bits: n, seed };
         Field { noise: Some(noise), ..Field::exact(bits) }
     }
 
-    /// A result, or one near it.
+    /// Returns a result, or a nearby number.
     pub(crate) fn rounded(&mut self, value: Real) -> Real {
         let Some(noise) = &self.noise else { return value };
         if value.is_zero() {
@@ -119,20 +121,20 @@ impl Field {
         value
     }
 
-    /// A jet that stays what it is on all motions.
+    /// Returns a jet that is constant on all motions.
     pub(crate) fn constant(&mut self, value: Real) -> Jet {
         let value = self.rounded(value);
         self.series(&[value])
     }
 
-    /// A jet of all orders from its first coefficients, without variations.
+    /// Returns a jet of all orders from its first coefficients, without variations.
     pub(crate) fn series(&self, first: &[Real]) -> Jet {
         let mut value = first.to_vec();
         value.resize(ORDERS, self.integer(0));
         Jet { value, variations: vec![Vec::new(); self.variations] }
     }
 
-    /// A number of the declaration.
+    /// Returns a number of the declaration.
     pub(crate) fn decimal(&mut self, text: &str) -> Jet {
         let known = self.decimals.get(text).cloned();
         let value = known.unwrap_or_else(|| self.arithmetic.decimal(text));
@@ -162,7 +164,7 @@ impl Field {
         (0..count).map(coefficient).collect()
     }
 
-    /// A coefficient of a variation.
+    /// Returns a coefficient of a variation.
     pub(crate) fn change(&self, of: &Jet, variation: usize, order: usize) -> Real {
         of.variations[variation].get(order).cloned().unwrap_or_else(|| self.integer(0))
     }
@@ -198,7 +200,7 @@ impl Field {
         self.multiply(a, &inverse)
     }
 
-    /// Σ aᵢ bᵢ
+    /// Returns Σ aᵢ bᵢ.
     pub(crate) fn dot(&mut self, a: &[Jet], b: &[Jet]) -> Jet {
         let zero = self.whole(0);
         a.iter().zip(b).fold(zero, |sum, (a, b)| {
@@ -207,7 +209,7 @@ impl Field {
         })
     }
 
-    /// The derivative by τ, of which one coefficient less is known.
+    /// Returns the derivative by τ, with one known coefficient less.
     pub(crate) fn rate(&mut self, a: &Jet) -> Jet {
         let mut of = |series: &Series| {
             let rest = series.iter().enumerate().skip(1);
@@ -216,7 +218,7 @@ impl Field {
         Jet { value: of(&a.value), variations: a.variations.iter().map(&mut of).collect() }
     }
 
-    /// f(a) from f and its derivatives at a₀.
+    /// Returns f(a) from f and its derivatives at a₀.
     pub(crate) fn compose(&mut self, a: &Jet, derivatives: &[Real; DERIVATIVES]) -> Jet {
         let value = self.composed(&a.value, &derivatives[..ORDERS]);
         let slope = self.composed(&a.value, &derivatives[1..]);
@@ -224,7 +226,7 @@ impl Field {
         Jet { value, variations }
     }
 
-    /// f₀, f₁ a₁, f₁ a₂ + f₂ a₁²/2
+    /// Returns f₀, f₁ a₁, f₁ a₂ + f₂ a₁²/2.
     fn composed(&mut self, a: &Series, derivatives: &[Real]) -> Series {
         let mut found = vec![derivatives[0].clone()];
         for k in 1..a.len() {
@@ -241,7 +243,7 @@ impl Field {
     }
 }
 
-/// Words that tell a number from others.
+/// Returns words that identify a number.
 fn fingerprint(value: &Real) -> Vec<u64> {
     let mut words = value.mantissa_digits().unwrap_or_default().to_vec();
     let exponent = i64::from(value.exponent().unwrap_or(0));

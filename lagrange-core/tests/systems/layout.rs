@@ -1,4 +1,4 @@
-//! Positions and velocities of a declaration, in the order in which states hold them.
+//! Positions and velocities of a declaration, in the order of states.
 
 use crate::tree::Statement;
 use crate::world::element;
@@ -11,7 +11,7 @@ pub(crate) enum Slot {
         position: usize,
         velocity: usize,
     },
-    /// A unit quaternion, displaced by small turns.
+    /// A unit quaternion, displaced by small rotations.
     Orientation {
         name: String,
         position: usize,
@@ -23,7 +23,7 @@ pub(crate) enum Slot {
 #[derive(Clone, Default, Debug)]
 pub(crate) struct Layout {
     pub(crate) slots: Vec<Slot>,
-    /// The number of positions, first-order states apart.
+    /// The number of positions, without first-order states.
     pub(crate) positions: usize,
     pub(crate) velocities: usize,
     pub(crate) states: Vec<String>,
@@ -70,7 +70,7 @@ impl Layout {
         self.velocities += 3;
     }
 
-    /// The velocity that a force names by its coordinate.
+    /// Returns the velocity that a force refers to by its coordinate.
     pub(crate) fn velocity(&self, name: &str) -> Option<usize> {
         self.slots.iter().find_map(|slot| match slot {
             Slot::Coordinate { name: known, velocity, .. } if known == name => Some(*velocity),

@@ -1,25 +1,26 @@
-//! What is derived of random declarations, against a reference that knows energies and nothing
-//! else.
+//! Equations of random declarations against a reference that knows only energies.
 //!
-//! A declaration is a tree (`tree`), of which the language reads one printing (`text`) and the
-//! reference computes another: power series in many digits along motions (`world`, `jet`), of which
-//! Lagrange's equations are coefficients (`reference`). Machines and lattices of points, bodies in
-//! the plane and in space, with arrays, first-order states, algebraic unknowns, tables, units,
-//! quaternions, functions, constraints, loads, losses, kinks and jumps (`generate`), at all levels
-//! of accuracy and in all strategies, are judged in two states each: a random one, and one of
-//! zeros, equal numbers and quarter turns. Compared are accelerations, multipliers, rates of
-//! states, mass matrix, forcing, momenta, energies, inverse dynamics and outputs of the
-//! interpreter. `compare` says how.
+//! A declaration is a tree (`tree`). The language reads its printed text (`text`), and the
+//! reference evaluates the tree itself. The reference computes power series in many digits along
+//! motions (`world`, `jet`), and coefficients of these give Lagrange's equations (`reference`).
 //!
-//! Case n is the same in every run. `LAGRANGE_SYSTEMS` says which ones to take, as a number or as a
-//! range:
+//! The declarations (`generate`) contain machines and lattices of points, bodies in the plane and
+//! in space, arrays and first-order states. They also contain algebraic unknowns, tables, units,
+//! quaternions, functions, constraints, loads, losses, kinks and jumps. They are derived at all
+//! levels of accuracy and by all strategies. Each is judged at two states: a random one, and one of
+//! zeros, equal numbers and quarter turns.
+//!
+//! Accelerations, multipliers, rates of states, mass matrix, forcing, momenta, energies, inverse
+//! dynamics and outputs of the interpreter are compared, as described in `compare`.
+//!
+//! Case n is the same in every run. `LAGRANGE_SYSTEMS` selects cases by a count or a range:
 //!
 //! ```sh
 //! LAGRANGE_SYSTEMS=10000 cargo test --release -p lagrange-core --test systems -- --nocapture
 //! LAGRANGE_SYSTEMS=4711..4712 cargo test -p lagrange-core --test systems -- --nocapture
 //! ```
 //!
-//! What fails is made as small as it can be and printed with the number of its case.
+//! A failing case is shrunk as far as possible and printed with its number.
 
 mod compare;
 mod compiled;
@@ -56,16 +57,16 @@ use compare::{Verdict, derived, verdict};
 use generate::{Case, case};
 use numbered::numbered;
 
-/// How many are taken in every run of the tests.
+/// Number of cases by default.
 const USUAL: usize = if cfg!(debug_assertions) { 40 } else { 1_000 };
-/// The share of states, one in so many, that may be undecided.
+/// One in this many states may remain undecided.
 const UNDECIDED: usize = 4;
 
-/// What came of many cases.
+/// The outcome of many cases.
 #[derive(Default)]
 struct Tally {
     counts: BTreeMap<&'static str, usize>,
-    /// States by the largest error in units of what is to be expected, in powers of two.
+    /// Number of states by their largest error, in powers of two of the expected error.
     errors: [usize; 8],
     failures: Vec<String>,
 }
@@ -105,7 +106,7 @@ impl Tally {
     }
 }
 
-/// Words for a state that is judged wrong, with the smallest declaration that is.
+/// Returns a message about a wrong state, with the smallest declaration that fails.
 fn failure(number: usize, case: &Case, index: usize, what: &str) -> String {
     let small = shrink::smallest(case, index);
     let (state, _) = &small.states[0];
@@ -131,7 +132,7 @@ fn systems_agree_with_their_energies() {
     );
 }
 
-/// What declarations must hold, so that a sweep sees it.
+/// Statements and functions that declarations must contain, so that a sweep covers them.
 const DRAWN: [&str; 57] = [
     "(standard)",
     "(fast)",

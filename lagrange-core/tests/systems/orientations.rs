@@ -1,7 +1,7 @@
 //! Unit quaternions along a motion.
 //!
-//! They follow q̇ = ½ q ⊗ ω; neighbouring motions turn them by small turns η, under which ω changes
-//! by η̇ + ω × η (Lurie, *Analytical Mechanics*, §10.1).
+//! They follow q̇ = ½ q ⊗ ω. Neighbouring motions rotate them by small rotations η, under which ω
+//! changes by η̇ + ω × η (Lurie, *Analytical Mechanics*, §10.1).
 
 use crate::digits::Real;
 use crate::jet::{Jet, ORDERS};
@@ -10,7 +10,7 @@ use crate::tree::Expr;
 use crate::world::World;
 
 impl World<'_> {
-    /// The rotation of a unit quaternion.
+    /// Returns the rotation of a unit quaternion.
     pub(crate) fn oriented(&mut self, name: &str) -> Option<Matrix> {
         let q = ["w", "x", "y", "z"].map(|part| Expr::Name(format!("{name}_q{part}")));
         let q = self.scalars(&q)?;
@@ -19,7 +19,7 @@ impl World<'_> {
             for column in 0..3 {
                 let product = self.field.multiply(&q[1 + row], &q[1 + column]);
                 let other = match (column + 3 - row) % 3 {
-                    // 1 − 2 (y² + z²) of x
+                    // 1 − 2 (y² + z²) for x
                     0 => {
                         let sides = [q[1 + (row + 1) % 3].clone(), q[1 + (row + 2) % 3].clone()];
                         let square = self.field.dot(&sides, &sides);
@@ -40,7 +40,7 @@ impl World<'_> {
         Some(rotation)
     }
 
-    /// Puts a quaternion, made to be of length one, and its angular velocity into the scope.
+    /// Normalises a quaternion, and puts it and its angular velocity into the scope.
     pub(crate) fn set_orientation(
         &mut self,
         name: &str,
@@ -92,7 +92,7 @@ impl World<'_> {
         }
     }
 
-    /// Product of quaternions: a₀ b₀ − a·b and a₀ b + b₀ a + a × b.
+    /// Multiplies quaternions: a₀ b₀ − a·b and a₀ b + b₀ a + a × b.
     fn hamilton(&mut self, a: &[Jet], b: &[Jet]) -> Vec<Jet> {
         let inner = self.field.dot(&a[1..], &b[1..]);
         let scalar = self.field.multiply(&a[0], &b[0]);
@@ -117,7 +117,7 @@ impl World<'_> {
     }
 }
 
-/// Coefficients times τ.
+/// Multiplies coefficients by τ.
 fn shifted(zero: Real, series: &[Real]) -> Vec<Real> {
     let kept = series.len() - 1;
     std::iter::once(zero).chain(series[..kept].iter().cloned()).collect()

@@ -1,9 +1,9 @@
-//! The expressions in statements and in each other.
+//! The expressions within statements and within each other.
 
 use crate::tree::{Expr, Statement};
 
 impl Expr {
-    /// What an expression is made of.
+    /// Returns the direct parts of an expression.
     pub(crate) fn parts_mut(&mut self) -> Vec<&mut Expr> {
         match self {
             Expr::Number(..)
@@ -36,7 +36,7 @@ impl Expr {
 }
 
 impl Statement {
-    /// The expressions of energies, loads, constraints, equations and outputs.
+    /// Returns the expressions of energies, loads, constraints, equations and outputs.
     pub(crate) fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         match self {
             Statement::Let(_, value)

@@ -1,11 +1,11 @@
 //! Equations of motion from energies alone.
 //!
-//! Let δL be the change of L(τ) under a displacement η of a velocity's positions. With F = ∂L/∂q
-//! and p = ∂L/∂q̇ it is F η + p η̇, so that η = 1 shows F, and η = τ shows p and F + ṗ. So ṗ − F,
-//! the left side of Lagrange's equations, is a coefficient of a series (Goldstein, Poole and Safko, *Classical
-//! Mechanics*, 3rd ed., §2.2), for turns and other quasi-coordinates, too. It is affine in the
-//! accelerations, and so are second rates of constraints: M, A and what is left of both come from
-//! one more motion for each acceleration.
+//! Let δL be the change of L(τ) under a displacement η of a velocity's positions. With `F = ∂L/∂q`
+//! and `p = ∂L/∂q̇` it is `F η + p η̇`, so that `η = 1` gives F, and `η = τ` gives p and `F + ṗ`.
+//! So `ṗ − F`, the left side of Lagrange's equations, is a coefficient of a series, for rotations
+//! and other quasi-coordinates, too. See Goldstein, Poole and Safko, *Classical Mechanics*, 3rd
+//! ed., §2.2. It is affine in the accelerations, and so are second rates of constraints. Hence one
+//! more motion for each acceleration gives M, A and the remainders of both.
 
 use std::collections::HashMap;
 
@@ -16,13 +16,13 @@ use crate::linear::solve;
 use crate::tree::{Declaration, Statement};
 use crate::world::{State, Sums, World};
 
-/// Results by their names.
+/// Results by name.
 pub(crate) type Results = Vec<(String, Vec<Real>)>;
 
-/// Accelerations without constraints, of which those with them may be differences.
+/// Accelerations without constraints, since constrained ones may be small differences of these.
 pub(crate) const FREE: &str = "free accelerations";
 
-/// A declaration at a state, with some accelerations that forces are to produce.
+/// A declaration at a state, with accelerations that forces should produce.
 pub(crate) struct Question<'a> {
     pub(crate) declaration: &'a Declaration,
     pub(crate) layout: &'a Layout,
@@ -30,21 +30,21 @@ pub(crate) struct Question<'a> {
     pub(crate) wanted: &'a [f64],
 }
 
-/// Left side and momenta, constraints and the rest along one motion.
+/// Left side, momenta, constraints and other results along one motion.
 struct Motion {
     left: Vec<Real>,
     momenta: Vec<Real>,
     energy: Real,
     /// Forces of declared loads and losses.
     forces: Vec<Real>,
-    /// Slopes of constraints by the velocities, and their rates.
+    /// Derivatives of constraints by the velocities, and their rates.
     slopes: Vec<Vec<Real>>,
     drifts: Vec<Real>,
     sums: Sums,
 }
 
 impl Question<'_> {
-    /// Everything that a system computes; `None` where something has no value.
+    /// Returns all results of a system, or `None` where something has no value.
     pub(crate) fn results(&self, field: &mut Field) -> Option<Results> {
         let n = self.layout.velocities;
         field.variations = 2 * n;
@@ -122,7 +122,7 @@ impl Question<'_> {
         self.declaration.statements.iter().any(|s| matches!(s, Statement::Energy("lagrangian", _)))
     }
 
-    /// What all statements add up to.
+    /// Returns the sums over all statements.
     fn sums(
         &self,
         field: &mut Field,
@@ -184,18 +184,18 @@ impl Question<'_> {
     }
 }
 
-/// The rate of a constraint on velocities, or the second rate of one on positions.
+/// Returns the rate of a constraint on velocities, or the second rate of one on positions.
 fn drift(field: &mut Field, zero: &Jet, holds_rates: bool) -> Real {
     let rate = field.rate(zero);
     if holds_rates { rate.value[0].clone() } else { field.rate(&rate).value[0].clone() }
 }
 
-/// Forces off by a rounding of the largest, as sums may be that all but vanish.
+/// Perturbs forces by a rounding of the largest, as for sums that nearly vanish.
 fn jittered(field: &mut Field, forces: &[Real]) -> Vec<Real> {
     let zero = field.integer(0);
     let largest = forces.iter().fold(zero, |largest, force| largest.max(&force.abs()));
     let each = forces.iter().zip(1..).map(|(force, place)| {
-        // Different noise for each.
+        // The noise differs for each force.
         let size = field.arithmetic.multiply(&largest, &field.integer(place));
         let off = field.rounded(size.clone());
         let off = field.arithmetic.subtract(&off, &size);

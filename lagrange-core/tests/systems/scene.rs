@@ -1,8 +1,8 @@
 //! Rigid bodies and joints along a motion: rotation matrices as jets, and energies from their
 //! rates.
 //!
-//! T = ½ m ċ·ċ + ½ ω·J ω with ω of Rᵀ Ṙ in the axes of the body (Goldstein, Poole and Safko, *Classical
-//! Mechanics*, 3rd ed., §5.3).
+//! The kinetic energy is `T = ½ m ċ·ċ + ½ ω·J ω` with ω of `Rᵀ Ṙ` in the axes of the body
+//! (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §5.3).
 
 use lagrange_core::expr::Function;
 
@@ -16,7 +16,7 @@ pub(crate) type Matrix = Vec<Vec<Jet>>;
 const AXES: &str = "xyz";
 
 impl World<'_> {
-    /// Adds what a statement about bodies says.
+    /// Reads a statement about bodies.
     pub(crate) fn read_scene(&mut self, statement: &Statement) -> Option<()> {
         match statement {
             Statement::Gravity(vector) => self.gravity = self.scalars(vector)?,
@@ -92,7 +92,7 @@ impl World<'_> {
         a.iter().zip(b).map(|(a, b)| self.field.add(a, b)).collect()
     }
 
-    /// Remembers a body. Energies are added when all joints are read.
+    /// Stores a body. Energies are added after all joints are read.
     fn read_body(&mut self, body: &Body) -> Option<()> {
         let dimension = if body.inertia.len() == 1 { 2 } else { 3 };
         let mut placed = self.at_origin(dimension);
@@ -129,13 +129,13 @@ impl World<'_> {
         Some(())
     }
 
-    /// The rotation about one axis.
+    /// Returns the rotation about one axis.
     fn turn(&mut self, axis: usize, angle: &Jet) -> Matrix {
         let axis = (0..3).map(|k| self.field.whole(i32::from(k == axis))).collect::<Vec<_>>();
         self.turn_about(&axis, angle)
     }
 
-    /// c 1 + s n× + (1 − c) n nᵀ (Rodrigues).
+    /// Returns c 1 + s n× + (1 − c) n nᵀ (Rodrigues).
     fn turn_about(&mut self, n: &[Jet], angle: &Jet) -> Matrix {
         let cosine = self.field.call(Function::Cos, std::slice::from_ref(angle));
         let sine = self.field.call(Function::Sin, std::slice::from_ref(angle));
@@ -192,7 +192,7 @@ impl World<'_> {
         frame.origin = self.plus(&frame.origin, &by);
     }
 
-    /// Moves a frame as a joint does, and returns the velocities that its damping acts on.
+    /// Moves a frame as a joint does, and returns the velocities on which its damping acts.
     fn follow(&mut self, joint: &Joint, frame: &mut Placed) -> Option<Vec<Jet>> {
         if joint.kind == "ball" {
             let turn = self.oriented(&joint.names[0])?;
@@ -234,7 +234,7 @@ impl World<'_> {
         Some(q.iter().map(|q| self.field.rate(q)).collect())
     }
 
-    /// The axis of a joint, of length one.
+    /// Returns the unit axis of a joint.
     fn axis(&mut self, joint: &Joint) -> Option<Vec<Jet>> {
         let Some(axis) = &joint.axis else {
             return Some([0, 0, 1].map(|component| self.field.whole(component)).into());
@@ -265,7 +265,7 @@ impl World<'_> {
         Some(())
     }
 
-    /// J ω of xx, yy, zz, and of xy, xz, yz if they are there.
+    /// Returns J ω from xx, yy, zz, and from xy, xz, yz if they exist.
     fn spin_momentum(&mut self, inertia: &[Jet], spin: &[Jet]) -> Vec<Jet> {
         let entry = |row: usize, column: usize| if row == column { row } else { row + column + 2 };
         let zero = self.field.whole(0);
@@ -276,7 +276,7 @@ impl World<'_> {
         (0..spin.len()).map(row).collect()
     }
 
-    /// ω of Rᵀ Ṙ; in the plane one number.
+    /// Returns ω of Rᵀ Ṙ, a single number in the plane.
     fn own_spin(&mut self, rotation: &Matrix) -> Vec<Jet> {
         let rates = rotation.iter().map(|row| row.iter().map(|entry| self.field.rate(entry)).collect());
         let rates = rates.collect::<Matrix>();
@@ -287,7 +287,7 @@ impl World<'_> {
         }
     }
 
-    /// The angular velocity of a body in the world.
+    /// Returns the angular velocity of a body in the world.
     pub(crate) fn spin(&mut self, body: &str) -> Option<Vec<Jet>> {
         let rotation = self.placed.get(body)?.rotation.clone();
         let spin = self.own_spin(&rotation);

@@ -1,4 +1,4 @@
-//! Failing cases made small: without statements that do not matter, and with shorter expressions.
+//! Shrinking of failing cases: irrelevant statements are removed, and expressions shortened.
 
 use std::collections::HashMap;
 
@@ -8,10 +8,10 @@ use crate::layout::{Layout, Slot};
 use crate::tree::{Declaration, Expr, Statement, number};
 use crate::world::State;
 
-/// How many smaller cases are judged at most.
+/// Largest number of smaller cases to judge.
 const MOST_TRIALS: usize = 400;
 
-/// The smallest failing case that is found from one of its states.
+/// Returns the smallest failing case found from one of its states.
 pub(crate) fn smallest(case: &Case, index: usize) -> Case {
     let mut small = Case { states: vec![case.states[index].clone()], ..case.clone() };
     let mut trials = 0;
@@ -21,7 +21,7 @@ pub(crate) fn smallest(case: &Case, index: usize) -> Case {
     small
 }
 
-/// A smaller case that fails, too.
+/// Returns a smaller case that fails, too.
 fn smaller(case: &Case, trials: &mut usize) -> Option<Case> {
     let statements = &case.declaration.statements;
     let without = |removed: &dyn Fn(usize, &Statement) -> bool| {
@@ -51,8 +51,8 @@ fn fails(case: &Case) -> bool {
     system.is_ok_and(|system| verdict(&system, &case.declaration, &case.states[0]).differs())
 }
 
-/// The case with fewer statements, and with what is left of its state; `None` if nothing moves any
-/// more.
+/// Returns the case with fewer statements, and the remaining part of its state. It is `None` if
+/// nothing can move.
 fn reduced(case: &Case, statements: Vec<Statement>) -> Option<Case> {
     let [old, new] = [&case.declaration.statements, &statements].map(|statements| Layout::of(statements));
     let (state, wanted) = &case.states[0];
@@ -66,14 +66,14 @@ fn reduced(case: &Case, statements: Vec<Statement>) -> Option<Case> {
     (new.velocities > 0).then(|| Case { declaration, states: vec![(state, wanted)], ..case.clone() })
 }
 
-/// Which half of a state.
+/// A half of the state.
 #[derive(Clone, Copy, PartialEq)]
 enum Entries {
     Positions,
     Velocities,
 }
 
-/// Names with where their numbers begin and how many they are.
+/// Returns names with the offsets and the numbers of their entries.
 fn places(layout: &Layout, entries: Entries) -> Vec<(&str, usize, usize)> {
     let is_positions = entries == Entries::Positions;
     let slots = layout.slots.iter().map(|slot| match slot {
@@ -97,7 +97,7 @@ fn picked(layout: &Layout, entries: Entries, values: &HashMap<String, Vec<f64>>)
     places(layout, entries).iter().flat_map(|(name, ..)| values[*name].clone()).collect()
 }
 
-/// Names that statements declare.
+/// Returns the names that statements declare.
 fn names(statements: &[Statement]) -> Vec<String> {
     let names = statements.iter().rev().filter_map(|statement| match statement {
         Statement::Coordinate { name, .. }
@@ -111,7 +111,7 @@ fn names(statements: &[Statement]) -> Vec<String> {
     names.collect()
 }
 
-/// True if a statement holds a name as a word, or as the beginning of one made of it.
+/// True if a statement contains a name as a word, or as the beginning of a derived name.
 fn mentions(statement: &Statement, name: &str) -> bool {
     let text = statement.to_string();
     let is_word = |c: char| c.is_alphanumeric();
@@ -120,7 +120,7 @@ fn mentions(statement: &Statement, name: &str) -> bool {
     })
 }
 
-/// Statements with one of the nodes replaced by a part of it or by a number.
+/// Returns statements in which a part of a node, or a number, replaces the node.
 fn edits(statement: &Statement) -> Vec<Statement> {
     let mut found = Vec::new();
     for at in 0.. {
@@ -141,7 +141,7 @@ fn edits(statement: &Statement) -> Vec<Statement> {
     found
 }
 
-/// The node of a number, from the outside to the inside.
+/// Returns the node of a number, counted from the outside to the inside.
 fn node(statement: &mut Statement, at: usize) -> Option<&mut Expr> {
     let mut pending = statement.expressions_mut();
     pending.reverse();

@@ -9,7 +9,7 @@ use crate::jet::{Field, Jet};
 use crate::linear::solve;
 use crate::tree::Table;
 
-/// Knots, and coefficients of ascending powers from where each piece begins.
+/// Knots, and coefficients of ascending powers from the beginning of each piece.
 pub(crate) struct Spline {
     knots: Vec<Real>,
     pieces: Vec<Vec<Real>>,
@@ -38,7 +38,7 @@ impl Spline {
         Spline { knots, pieces, outside: table.outside }
     }
 
-    /// The value along a motion; `None` where there is none.
+    /// Returns the value along a motion, or `None` where there is none.
     pub(crate) fn value(&self, field: &mut Field, x: &Jet) -> Option<Jet> {
         let is_beyond = |knot: &Real| knot.cmp(&x.value[0]).is_some_and(|order| order <= 0);
         let before = self.knots.iter().take_while(|knot| is_beyond(knot)).count();
@@ -82,7 +82,7 @@ impl Spline {
     }
 }
 
-/// What splines go through.
+/// The points of a spline.
 struct Points<'a> {
     arithmetic: &'a Arithmetic,
     values: &'a [Real],
@@ -102,7 +102,7 @@ impl<'a> Points<'a> {
         self.arithmetic.multiply(&self.arithmetic.integer(factor), of)
     }
 
-    /// Means of the secants on both sides, 0 where the points turn, within the circle α² + β² = 9.
+    /// Returns means of the secants on both sides, 0 at turning points, within the circle α² + β² = 9.
     fn monotone_slopes(&self) -> Vec<Real> {
         let (a, secants) = (self.arithmetic, &self.secants);
         let mut slopes = vec![secants[0].clone()];
@@ -128,7 +128,7 @@ impl<'a> Points<'a> {
         slopes
     }
 
-    /// The cubic with these slopes at the ends of an interval.
+    /// Returns the cubic with these slopes at the ends of an interval.
     fn hermite(&self, i: usize, [left, right]: [&Real; 2]) -> Vec<Real> {
         let (a, h, secant) = (self.arithmetic, &self.steps[i], &self.secants[i]);
         let sum = a.add(left, right);
@@ -138,8 +138,8 @@ impl<'a> Points<'a> {
         vec![self.values[i].clone(), left.clone(), a.divide(&second, h), a.divide(&third, &square)]
     }
 
-    /// Second derivatives m with hᵢ₋₁ mᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) mᵢ + hᵢ mᵢ₊₁ = 6 (sᵢ − sᵢ₋₁), zero at
-    /// both ends.
+    /// Returns second derivatives m with hᵢ₋₁ mᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) mᵢ + hᵢ mᵢ₊₁ = 6 (sᵢ − sᵢ₋₁),
+    /// zero at both ends.
     fn natural_bends(&self) -> Vec<Real> {
         let (a, h) = (self.arithmetic, &self.steps);
         let inner = h.len() - 1;
@@ -156,7 +156,7 @@ impl<'a> Points<'a> {
         end().chain(bends).chain(end()).collect()
     }
 
-    /// The cubic with these second derivatives at the ends of an interval.
+    /// Returns the cubic with these second derivatives at the ends of an interval.
     fn bent(&self, i: usize, [left, right]: [&Real; 2]) -> Vec<Real> {
         let (a, h) = (self.arithmetic, &self.steps[i]);
         let sum = a.add(&self.times(2, left), right);

@@ -31,12 +31,12 @@ fn list<T: Display>(items: &[T]) -> String {
     items.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// A unit behind a colon.
+/// Returns a unit behind a colon.
 fn said(unit: Option<&Unit>) -> String {
     unit.map_or_else(String::new, |unit| format!(": {}", unit.text))
 }
 
-/// A label with its value, if there is one.
+/// Returns a label with its value, if there is one.
 fn label<T>(word: &str, value: Option<T>, text: impl Fn(T) -> String) -> String {
     value.map_or_else(String::new, |value| format!(" {word}: {};", text(value)))
 }
@@ -100,7 +100,7 @@ impl Display for Values {
 }
 
 impl Values {
-    /// How many elements there are, in brackets.
+    /// Returns the number of elements, in brackets.
     fn count(&self) -> String {
         match self {
             Values::One(_) => String::new(),

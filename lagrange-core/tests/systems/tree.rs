@@ -1,4 +1,4 @@
-//! Declarations as trees, which the reference computes and the language reads as text.
+//! Declarations as trees. The reference evaluates them, and the language reads them as text.
 
 use lagrange_core::expr::Function;
 
@@ -14,14 +14,14 @@ pub(crate) struct Index {
 impl Index {
     pub(crate) const VARIABLE: Index = Index { is_variable: true, offset: 0, ring: None };
 
-    /// The index where the variable has a value.
+    /// Returns the index for a value of the variable.
     pub(crate) fn at(self, variable: i64) -> i64 {
         let index = self.offset + if self.is_variable { variable } else { 0 };
         self.ring.map_or(index, |ring| index.rem_euclid(ring))
     }
 }
 
-/// Two operands and what is done with them.
+/// Operator of two operands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Operator {
     Add,
@@ -33,7 +33,7 @@ pub(crate) enum Operator {
 /// An expression.
 #[derive(Clone, Debug)]
 pub(crate) enum Expr {
-    /// Decimal, and the unit behind it with its power of ten.
+    /// Decimal, with its unit and the power of ten of that.
     Number(String, Option<Unit>),
     Pi,
     Time,
@@ -46,11 +46,11 @@ pub(crate) enum Expr {
     /// A base to a rational power.
     Power(Box<Expr>, i64, i64),
     Call(Function, Vec<Expr>),
-    /// A function or a table of the declaration.
+    /// A function or a table of the declaration, applied to arguments.
     Apply(String, Vec<Expr>),
     Rate(Box<Expr>),
-    /// The third where the first is less than the second, or also where they are equal; else the
-    /// fourth.
+    /// The third operand where the first is less than the second, or also where they are equal.
+    /// Otherwise the fourth.
     Choose {
         or_equal: bool,
         operands: Box<[Expr; 4]>,
@@ -75,7 +75,7 @@ pub(crate) enum Expr {
     Spin(String),
 }
 
-/// A unit as text, with the power of ten that it is of the coherent one.
+/// A unit as text, with its power of ten relative to the coherent one.
 #[derive(Clone, Debug)]
 pub(crate) struct Unit {
     pub(crate) text: String,
@@ -83,7 +83,7 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
-    /// A decimal in the coherent unit.
+    /// Returns a decimal in the coherent unit.
     pub(crate) fn coherent(unit: Option<&Unit>, decimal: &str) -> String {
         let Some(unit) = unit else { return decimal.to_owned() };
         let (digits, exponent) = decimal.split_once('e').unwrap_or((decimal, "0"));
@@ -100,7 +100,7 @@ pub(crate) enum Values {
     All(i64, String),
 }
 
-/// Interpolation and what is beyond the ends.
+/// Interpolation, and behaviour beyond the ends.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     pub(crate) points: Vec<(String, String)>,
@@ -108,7 +108,7 @@ pub(crate) struct Table {
     pub(crate) outside: &'static str,
 }
 
-/// Where a spring, a damper or a pin ends.
+/// The end of a spring, a damper or a pin.
 pub(crate) type Place = Expr;
 
 /// A joint in space.
@@ -126,13 +126,13 @@ pub(crate) struct Joint {
     pub(crate) damping: Option<Expr>,
 }
 
-/// Where a body of the plane, or one that no joint places, is.
+/// The pose of a body in the plane, or of one without a joint.
 #[derive(Clone, Debug)]
 pub(crate) struct Pose {
-    /// True if the place is that of the centre of mass, not of the origin.
+    /// True if the position is that of the centre of mass, not of the origin.
     pub(crate) is_center: bool,
     pub(crate) place: Vec<Expr>,
-    /// Three angles about axes in turn, or the angle in the plane.
+    /// Three angles about successive axes, or the angle in the plane.
     pub(crate) angles: Vec<Expr>,
     pub(crate) sequence: String,
 }
@@ -168,7 +168,7 @@ pub(crate) enum Statement {
         unit: Option<Unit>,
         count: Option<i64>,
     },
-    /// The rate of a state, or of an element of many.
+    /// The rate of a state, or of an element of an array.
     StateRate {
         name: String,
         index: Option<Index>,
@@ -187,7 +187,7 @@ pub(crate) enum Statement {
     },
     /// `kinetic`, `potential`, `lagrangian` or `dissipation`.
     Energy(&'static str, Expr),
-    /// A Gibbs function, and the part of the Lagrangian whose equations it states a second time.
+    /// A Gibbs function, and the part of the Lagrangian with the same equations.
     Gibbs(Expr, Expr),
     Force(String, Expr),
     ForceAlong(Expr, Expr),
@@ -226,7 +226,7 @@ pub(crate) enum Statement {
 }
 
 impl Statement {
-    /// True of what adds to no energy and to no constraint.
+    /// True if a statement contributes to no energy and no constraint.
     pub(crate) fn is_load_or_output(&self) -> bool {
         matches!(
             self,
@@ -243,7 +243,7 @@ impl Statement {
     }
 }
 
-/// A declaration, at a level of accuracy.
+/// A declaration with its level of accuracy.
 #[derive(Clone, Debug)]
 pub(crate) struct Declaration {
     pub(crate) level: &'static str,
@@ -287,7 +287,7 @@ pub(crate) fn divide(a: Expr, b: Expr) -> Expr {
     binary(Operator::Divide, a, b)
 }
 
-/// Builds a to a whole power.
+/// Builds a to an integer power.
 pub(crate) fn power(a: Expr, exponent: i64) -> Expr {
     Expr::Power(Box::new(a), exponent, 1)
 }

@@ -1,13 +1,13 @@
-//! Algebraic unknowns along a motion: their values from bounds, then by chords, which add an order
-//! each.
+//! Algebraic unknowns along a motion: their values by bracketing, then by the chord method, which
+//! adds one order per step.
 
 use crate::digits::Real;
 use crate::tree::Expr;
 use crate::world::World;
 
 impl World<'_> {
-    /// Finds an unknown, of whose equation the residual rises everywhere: between bounds first,
-    /// then by chords.
+    /// Solves for an unknown whose residual increases everywhere, by bracketing and then by the
+    /// chord method.
     pub(crate) fn solve(&mut self, name: &str, residual: &Expr) -> Option<()> {
         let variations = std::mem::take(&mut self.field.variations);
         let found = self.root(name, residual);
@@ -17,7 +17,7 @@ impl World<'_> {
         let mut jet = self.field.series(&[root]);
         let inverse = self.field.quotient(&self.field.integer(-1), &slope);
         let inverse = self.field.series(&[inverse]);
-        // Each chord adds an order, and digits while the slope is a difference.
+        // Each chord step adds an order, and digits while the slope is a difference quotient.
         for _ in 0..8 {
             self.scope.insert(name.to_owned(), vec![jet.clone()]);
             let rest = self.scalar(residual)?;
@@ -34,7 +34,7 @@ impl World<'_> {
         Some(self.scalar(residual)?.value[0].clone())
     }
 
-    /// A zero of the residual and the slope there.
+    /// Returns a zero of the residual and the slope there.
     fn root(&mut self, name: &str, residual: &Expr) -> Option<(Real, Real)> {
         let tiny = self.field.arithmetic.float(1e-30);
         let mut near = match self.roots.get(name) {

@@ -8,7 +8,7 @@ use crate::stiff::Stiff;
 use lagrange::integrate::IntegrationError;
 use lagrange::system::{StateVector, StepFailure};
 
-/// Steps from start to end.
+/// Takes steps from start to end.
 pub(crate) fn drive<'a, E, K, Y>(
     mut solver: K,
     (t0, y0, t_end): (f64, Y, f64),
@@ -41,7 +41,7 @@ where
     Err(failed(StepFailure::TooManySteps { limit: method.max_steps }, time, state))
 }
 
-/// Why a step failed, `h` being the one that was tried last.
+/// Returns the cause of a failed step, where `h` is the last attempted size.
 fn cause(error: &DiffsolError, h: f64) -> StepFailure<f64> {
     match error {
         DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. }) => {

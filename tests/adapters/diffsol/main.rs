@@ -1,7 +1,7 @@
-//! Stiff systems in the hands of the crate `diffsol`, by backward differentiation: files to copy.
+//! Stiff systems for the crate `diffsol`, by backward differentiation: files to copy.
 //!
-//! [`integrate_stiff`] hands any system to that crate. Nothing is projected: constraints and the
-//! length of unit quaternions are kept as accurately as `diffsol` integrates.
+//! [`integrate_stiff`] integrates any system with that crate. Nothing is projected: constraints and
+//! the length of unit quaternions are kept as accurately as `diffsol` integrates.
 
 mod drive;
 mod jacobian;
@@ -14,7 +14,7 @@ use lagrange::system::{OdeSystem, StepFailure};
 
 use stiff::{Stiff, integrate_stiff};
 
-/// ẏ = −10⁶ (y − cos t) − sin t, which is solved by cos t.
+/// ẏ = −10⁶ (y − cos t) − sin t, with the solution cos t.
 #[derive(Default)]
 struct Relaxation {
     knows_jacobian: bool,
@@ -39,7 +39,7 @@ impl OdeSystem for Relaxation {
     }
 }
 
-/// ẍ = −x, undefined after the time given.
+/// ẍ = −x, undefined after a given time.
 struct Oscillator {
     until: f64,
 }
@@ -72,7 +72,7 @@ fn a_stiff_spring_hardly_stretches() {
     let start = [1.0, 1.0, 0.0, 0.0];
     let end = integrate_stiff(&Elastic, 0.0, start, 10.0, &method, |_, _| steps += 1);
     let [length, ..] = end.expect("nothing is singular");
-    // The spring oscillates about 1600 times; steps that followed it would be many times as many.
+    // The spring oscillates about 1600 times; steps that resolved this would be many times as many.
     assert!((length - 1.0).abs() < 1e-4 && steps < 5_000, "{length} after {steps} steps");
 }
 

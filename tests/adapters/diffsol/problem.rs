@@ -1,4 +1,4 @@
-//! A system as the closures that `diffsol` builds a problem of.
+//! A system as the closures from which `diffsol` builds a problem.
 
 use core::cell::RefCell;
 
@@ -12,8 +12,8 @@ pub(crate) type Matrix = NalgebraMat<f64>;
 pub(crate) type Vector = <Matrix as MatrixCommon>::V;
 pub(crate) type Context = <Matrix as MatrixCommon>::C;
 
-/// The problem in the time ± t that grows towards the end, since `diffsol` stops at later times
-/// only.
+/// Returns the problem in the time ± t that grows towards the end, since `diffsol` only stops at
+/// later times.
 pub(crate) fn problem<'a, M>(
     system: &'a M,
     t0: f64,
@@ -54,7 +54,7 @@ where
         .map_err(|_| StepFailure::Stuck("diffsol refused the problem"))
 }
 
-/// 1 forwards and −1 backwards.
+/// Returns 1 forwards and −1 backwards.
 pub(crate) fn direction(t0: f64, t_end: f64) -> f64 {
     if t_end < t0 { -1.0 } else { 1.0 }
 }
@@ -65,7 +65,7 @@ pub(crate) fn state<M: OdeSystem<Scalar = f64> + ?Sized>(values: &[f64]) -> M::S
     y
 }
 
-/// The last Jacobian: `diffsol` asks for it column by column, in products with unit vectors.
+/// The last Jacobian, since `diffsol` requests it column by column, in products with unit vectors.
 struct Known<M: OdeSystem<Scalar = f64> + ?Sized> {
     last: Option<(f64, M::State, StateMatrix<M>)>,
 }

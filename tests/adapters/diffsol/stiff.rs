@@ -1,8 +1,8 @@
 //! Backward differentiation by the crate `diffsol`, for stiff systems.
 //!
-//! A system is stiff if its fastest motion has long died out or hardly moves, but still limits the
-//! steps of explicit methods. Backward differentiation damps such a motion instead of following it:
-//! its steps are as long as the slow motion allows. It needs the heap.
+//! A system is stiff if its fastest motion has decayed or hardly moves, but still limits the steps
+//! of explicit methods. Backward differentiation damps such a motion instead of following it: its
+//! steps are as long as the slow motion allows. It needs the heap.
 //!
 //! Source: Byrne, Hindmarsh, "A polyalgorithm for the numerical solution of ordinary differential
 //! equations", *ACM Transactions on Mathematical Software* 1 (1975) 71–96.
@@ -14,22 +14,23 @@ use lagrange::system::{OdeSystem, SettingError, StepFailure};
 use crate::drive::drive;
 use crate::problem::problem;
 
-/// Backward differentiation of orders one to five with steps and orders as the tolerance allows,
-/// for stiff systems.
+/// Backward differentiation of orders one to five for stiff systems, with steps and orders chosen
+/// by the tolerance.
 ///
-/// One implicit equation a step. Not symplectic; motions faster than the steps are damped.
+/// Each step solves one implicit equation. The method is not symplectic; motions faster than the
+/// steps are damped.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Stiff {
-    /// Error of a step as a part of the state.
+    /// Error of a step as a fraction of the state.
     pub(crate) relative: f64,
     /// Error of a step in the units of the state.
     pub(crate) absolute: f64,
-    /// No more steps are taken.
+    /// Largest number of steps.
     pub(crate) max_steps: u64,
 }
 
 impl Stiff {
-    /// Backward differentiation with this tolerance, relative and absolute.
+    /// Returns backward differentiation with a tolerance that is both relative and absolute.
     pub(crate) fn tolerance(tolerance: f64) -> Self {
         Stiff { relative: tolerance, absolute: tolerance, max_steps: 10_000_000 }
     }
@@ -43,13 +44,14 @@ impl Stiff {
     }
 }
 
-/// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
+/// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the final state.
 ///
 /// `observe` is called with time and state at the start and after every step. Newton's iterations
-/// take the Jacobian that is emitted for `emit { jacobian }`, and central differences without it.
+/// take the Jacobian emitted for `emit { jacobian }`, and central differences without it.
 ///
 /// # Errors
-/// What the method met, with the last good state; `observe` never sees one that is not finite.
+/// Returns the failure of the method with the last good state. All states passed to `observe` are
+/// finite.
 pub(crate) fn integrate_stiff<M>(
     system: &M,
     t0: f64,

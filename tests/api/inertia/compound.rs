@@ -1,4 +1,4 @@
-//! Bodies of several parts, against the bodies that they are.
+//! Composite bodies against the same bodies in one piece.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -108,7 +108,7 @@ fn compounds_of_the_language_are_those_of_the_library() {
     let (q, v) = (&[0.0; 3], &[0.0; 3]);
     let found = MassGeometry::new(system.mass(0.0, q, v), system.place(0.0, q, v), system.inertia(0.0, q, v));
     assert_bodies_agree(found, expected);
-    // As the plate turns, its centre of mass turns about the origin of its own coordinates.
+    // The turned plate has its centre of mass turned about the origin of its own coordinates.
     let turned = expected.turned(0.7).moved([5.0, -2.0]);
     let place = system.place(0.0, &[5.0, -2.0, 0.7], v);
     assert_same("centre", place[0], turned.center[0], 1.0);

@@ -1,5 +1,5 @@
-//! Each formula against the integral over the area or the volume, in the library and in the table
-//! of the language.
+//! Each formula against the integral over the area or the volume, from the library and from the
+//! table of the language.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,8 +9,7 @@ use super::assert_same;
 use super::formulas::both;
 use super::quadrature::{Element, Measured, measure};
 
-/// A solid of certain dimensions, of a polygon the coordinates of its corners, and what integration
-/// finds.
+/// A solid with given dimensions, or corners for a polygon, and its integrals.
 struct Case {
     name: &'static str,
     dimensions: Vec<f64>,
@@ -21,7 +20,8 @@ fn case(name: &'static str, dimensions: &[f64], element: &dyn Fn([f64; 3]) -> El
     Case { name, dimensions: dimensions.to_vec(), measured: measure(&[element]) }
 }
 
-/// A sector of an elliptic ring between two fractions of the semi-axes and between two angles.
+/// Returns a sector of an elliptic ring between two fractions of the semi-axes and between two
+/// angles.
 fn elliptic(axes: [f64; 2], fractions: [f64; 2], angles: [f64; 2]) -> impl Fn([f64; 3]) -> Element {
     move |[u, v, _]| {
         let fraction = fractions[0] + (fractions[1] - fractions[0]) * u;
@@ -36,8 +36,8 @@ fn parallelogram(sides: [[f64; 2]; 2], corner: [f64; 2]) -> impl Fn([f64; 3]) ->
     move |[u, v, _]| ([0, 1].map(|axis| corner[axis] + u * sides[0][axis] + v * sides[1][axis]), area)
 }
 
-/// A triangle from its corners in counterclockwise order; lines from the first corner shrink
-/// towards it.
+/// Returns a triangle from its corners in counterclockwise order; lines from the first corner
+/// shrink towards it.
 fn triangle([a, b, c]: [[f64; 2]; 3]) -> impl Fn([f64; 3]) -> Element {
     let double_area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     move |[u, v, _]| {
@@ -46,7 +46,7 @@ fn triangle([a, b, c]: [[f64; 2]; 3]) -> impl Fn([f64; 3]) -> Element {
     }
 }
 
-/// A spherical shell in spherical coordinates.
+/// Returns a spherical shell in spherical coordinates.
 fn shell(inner: f64, outer: f64) -> impl Fn([f64; 3]) -> Element {
     move |[u, v, w]| {
         let radius = inner + (outer - inner) * u;
@@ -56,7 +56,7 @@ fn shell(inner: f64, outer: f64) -> impl Fn([f64; 3]) -> Element {
     }
 }
 
-/// The third corner of a triangle of three sides, by the law of cosines.
+/// Returns the third corner of a triangle of three sides, by the law of cosines.
 fn third_corner([a, b, c]: [f64; 3]) -> [f64; 2] {
     let cosine = (a * a + c * c - b * b) / (2.0 * a * c);
     [c * cosine, c * cosine.acos().sin()]
@@ -73,7 +73,7 @@ fn straight_cases() -> Vec<Case> {
         case("cuboid", &[3.0, 0.7], &rectangle),
         case("right_triangle", &[1.2, 0.9], &triangle([[0.0, 0.0], [1.2, 0.0], [0.0, 0.9]])),
     ];
-    // An acute, an obtuse and a flat one.
+    // An acute, an obtuse and a flat triangle.
     for sides in [[2.0, 1.7, 1.4], [1.1, 2.9, 2.0], [3.0, 2.0, 1.001]] {
         let element = triangle([[0.0, 0.0], [sides[0], 0.0], third_corner(sides)]);
         cases.push(case("triangle", &sides, &element));
@@ -93,7 +93,7 @@ fn polygonal_cases() -> Vec<Case> {
         let dimensions = vec![f64::from(corners), 1.3];
         cases.push(Case { name: "regular_polygon", dimensions, measured: measure(&pieces) });
     }
-    // An angle profile, which is not convex, as two rectangles, in both orientations.
+    // A nonconvex angle profile as two rectangles, in both orientations.
     let pieces: [&dyn Fn([f64; 3]) -> Element; 2] = [
         &parallelogram([[3.0, 0.0], [0.0, 0.5]], [1.0, 2.0]),
         &parallelogram([[0.4, 0.0], [0.0, 2.0]], [1.0, 2.5]),
@@ -151,7 +151,7 @@ fn formulas_are_the_integrals() {
     }
 }
 
-/// The file is written by `tools/inertia.py`, which integrates symbolically.
+/// `tools/inertia.py` integrates symbolically and writes the file.
 #[test]
 fn formulas_are_those_found_by_symbolic_integration() {
     let rows = include_str!("../../references/inertia.csv").lines().skip(1);

@@ -1,5 +1,5 @@
-//! Moments of inertia and centres of mass of a solid by its name, from the library and from the
-//! table of the language.
+//! Moments of inertia and centres of mass of a solid by name, from the library and from the table
+//! of the language.
 
 use lagrange::inertia;
 use lagrange_core::expr::Graph;
@@ -10,7 +10,7 @@ use lagrange_core::symbol::Role;
 /// The moment of inertia for a mass of one, and the centre of mass.
 type Geometry = (f64, [f64; 2]);
 
-/// What library and language say of a solid.
+/// Returns the geometry of a solid from the library and from the language.
 pub(super) fn both(name: &str, dimensions: &[f64]) -> [Geometry; 2] {
     [of_library(name, dimensions), of_language(name, dimensions)]
 }

@@ -1,4 +1,4 @@
-//! What holds of all moments of inertia, and the results of textbooks that follow.
+//! Laws of all moments of inertia, and textbook results that follow.
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,7 +19,7 @@ fn half_disk([u, v, _]: [f64; 3]) -> Element {
     ([R * u * cosine, R * u * sine], PI * R * R * u)
 }
 
-/// Numbers between −1 and 1 in no particular order: fractions of multiples of the golden ratio.
+/// Returns scattered numbers between −1 and 1: fractional parts of multiples of the golden ratio.
 fn scattered() -> impl Iterator<Item = f64> {
     (1..).map(|i| 2.0 * (f64::from(i) * 0.618_033_988_749_894_9).fract() - 1.0)
 }
@@ -39,8 +39,8 @@ fn the_moment_of_inertia_is_smallest_about_the_centre_of_mass() {
 
 /// The moment of inertia about the centre of the circle is half that of the whole disk of twice the
 /// mass, m R²/2. The centre of mass lies elsewhere, so the moment about it is *less* by Steiner's
-/// term. Who adds the term finds 0.6801265486 m R², more than about the centre of the circle: that
-/// contradicts the law of the test above.
+/// term. Adding the term by mistake gives 0.6801265486 m R², more than about the centre of the
+/// circle. That contradicts the law of the test above.
 #[test]
 fn half_a_disk_has_less_inertia_about_its_centre_of_mass_than_about_the_centre_of_the_circle() {
     let measured = measure(&[&half_disk]);

@@ -1,15 +1,15 @@
-//! Integrals over bodies by the rule of Gauss and Legendre, which is exact for polynomials and,
-//! with as many nodes as here, to rounding for the smooth functions that describe curved bodies.
+//! Integrals over bodies by Gauss–Legendre quadrature. It is exact for polynomials and, with this
+//! many nodes, accurate to rounding for the smooth functions that describe curved bodies.
 
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 const NODES: usize = 20;
 
-/// A place of a body's plane, and how much of the body is there for a unit of the unit cube.
+/// A point in the plane of a body, and the mass per volume of the unit cube there.
 pub(super) type Element = ([f64; 2], f64);
 
-/// What integration finds of a body of density one.
+/// Integrals over a body of density one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measured {
     pub(super) mass: f64,
@@ -18,13 +18,13 @@ pub(super) struct Measured {
     pub(super) inertia: f64,
 }
 
-/// ∫ (X² + Y²) dm about a point over a body that `element` makes of the unit cube.
+/// Returns ∫ (X² + Y²) dm about a point over the image of the unit cube under `element`.
 pub(super) fn moment(about: [f64; 2], element: &dyn Fn([f64; 3]) -> Element) -> f64 {
     integral(&|place| (place[0] - about[0]).powi(2) + (place[1] - about[1]).powi(2), element)
 }
 
-/// Mass, centre of mass and moment of inertia of several pieces. The latter is integrated about the
-/// centre of mass, so that Steiner's theorem is not used.
+/// Returns mass, centre of mass and moment of inertia of several pieces. The moment is integrated
+/// about the centre of mass, so that Steiner's theorem is not used.
 pub(super) fn measure(pieces: &[&dyn Fn([f64; 3]) -> Element]) -> Measured {
     let over_all =
         |of: &dyn Fn([f64; 2]) -> f64| pieces.iter().map(|piece| integral(of, *piece)).sum::<f64>();
@@ -33,7 +33,7 @@ pub(super) fn measure(pieces: &[&dyn Fn([f64; 3]) -> Element]) -> Measured {
     Measured { mass, center, inertia: pieces.iter().map(|piece| moment(center, *piece)).sum() }
 }
 
-/// The integral of a function of the place over a body.
+/// Integrates a function of position over a body.
 fn integral(of: &dyn Fn([f64; 2]) -> f64, element: &dyn Fn([f64; 3]) -> Element) -> f64 {
     static RULE: OnceLock<[(f64, f64); NODES]> = OnceLock::new();
     let rule = RULE.get_or_init(rule);
@@ -49,8 +49,8 @@ fn integral(of: &dyn Fn([f64; 2]) -> f64, element: &dyn Fn([f64; 3]) -> Element)
     sum
 }
 
-/// Nodes on [0, 1] with their weights: zeros of Legendre's polynomial by Newton's method from
-/// Tricomi's estimate (Davis, Rabinowitz, *Methods of Numerical Integration*, 2.7).
+/// Returns nodes on [0, 1] with their weights: zeros of Legendre's polynomial by Newton's method
+/// from Tricomi's estimate (Davis, Rabinowitz, *Methods of Numerical Integration*, 2.7).
 fn rule() -> [(f64, f64); NODES] {
     std::array::from_fn(|i| {
         let mut x = (PI * (i as f64 + 0.75) / (NODES as f64 + 0.5)).cos();
@@ -63,7 +63,7 @@ fn rule() -> [(f64, f64); NODES] {
     })
 }
 
-/// Legendre's polynomial of degree `NODES` and its derivative.
+/// Returns legendre's polynomial of degree `NODES` and its derivative.
 fn legendre(x: f64) -> (f64, f64) {
     let (mut before, mut value) = (1.0, x);
     for degree in 2..=NODES {

@@ -7,7 +7,7 @@ use lagrange::Number;
 use lagrange::scalar::Mask;
 use lagrange::system::SideBySide;
 
-/// Two numbers that go through the same formulas.
+/// Two numbers that undergo the same operations.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair(pub(super) [f64; 2]);
 
@@ -75,7 +75,7 @@ impl SideBySide for Pair {
     }
 }
 
-/// Methods of `Number` that are those of each number, without or with another one.
+/// Forwards methods of `Number` to each number, without or with a second one.
 macro_rules! number_by_number {
     ($($method:ident),*; $($binary:ident),*) => {
         $(fn $method(self) -> Pair {

@@ -1,5 +1,5 @@
-//! Pairs of systems: declared with bodies, and by hand with the energies and constraints of a
-//! textbook. Both must move the same way, need the same forces for it and cost the same.
+//! Pairs of systems: declared with bodies, and by hand with textbook energies and constraints. Both
+//! must have the same motion, need the same forces and cost the same.
 
 mod carried;
 mod closed;
@@ -10,9 +10,9 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
-/// How many random states are compared.
+/// Number of random states.
 const STATES: usize = 20;
-/// By how much accelerations and multipliers may differ, relative to the largest.
+/// Largest difference of accelerations and multipliers, relative to the largest.
 const TOLERANCE: f64 = 1e-13;
 
 /// Compiles both declarations of a pair, whose texts are also derived at run time.
@@ -97,7 +97,8 @@ fn assert_same_multipliers(bodies: &str, by_hand: &str) {
     }
 }
 
-/// Within 2 %, as a whole and in what takes long: sines and roots.
+/// Asserts that costs agree within 2 %, in total and in the slow operations, which are sines and
+/// roots.
 fn assert_same_cost(bodies: &str, by_hand: &str) {
     let [bodies, by_hand] = [bodies, by_hand].map(|text| counts(&derived(text)));
     let text = format!("{bodies}, by hand {by_hand}");
@@ -106,8 +107,7 @@ fn assert_same_cost(bodies: &str, by_hand: &str) {
     assert!(bodies.total().abs_diff(by_hand.total()) * 50 <= by_hand.total(), "{text}");
 }
 
-/// The statements in the place of those about bodies can be read again, and give the same
-/// operations.
+/// Asserts that the expanded plain statements can be read again, and give the same operations.
 fn assert_plain(bodies: &str) {
     let plain = parse(bodies).unwrap_or_else(|report| panic!("{report}")).statements();
     let words = ["body", "gravity", "line", "spring", "damper", "pin", "slide", "roll"];
@@ -122,7 +122,7 @@ fn derived(text: &str) -> Derived {
     derived.unwrap_or_else(|report| panic!("{report}"))
 }
 
-/// The operations of the method `acceleration`.
+/// Counts the operations of the method `acceleration`.
 fn counts(Derived { model, equations, .. }: &Derived) -> OperationCounts {
     let mut labels = Labels::default();
     equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
@@ -135,7 +135,7 @@ fn assert_near(found: &[f64], expected: &[f64], at: &str) {
     assert_all_within(TOLERANCE, found, expected, at);
 }
 
-/// Whether all numbers are what they should be, relative to the largest.
+/// Asserts that all numbers have their expected values, relative to the largest.
 #[track_caller]
 pub(crate) fn assert_all_within(tolerance: f64, found: &[f64], expected: &[f64], at: &str) {
     let largest = expected.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));

@@ -1,4 +1,4 @@
-//! Pairs without closed loops: every coordinate is free, but for a contact.
+//! Pairs without closed loops: every coordinate is free, except for a contact.
 
 use super::pair;
 

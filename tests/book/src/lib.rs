@@ -1,5 +1,5 @@
-//! Every Rust block of the book, compiled and run as a documentation test of the page that it is
-//! on. Pages that write files do so in the folder of this crate.
+//! Every Rust block of the book, compiled and run as a documentation test of its page. Pages that
+//! write files do so in the folder of this crate.
 
 macro_rules! pages {
     ($($name:ident = $path:literal;)*) => {
@@ -55,7 +55,7 @@ pages! {
 mod tests {
     use lagrange_import::urdf::{Options, import};
 
-    /// Recipes include what commands write.
+    /// Recipes include the output of commands.
     #[test]
     fn files_beside_the_pages_are_those_of_the_pages() {
         let block = |page: &str, language: &str| {

@@ -38,7 +38,7 @@ lagrange::system! {
 }
 
 impl Block {
-    /// On the slope, sunk by its weight, with a speed along it.
+    /// Returns the block on the slope, sunk by its weight, with a speed along it.
     fn on_slope(&self, speed: f64) -> [f64; 4] {
         let (sin, cos) = self.tilt.sin_cos();
         let depth = 2.0 * G * cos / self.k;
@@ -46,8 +46,8 @@ impl Block {
     }
 }
 
-/// The path of what slides down is v₀ t + ½ g (sin α − μ cos α) t². What is left is proportional to
-/// the square of the stiction speed, as √(s² + v²) ≈ s + ½ v²/s.
+/// The path of a sliding block is v₀ t + ½ g (sin α − μ cos α) t². The remaining error is
+/// proportional to the square of the stiction speed, as √(s² + v²) ≈ s + ½ v²/s.
 #[test]
 fn a_sliding_block_tends_to_its_closed_form() {
     let mut errors = Vec::new();
@@ -80,8 +80,8 @@ fn a_block_that_would_stick_creeps() {
     }
 }
 
-/// Along a diagonal it stops after v²/(2 μ g) = 0.204 m, as along an axis: not after 0.144 m, as
-/// with a friction in each direction.
+/// Along a diagonal it stops after v²/(2 μ g) = 0.204 m, as along an axis. With separate friction
+/// in each direction it would stop after 0.144 m.
 #[test]
 fn friction_in_space_is_isotropic() {
     let case = Case::default();
@@ -102,7 +102,7 @@ fn friction_in_space_is_isotropic() {
     }
 }
 
-/// The emitted Jacobian beside differences, on every side of the surfaces.
+/// The emitted Jacobian agrees with differences on every side of the surfaces.
 #[test]
 fn derivatives_are_exact() {
     let block = Block { v: 0.2, ..Block::default() };
@@ -126,7 +126,7 @@ fn derivatives_are_exact() {
     }
 }
 
-/// Without a slip there is no friction, and no division by zero.
+/// Without slip there is neither friction nor a division by zero.
 #[test]
 fn friction_at_rest_is_zero() {
     let block = Block { v: 1e-100, tilt: 0.0, ..Block::default() };

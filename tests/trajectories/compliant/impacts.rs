@@ -26,7 +26,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball in a bowl, by which it is also held from above.
+    /// A ball in a bowl that also bounds it from above.
     #[derive(Clone, Debug)]
     struct Bowl;
 
@@ -39,7 +39,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball that a push pulls out of a sticky floor.
+    /// A ball pulled out of a sticky floor.
     #[derive(Clone, Debug)]
     struct Pulled;
 
@@ -65,7 +65,7 @@ fn a_ball_at_rest_sinks_by_its_weight_over_the_stiffness() {
     assert_near([*resting.column("load").unwrap().last().unwrap()], [MASS * G], 1e-6);
 }
 
-/// About rest, k d δ₀ = m g d is the damping, whatever the stiffness.
+/// About rest the damping is k d δ₀ = m g d, whatever the stiffness.
 #[test]
 fn small_oscillations_decay_with_gravity_times_dissipation() {
     let ball = Ball { d: 2.0, ..Ball::default() };
@@ -77,7 +77,7 @@ fn small_oscillations_decay_with_gravity_times_dissipation() {
     assert!((found / wanted - 1.0).abs() < 0.1, "{found} {wanted}");
 }
 
-/// Impacts from the moment of touching until both part, at the ends of which runs record the edge.
+/// Impacts last from first touch until separation. Runs record both ends as events.
 #[test]
 fn impacts_have_the_restitution_and_the_duration_of_the_reference() {
     for line in IMPACTS.lines().skip(1) {
@@ -103,14 +103,14 @@ fn energy_stays_where_nothing_is_lost() {
     let drift = energy.iter().map(|e| (e / energy[0] - 1.0).abs()).fold(0.0, f64::max);
     assert!(drift < 1e-11, "{drift}");
     assert!(run.events().len() >= 20);
-    // Between curved walls, at which it hits in every direction.
+    // Between curved walls, which it hits in every direction.
     let run = Bowl::default().simulate([0.2, 0.3, 1.0, 0.5]).until(10.0).tolerance(1e-12).energy().run();
     let energy = run.unwrap().column("energy").unwrap().to_vec();
     let drift = energy.iter().map(|e| (e / energy[0] - 1.0).abs()).fold(0.0, f64::max);
     assert!(drift < 1e-10, "{drift}");
 }
 
-/// The elastic part alone would pull: the force of what rises fast is zero, not negative.
+/// The elastic part alone would pull: the force on a rapidly rising ball is zero, not negative.
 #[test]
 fn a_contact_never_pulls() {
     let pulled = Pulled::default();
@@ -119,7 +119,7 @@ fn a_contact_never_pulls() {
     assert!(loads.iter().all(|load| *load >= 0.0));
     let released = loads.iter().zip(gaps).filter(|(load, gap)| **load == 0.0 && **gap < 0.0).count();
     assert!(released > 2);
-    // Once it is out, only its weight acts.
+    // Once separated, only its weight acts.
     let radau = pulled.simulate([-9.81 / 1e4, 0.0]).until(0.6).method(Radau5::tolerance(1e-11)).run();
     assert_near(radau.unwrap().last(), run.last(), 1e-7);
 }
@@ -133,7 +133,7 @@ fn forces_vanish_in_the_air_and_depths_of_zero_have_none() {
             assert_eq!(ball.acceleration(0.0, &[y], &[v]), [-9.81]);
         }
     }
-    // 20000 · 0.01 · (1 + 0.5 · 0.2) and the clamp.
+    // 20000 · 0.01 · (1 + 0.5 · 0.2), and the clamp.
     assert_near([ball.load(0.0, &[-0.01], &[-0.2])], [220.0], 1e-12);
     assert_eq!(ball.load(0.0, &[-0.01], &[2.5]), 0.0);
     assert_near(ball.push(0.0, &[-0.01], &[-0.2]), [0.0, 220.0], 1e-12);

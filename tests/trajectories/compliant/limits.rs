@@ -1,4 +1,4 @@
-//! Stiffer and stiffer contacts beside rigid ones.
+//! Increasingly stiff contacts against rigid ones.
 
 use lagrange::Simulate;
 use lagrange::integrate::Radau5;
@@ -27,7 +27,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A block that stops, on soft ground.
+    /// A block that comes to a stop on soft ground.
     #[derive(Clone, Debug)]
     struct SoftBlock;
 
@@ -40,7 +40,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// On hard ground, two corners of which touch.
+    /// A block on hard ground, which two of its corners touch.
     #[derive(Clone, Debug)]
     struct HardBlock;
 
@@ -50,7 +50,7 @@ lagrange::system! {
     contact foot = block.corners on ground { friction: 0.3; }
 }
 
-/// A bounce lasts π √(m/k) longer, so that the error falls with the root of the compliance.
+/// A bounce lasts π √(m/k) longer, so the error is of the order of the root of the compliance.
 #[test]
 fn bounces_tend_to_those_of_a_rigid_ball() {
     let start = [0.0, 1.0, 0.3, 0.0];
@@ -66,7 +66,7 @@ fn bounces_tend_to_those_of_a_rigid_ball() {
     assert!(orders.iter().all(|order| (order - 0.5).abs() < 0.02) && errors[2] < 2e-4);
 }
 
-/// The error of motions without bounces falls with the compliance and with the stiction speed.
+/// The error of motions without bounces decreases with the compliance and with the stiction speed.
 #[test]
 fn a_block_that_stops_tends_to_a_rigid_one() {
     let rigid =

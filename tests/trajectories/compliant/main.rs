@@ -1,7 +1,7 @@
-//! Contacts with a stiffness, beside closed forms, independent references, rigid contacts and what
-//! is conserved.
+//! Contacts with a stiffness, against closed forms, independent references, rigid contacts and
+//! conserved quantities.
 //!
-//! `cargo motions --test compliant` runs it.
+//! `cargo motions --test compliant` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
 mod friction;

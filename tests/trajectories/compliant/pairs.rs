@@ -1,11 +1,11 @@
-//! Two bodies that move and touch each other: forces act on both.
+//! Two moving bodies in contact: forces act on both.
 
 use lagrange::Simulate;
 
 use crate::assert_near;
 
 lagrange::system! {
-    /// Two disks that fly against each other.
+    /// Two disks that fly towards each other.
     #[derive(Clone, Debug)]
     struct Disks;
 
@@ -22,7 +22,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball that lands on a cart, which rolls off.
+    /// A ball that lands on a cart, which rolls away.
     #[derive(Clone, Debug)]
     struct Cart;
 
@@ -76,8 +76,8 @@ fn a_block_takes_the_cart_along() {
     assert_near([cart_speed, block_speed], [0.5, 0.5], 1e-4);
 }
 
-/// The force on one times the lever between the centres is all the moment there is: both get the
-/// same of it by the ratio of the distances of their centres from the point of touch.
+/// The total moment is the force on one ball times the lever arm between the centres. The balls
+/// share it in the ratio of the distances of their centres from the contact point.
 #[test]
 fn balls_in_space_push_each_other() {
     let balls = Balls::default();
@@ -89,7 +89,7 @@ fn balls_in_space_push_each_other() {
     assert!(force[2] > 10.0);
     assert_near([a[0], a[1], a[2]], force, 1e-9);
     assert_near([a[6], a[7], a[8]], force.map(|f| -f / 2.0), 1e-9);
-    // About the centres: I α = arm × force. Arms are along the line of the centres.
+    // About the centres: I α = arm × force. Arms lie along the line of the centres.
     let distance = (0.3_f64.powi(2) + 0.05_f64.powi(2) + 0.39_f64.powi(2)).sqrt();
     let n = [0.3 / distance, 0.05 / distance, 0.39 / distance];
     let moment = [
@@ -99,6 +99,6 @@ fn balls_in_space_push_each_other() {
     ];
     let (small, large) = (0.4 * 0.04, 2.0 / 3.0 * 2.0 * 0.09);
     assert_near([a[3], a[4], a[5]], moment.map(|m| -0.2 * m / small), 1e-9);
-    // The material point of the other ball is inside of its surface, where the first ball touches.
+    // The material point of the other ball lies inside its surface, where the first ball touches.
     assert_near([a[9], a[10], a[11]], moment.map(|m| -(distance - 0.2) * m / large), 1e-9);
 }

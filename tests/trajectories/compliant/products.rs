@@ -1,5 +1,4 @@
-//! Products that rigid contacts refuse: lanes, Taylor series, derivatives, and numbers of single
-//! precision.
+//! Products that rigid contacts refuse: lanes, Taylor series, derivatives, and single precision.
 
 use lagrange::Simulate;
 use lagrange::integrate::{Radau5, RungeKutta4, Taylor, integrate};
@@ -9,7 +8,7 @@ use lagrange::system::{Equations, LanesSystem};
 use crate::assert_near;
 
 lagrange::system! {
-    /// A disk that is thrown on a slope.
+    /// A disk thrown onto a slope.
     #[derive(Clone, Debug)]
     struct Disk<S>;
 
@@ -24,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two boxes on their corners: 16 contacts.
+    /// Two boxes on their corners, with 16 contacts.
     #[derive(Clone, Debug)]
     struct Boxes;
 
@@ -50,20 +49,20 @@ fn a_lane_has_the_bits_of_a_motion_by_itself() {
     for (lane, disk) in disks.iter().enumerate() {
         disk.set_lane(&mut lanes, lane);
     }
-    // Steps across the surfaces, as the sides are free.
+    // Steps cross the surfaces, since the sides are free.
     let step = RungeKutta4 { step: 2.5e-4 };
     let side_by_side = START.map(|entry| Lanes([entry; 4]));
     let found = (0..4000).fold(side_by_side, |y, _| runge_kutta(|y| lanes.rhs(Lanes([0.0; 4]), y), y));
     for (lane, disk) in disks.iter().enumerate() {
         let alone = (0..4000).fold(START, |y, _| runge_kutta(|y| disk.rhs(0.0, y), y));
         assert_eq!(found.map(|entry| entry.0[lane].to_bits()), alone.map(f64::to_bits));
-        // That is near to what runs find, which stop at the surfaces.
+        // The result is close to that of runs, which stop at the surfaces.
         let run = disk.simulate(START).until(1.0).method(step).run().unwrap();
         assert_near(alone, run.last(), 5e-3);
     }
 }
 
-/// A quarter of a millisecond by the classical method, of numbers side by side or not.
+/// Integrates a quarter of a millisecond by the classical method, for single numbers or lanes.
 fn runge_kutta<S: lagrange::Number>(rhs: impl Fn(&[S; 6]) -> [S; 6], y: [S; 6]) -> [S; 6] {
     let ahead = |k: &[S; 6], h: f64| std::array::from_fn::<S, 6, _>(|i| y[i] + S::from_f64(h) * k[i]);
     let a = rhs(&y);
@@ -85,18 +84,18 @@ fn all_methods_find_the_same_motion() {
     let single = Disk::<f32>::default();
     let run = single.simulate(START.map(|entry| entry as f32)).until(1.0).run().unwrap();
     assert_near(run.last().map(f64::from), wanted, 1e-3);
-    // Without stopping at the surfaces.
+    // Without stops at the surfaces.
     let across = integrate(&disk, 0.0, START, 1.0, &RungeKutta4 { step: 1e-4 }, |_, _| {}).unwrap();
     assert_near(across, wanted, 1e-4);
 }
 
-/// At a stiction speed of 0.1 mm/s the implicit method takes few steps, whatever rests.
+/// At a stiction speed of 0.1 mm/s the implicit method takes few steps even at rest.
 #[test]
 fn implicit_steps_are_long_at_rest() {
     let disk = Disk::<f64> { v: 1e-4, tilt: 0.0, d: 5.0, mu: 0.5, ..Disk::default() };
     let start = [0.0, 0.1, 0.0, 1.0, 0.0, 0.0];
     let run = disk.simulate(start).until(5.0).method(Radau5::tolerance(1e-8)).run().unwrap();
-    // It slides until it rolls, with 2/3 of its speed.
+    // It slides until it rolls, at 2/3 of its speed.
     assert_near([run.last()[3]], [2.0 / 3.0], 1e-3);
     let evaluations = run.work().evaluations;
     println!("Radau5 at 1e-4 m/s: {evaluations} evaluations for 5 s");

@@ -3,7 +3,7 @@
 
 use lagrange::Simulate;
 
-/// A box with impacts and friction in x and y at these corners.
+/// Declares a box with impacts and friction in x and y at these corners.
 macro_rules! thrown {
     ($($p:ident $corner:ident $along:ident $across:ident: $x:expr, $y:expr, $z:expr;)*) => {
         lagrange::system! {
@@ -36,7 +36,7 @@ thrown! {
     p7 c7 x7 y7: -0.2, -0.15, -0.1;
 }
 
-/// The box at this height, with angular velocity, velocity and orientation.
+/// Returns the box at this height, with angular velocity, velocity and orientation.
 fn start(height: f64, turning: [f64; 3], velocity: [f64; 3], orientation: [f64; 4]) -> [f64; 13] {
     let length = orientation.iter().map(|part| part * part).sum::<f64>().sqrt();
     let mut state = [0.0; 13];
@@ -47,7 +47,7 @@ fn start(height: f64, turning: [f64; 3], velocity: [f64; 3], orientation: [f64; 
     state
 }
 
-/// The state in which a run ends, whose energy never grows.
+/// Returns the final state of a run whose energy never increases.
 fn settled(start: [f64; 13], end: f64) -> [f64; 13] {
     let run = Thrown::default().simulate(start).until(end).tolerance(1e-8).energy().run();
     let run = run.unwrap_or_else(|error| panic!("{start:?}: {error}"));
@@ -64,7 +64,7 @@ fn a_flat_box_slides_until_friction_has_taken_its_speed() {
     let slid = speed * speed / (2.0 * 0.5 * 9.81);
     let last = settled(start(0.1, [0.0; 3], [speed, 0.0, 0.0], FLAT), 1.0);
     assert!((last[0] - slid).abs() < 1e-5 && last[1].abs() < 1e-7, "{last:?}");
-    // Each direction has its own limit: both decelerate as if alone.
+    // Each direction has its own limit: both decelerate independently.
     let last = settled(start(0.1, [0.0; 3], [speed, speed, 0.0], FLAT), 1.0);
     assert!((last[0] - slid).abs() < 1e-5 && (last[1] - slid).abs() < 1e-5, "{last:?}");
     assert!(last[7..].iter().all(|entry| entry.abs() < 1e-6), "{last:?}");

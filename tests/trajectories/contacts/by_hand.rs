@@ -1,4 +1,4 @@
-//! The same motions as declarations by hand.
+//! Motions of `contact` statements against handwritten declarations.
 
 use lagrange::Simulate;
 use lagrange::integrate::Radau5;
@@ -68,7 +68,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Its mass is unevenly distributed.
+    /// A plate with unevenly distributed mass.
     #[allow(deprecated)]
     #[derive(Clone, Debug)]
     struct Plate;
@@ -98,7 +98,7 @@ lagrange::system! {
     }
 }
 
-/// The formulas differ by a rotation and its inverse at most.
+/// The formulas differ at most by a rotation and its inverse.
 #[test]
 fn a_thrown_ball_moves_as_by_hand() {
     for (place, v, omega) in

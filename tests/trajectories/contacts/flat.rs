@@ -1,4 +1,4 @@
-//! Lines and planes: closed forms.
+//! Lines and planes, against closed forms.
 
 use lagrange::Simulate;
 use lagrange::contact::{Contact, EventKind, Friction};
@@ -6,7 +6,7 @@ use lagrange::contact::{Contact, EventKind, Friction};
 use crate::{G, assert_near, flat};
 
 lagrange::system! {
-    /// A disk on a slope that goes down along x.
+    /// A disk on a slope that descends along x.
     #[derive(Clone, Debug)]
     struct Slope<S>;
 
@@ -30,7 +30,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball on a plane whose normal is made of parameters.
+    /// A ball on a plane whose normal depends on parameters.
     #[derive(Clone, Debug)]
     struct Incline;
 
@@ -45,7 +45,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in numbers.
+    /// The incline with numbers.
     #[derive(Clone, Debug)]
     struct InclineInNumbers;
 
@@ -59,7 +59,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A box on the four lower of its corners.
+    /// A box on its four lower corners.
     #[derive(Clone, Debug)]
     struct Cuboid;
 
@@ -73,7 +73,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A rod in a corner without friction.
+    /// A rod in a frictionless corner.
     #[derive(Clone, Debug)]
     struct Rod;
 
@@ -86,8 +86,8 @@ lagrange::system! {
     contact foot = rod.point(-l/2, 0) on ground;
 }
 
-/// It rolls with 2/3 g sin α if tan α is at most 3 μ; otherwise it slides with g (sin α − μ cos α)
-/// and turns with 2 μ g cos α / r.
+/// It rolls with 2/3 g sin α if tan α is at most 3 μ. Otherwise it slides with g (sin α − μ cos α)
+/// and rotates with 2 μ g cos α / r.
 #[test]
 fn a_disk_on_a_slope_rolls_or_slides() {
     for angle in [0.3_f64, 0.7, 0.8] {
@@ -145,7 +145,7 @@ fn a_ball_rolls_down_any_plane() {
     assert_near([last[0], last[1], last[2]], wanted, 1e-10);
 }
 
-/// v²/2μg along the diagonal, and by its spin.
+/// The distance v²/2μg along the diagonal, and the angle of its spin.
 #[test]
 fn a_box_on_its_face_stops_as_a_puck_does() {
     let part = 1.0 / (2.0 * 0.5 * G);
@@ -165,7 +165,7 @@ fn a_box_on_its_face_stops_as_a_puck_does() {
     assert_near([2.0 * last[6].atan2(last[3])], [angle], 1e-9);
 }
 
-/// Its top leaves the wall at two thirds of the height from which it started.
+/// Its top leaves the wall at two thirds of its initial height.
 #[test]
 fn a_rod_that_slides_down_leaves_the_wall() {
     for lean in [0.2_f64, 0.6] {
@@ -200,7 +200,7 @@ macro_rules! guided {
 guided!(Lengthwise, (1, 0, 0));
 guided!(Crosswise, (0, 1, 0));
 
-/// It falls, slides with the friction that the impact has left, and stops.
+/// It falls, slides with the friction left after the impact, and stops.
 #[test]
 fn blocks_that_are_guided_along_one_axis_slide_along_it() {
     let fall = (0.4 / G).sqrt();

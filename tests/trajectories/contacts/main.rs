@@ -1,7 +1,7 @@
-//! Contacts that `contact` statements declare, beside the same by hand, closed forms and what is
-//! conserved.
+//! Contacts of `contact` statements, against handwritten ones, closed forms and conserved
+//! quantities.
 //!
-//! `cargo motions --test contacts` runs it.
+//! `cargo motions --test contacts` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
 mod boxes;
@@ -22,13 +22,14 @@ fn assert_near<const N: usize>(found: [f64; N], wanted: [f64; N], tolerance: f64
     }
 }
 
-/// A state of a free body: place, no rotation, velocities.
+/// Returns the state of a free body: position, no rotation, velocities.
 fn flat(place: [f64; 3], [a, b, c]: [f64; 3], [p, q, r]: [f64; 3]) -> [f64; 13] {
     let [x, y, z] = place;
     [x, y, z, 1.0, 0.0, 0.0, 0.0, a, b, c, p, q, r]
 }
 
-/// Period of a pendulum of a length and an amplitude, by the arithmetic-geometric mean.
+/// Returns the period of a pendulum for a length and an amplitude, by the arithmetic–geometric
+/// mean.
 fn pendulum_period(length: f64, amplitude: f64) -> f64 {
     let (mut a, mut g) = (1.0, (0.5 * amplitude).cos());
     for _ in 0..8 {

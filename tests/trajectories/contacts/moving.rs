@@ -36,7 +36,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A plate that turns about a vertical axis, with a ball on it.
+    /// A plate that rotates about a vertical axis, with a ball on it.
     #[derive(Clone, Debug)]
     struct Turntable;
 
@@ -51,7 +51,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A box with a ball inside that falls and turns freely: nothing acts from outside.
+    /// A freely falling and rotating box with a ball inside: no external forces act.
     #[derive(Clone, Debug)]
     struct Lid;
 
@@ -68,7 +68,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in the plane.
+    /// The box with a ball in the plane.
     #[derive(Clone, Debug)]
     struct LidInThePlane;
 
@@ -84,7 +84,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A parcel on a belt that moves obliquely.
+    /// A parcel on an obliquely moving belt.
     #[derive(Clone, Debug)]
     struct Belt;
 
@@ -96,7 +96,7 @@ lagrange::system! {
     contact touch = parcel on belt { friction: mu; }
 }
 
-/// It follows the belt after |v|/μg, and is |v|²/2μg behind it.
+/// It moves with the belt after |v|/μg, |v|²/2μg behind.
 #[test]
 fn a_parcel_is_taken_along_by_a_belt() {
     let belt = Belt::default();
@@ -110,8 +110,8 @@ fn a_parcel_is_taken_along_by_a_belt() {
     assert_near([last[0], last[1], last[7], last[8]], [1.2 * part, 0.5 * part, 1.2, 0.5], 1e-11);
 }
 
-/// With s the way along the slope and κ = 1 + J/mr² of what rolls: s̈ (κ − m cos²α/(M + m)) = g sin
-/// α, and the wedge moves by −m cos α s̈/(M + m).
+/// Returns accelerations with s along the slope and κ = 1 + J/mr² of the rolling body. They satisfy
+/// s̈ (κ − m cos²α/(M + m)) = g sin α, and the wedge moves by −m cos α s̈/(M + m).
 fn rolling(kappa: f64) -> (f64, f64) {
     let (sin, cos) = 0.5_f64.sin_cos();
     let along = G * sin / (kappa - 2.0 * cos * cos / 5.0);
@@ -148,13 +148,13 @@ fn a_ball_rolls_down_a_wedge_that_recoils() {
     assert_near([last[13]], [0.5 * along / 0.2], 1e-10);
 }
 
-/// On a turntable with Ω a ball that rolls moves on a circle with 2/7 Ω (Weltner, *American Journal
-/// of Physics* 47, 1979).
+/// On a turntable with Ω a rolling ball moves on a circle with 2/7 Ω (Weltner, *American Journal of
+/// Physics* 47, 1979).
 #[test]
 fn a_ball_on_a_turntable_moves_on_a_circle() {
     let spin = 4.0;
     let ball = flat([0.3, 0.0, 0.05], [0.1, 0.2, 0.0], [0.0; 3]);
-    // It rolls where −r ω × n cancels the velocity against the table.
+    // It rolls where −r ω × n cancels the velocity relative to the table.
     let relative = [0.1, 0.2 - spin * 0.3];
     let omega = [-relative[1] / 0.05, relative[0] / 0.05, 0.7];
     let start: Vec<f64> = [&[0.0], &ball[..7], &[spin], &[0.1, 0.2, 0.0], &omega].concat();
@@ -167,12 +167,12 @@ fn a_ball_on_a_turntable_moves_on_a_circle() {
         Turntable::default().simulate(start).until(0.25 * period).tolerance(1e-12).run().expect("rolls");
     let last = run.last();
     let rate = 2.0 / 7.0 * spin;
-    // v turns by a quarter; the place follows.
+    // v turns by a quarter; the position follows.
     assert_near([last[9], last[10]], [-0.2, 0.1], 1e-7);
     assert_near([last[1], last[2]], [0.3 + (0.1 - 0.2) / rate, (0.2 + 0.1) / rate], 1e-7);
 }
 
-/// Force and moment are opposite on both bodies, wherever and however they move.
+/// Force and moment are opposite on both bodies, whatever their positions and motions.
 #[test]
 fn a_collision_of_free_bodies_keeps_their_momenta() {
     let plate = flat([0.0; 3], [0.3, -0.2, 0.5], [0.4, -0.3, 0.6]);

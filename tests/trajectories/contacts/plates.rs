@@ -1,9 +1,9 @@
-//! Plates that slide on two, three and four rough points: redundant friction that holds is rest.
+//! Plates that slide on two, three and four rough points: static redundant friction means rest.
 
 use lagrange::Simulate;
 use lagrange::contact::Friction;
 
-/// A plate with friction in x and y, limited by one each, at points (a, b) of it.
+/// Declares a plate with friction in x and y, with separate limits, at points (a, b).
 macro_rules! plates {
     ($($name:ident($($fx:ident $fy:ident: $a:literal, $b:literal;)*))*) => {
         $(lagrange::system! {
@@ -34,7 +34,7 @@ const STARTS: [[f64; 6]; 5] = [
     [0.0, 0.0, -1.0, -0.7, 0.4, -0.3],
 ];
 
-/// At rest from `when` on at the latest, in few steps, and for good.
+/// Checks rest from `when` on at the latest, after few steps, and permanently.
 macro_rules! comes_to_rest {
     ($name:ident, $points:literal, $scalar:ty, $tolerances:expr) => {
         for (start, tolerance) in
@@ -52,7 +52,7 @@ macro_rules! comes_to_rest {
             assert!(speed < 1e-6, "{} {start:?}: {last:?}", stringify!($name));
             assert!((0..3).all(|k| (last[k] - before[k]).abs() < 1e-5), "{last:?} {before:?}");
             assert!(run.events().len() < 60, "{} {start:?}: {}", stringify!($name), run.events().len());
-            // A slide without turning along an axis: all points decelerate by 1 each.
+            // Sliding along an axis without rotation: all points decelerate by 1 each.
             if start[4] == 0.0 && start[5] == 0.0 {
                 assert!((last[0] - 0.5 / $points).abs() < 1e-4, "{last:?}");
             }

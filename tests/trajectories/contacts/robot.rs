@@ -1,4 +1,4 @@
-//! An imported robot with stops, dry friction and feet, beside the numbers of its file.
+//! An imported robot with stops, dry friction and feet, against the numbers in its file.
 
 use lagrange::Simulate;
 use lagrange::contact::{Contact, Friction};
@@ -13,12 +13,12 @@ use compiled::{Walker, WalkerState};
 
 /// Weight of the trunk, the legs, the mast and its load.
 pub(super) const WEIGHT: f64 = G * (4.0 + 4.0 * 0.3 + 0.5 + 0.2);
-/// Coefficient of friction of the feet, and the dry friction of the mast: its own, and half of that
-/// of the weight that follows it at half of its speed.
+/// Coefficient of friction of the feet, and the dry friction of the mast. This is its own, plus
+/// half of that of the weight, which follows at half its speed.
 const FRICTION: [f64; 2] = [0.6, 0.5 + 0.5 * 0.2];
 const TOLERANCE: f64 = 1e-8;
 
-/// Distances from the limits in the file, those of the follower among them.
+/// Returns the distances from the limits in the file, including those of the follower.
 pub(super) fn gaps(state: &WalkerState) -> [f64; 12] {
     let WalkerState { fl_hip, fr_hip, rl_hip, rr_hip, lift, belt, .. } = *state;
     let ends = |q: f64, lower: f64, upper: f64| [q - lower, upper - q];
@@ -30,8 +30,8 @@ pub(super) fn gaps(state: &WalkerState) -> [f64; 12] {
     std::array::from_fn(|i| pairs[i / 2][i % 2])
 }
 
-/// The normal force and the two friction forces of each foot. All forces press and are within their
-/// limits.
+/// Returns the normal force and the two friction forces of each foot. All forces push and are
+/// within their limits.
 fn feet(walker: &Walker, t: f64, state: &WalkerState) -> [[f64; 3]; 4] {
     let reactions = walker.reactions(t, &state.coordinates(), &state.velocities());
     let feet = std::array::from_fn(|foot| std::array::from_fn(|axis| reactions[11 + 3 * foot + axis]));

@@ -46,7 +46,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball on a fixed cylinder, without friction.
+    /// A ball on a fixed frictionless cylinder.
     #[derive(Clone, Debug)]
     struct Barrel;
 
@@ -59,7 +59,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball on a globe, without friction.
+    /// A ball on a frictionless globe.
     #[derive(Clone, Debug)]
     struct Globe;
 
@@ -72,7 +72,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two disks that nothing else touches.
+    /// Two disks that touch nothing else.
     #[derive(Clone, Debug)]
     struct Disks;
 
@@ -86,7 +86,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two balls that nothing else touches.
+    /// Two balls that touch nothing else.
     #[derive(Clone, Debug)]
     struct Balls;
 
@@ -102,7 +102,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A ball against a cylinder that floats.
+    /// A ball against a floating cylinder.
     #[derive(Clone, Debug)]
     struct Drum;
 
@@ -117,7 +117,7 @@ lagrange::system! {
     output spin = angular_momentum(first) + angular_momentum(second);
 }
 
-/// Rolling in a bowl is the motion of a pendulum of the length κ (R − r), κ = 1 + J/mr².
+/// Rolling in a bowl is the motion of a pendulum of length κ (R − r), κ = 1 + J/mr².
 #[test]
 fn rolling_in_a_bowl_has_the_period_of_a_pendulum() {
     for amplitude in [0.05_f64, 1.0] {
@@ -143,7 +143,7 @@ fn rolling_in_a_bowl_has_the_period_of_a_pendulum() {
     }
 }
 
-/// cos θ = 2/3 (cos θ₀ + v²/2gL) where it leaves what is round.
+/// cos θ = 2/3 (cos θ₀ + v²/2gL) where it leaves the round surface.
 #[test]
 fn a_ball_leaves_what_is_round_at_two_thirds() {
     let start = flat([0.0, 0.0, 0.6], [0.0, 0.3, 0.0], [0.0; 3]);

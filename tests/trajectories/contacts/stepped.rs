@@ -1,4 +1,4 @@
-//! Steps in velocities beside closed forms, rigid contacts and what is conserved.
+//! Steps in velocities, against closed forms, rigid contacts and conserved quantities.
 
 use std::f64::consts::TAU;
 
@@ -26,7 +26,7 @@ mod slider {
 }
 use slider::Slider;
 
-/// A box that all of its corners may hit the ground with.
+/// A box that may hit the ground with any of its corners.
 mod thrown {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ mod stack {
 }
 use stack::Stack;
 
-/// A pendulum between rods that constraints hold, with a floor and a dry joint.
+/// A pendulum between rods held by constraints, with a floor and a dry joint.
 mod held {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -72,7 +72,7 @@ mod held {
 }
 use held::Held;
 
-/// A block that an input pushes.
+/// A block pushed by an input.
 mod pushed {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -89,7 +89,7 @@ mod pushed {
 }
 use pushed::{Pushed, PushedInputs};
 
-/// The same in single precision.
+/// The block in single precision.
 mod single {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -104,7 +104,7 @@ mod single {
 }
 use single::Single;
 
-/// Length of the way on which friction stops a speed.
+/// Returns the distance in which friction stops a speed.
 fn stopping(speed: f64, mu: f64) -> f64 {
     speed * speed / (2.0 * mu * G)
 }
@@ -148,12 +148,12 @@ fn single_precision_slides_as_far() {
     assert!(run.last()[7..].iter().all(|v| v.abs() < 1e-5), "{:?}", run.last());
 }
 
-/// Times of the events of this name.
+/// Returns the times of the events of this name.
 fn times(run: &Trajectory<Held>, name: &str) -> Vec<f64> {
     run.events().iter().filter(|event| event.name == name).map(|event| event.time).collect()
 }
 
-/// Numbers between −1 and 1.
+/// Draws a number between −1 and 1.
 fn random(seed: &mut u64) -> f64 {
     *seed ^= *seed << 13;
     *seed ^= *seed >> 7;
@@ -161,7 +161,7 @@ fn random(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
-/// `LAGRANGE_THROWS=2000` throws more often.
+/// `LAGRANGE_THROWS=2000` takes more throws.
 #[test]
 fn a_box_thrown_a_hundred_times_ends_on_a_face_and_gains_no_energy() {
     let (mut seed, mut inexact, mut steps) = (0x2545_f491_4f6c_dd1d, 0, 0);
@@ -177,7 +177,7 @@ fn a_box_thrown_a_hundred_times_ends_on_a_face_and_gains_no_energy() {
         let run = run.unwrap_or_else(|error| panic!("throw {throw}: {error}"));
         let energy = run.column("energy").expect("recorded");
         let rise = energy.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        // What overlaps is taken out upwards, by less than a micrometre in all.
+        // Overlaps are removed upwards, by less than a micrometre in total.
         assert!(rise < 2e-6, "throw {throw} gains {rise}");
         let [_, _, z, a, b, c, d, velocities @ ..] = run.last();
         let up = [2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d];
@@ -190,8 +190,8 @@ fn a_box_thrown_a_hundred_times_ends_on_a_face_and_gains_no_energy() {
     assert!(inexact * 500 < steps, "{inexact} of {steps} steps miss the law by more than rounding");
 }
 
-/// The reactions of both ends of an edge are undetermined along it. From zero, thousands of sweeps
-/// carry them to those that obey the law.
+/// The reactions of both ends of an edge are indeterminate along it. From zero, it takes thousands
+/// of sweeps to find those that obey the law.
 #[test]
 fn a_box_is_thrown_back_from_its_edge() {
     let hits = [

@@ -1,6 +1,7 @@
-//! Contacts on terrain and of rims, beside references, other declarations and what is conserved.
+//! Contacts on terrain and of rims, against references, other declarations and conserved
+//! quantities.
 //!
-//! `cargo motions --test surfaces` runs it.
+//! `cargo motions --test surfaces` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
 mod rim;
@@ -8,7 +9,7 @@ mod terrain;
 
 const G: f64 = 9.81;
 
-/// The largest difference between numbers.
+/// Returns the largest difference between numbers.
 fn distance(found: &[f64], wanted: &[f64]) -> f64 {
     assert_eq!(found.len(), wanted.len());
     let differences = found.iter().zip(wanted).map(|(found, wanted)| (found - wanted).abs());
@@ -21,7 +22,7 @@ fn assert_near(found: &[f64], wanted: &[f64], tolerance: f64) {
     assert!(distance <= tolerance, "{found:?} instead of {wanted:?}: {distance:e}");
 }
 
-/// A state of a free body: place, no rotation, velocities.
+/// Returns the state of a free body: position, no rotation, velocities.
 fn flat([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> [f64; 13] {
     [x, y, z, 1.0, 0.0, 0.0, 0.0, a, b, c, 0.0, 0.0, 0.0]
 }

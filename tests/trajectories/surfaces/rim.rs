@@ -1,4 +1,4 @@
-//! Rims: coins beside their nonholonomic equations, closed forms and what is conserved.
+//! Rims: coins against their nonholonomic equations, closed forms and conserved quantities.
 
 use std::f64::consts::TAU;
 
@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with other axes, on a plane that is the ground, at a point that is the centre.
+    /// The coin with other axes, on a plane that is the ground, at a point that is the centre.
     #[derive(Clone, Debug)]
     struct Turned;
 
@@ -66,13 +66,15 @@ lagrange::system! {
     output velocity = dot(centre);
 }
 
-/// Heading, inclination and turns of a coin at the origin, and their rates, as it rolls.
+/// Returns heading, inclination and rotation of a coin at the origin, and their rates, while it
+/// rolls.
 fn rolling([phi, theta, psi]: [f64; 3], [phi_rate, theta_rate, psi_rate]: [f64; 3]) -> [f64; 10] {
     let (vx, vy) = (-psi_rate * phi.cos(), -psi_rate * phi.sin());
     [0.0, 0.0, phi, theta, psi, vx, vy, phi_rate, theta_rate, psi_rate]
 }
 
-/// The state of a free coin at the same place: the angles are those of Euler's sequence zxz.
+/// Returns the state of a free coin in the same position: the angles are those of Euler's sequence
+/// zxz.
 fn free(state: [f64; 10]) -> [f64; 13] {
     let [x, y, phi, theta, psi, vx, vy, phi_rate, theta_rate, psi_rate] = state;
     let (q, v) = ([x, y, phi, theta, psi], [vx, vy, phi_rate, theta_rate, psi_rate]);
@@ -90,7 +92,7 @@ fn free(state: [f64; 10]) -> [f64; 13] {
     [x, y, z, cos * sum_c, sin * rest_c, sin * rest_s, cos * sum_s, vx, vy, vz, p, q, r]
 }
 
-/// The difference of two states of a coin; quaternions of either sign are the same.
+/// Returns the difference of two states of a coin; quaternions of either sign are the same.
 fn difference(found: [f64; 13], wanted: [f64; 13]) -> f64 {
     let mut other = wanted;
     other[3..7].iter_mut().for_each(|entry| *entry = -*entry);
@@ -129,7 +131,7 @@ fn a_coin_that_sticks_moves_as_by_constraints() {
 fn axis_and_plane_are_any() {
     let start = free(rolling(WOBBLES[0].0, WOBBLES[0].1));
     let wanted = Coin::<f64>::default().simulate(start).until(1.0).tolerance(1e-12).run().expect("rolls");
-    // The axis of the other one is x: q' = q ⊗ p with p, which turns x to z, and ω' = pᵀ ω p.
+    // The axis of the other coin is x: q' = q ⊗ p with p, which turns x to z, and ω' = pᵀ ω p.
     let half = 0.5_f64.sqrt();
     let turned = |s: [f64; 13]| {
         let [x, y, z, w, i, j, k, vx, vy, vz, p, q, r] = s;
@@ -140,9 +142,9 @@ fn axis_and_plane_are_any() {
     assert!(difference < 1e-9, "{difference:e}");
 }
 
-/// With the rate n of the heading, leaning by θ, a coin of moments A and C that turns about its
-/// axis with ω₃ runs in a circle if A n² sin θ cos θ − (C + m r²) n sin θ ω₃ = m g r cos θ
-/// (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*).
+/// A coin of moments A and C leans by θ, with the rate n of its heading and the spin ω₃ about its
+/// axis. It runs in a circle if `A n² sin θ cos θ − (C + m r²) n sin θ ω₃ = m g r cos θ` (Neimark,
+/// Fufaev, *Dynamics of Nonholonomic Systems*).
 #[test]
 fn leaning_coins_run_in_circles() {
     for (theta, n) in [(1.2_f64, 1.5), (0.5, 4.0), (0.3, 6.0), (0.05, 14.0), (1e-3, 99.0)] {
@@ -173,7 +175,7 @@ fn a_tube_carries_the_rim() {
 
 #[test]
 fn flat_coins_have_finite_motions() {
-    // Above the ground by more than a rim that lies flat, it falls and lies on its centre.
+    // Released higher than a rim that lies flat, it falls and lies on its centre.
     let mut start = flat([0.0, 0.0, 0.1], [0.3, 0.0, 0.0]);
     start[12] = 1.0;
     let run = Coin::<f64>::default().simulate(start).until(1.0).run().expect("falls");
@@ -189,7 +191,7 @@ fn flat_coins_have_finite_motions() {
     assert!(single.expect("falls").last().iter().all(|entry| entry.is_finite()));
 }
 
-/// It is dropped leaning and slides: energy only falls.
+/// It is dropped leaning and slides: energy only decreases.
 #[test]
 fn sliding_coins_lose_energy() {
     let mut start = flat([0.0, 0.0, 1.2], [0.3, 0.0, 0.0]);

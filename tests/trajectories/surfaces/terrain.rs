@@ -5,7 +5,7 @@ use lagrange::contact::{Contact, EventKind, Friction, Stepped};
 
 use crate::{G, assert_near, distance, drift, flat};
 
-/// Declares a disk on a slope that goes down along x and rises.
+/// Declares a disk on a slope that descends along x, and moves up.
 macro_rules! slope {
     ($name:ident, $($surface:tt)*) => {
         lagrange::system! {
@@ -27,7 +27,7 @@ macro_rules! slope {
 slope!(Line, line slope { through: (0, lift * t); angle: -angle; });
 slope!(Slope, terrain slope { height(x): lift * t - x * tan(angle); });
 
-/// Declares a ball on a plane whose normal is made of parameters, by events or by a stiffness.
+/// Declares a ball on a plane whose normal depends on parameters, by events or by a stiffness.
 macro_rules! incline {
     ($name:ident, { $($surface:tt)* } $($compliance:tt)*) => {
         lagrange::system! {
@@ -51,7 +51,7 @@ incline!(SoftPlane, { plane slope { through: (0, 0, 1); normal: (a, b, c); } }
 incline!(SoftIncline, { terrain slope { height(x, y): 1 - (a * x + b * y) / c; } }
     stiffness: 1e5; dissipation: 0.2; stiction: 0.01;);
 
-/// Declares a ball on a wedge that glides and turns.
+/// Declares a ball on a wedge that glides and rotates.
 macro_rules! wedge {
     ($name:ident, $($surface:tt)*) => {
         lagrange::system! {
@@ -75,7 +75,7 @@ macro_rules! wedge {
 wedge!(Wedge, plane slope { on: wedge; through: (0, 0, 1); normal: (sin(angle), 0, cos(angle)); });
 wedge!(TerrainOnWedge, terrain slope { on: wedge; height(x, y): 1 - x * tan(angle) + 0 * y; });
 
-/// Declares a point on a platform that its weight presses against a spring.
+/// Declares a point on a platform, which its weight presses against a spring.
 macro_rules! platform {
     ($name:ident, $($surface:tt)*) => {
         lagrange::system! {
@@ -123,7 +123,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with a stiffness.
+    /// The ball with a stiffness.
     #[derive(Clone, Debug)]
     struct SoftBall;
 
@@ -185,14 +185,14 @@ fn jerk<S: lagrange::Scalar>(s: S) -> S {
     S::from_f64(-3.2) * (S::from_f64(4.0) * s).cos()
 }
 
-/// Times and states of a scene of `tools/terrain.py`.
+/// Returns times and states of a scene of `tools/terrain.py`.
 fn reference(scene: &str) -> Vec<(f64, Vec<f64>)> {
     let rows = include_str!("terrain.csv").lines().filter_map(|line| line.strip_prefix(scene));
     let rows = rows.map(|row| row.split(',').skip(1).map(|entry| entry.parse().expect("a number")));
     rows.map(|mut row| (row.next().expect("a time"), row.collect())).collect()
 }
 
-/// The state of a free ball of which place and velocity are known.
+/// Returns the state of a free ball with known position and velocity.
 fn of_ball(row: &[f64]) -> [f64; 13] {
     flat([row[0], row[1], row[2]], [row[3], row[4], row[5]])
 }
@@ -201,7 +201,7 @@ fn place_and_velocity(state: &[f64; 13]) -> Vec<f64> {
     [&state[..3], &state[7..10]].concat()
 }
 
-/// The state of a wheel that rolls.
+/// Returns the state of a rolling wheel.
 fn of_wheel(row: &[f64], r: f64) -> [f64; 6] {
     [row[0], row[1], row[2], row[3], row[4], -row[3].hypot(row[4]) / r]
 }
@@ -216,7 +216,7 @@ fn a_slope_is_a_line() {
             let start = [0.3 * sin, 0.3 * cos + above, 0.0, 0.0, lift, 0.0];
             let line = line.simulate(start).until(1.0).tolerance(1e-12).outputs().run().expect("moves");
             let slope = slope.simulate(start).until(1.0).tolerance(1e-12).outputs().run().expect("moves");
-            // Each of many bounces passes rounding on.
+            // Each of many bounces propagates rounding.
             let tolerance = if above > 0.0 { 1e-8 } else { 1e-11 };
             assert_near(&slope.last(), &line.last(), tolerance);
             for name in ["slip", "point.x", "point.y"] {
@@ -356,7 +356,7 @@ fn other_ways_converge_to_rigid_contact() {
     assert!(soft[1] < 0.6 * soft[0] && soft[2] < 0.4 * soft[1] && soft[2] < 7e-3, "{soft:?}");
 }
 
-/// At the bottom of the bowl, a ball of radius 0.25 fits if this is less than the radius of
+/// A ball of radius 0.25 fits at the bottom of the bowl if this is less than the radius of
 /// curvature.
 #[test]
 fn a_ball_that_does_not_fit_is_an_error() {

@@ -1,7 +1,6 @@
-//! Bodies thrown onto rough ground at random: whatever they do, the run goes on.
+//! Bodies thrown onto rough ground at random: runs always continue.
 //!
-//! `LAGRANGE_THROWS=300 cargo motions throws` takes so many
-//! throws in the place of a few.
+//! `LAGRANGE_THROWS=300 cargo motions throws` takes this many throws instead of a few.
 
 mod random;
 mod systems;
@@ -15,21 +14,21 @@ use lagrange::system::{EnergyFunction, OdeSystem, split};
 use self::random::Random;
 use self::systems::{Board, Crate, Hexagon, Pentagon, Stack, Triangle, Walled};
 
-/// How long a throw is followed, in s.
+/// Duration of a throw, in s.
 const END: f64 = 4.0;
-/// No run may take more steps in a second of motion.
+/// Largest number of steps per second of motion.
 const MOST_STEPS: u64 = 5_000;
-/// How many throws are taken if nothing else is said.
+/// Number of throws by default.
 const USUAL: u64 = 70;
 
-/// What came of a throw.
+/// The outcome of a throw.
 struct Outcome {
     throw: String,
     failure: Option<String>,
     steps: u64,
-    /// By which part of its largest size the energy rises at most, anywhere.
+    /// The largest rise of the energy anywhere, relative to its largest value.
     rise: f64,
-    /// How deep a corner is below the ground at most, in m.
+    /// The largest depth of a corner below the ground, in m.
     depth: f64,
 }
 
@@ -40,7 +39,7 @@ impl Outcome {
     }
 }
 
-/// Throws a body and follows it, rejected steps counted.
+/// Throws a body and follows it. Rejected steps count.
 fn throw<M, const L: usize, const N: usize, const K: usize>(
     throw: String,
     system: &M,
@@ -69,7 +68,7 @@ where
     Outcome { throw, failure, steps: work.steps + work.rejections, rise, depth }
 }
 
-/// The throw of this number.
+/// Returns the outcome of the throw of this number.
 fn thrown(number: u64) -> Outcome {
     let mut random = Random(number);
     let e = if random.within(0.0, 1.0) < 0.25 { 0.0 } else { random.within(0.0, 0.9) };
@@ -93,7 +92,8 @@ fn thrown(number: u64) -> Outcome {
             throw::<_, 6, 3, 16>(named("walled"), &Walled { e, mu, tilt, ..Walled::default() }, start)
         }
         _ => {
-            // The lower box is let go close to the slope, the upper one far enough from it to turn.
+            // The lower box is released close to the slope, the upper one far enough above it to
+            // turn.
             let (lift, (sin, cos)) = (0.3 + random.within(0.1, 0.4), tilt.sin_cos());
             let far = lift + height + 0.3;
             let (lower, upper) = ([lift * sin, lift * cos, 0.02 * phi - tilt], [far * sin, far * cos, phi]);

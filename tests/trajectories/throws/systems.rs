@@ -1,4 +1,4 @@
-//! What is thrown: convex bodies with 2 to 6 corners, each of them a contact with friction.
+//! Thrown bodies: convex ones with 2 to 6 corners, each of them a contact with friction.
 
 lagrange::system! {
     /// A board above a slope, with two feet.
@@ -137,7 +137,7 @@ lagrange::system! {
 
 lagrange::system! {
     /// A box above another one that stands on a floor by its two feet. The upper side of the lower
-    /// one has no end.
+    /// one is unbounded.
     #[derive(Clone, Debug)]
     pub(super) struct Stack;
 

@@ -1,4 +1,4 @@
-//! What jumps has no derivatives, and methods of contacts keep their names.
+//! Jumps have no derivatives, and methods of contacts keep their names.
 
 lagrange::system! {
     struct Ball;

@@ -17,7 +17,7 @@ lagrange::system! {
 }
 
 fn main() {
-    // What is asked for exists nevertheless.
+    // Requested items exist nevertheless.
     let motion = Held::default().redundant_motion(0.0, &[0.0; 2], &[0.0; 2]);
     lagrange::scene::Scene::items(&Held::default(), 0.0, &motion.center, &motion.velocity, &mut |_| {});
     println!("{}", Held::STATEMENTS);

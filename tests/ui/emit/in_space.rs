@@ -37,7 +37,7 @@ lagrange::system! {
 }
 
 fn main() {
-    // What is asked for exists nevertheless.
+    // Requested items exist nevertheless.
     let arm = Arm::default();
     let (_, place) = arm.wrist_frame(0.0, &[0.0]);
     let [_, _, _, along, ..] = arm.wrist_jacobian(0.0, &[0.0]);

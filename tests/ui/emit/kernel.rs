@@ -38,6 +38,6 @@ lagrange::system! {
 }
 
 fn main() {
-    // What is asked for exists nevertheless.
+    // Requested items exist nevertheless.
     println!("{} {}", Fall::KERNEL_F64, Fall::KERNEL_F32);
 }

@@ -56,7 +56,7 @@ lagrange::system! {
 }
 
 fn main() {
-    // What is asked for exists nevertheless.
+    // Requested items exist nevertheless.
     let shot = Shot::default();
     let lanes: ShotLanes<f32> = shot.lanes(|parameter| parameter as f32);
     println!("{:?} {:?} {}", lanes, lanes.m, lanes.rhs(0.0, &[0.5, 0.0])[1]);

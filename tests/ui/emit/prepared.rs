@@ -37,7 +37,7 @@ lagrange::system! {
 }
 
 fn main() {
-    // What is asked for exists nevertheless.
+    // Requested items exist nevertheless.
     let stop = Stop::default().prepared();
     println!("{:?} {:?}", stop.acceleration(0.0, &[0.5], &[0.0]), stop.system().m);
 }

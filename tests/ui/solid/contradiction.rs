@@ -1,6 +1,6 @@
 #![deny(warnings)]
 
-// Half of the moment of inertia that a disk has.
+// Half of the moment of inertia of a disk.
 lagrange::system! {
     struct Wheel;
 

@@ -1,7 +1,7 @@
 #![deny(warnings)]
 #![allow(dead_code)]
 
-/// A constant called like a parameter.
+/// A constant with the name of a parameter.
 const M: f64 = 1.0;
 
 lagrange::system! {

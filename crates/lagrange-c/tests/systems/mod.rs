@@ -1,6 +1,6 @@
-//! Declarations that C computes.
+//! Declarations for the C tests.
 
-/// Systems with everything that a module may have.
+/// Systems with everything that a module may contain.
 pub(crate) const SYSTEMS: [&str; 16] = [
     DOUBLE_PENDULUM,
     "struct Chain; param k[3] = [10.0, 20.0, 30.0]; input push = 1; coord x[3] = [0.1, 0.2, 0.3];

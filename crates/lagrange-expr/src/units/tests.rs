@@ -4,8 +4,10 @@ use super::{Dimension, Scale, Unit, UnitFactor, described, meaning, names, spell
 use crate::number::Number;
 
 /// Values in units of the SI, as numerator and denominator, with exponents of kg, m, s, A, K, mol
-/// and cd; from the SI brochure (9th edition, tables 2 to 8), the definition of the yard and the
-/// pound of 1959, and the NIST Guide to the SI, appendix B.8.
+/// and cd.
+///
+/// Sources: SI brochure (9th edition, tables 2 to 8); definition of the yard and the pound of 1959;
+/// NIST Guide to the SI, appendix B.8.
 const VALUES: [(&str, &str, &str, i32, [i8; 7]); 53] = [
     ("%", "1", "100", 0, [0; 7]),
     ("kg", "1", "1", 0, [1, 0, 0, 0, 0, 0, 0]),

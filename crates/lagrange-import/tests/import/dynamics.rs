@@ -1,4 +1,4 @@
-//! Accelerations of what is imported are those that Pinocchio computes from the same file.
+//! Accelerations of imported robots equal those that Pinocchio computes from the same file.
 
 use lagrange_import::urdf::{Import, Options};
 
@@ -7,7 +7,7 @@ use crate::reference::{derive, largest_difference, states};
 
 const TOLERANCE: f64 = 1e-11;
 
-/// `every_joint.urdf` as it was written.
+/// `every_joint.urdf` as imported.
 mod compiled {
     include!("../data/every_joint.rs");
 }
@@ -60,7 +60,7 @@ fn planes_across_any_axis_move_as_prismatic_and_revolute_joints_do() {
     assert_agreement(&planar, &joined(&reference), "tilted_plane.urdf");
 }
 
-/// A line for each planar joint, made of those for the three joints in its place.
+/// Returns a line for each planar joint, made of those for the three joints in its place.
 fn joined(reference: &str) -> String {
     let mut lines = Vec::new();
     let parts = reference.lines().filter(|line| !line.starts_with(['#'])).collect::<Vec<_>>();

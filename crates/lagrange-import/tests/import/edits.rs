@@ -1,5 +1,5 @@
-//! Files that are damaged at random, or larger than anyone writes: all come to an end, and what is
-//! imported compiles.
+//! Randomly damaged files, and files larger than anyone writes: every import ends, and imported
+//! declarations compile.
 
 use std::env;
 use std::time::Instant;
@@ -10,11 +10,11 @@ use lagrange_import::urdf::{Options, import};
 use crate::files::read;
 use crate::judge::{judged, options};
 
-/// Damaged files of each kind; `EDITS=10000 cargo test --release -p lagrange-import edits` tries
-/// more.
+/// Number of damaged files of each kind;
+/// `EDITS=10000 cargo test --release -p lagrange-import edits` tests more.
 const COUNT: usize = 100;
 
-/// Pieces that files are likely to hold at the wrong places.
+/// Pieces that files are likely to contain in the wrong places.
 const PIECES: [&str; 30] = [
     "",
     "0",
@@ -60,7 +60,7 @@ impl Random {
     }
 }
 
-/// The nearest place up to here between two characters.
+/// Returns the last boundary between two characters up to an index.
 fn boundary(text: &str, mut place: usize) -> usize {
     while !text.is_char_boundary(place) {
         place -= 1;
@@ -68,7 +68,7 @@ fn boundary(text: &str, mut place: usize) -> usize {
     place
 }
 
-/// A stretch of bytes replaced by a piece.
+/// Replaces a range of bytes by a piece.
 fn damaged(text: &str, random: &mut Random) -> String {
     let start = boundary(text, random.below(text.len()));
     let end = boundary(text, (start + random.below(12)).min(text.len())).max(start);
@@ -76,7 +76,7 @@ fn damaged(text: &str, random: &mut Random) -> String {
     [&text[..start], piece, &text[end..]].concat()
 }
 
-/// A line left out, doubled, moved, or with another value of an attribute.
+/// Removes, doubles or moves a line, or changes the value of an attribute.
 fn edited(text: &str, random: &mut Random) -> String {
     let mut lines = text.lines().map(str::to_owned).collect::<Vec<_>>();
     let index = random.below(lines.len());
@@ -144,11 +144,12 @@ fn deep_and_long_files_come_to_an_end() {
     import(&number, &Options::default()).expect_err("too large for a number");
 }
 
-/// Seconds for a file of 10,000 links with mistakes in each; work in the square of their number
-/// takes minutes.
+/// Seconds allowed for a file of 10,000 links with a mistake in each. Quadratic work would take
+/// minutes.
 const MAX_SECONDS: f64 = 30.0;
 
-/// A robot of as many links and joints with this text for each, in which `#` is its number.
+/// Returns a robot with this number of links and joints and this text for each, in which `#` is its
+/// number.
 fn many(count: usize, each: &str) -> String {
     let parts = (0..count).map(|number| each.replace('#', &number.to_string()));
     format!("<robot name=\"many\">{}</robot>", parts.collect::<String>())
@@ -158,19 +159,19 @@ fn many(count: usize, each: &str) -> String {
 fn many_mistakes_take_as_long_as_as_many_files_with_one() {
     let count = 10_000;
     let files = [
-        // On one line, and on one for each.
+        // All on one line, and one per line.
         many(
             count,
             "<link name=\"a#\"><inertial><mass value=\"x\"/><inertia ixx=\"1\"/></inertial><none#/></link>",
         ),
         many(count, "<link name=\"a#\" b=\"1\"/>\n"),
         many(count, "<link name=\"a\"/>\n"),
-        // Names of which none is known, and all of which are alike.
+        // Names that are all unknown, and all alike.
         many(
             count,
             "<link name=\"a#\"/><joint name=\"j#\" type=\"fixed\"><parent link=\"b#\"/><child link=\"c#\"/></joint>\n",
         ),
-        // Joints in circles: one of all, and many.
+        // Joints in circles: a single one, and many.
         many(
             count,
             "<link name=\"a#\"/><joint name=\"j#\" type=\"fixed\"><parent link=\"a#\"/><child link=\"a#\"/><mimic joint=\"j#\"/></joint>",
@@ -198,7 +199,7 @@ fn many_mistakes_take_as_long_as_as_many_files_with_one() {
     }
 }
 
-/// A chain of joints each of which mimics the next, the last one the first.
+/// Returns a chain of joints, each of which mimics the next, and the last one the first.
 fn mimicking(count: usize) -> String {
     let joint = |number: usize| {
         format!(
@@ -225,7 +226,7 @@ fn listings_show_some_mistakes_and_count_the_others() {
     );
 }
 
-/// Links whose names have no letters of identifiers are numbered.
+/// Links are numbered if their names contain no letters of identifiers.
 #[test]
 fn many_equal_names_take_as_long_as_others() {
     let links = many(3000, "<link name=\"関\u{4e00}#\u{4e01}\"/>")

@@ -1,19 +1,18 @@
-//! What says how a robot moves is read or refused, whoever wrote it and however; what does not is
-//! left out with a warning.
+//! Elements that affect the motion are read or refused, whatever tool wrote them. Others are
+//! skipped with a warning.
 
 use lagrange_import::urdf::{Options, import};
 
 use crate::judge::judged;
 use crate::mistakes::{GOOD, said};
 
-/// The good file with one piece in the place of another.
+/// Returns the good file with one piece replaced by another.
 fn edited(piece: &str, other: &str) -> String {
     assert!(GOOD.contains(piece), "{piece}");
     GOOD.replacen(piece, other, 1)
 }
 
-/// Elements and attributes that change what moves, at places where they are not known: each is an
-/// error.
+/// Elements and attributes that change the motion are errors where they are unknown.
 #[test]
 fn nothing_that_changes_the_motion_is_left_out() {
     let cases = [
@@ -79,12 +78,12 @@ fn elements_of_other_namespaces_are_none_of_the_robot() {
     );
     let undeclared = import(&edited("</robot>", foreign), &Options::default()).expect_err("no such prefix");
     assert_eq!(undeclared[0].help.as_deref(), Some("declare the prefix: `<robot xmlns:drake=\"drake\" …>`"));
-    // A namespace for the whole file is that of its links.
+    // A namespace of the whole file is also that of its links.
     let whole = edited("<robot name=\"r\">", "<robot name=\"r\" xmlns=\"http://www.ros.org\">");
     assert_eq!(import(&whole, &Options::default()).expect("a robot").declaration, plain);
 }
 
-/// The line of the joint whose origin has these attributes.
+/// Returns the line of the joint whose origin has these attributes.
 fn joint(attributes: &str) -> String {
     let text = edited("xyz=\"0 0 1\" rpy=\"0 0 0\"", attributes);
     let declaration = import(&text, &Options::default()).expect("a robot").declaration;
@@ -102,7 +101,7 @@ fn quaternions_turn_as_roll_pitch_and_yaw_do() {
         [0.0, 0.0, 2.5],
         [0.0, std::f64::consts::FRAC_PI_2, 0.7],
     ] {
-        // The product of three turns about coordinate axes, by half angles.
+        // The product of three rotations about coordinate axes, by half angles.
         let [(sr, cr), (sp, cp), (sy, cy)] = rpy.map(|angle: f64| (0.5 * angle).sin_cos());
         let quaternion = [
             sr * cp * cy - cr * sp * sy,
@@ -123,7 +122,7 @@ fn quaternions_turn_as_roll_pitch_and_yaw_do() {
     );
 }
 
-/// Roll, pitch and yaw of a joint as it was written.
+/// Returns roll, pitch and yaw of a joint as written.
 fn angles(line: &str) -> [f64; 3] {
     let Some((_, behind)) = line.split_once("turned: (") else { return [0.0; 3] };
     let (list, _) = behind.split_once(')').expect("a list");
@@ -156,7 +155,7 @@ fn orientations_that_are_none_are_mistakes() {
     }
 }
 
-/// The compiler refuses characters in comments that turn the direction of others.
+/// The compiler refuses characters in comments that reverse the direction of text.
 #[test]
 fn names_reach_the_declaration_in_letters_that_are_seen() {
     let names = ["a\u{202e}b", "\u{2066}x\u{2069}", "n\u{200b}n", "\u{feff}", "ok\u{85}\u{ad}", "`*/ \n//"];
@@ -177,7 +176,7 @@ fn names_reach_the_declaration_in_letters_that_are_seen() {
     assert!(declaration.expect("a robot").declaration.contains(&format!("Joint `{name}` of the file.")));
 }
 
-/// One link on a joint, with a base that has nothing and these moments of inertia.
+/// Returns one link on a joint, with an empty base and these moments of inertia.
 fn thin(moments: [&str; 3], joint: &str) -> String {
     let [xx, yy, zz] = moments;
     edited("ixx=\"1\" iyy=\"1\" izz=\"1\"", &format!("ixx=\"{xx}\" iyy=\"{yy}\" izz=\"{zz}\""))

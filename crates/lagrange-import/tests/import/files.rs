@@ -1,4 +1,4 @@
-//! Files of the tests.
+//! Files for the tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};

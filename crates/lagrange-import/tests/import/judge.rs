@@ -1,16 +1,17 @@
-//! The verdict on any text: it is refused with words, or what is imported compiles.
+//! The verdict on any text: either it is refused with an error, or the imported declaration
+//! compiles.
 //!
-//! The fuzz target `urdf` has no other.
+//! The fuzz target `urdf` uses the same verdict.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::parse;
 use lagrange_import::urdf::{Import, Options, import};
 
-/// Longer declarations are read again, but no equations derived: that takes the time of thousands
-/// of short ones.
+/// Length above which declarations are parsed again but not derived, which takes the time of
+/// thousands of short ones.
 const MAX_DERIVED: usize = 1500;
 
-/// Options by the bits of a number.
+/// Selects options by the bits of a number.
 pub(crate) fn options(bits: usize) -> Options {
     Options {
         is_free: bits & 1 != 0,
@@ -24,10 +25,10 @@ pub(crate) fn options(bits: usize) -> Options {
     }
 }
 
-/// Imports a text. The result is true if it was accepted.
+/// Imports a text. Returns true if it was accepted.
 ///
 /// # Panics
-/// If it is refused without an error, or accepted although its declaration is not.
+/// Panics if the text is refused without an error, or accepted with an invalid declaration.
 pub(crate) fn judged(text: &str, options: &Options) -> bool {
     match import(text, options) {
         Ok(Import { declaration, .. }) => {

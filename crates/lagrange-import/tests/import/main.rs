@@ -1,5 +1,5 @@
-//! Robots of the tests, as declarations: how they are written, how they move, and what is said of
-//! files that are wrong.
+//! Robots of the tests as declarations: their text, their motion, and the messages about wrong
+//! files.
 
 mod dynamics;
 mod edits;

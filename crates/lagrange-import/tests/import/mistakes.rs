@@ -1,11 +1,11 @@
-//! What is said of files that are wrong: line, element, what is wrong, what helps.
+//! Messages about wrong files: line, element, mistake, remedy.
 
 use lagrange_import::urdf::{Options, import};
 use lagrange_import::{Mistake, listing};
 
 use crate::files::{path, read};
 
-/// All that is said of a file, without help.
+/// Returns all messages about a file, without help.
 pub(crate) fn said(text: &str) -> Vec<String> {
     match import(text, &Options::default()) {
         Ok(imported) => imported.warnings.iter().map(first_line).collect(),
@@ -36,7 +36,7 @@ pub(crate) const GOOD: &str = r#"<robot name="r">
 </robot>
 "#;
 
-/// One piece of the good file in the place of another, and what is said then.
+/// Replacements of one piece of the good file by another, with the resulting messages.
 const EDITS: &[(&str, &str, &[&str])] = &[
     ("", "", &[]),
     (

@@ -1,4 +1,4 @@
-//! An imported robot beside what Pinocchio computes from the same file (`tools/urdf.py`, which
+//! An imported robot compared with Pinocchio's results for the same file (`tools/urdf.py`, which
 //! describes the lines of references).
 
 use lagrange_core::derive::StrategyChoice;
@@ -8,24 +8,24 @@ use lagrange_import::urdf::{Import, Motion};
 /// The name of the base in references.
 const BASE: &str = "root_joint";
 
-/// The equations of what was imported.
+/// Derives the equations of an imported robot.
 pub(crate) fn derive(imported: &Import) -> Result<Derived, String> {
     let statements = statements(&imported.declaration);
     let system = parse(statements).map_err(|report| report.to_string())?;
     system.derive(StrategyChoice::Cheapest).map_err(|report| report.to_string())
 }
 
-/// Returns the text within the macro.
+/// Returns returns the text within the macro.
 pub(crate) fn statements(declaration: &str) -> &str {
     let inner = declaration.strip_prefix("lagrange::system! {").and_then(|rest| rest.strip_suffix("}\n"));
     inner.expect("a declaration within the macro")
 }
 
-/// The largest difference of accelerations from those of a reference, as a fraction of the largest
-/// of a state or of one.
+/// Returns the largest difference of accelerations from those of a reference, as a fraction of the
+/// largest of a state or of one.
 ///
 /// # Errors
-/// If the two do not speak of the same joints.
+/// Returns an error if the two have different joints.
 pub(crate) fn largest_difference(
     imported: &Import,
     derived: &Derived,
@@ -41,18 +41,18 @@ pub(crate) fn largest_difference(
         }
         let differences =
             found.iter().zip(&expected).map(|(found, expected)| (found - expected).abs() / size);
-        // Not a number is the worst difference.
+        // NaN counts as the largest difference.
         worst =
             differences.fold(worst, |worst, difference| if difference <= worst { worst } else { difference });
     }
     Ok(worst)
 }
 
-/// Positions, velocities and accelerations of every state of a reference, in the order of the
-/// declaration.
+/// Returns positions, velocities and accelerations of every state of a reference, in the order of
+/// the declaration.
 ///
 /// # Errors
-/// If the two do not speak of the same joints.
+/// Returns an error if the two have different joints.
 pub(crate) fn states(imported: &Import, reference: &str) -> Result<Vec<[Vec<f64>; 3]>, String> {
     reference.split("state\n").skip(1).map(|state| state_of(&imported.motions, state)).collect()
 }

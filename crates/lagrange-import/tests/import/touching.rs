@@ -1,10 +1,10 @@
-//! Limits, dry friction and contacts: how they are written, and that what is written moves so.
+//! Limits, dry friction and contacts: their text, and the motion that follows.
 
 use lagrange_import::urdf::{Options, import};
 
 use crate::writing::robot;
 
-/// Everything that a declaration may have of limits, friction and contacts.
+/// Returns options with all limits, friction and contacts.
 fn all() -> Options {
     Options {
         has_inputs: true,
@@ -15,7 +15,8 @@ fn all() -> Options {
     }
 }
 
-/// A leg with a motor, limits that leave out zero, dry friction, a ball as its foot and a box.
+/// Returns a leg with a motor, limits that exclude zero, dry friction, a ball as its foot and a
+/// box.
 fn leg() -> String {
     let shapes = r#"<collision><origin xyz="0 0 -0.2"/><geometry><sphere radius="0.02"/></geometry></collision>
         <collision><origin xyz="0.1 0 0" rpy="0 0 1.5707963267948966"/><geometry><box size="0.4 0.2 0.1"/></geometry></collision>
@@ -62,7 +63,7 @@ fn stops_friction_and_contacts_are_written_if_they_are_wanted() {
     );
 }
 
-/// Messages without help, of warnings or of mistakes.
+/// Returns messages without help, of warnings or errors.
 fn messages(text: &str, options: &Options) -> Vec<String> {
     let mistakes = import(text, options).map_or_else(|mistakes| mistakes, |imported| imported.warnings);
     mistakes.into_iter().map(|mistake| mistake.message).collect()
@@ -112,7 +113,7 @@ fn what_keeps_its_height_is_no_contact_and_what_cannot_slip_has_no_friction() {
     let options = Options { has_contacts: true, ..Options::default() };
     let level = "its collision shape stays at a constant height, so no contact is added";
     assert_eq!(messages(&about_the_vertical, &options), [level]);
-    // The axis is horizontal, by turns that are written with few digits.
+    // The axis is horizontal, by rotations written with few digits.
     let turned = robot(sphere, r#"<origin rpy="1.5708 0 0.3"/><axis xyz="0 0 1"/>"#);
     let written = import(&turned, &options).expect("a robot");
     assert!(written.warnings.is_empty() && written.declaration.contains("{ friction: mu; radius: 0.1; }"));

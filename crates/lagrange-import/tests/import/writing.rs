@@ -1,6 +1,6 @@
-//! How declarations are written, and that they are read as they are meant.
+//! The text of declarations, which must be read with the intended meaning.
 //!
-//! `UPDATE_GOLDEN=1 cargo test -p lagrange-import` writes the golden files: read what changed.
+//! `UPDATE_GOLDEN=1 cargo test -p lagrange-import` writes the golden files: review the diff.
 
 use std::{env, fs};
 
@@ -72,7 +72,7 @@ fn declarations_are_as_wide_as_a_screen_and_end_no_line_in_a_blank() {
     }
 }
 
-/// A robot of one link on a joint.
+/// Returns a robot with one link on a joint.
 pub(crate) fn robot(link: &str, joint: &str) -> String {
     format!(
         r#"<robot name="r"><link name="base"/><link name="arm"><inertial><mass value="1"/>

@@ -1,4 +1,4 @@
-//! Compiled code beside the interpreter.
+//! Compiled code compared with the interpreter.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, LazyLock};
@@ -23,10 +23,10 @@ const CORNERS: [f64; 12] = [
     1e308,
     1e22,
 ];
-/// Random vectors, of which the second half has corners among its numbers.
+/// Number of random vectors; the second half contains corners.
 const VECTORS: u64 = 16;
 
-/// The compiler, one for all programs.
+/// A single compiler for all programs.
 static COMPILER: LazyLock<Arc<Compiler>> =
     LazyLock::new(|| Compiler::for_this_processor().expect("a known processor"));
 
@@ -35,11 +35,11 @@ static COMPILER: LazyLock<Arc<Compiler>> =
 pub(crate) struct Checked {
     /// Programs.
     pub(crate) programs: usize,
-    /// Programs that are left to the interpreter.
+    /// Programs left to the interpreter.
     pub(crate) too_large: usize,
-    /// Outputs that were compared.
+    /// Compared outputs.
     pub(crate) outputs: usize,
-    /// Outputs that were compared and are finite.
+    /// Compared outputs that are finite.
     pub(crate) finite: usize,
     /// Names of the operations in the programs.
     pub(crate) kinds: BTreeSet<String>,
@@ -88,7 +88,7 @@ pub(crate) fn are_same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }
 
-/// Functions that solve equations.
+/// Returns functions that solve equations.
 pub(crate) fn solving(solutions: &[NewtonProgram]) -> Call {
     let solutions = solutions.to_vec();
     let none = |_: &Opaque, _: &[f64]| vec![f64::NAN];
@@ -133,7 +133,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A number of size one, or, for later vectors, sometimes a corner.
+    /// Draws a number of order one or, for later vectors, sometimes a corner.
     fn number(&mut self, vector: u64) -> f64 {
         let (choice, fraction) = (self.next(), (self.next() >> 11) as f64 / (1_u64 << 53) as f64);
         if vector >= VECTORS / 2 && choice % 4 < vector % 4 {

@@ -2,7 +2,7 @@
 
 use crate::rows::{ROWS, Row};
 
-/// Arguments, the value rounded to a double, and what is missing of it in units in its last place.
+/// Arguments, the value rounded to a double, and its remainder in units in the last place.
 struct Stored {
     at: [f64; 2],
     value: f64,
@@ -28,8 +28,7 @@ fn unit_in_last_place(x: f64) -> f64 {
     f64::from_bits(magnitude.to_bits() + 1) - f64::from_bits(magnitude.to_bits())
 }
 
-/// The largest error in units in the last place, with its bound left out where results are
-/// subnormal.
+/// Asserts the bounds on errors in units in the last place, and prints the largest error.
 #[track_caller]
 fn assert_bounded(row: &Row, fused: bool) {
     let mut largest = (0.0, [0.0; 2]);
@@ -63,7 +62,7 @@ fn sweep() {
     for row in &ROWS {
         let of_row = stored(row);
         for count in 0..60_000 {
-            // Between two arguments of the reference, so that all scales and all borders are met.
+            // Between two arguments of the reference, so that all scales and boundaries occur.
             let mut draw = || &of_row[random.bits() as usize % of_row.len()].at;
             let (first, second) = (draw(), draw());
             let part = random.fraction().powi(1 + count % 5);

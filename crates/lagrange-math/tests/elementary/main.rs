@@ -1,4 +1,4 @@
-//! Elementary functions of several numbers beside values with 300 bits.
+//! Elementary functions of several numbers, against values with 300 bits.
 
 mod accuracy;
 mod promises;

@@ -1,5 +1,4 @@
-//! Special values, symmetry, what is beyond the formulas, and that numbers do not disturb each
-//! other.
+//! Special values, symmetry, arguments beyond the formulas, and independence of lanes.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -18,7 +17,7 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// Between 0 and 1.
+    /// Draws a number between 0 and 1.
     pub(crate) fn fraction(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * 2.0_f64.powi(-53)
     }
@@ -110,7 +109,7 @@ fn special_points_are_those_of_the_platform() {
     assert_eq!(lengths_f32::<true, 2>([3.0, 1e30], [-4.0, 0.0]), [5.0, 1e30]);
 }
 
-/// Every number beside neighbours of all kinds.
+/// Tests every number beside neighbours of all kinds.
 fn are_the_same_in_company<const N: usize, const FUSED: bool>(random: &mut Random) {
     let bits = |numbers: [f64; N]| numbers.map(|x| if x.is_nan() { 0 } else { x.to_bits() });
     for case in 0..10 {

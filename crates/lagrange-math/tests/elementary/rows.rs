@@ -1,18 +1,18 @@
-//! Functions by their names, and how far they may be off.
+//! Functions by name, with bounds on their errors.
 
 use lagrange_math::{Elementary, angles, lengths, power, values};
 
 pub(crate) struct Row {
     pub(crate) name: &'static str,
-    /// Whether it has two arguments.
+    /// True if it has two arguments.
     pub(crate) of_two: bool,
-    /// Units in the last place, and the same where results are below the least normal number.
+    /// Bounds in units in the last place, for normal and for subnormal results.
     pub(crate) bounds: [f64; 2],
     of: fn(bool, [f64; 2]) -> f64,
 }
 
 impl Row {
-    /// The value with products that are fused or not.
+    /// Returns the value with fused or separate products.
     pub(crate) fn value(&self, fused: bool, at: [f64; 2]) -> f64 {
         (self.of)(fused, at)
     }

@@ -1,4 +1,4 @@
-//! Dense sweeps: every scale, every neighbourhood where something might go wrong.
+//! Dense sweeps: every scale, and every neighbourhood where errors are likely.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -9,7 +9,7 @@ use crate::double_double::{DoubleDouble, error_in_ulps, sin_cos};
 /// Sine and cosine of an angle.
 type SineAndCosine = fn(f64) -> (f64, f64);
 
-/// The functions of one angle, with bounds of their errors in units in the last place.
+/// The functions of one angle, with bounds on their errors in units in the last place.
 pub(crate) const FUNCTIONS: [(SineAndCosine, f64); 2] = [(fast, 0.9), (precise, 0.55)];
 
 pub(crate) fn fast(angle: f64) -> (f64, f64) {
@@ -21,7 +21,7 @@ pub(crate) fn precise(angle: f64) -> (f64, f64) {
     (sine, cosine)
 }
 
-/// The larger of both errors, in units in the last place.
+/// Returns the larger of both errors, in units in the last place.
 pub(crate) fn error((sine, cosine): (f64, f64), exact: (DoubleDouble, DoubleDouble)) -> f64 {
     error_in_ulps(sine, exact.0).max(error_in_ulps(cosine, exact.1))
 }
@@ -39,7 +39,7 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// Between 0 and 1.
+    /// Draws a number between 0 and 1.
     pub(crate) fn fraction(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * 2.0_f64.powi(-53)
     }

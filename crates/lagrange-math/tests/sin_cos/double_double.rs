@@ -1,7 +1,7 @@
 //! Sine and cosine with about a hundred bits, for dense comparisons: sums of two doubles (T. J.
 //! Dekker, "A floating-point technique for extending the available precision", Numerische
-//! Mathematik 18, 1971) and Taylor series. Nothing of it is shared with what it checks; `stored`
-//! holds it to values from another program.
+//! Mathematik 18, 1971) and Taylor series. It shares nothing with the functions under test;
+//! `stored` compares it with values from another program.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -51,7 +51,7 @@ impl DoubleDouble {
         DoubleDouble(-self.0, -self.1)
     }
 
-    /// Σ (−1)ᵏ x^(first + 2k) / (first + 2k)!, for |x| ≤ 1.
+    /// Returns Σ (−1)ᵏ x^(first + 2k) / (first + 2k)! for |x| ≤ 1.
     fn alternating_series(self, first: u8) -> DoubleDouble {
         let square = self.times(self);
         let mut term = if first == 0 { ONE } else { self };
@@ -65,7 +65,7 @@ impl DoubleDouble {
     }
 }
 
-/// x − n π/2 for the nearest n.
+/// Returns n and x − n π/2 for the nearest n.
 fn reduced(x: f64) -> (i64, DoubleDouble) {
     let n = (x * FRAC_2_PI).round();
     let parts = HALF_PI.map(|part| exact_product(-n, part));
@@ -74,7 +74,7 @@ fn reduced(x: f64) -> (i64, DoubleDouble) {
     (n as i64, rest.into_iter().fold(start, DoubleDouble::add))
 }
 
-/// Sine and cosine of an angle of at most 10⁵ in magnitude.
+/// Returns sine and cosine of an angle of at most 10⁵ in magnitude.
 pub(crate) fn sin_cos(x: f64) -> (DoubleDouble, DoubleDouble) {
     let (n, rest) = reduced(x);
     let (sine, cosine) = (rest.alternating_series(1), rest.alternating_series(0));
@@ -86,7 +86,7 @@ pub(crate) fn sin_cos(x: f64) -> (DoubleDouble, DoubleDouble) {
     }
 }
 
-/// How far a result is from a value, in units in the last place of the value.
+/// Returns the distance of a result from a value, in units in the last place of the value.
 pub(crate) fn error_in_ulps(found: f64, value: DoubleDouble) -> f64 {
     ((found - value.0) - value.1).abs() / unit_in_last_place(value.0)
 }

@@ -1,6 +1,6 @@
-//! Sine and cosine against values with many digits, and what else is promised of them.
+//! Sine and cosine against values with many digits, and their other guarantees.
 //!
-//! All bounds hold with and without fused products; `cargo xtask check` tries both where the
+//! All bounds hold with and without fused products; `cargo xtask check` tests both where the
 //! processor can.
 
 mod accuracy;

@@ -1,4 +1,4 @@
-//! Special values, symmetry, and that angles do not disturb each other.
+//! Special values, symmetry, and independence of angles.
 
 use std::f64::consts::PI;
 
@@ -45,7 +45,7 @@ fn sine_is_odd_and_cosine_even_to_the_last_bit() {
     }
 }
 
-/// Every angle with its index and neighbours of all kinds around it.
+/// Tests every angle with its index among neighbours of all kinds.
 fn is_the_same_in_company<const N: usize>(random: &mut Random) {
     for case in 0..20 {
         let mut angles = std::array::from_fn::<f64, N, _>(|_| 10.0 * PI * (random.fraction() - 0.5));

@@ -11,7 +11,7 @@ const DARK: [u8; 3] = [68, 1, 84];
 const YELLOW: [u8; 3] = [253, 231, 37];
 const WHITE: [u8; 3] = [255; 3];
 
-/// Three cells side by side in two rows; the last one has no value.
+/// Returns a figure of three cells side by side in two rows; the last one has no value.
 fn map(scale: Scale) -> Figure {
     let values = vec![1.0, 10.0, 100.0, 100.0, 1.0, f64::NAN];
     let cells = Cells { name: "time".into(), scale, x: (0.0, 3.0), y: (-1.0, 1.0), columns: 3, values };

@@ -267,8 +267,8 @@ fn inertia_is_least_about_the_centre_of_mass() {
     }
 }
 
-/// A step ladder of two halves of length L = 2, hinged at the top, with the left foot at the origin
-/// and the right foot on the floor. The right half rotates about (2 L cos φ, 2 L sin φ).
+/// A step ladder has two halves of length L = 2, hinged at the top. Its left foot is at the origin,
+/// its right foot on the floor. The right half rotates about (2 L cos φ, 2 L sin φ).
 #[test]
 fn instantaneous_centre_of_a_ladder_is_on_a_circle_of_twice_its_length() {
     const LENGTH: f64 = 2.0;

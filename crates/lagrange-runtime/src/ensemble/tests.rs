@@ -60,7 +60,7 @@ fn rows_do_not_depend_on_chunks() {
     assert!(found.iter().all(|other| *other == found[0]));
 }
 
-/// Numbers of very different magnitudes, both signs and zeros.
+/// Returns numbers of very different magnitudes, both signs and zeros.
 fn numbers() -> Vec<f64> {
     let mut random = Random::start(1, 2);
     let number = |_| random.normal() * 10_f64.powi(random.uniform(-3.0..3.0) as i32);

@@ -1,5 +1,5 @@
-//! Contact points beside distances and depths that were found otherwise, and where blocks are
-//! parallel, touch or coincide.
+//! Contact points against distances and depths found in other ways, including parallel, touching
+//! and coincident blocks.
 
 use std::vec::Vec;
 
@@ -7,7 +7,7 @@ use super::{Block, Manifold, Touch, manifold, touches};
 use crate::linalg::space::norm;
 use crate::linalg::vector::{combined, difference, dot};
 
-/// `tools/manifold.py` writes it, and has the same generator.
+/// Data of `tools/manifold.py`, which has the same generator.
 const GAPS: &str = include_str!("tests/gaps.csv");
 
 const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -53,8 +53,8 @@ fn capsule(center: [f64; 3], axes: [[f64; 3]; 3]) -> Block<f64> {
     Block { center, axes, half: [0.0, 0.0, 1.0], radius: 0.25 }
 }
 
-/// Checks what holds of all contact points: places in their blocks, unit normals, gaps that are
-/// distances along the normal, and depths that separate.
+/// Checks properties of all contact points: they lie in their blocks, normals are unit vectors,
+/// gaps are distances along the normal, and depths separate.
 fn check(first: &Block<f64>, second: &Block<f64>, found: &Manifold<f64>) {
     for Touch { on_first, on_second, normal, gap } in found.touches() {
         assert!((norm(normal) - 1.0).abs() < 1e-12);
@@ -94,7 +94,7 @@ fn gaps_are_distances_and_depths() {
         assert!(error < 1.1e-9, "{number}: {} {expected} {first:?} {second:?}", found.gap());
         worst = worst.max(error);
         counts[usize::from(expected < 0.0)] += 1;
-        // The other way round, the normals are opposite.
+        // In the reverse order, the normals are opposite.
         let other = manifold(&second, &first);
         assert!((other.gap() - found.gap()).abs() < 1.1e-9 * size, "{number}");
     }

@@ -17,7 +17,7 @@ impl OdeSystem for Oscillator {
     }
 }
 
-/// The same oscillator in single precision.
+/// An oscillator in single precision.
 struct Short;
 
 impl OdeSystem for Short {

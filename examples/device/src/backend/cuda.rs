@@ -20,7 +20,7 @@ struct Cuda {
     stream: Arc<CudaStream>,
 }
 
-/// All devices of the driver.
+/// Returns all devices of the driver.
 pub(super) fn devices() -> Found {
     // SAFETY: these only try to load the libraries.
     let (driver, compiler) =
@@ -48,7 +48,7 @@ impl Cuda {
         Ok(Cuda { description, stream: context.default_stream(), context })
     }
 
-    /// Calls the kernel until no motion has steps to go.
+    /// Calls the kernel until no motion has steps left.
     fn advance<T: DeviceRepr + Copy>(
         &self,
         kernel: &CudaFunction,

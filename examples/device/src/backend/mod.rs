@@ -1,4 +1,4 @@
-//! Ways to a device: OpenCL and CUDA.
+//! APIs that lead to a device: OpenCL and CUDA.
 
 #[cfg(feature = "cuda")]
 mod cuda;
@@ -10,7 +10,7 @@ pub(crate) use self::work::{Method, Status, Work};
 
 use crate::error::DeviceError;
 
-/// A device as one of the two ways leads to it.
+/// A device under one of the two APIs.
 pub(crate) trait Backend: Run<f64> + Run<f32> {
     fn description(&self) -> &Description;
 }
@@ -24,15 +24,15 @@ pub(crate) trait Run<T> {
 /// The name and abilities of a device.
 pub(crate) struct Description {
     pub(crate) name: String,
-    /// True if it is a graphics processor, and not a processor that plays one.
+    /// True for a graphics processor, false for a processor that emulates one.
     pub(crate) is_graphics: bool,
     pub(crate) has_doubles: bool,
 }
 
-/// The devices that one way leads to, or why it leads to none.
+/// The devices of one API, or the reason why there are none.
 type Found = Result<Vec<Box<dyn Backend>>, String>;
 
-/// All devices, and why there are no others.
+/// Returns all devices, and the reasons why there are no others.
 pub(crate) fn devices() -> (Vec<Box<dyn Backend>>, Vec<String>) {
     let ways: &[fn() -> Found] = &[
         #[cfg(feature = "cuda")]
@@ -53,5 +53,6 @@ pub(crate) fn devices() -> (Vec<Box<dyn Backend>>, Vec<String>) {
 /// Threads of a group; the number of threads is a multiple of it.
 const GROUP: u32 = 64;
 
-/// Steps of one call: short enough for devices that also drive a screen and end what takes seconds.
+/// Number of steps per call, small enough for devices that also drive a screen and abort calls of
+/// several seconds.
 const BUDGET: u32 = 1000;

@@ -25,11 +25,11 @@ struct OpenCl {
     queue: CommandQueue,
 }
 
-/// One thread at a time looks for devices: to a second one PoCL shows those that the first has not
-/// made ready yet.
+/// Lock so that only one thread looks for devices at a time. PoCL shows a second thread devices
+/// that the first has not yet initialised.
 static LOOKING: Mutex<()> = Mutex::new(());
 
-/// All devices of all platforms.
+/// Returns all devices of all platforms.
 pub(super) fn devices() -> Found {
     let _looking = LOOKING.lock().unwrap_or_else(PoisonError::into_inner);
     let platforms =
@@ -48,7 +48,7 @@ impl OpenCl {
     fn open(id: cl_device_id) -> Result<OpenCl, ClError> {
         let device = Device::new(id);
         let context = Context::from_device(&device)?;
-        // What came later is not there in OpenCL 1.2.
+        // The newer function does not exist in OpenCL 1.2.
         let queue = CommandQueue::create_default(&context, 0)?;
         let description = Description {
             name: format!("{} (OpenCL)", device.name()?.trim()),
@@ -58,7 +58,7 @@ impl OpenCl {
         Ok(OpenCl { description, context, queue })
     }
 
-    /// Calls the kernel until no motion has steps to go.
+    /// Calls the kernel until no motion has steps left.
     fn advance<T: Copy>(&self, kernel: &Kernel, work: &mut Work<T>) -> Result<(), ClError> {
         let (states, parameters) = (self.filled(&work.states)?, self.filled(&work.parameters)?);
         let (times, controls) = (self.filled(&work.times)?, self.filled(&work.controls)?);
@@ -92,7 +92,7 @@ impl OpenCl {
         self.read(&controls, &mut work.controls)
     }
 
-    /// Memory of the device with these values.
+    /// Returns memory of the device with these values.
     fn filled<T: Copy>(&self, values: &[T]) -> Result<Buffer<T>, ClError> {
         // SAFETY: the memory is the device's own, and as long as the data written to it before
         // anything reads it. The call returns when `values` are no longer needed.
@@ -104,7 +104,8 @@ impl OpenCl {
     }
 
     fn read<T: Copy>(&self, buffer: &Buffer<T>, values: &mut [T]) -> Result<(), ClError> {
-        // SAFETY: the buffer was made for as many values, and the call returns when they are there.
+        // SAFETY: the buffer was made for this number of values, and the call returns when they
+        // have arrived.
         unsafe { self.queue.enqueue_read_buffer(buffer, CL_BLOCKING, 0, values, &[]) }.map(|_| ())
     }
 

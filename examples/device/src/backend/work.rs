@@ -1,4 +1,4 @@
-//! Columns that are transferred to and from a device.
+//! Columns transferred to and from a device.
 
 /// A method of integration by its kernel in `methods.c`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -37,7 +37,7 @@ impl Status {
         }
     }
 
-    /// True if any motion has steps to go.
+    /// True if any motion has steps left.
     pub(crate) fn any_running(numbers: &[u32]) -> bool {
         numbers.iter().any(|number| Status::of(*number) == Status::Running)
     }
@@ -49,21 +49,21 @@ pub(crate) struct Work<T> {
     pub(crate) motions: u32,
     /// Positions, then velocities.
     pub(crate) states: Vec<T>,
-    /// Parameters, then inputs; never empty, since buffers may not be.
+    /// Parameters, then inputs; never empty, since buffers must not be.
     pub(crate) parameters: Vec<T>,
     pub(crate) times: Vec<T>,
     /// The length of the next step, zero before the first; the error of the last; the part of the
-    /// time that rounding cut off.
+    /// time lost by rounding.
     pub(crate) controls: Vec<T>,
     /// Steps so far.
     pub(crate) taken: Vec<u32>,
     /// Numbers of [`Status`].
     pub(crate) statuses: Vec<u32>,
     pub(crate) end: T,
-    /// Length of a step, of the method that has equal ones; the longest, of the other.
+    /// Step length of the method with equal steps, or the longest step of the other method.
     pub(crate) step: T,
     pub(crate) relative: T,
     pub(crate) absolute: T,
-    /// The most steps of a motion.
+    /// The largest number of steps of a motion.
     pub(crate) most: u32,
 }

@@ -1,4 +1,4 @@
-//! The text that CUDA compiles, as C with the words of CUDA defined away: a loop stands for the
+//! The text that CUDA compiles, as C with the keywords of CUDA defined away: a loop stands for the
 //! threads.
 
 use std::fmt::Write;
@@ -19,7 +19,7 @@ lagrange::system! {
 const WORDS: &str = "#define _GNU_SOURCE\n#include <math.h>\n#include <stdio.h>\n#define __CUDACC__\n#define __device__\n\
     #define __global__\n#define __forceinline__ inline\nstatic struct { unsigned int x; } blockIdx, blockDim = { 64 }, threadIdx;\n";
 
-/// Two motions by both methods, one after the other.
+/// Returns a program for two motions by both methods, one after the other.
 fn program() -> String {
     let mut calls = String::new();
     for (method, settings) in [("runge_kutta_4", "1e-3, 0.0, 0.0"), ("dormand_prince", "0.1, 1e-12, 1e-12")] {
@@ -71,7 +71,7 @@ fn threads_one_after_the_other_compute_motions() {
     compare(starts.map(|(l, start)| end(&Verner98::tolerance(1e-13), l, start)), 1e-9);
 }
 
-/// Where the scalar code ends.
+/// Returns the end of the scalar code.
 fn end(method: &impl Method<Pendulum>, l: f64, start: [f64; 2]) -> [f64; 2] {
     let pendulum = Pendulum { l, ..Pendulum::default() };
     let mut stepper = method.start(&pendulum, 0.0, &start, 2.0).expect("a start");

@@ -1,7 +1,7 @@
 //! Accelerations of all references without constraints, from the device and from the scalar code.
 //!
-//! Without a device nothing is compared, which is said; `LAGRANGE_DEVICE=required` makes that an
-//! error.
+//! Without a device nothing is compared, and a message reports that; `LAGRANGE_DEVICE=required`
+//! makes it an error.
 
 mod cuda;
 
@@ -13,15 +13,15 @@ use crate::backend::{Method, Work};
 use crate::device::Device;
 use reference::{Reference, names};
 
-/// Only what is asked of it here.
+/// Only some of its items are used here.
 #[path = "../../../../tests/oracle/reference.rs"]
 #[allow(dead_code, reason = "other tests compare more")]
 mod reference;
 
-/// A kernel with the arguments of a method that puts accelerations in the place of the velocities.
+/// A kernel with the arguments of a method, which replaces the velocities by accelerations.
 const ACCELERATIONS: &str = include_str!("accelerations.c");
 
-/// The device, unless there is none and that is no error.
+/// Returns the device, unless there is none and none is required.
 pub(crate) fn device() -> Option<Device> {
     match Device::open() {
         Ok(device) => Some(device),
@@ -33,7 +33,7 @@ pub(crate) fn device() -> Option<Device> {
     }
 }
 
-/// A reference, compiled, with a test of its own.
+/// Declares a reference, compiled, with its own test.
 macro_rules! declare {
     ($name:ident, $($key:ident: $word:ident),*; $($declaration:tt)*) => {
         mod $name {
@@ -88,7 +88,7 @@ fn acceleration<M: MechanicalSystem<Scalar = f64>>(system: &M, t: f64, q: &[f64]
     system.acceleration(t, &positions, &velocities).as_ref().to_vec()
 }
 
-/// One motion at a state.
+/// Returns one motion at a state.
 fn work_at<M: KernelSystem<Scalar = f64>>(system: &M, t: f64, state: &[f64]) -> Work<f64> {
     Work {
         method: Method::RungeKutta4,

@@ -69,8 +69,9 @@ fn a_heavy_top_ignores_two_angles() {
     });
 }
 
-/// A charge in the field B along z, L = ½ m (ẋ² + ẏ²) + b x ẏ − V: R = ½ m ẋ² − (p − b x)²/(2 m) −
-/// V (Landau and Lifshitz, *Quantum Mechanics*, §112, where p is that of an oscillator about p/b)
+/// A charge in the field B along z has `L = ½ m (ẋ² + ẏ²) + b x ẏ − V` and
+/// `R = ½ m ẋ² − (p − b x)²/(2 m) − V` (Landau and Lifshitz, *Quantum Mechanics*, §112, where it
+/// oscillates about p/b).
 #[test]
 fn a_charge_in_a_field_oscillates() {
     let text = "param m, b, k; coord x, y;

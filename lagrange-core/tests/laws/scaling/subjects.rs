@@ -2,7 +2,7 @@
 
 use lagrange_core::model::{Availability, Extent, Product};
 
-/// A declaration, with the powers of the units of mass and of length in its parameters, coordinates
+/// A declaration, with the powers of mass and length in the units of its parameters, coordinates
 /// and constraints.
 #[derive(Debug)]
 pub(super) struct Subject {
@@ -14,8 +14,8 @@ pub(super) struct Subject {
     pub(super) coordinates: Vec<i32>,
     /// The power of length in the unit of each constraint.
     pub(super) constraints: Vec<i32>,
-    /// States lie in this distance from zero: constraints that follow from each other in one
-    /// configuration only have solutions there.
+    /// Largest distance of states from zero. Constraints that become dependent in one configuration
+    /// have solutions only near it.
     pub(super) spread: f64,
 }
 
@@ -67,7 +67,7 @@ macro_rules! constrained {
     };
 }
 
-/// Without constraints.
+/// Returns systems without constraints.
 pub(super) fn free() -> Vec<Subject> {
     let three = "m1 m2 m3: mass; l1 l2 l3 g: length";
     vec![
@@ -134,7 +134,7 @@ pub(super) fn free() -> Vec<Subject> {
     ]
 }
 
-/// With constraints that are independent.
+/// Returns systems with independent constraints.
 pub(super) fn constrained() -> Vec<Subject> {
     vec![
         Subject::new("ladder", constrained!("ladder_on_wall"), "m: mass; l g: length", &[1, 1, 0], &[1, 1]),
@@ -191,7 +191,7 @@ pub(super) fn constrained() -> Vec<Subject> {
     ]
 }
 
-/// With constraints that depend on each other, in all configurations or in one.
+/// Returns systems with dependent constraints, in all configurations or in one.
 pub(super) fn dependent() -> Vec<Subject> {
     let plain = |kinetic: &str| {
         format!(
@@ -255,21 +255,21 @@ const TABLE: &str = "param m = 1, l = 1, g = 9.81; coord z, a, b;
     constraint one = z + l * a - l * b; constraint two = z + l * a + l * b;
     constraint three = z - l * a - l * b; constraint four = z - l * a + l * b;";
 
-/// Two rods in one line, whose end is held: across the line the constraint does not depend on one
-/// angle but for its square.
+/// Two aligned rods whose end is held. Across their line the constraint depends on one angle only
+/// through its square.
 const DEAD_POINT: &str = "param m = 1, l = 1, g = 9.81; coord a, b;
     let (x, y) = (l * sin(a) + l * sin(b), -l * cos(a) - l * cos(b));
     kinetic = 1/2 * m * l^2 * (dot(a)^2 + dot(b)^2); potential = m * g * y + m * g * l * a;
     constraint across = x; constraint along = y + 2 * l;";
 
-/// Three oscillators in one line, of which one has an inertia that couples all.
+/// Three oscillators in one line; the inertia of one of them couples all.
 const OSCILLATORS: &str = "param m0 = 1, m1 = 2, m2 = 3, k = 5, c = 0.3, f = 2; input push = 1.5; coord x[3];
     kinetic = kinetic_energy(m0, dot(x[0])) + kinetic_energy(m1, dot(x[1])) + kinetic_energy(m2, dot(x[2]));
     kinetic = 1/2 * m0 * (dot(x[0]) + dot(x[1]) / 3 + dot(x[2]))^2;
     potential = spring_energy(k, x[0] - x[1]) + spring_energy(k, x[1] - x[2]);
     dissipation = 1/2 * c * (dot(x[1]) - dot(x[2]))^2; force x[0] = push + f;";
 
-/// Five rods, each of which feels all that it carries.
+/// Five rods, each affected by all that it carries.
 const CHAIN: &str = "param j = 1; coord x0, x1, x2, x3, x4;
     kinetic = 1/2*5*j*dot(x0)^2 + 1/2*4*j*dot(x1)^2 + 1/2*3*j*dot(x2)^2 + 1/2*2*j*dot(x3)^2 + 1/2*1*j*dot(x4)^2
         + 4*j*cos(x0-x1)*dot(x0)*dot(x1) + 3*j*cos(x0-x2)*dot(x0)*dot(x2) + 2*j*cos(x0-x3)*dot(x0)*dot(x3)
@@ -278,7 +278,7 @@ const CHAIN: &str = "param j = 1; coord x0, x1, x2, x3, x4;
         + 1*j*cos(x3-x4)*dot(x3)*dot(x4);
     potential = 0 - 5*j*9.81*cos(x0) - 4*j*9.81*cos(x1) - 3*j*9.81*cos(x2) - 2*j*9.81*cos(x3) - 1*j*9.81*cos(x4);";
 
-/// Rods hung from each other in maximal coordinates, two constraints for each joint.
+/// Returns rods hung from each other in maximal coordinates, with two constraints for each joint.
 fn rods(n: usize, more: &str) -> String {
     let mut text = "param m = 1, l = 1, g = 9.81; let (ex0, ey0) = (0 * l, 0 * l);\n".to_owned();
     for k in 1..=n {
@@ -305,7 +305,7 @@ impl Subject {
         }
     }
 
-    /// Powers of mass and length in the units of a vector's entries.
+    /// Returns the powers of mass and length in the units of a vector's entries.
     pub(super) fn units(&self, extent: Extent) -> Vec<[i32; 2]> {
         let lengths = |powers: &[i32]| powers.iter().map(|power| [0, *power]).collect::<Vec<_>>();
         match extent {
@@ -314,22 +314,22 @@ impl Subject {
             Extent::LinearRows => [self.units(Extent::Tangent), self.units(Extent::Constraints)].concat(),
             Extent::Constraints => lengths(&self.constraints),
             Extent::Fields => self.parameters.iter().map(|(_, unit)| *unit).collect(),
-            // Its columns are chosen by the derivation.
+            // The derivation chooses its columns.
             Extent::Regressed => Vec::new(),
         }
     }
 
-    /// Those of forces that do work on entries with these lengths: energies by lengths.
+    /// Returns the units of forces on entries with these lengths, which are energies over lengths.
     fn forces(lengths: &[i32]) -> Vec<[i32; 2]> {
         lengths.iter().map(|length| [1, 2 - length]).collect()
     }
 
-    /// Those of multipliers.
+    /// Returns the units of multipliers.
     pub(super) fn multipliers(&self) -> Vec<[i32; 2]> {
         Subject::forces(&self.constraints)
     }
 
-    /// Those of a product's entries.
+    /// Returns the units of a product's entries.
     pub(super) fn units_of(&self, product: Product) -> Vec<[i32; 2]> {
         let slopes = |rows: Vec<[i32; 2]>, columns: Vec<[i32; 2]>| {
             let row =

@@ -1,4 +1,4 @@
-//! Random expressions of a dimension.
+//! Random expressions of a given dimension.
 
 use lagrange_core::expr::Function;
 
@@ -10,11 +10,11 @@ use crate::tree::{
 use super::quantities::Dimension;
 use super::{Atom, Generator, Level};
 
-/// How deep plain expressions nest.
+/// Largest nesting depth of plain expressions.
 const DEPTH: usize = 3;
 
 impl Generator {
-    /// An expression of a dimension.
+    /// Returns an expression of a dimension.
     pub(super) fn scalar(&mut self, dimension: Dimension, level: Level) -> Expr {
         let atoms = self.atoms.iter().filter(|atom| atom.dimension == dimension && atom.level <= level);
         let atoms = atoms.map(|atom| atom.expression.clone()).collect::<Vec<_>>();
@@ -37,7 +37,7 @@ impl Generator {
         multiply(quantity, plain)
     }
 
-    /// A plain number that stays of the order of one.
+    /// Returns a plain number of order one.
     pub(super) fn plain(&mut self, level: Level) -> Expr {
         self.nested(level, DEPTH)
     }
@@ -90,13 +90,13 @@ impl Generator {
         }
     }
 
-    /// 1 + x²
+    /// Returns 1 + x².
     fn above_one(&mut self, level: Level, depth: usize) -> Expr {
         let x = self.nested(level, depth - 1);
         add(number("1"), power(x, 2))
     }
 
-    /// What has kinks or jumps.
+    /// Returns an expression with kinks or jumps.
     fn kinked(&mut self, level: Level, depth: usize) -> Expr {
         let x = self.nested(level, depth - 1);
         match self.random.below(6) {
@@ -117,7 +117,7 @@ impl Generator {
         }
     }
 
-    /// What has kinks in derivatives that no equation of motion holds.
+    /// Returns an expression with kinks in derivatives that no equation of motion contains.
     fn smooth_kink(&mut self, level: Level, depth: usize) -> Expr {
         let x = self.nested(level, depth - 1);
         match self.random.below(4) {
@@ -132,7 +132,7 @@ impl Generator {
         }
     }
 
-    /// A function or a table of the declaration, an old one or a new one.
+    /// Applies a function or a table of the declaration, an old or a new one.
     fn applied(&mut self, level: Level, depth: usize) -> Expr {
         let argument = self.nested(level, depth - 1);
         let known = self.functions.iter().filter(|(_, least)| *least <= level);
@@ -169,7 +169,7 @@ impl Generator {
         function
     }
 
-    /// Declares a table, a smooth one unless it is for forces.
+    /// Declares a table, which is smooth unless it is for forces.
     fn table(&mut self, level: Level) -> String {
         let table = self.fresh("table");
         let count = 3 + self.random.below(4);
@@ -189,7 +189,7 @@ impl Generator {
         table
     }
 
-    /// Something that changes, as a plain number.
+    /// Returns a varying quantity as a plain number.
     pub(super) fn argument(&mut self, level: Level) -> Expr {
         let atoms = self.atoms.iter().filter(|atom| atom.level <= level).cloned().collect::<Vec<_>>();
         let Atom { expression, dimension, .. } = self.random.choice(&atoms).clone();
@@ -205,7 +205,7 @@ impl Generator {
         }
     }
 
-    /// Declares an unknown of an equation whose residual rises everywhere.
+    /// Declares the unknown of an equation whose residual increases everywhere.
     pub(super) fn unknown(&mut self, level: Level) {
         let unknown = self.fresh("y");
         let y = || name(&unknown);

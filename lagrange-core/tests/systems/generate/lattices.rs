@@ -1,4 +1,4 @@
-//! Many of a kind: arrays, loops and sums.
+//! Repeated structures: arrays, loops and sums.
 
 use lagrange_core::expr::Function;
 
@@ -16,7 +16,7 @@ impl Generator {
         if self.chance(2) { self.masses(count) } else { self.links(count) }
     }
 
-    /// Values for all elements, or for each.
+    /// Returns values for all elements, or for each.
     fn array(&mut self, stem: &str, count: i64, dimension: Dimension, [low, high]: [f64; 2]) -> String {
         let array = self.fresh(stem);
         let unit = self.coherent_unit(dimension);
@@ -36,7 +36,7 @@ impl Generator {
         array
     }
 
-    /// Masses on a line between springs that stiffen.
+    /// Declares masses on a line between stiffening springs.
     fn masses(&mut self, count: i64) {
         let stiffness = Dimension::FORCE.over(Dimension::LENGTH);
         let x = self.coordinates("x", count, Dimension::LENGTH);
@@ -110,7 +110,8 @@ impl Generator {
         self.say(Statement::Loop(count, statements));
     }
 
-    /// Links that hang from each other, by angles against the vertical or against each other.
+    /// Declares links that hang from each other, by angles relative to the vertical or to each
+    /// other.
     fn links(&mut self, count: i64) {
         let a = self.coordinates("a", count, Dimension::NONE);
         let m = self.array("m", count, Dimension::MASS, [0.5, 2.0]);

@@ -1,4 +1,4 @@
-//! Points and angles on each other, with energies and loads of every kind.
+//! Points and angles carried by each other, with energies and loads of every kind.
 
 use lagrange_core::expr::Function;
 
@@ -7,8 +7,7 @@ use crate::tree::{Expr, Statement, add, call, divide, multiply, name, number, po
 use super::quantities::Dimension;
 use super::{Generator, Level};
 
-/// A point that masses and forces are at, and the coordinates that it has beside those of its
-/// carrier.
+/// A point for masses and forces, and its coordinates beside those of its carrier.
 struct Point {
     expression: Expr,
     dimension: usize,
@@ -17,7 +16,7 @@ struct Point {
 }
 
 const MOST_POINTS: usize = 4;
-/// From this number of coordinates on no point is added.
+/// Number of coordinates above which no point is added.
 const ENOUGH: usize = 5;
 
 fn half(of: Expr) -> Expr {
@@ -68,7 +67,7 @@ impl Generator {
         }
     }
 
-    /// The ground, or what moves as time says.
+    /// Returns the ground, or a support whose motion is a function of time.
     fn support(&mut self, dimension: usize) -> Point {
         let mut components = vec![multiply(self.length(), number("0")); dimension];
         if self.chance(4) {
@@ -90,7 +89,7 @@ impl Generator {
         self.coordinate("x", Dimension::LENGTH)
     }
 
-    /// Declares a point that moves against another one.
+    /// Declares a point that moves relative to another one.
     fn point_on(&mut self, carrier: &Point) -> Point {
         let zero = |generator: &mut Generator| multiply(generator.length(), number("0"));
         let [cosine, sine] = [Function::Cos, Function::Sin];
@@ -158,7 +157,7 @@ impl Generator {
         Point { expression: name(&point), dimension: carrier.dimension, angle, own }
     }
 
-    /// Adds to T, or to L.
+    /// Adds an energy to T, or to L.
     fn add_kinetic(&mut self, is_lagrangian: bool, energy: Expr) {
         self.say(Statement::Energy(if is_lagrangian { "lagrangian" } else { "kinetic" }, energy));
     }
@@ -182,7 +181,7 @@ impl Generator {
         self.add_kinetic(is_lagrangian, kinetic);
         for (q, dimension) in point.own.clone() {
             let inertia = Dimension::ENERGY.over(dimension.rate()).over(dimension.rate());
-            // Some inertia of its own keeps every coordinate from being idle.
+            // An inertia of its own keeps every coordinate from being idle.
             if self.chance(2) || point.own.len() > 1 {
                 let inertia = self.parameter(inertia, 0.2, 1.0);
                 let turning = half(multiply(inertia, power(rate(q.clone()), 2)));
@@ -276,7 +275,7 @@ impl Generator {
         }
     }
 
-    /// Holds what coordinates of a point do, or what rates do.
+    /// Constrains coordinates of a point, or their rates.
     fn constraint(&mut self, points: &[Point]) {
         let own = points.iter().flat_map(|point| point.own.clone()).collect::<Vec<_>>();
         if own.len() < 3 {
@@ -307,7 +306,8 @@ impl Generator {
         self.say(Statement::Constraint { name: held, holds_rates, zero });
     }
 
-    /// Text of an expression or, if it is the name of a definition, of what it names in the end.
+    /// Returns the text of an expression. If that is a name, the definition replaces it,
+    /// repeatedly.
     fn without_names(&self, expression: &Expr) -> String {
         let text = expression.to_string();
         let named = self.statements.iter().find_map(|statement| match statement {
@@ -317,7 +317,7 @@ impl Generator {
         named.map_or(text, |value| self.without_names(value))
     }
 
-    /// Declares a first-order state, whose rate is stated when all is known that it may depend on.
+    /// Declares a first-order state, whose rate is stated after everything on which it may depend.
     fn state(&mut self) -> (String, Dimension) {
         let state = self.fresh("s");
         let dimension = *self.random.choice(&[Dimension::NONE, Dimension::FORCE, Dimension::LENGTH]);
@@ -328,7 +328,7 @@ impl Generator {
         (state, dimension)
     }
 
-    /// A quaternion with energies in its angular velocity.
+    /// Declares a quaternion with energies in its angular velocity.
     fn orientation(&mut self, is_lagrangian: bool) {
         let hip = self.fresh("hip");
         self.say(Statement::Quaternion(hip.clone()));

@@ -17,8 +17,8 @@ use crate::world::State;
 
 use quantities::Dimension;
 
-/// A declaration, the way in which it is derived, and states, each with accelerations that forces
-/// are to produce.
+/// A declaration, the way of deriving it, and states, each with accelerations that forces should
+/// produce.
 #[derive(Clone, Debug)]
 pub(crate) struct Case {
     pub(crate) declaration: Declaration,
@@ -36,7 +36,7 @@ const CHOICES: [StrategyChoice; 6] = [
     StrategyChoice::Always(Strategy::SumOfSquares),
 ];
 
-/// The case of a number, which is the same in every run.
+/// Returns the case of a number, which is the same in every run.
 pub(crate) fn case(number: u64) -> Case {
     let mut generator = Generator::new(number);
     if generator.chance(2) {
@@ -57,7 +57,7 @@ pub(crate) fn case(number: u64) -> Case {
     Case { declaration, choice, states }
 }
 
-/// How much an expression may depend on.
+/// The quantities on which an expression may depend.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Level {
     /// Coordinates and time, smoothly.
@@ -68,7 +68,7 @@ enum Level {
     Force,
 }
 
-/// Something that expressions are made of.
+/// A quantity from which expressions are built.
 #[derive(Clone, Debug)]
 struct Atom {
     expression: Expr,
@@ -76,7 +76,7 @@ struct Atom {
     level: Level,
 }
 
-/// A declaration that grows.
+/// A declaration under construction.
 struct Generator {
     random: Random,
     statements: Vec<Statement>,
@@ -84,7 +84,7 @@ struct Generator {
     with_units: bool,
     names: usize,
     atoms: Vec<Atom>,
-    /// Functions and tables of one plain number, and the level from which on they may be called.
+    /// Functions and tables of one plain number, and the lowest level at which they may be called.
     functions: Vec<(String, Level)>,
 }
 
@@ -107,7 +107,7 @@ impl Generator {
         self.random.below(one_in) == 0
     }
 
-    /// Declares what may change from outside.
+    /// Declares a quantity that may change from outside.
     fn input(&mut self) {
         let name = self.fresh("u");
         let values = Values::One(self.decimal(-2.0, 2.0));
@@ -116,7 +116,7 @@ impl Generator {
         self.atoms.push(Atom { expression, dimension: Dimension::NONE, level: Level::Force });
     }
 
-    /// A name that is not taken.
+    /// Returns an unused name.
     fn fresh(&mut self, stem: &str) -> String {
         self.names += 1;
         format!("{stem}{}", self.names)
@@ -136,7 +136,7 @@ impl Generator {
         expression
     }
 
-    /// Makes a coordinate and its rate known to expressions.
+    /// Makes a coordinate and its rate available to expressions.
     fn remember_coordinate(&mut self, expression: &Expr, dimension: Dimension) {
         let rate = crate::tree::rate(expression.clone());
         self.atoms.push(Atom { expression: expression.clone(), dimension, level: Level::Shape });

@@ -50,7 +50,7 @@ impl Generator {
         name
     }
 
-    /// A fixed vector.
+    /// Returns a fixed vector.
     pub(super) fn vector(&mut self, dimension: usize, size: f64) -> Vec<Expr> {
         (0..dimension)
             .map(|_| if self.chance(4) { number("0") } else { self.signed(Dimension::LENGTH, size) })
@@ -64,13 +64,13 @@ impl Generator {
         }
     }
 
-    /// A point of a body or of the ground.
+    /// Returns a point of a body or of the ground.
     pub(super) fn place(&mut self, bodies: &[String], dimension: usize) -> Expr {
         let body = self.random.choice(bodies).clone();
         self.own_point(&body, dimension)
     }
 
-    /// A spring or a damper.
+    /// Returns a spring or a damper.
     pub(super) fn connector(&mut self, bodies: &[String], dimension: usize) {
         let from = match self.random.below(2) {
             0 => Expr::Vector(self.vector(dimension, 2.0)),

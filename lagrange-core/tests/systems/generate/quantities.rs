@@ -1,4 +1,4 @@
-//! Numbers, parameters and constants, with units where they are written.
+//! Numbers, parameters and constants, with their units where they are written.
 
 use crate::tree::{Expr, Statement, Unit, Values};
 
@@ -31,12 +31,12 @@ impl Dimension {
     }
 }
 
-/// Units with the powers of ten of the coherent one.
+/// Units as powers of ten of the coherent one.
 const UNITS: [&[(&str, i32)]; 3] =
     [&[("kg", 0), ("g", -3)], &[("m", 0), ("mm", -3), ("cm", -2)], &[("s", 0), ("ms", -3)]];
 
 impl Generator {
-    /// A unit of a dimension, if units are written.
+    /// Returns a unit of a dimension, if units are written.
     fn unit(&mut self, dimension: Dimension) -> Option<Unit> {
         if !self.with_units || dimension == Dimension::NONE {
             return None;
@@ -54,7 +54,7 @@ impl Generator {
         Some(Unit { text: parts.join("*"), power })
     }
 
-    /// The unit that values have at run time.
+    /// Returns the unit of values at run time.
     pub(super) fn coherent_unit(&mut self, dimension: Dimension) -> Option<Unit> {
         let mut unit = self.unit(dimension);
         while unit.as_ref().is_some_and(|unit| unit.power != 0 || !unit.is_coherent()) {
@@ -63,7 +63,7 @@ impl Generator {
         unit
     }
 
-    /// A number of few digits.
+    /// Returns a number of few digits.
     pub(super) fn decimal(&mut self, low: f64, high: f64) -> String {
         let value = self.random.between(low, high);
         match self.random.below(3) {
@@ -73,7 +73,7 @@ impl Generator {
         }
     }
 
-    /// The same in a unit.
+    /// Returns a number of few digits in a unit.
     fn decimal_in(&mut self, unit: Option<&Unit>, low: f64, high: f64) -> String {
         let decimal = self.decimal(low, high);
         match unit {
@@ -82,7 +82,7 @@ impl Generator {
         }
     }
 
-    /// A quantity that does not change: a number, a parameter, or a constant.
+    /// Returns a constant quantity: a number, a parameter, or a constant.
     pub(super) fn quantity(&mut self, dimension: Dimension, low: f64, high: f64) -> Expr {
         let unit = self.unit(dimension);
         let decimal = self.decimal_in(unit.as_ref(), low, high);
@@ -97,13 +97,13 @@ impl Generator {
         Expr::Name(name)
     }
 
-    /// A quantity of either sign.
+    /// Returns a quantity of either sign.
     pub(super) fn signed(&mut self, dimension: Dimension, size: f64) -> Expr {
         let quantity = self.quantity(dimension, 0.1 * size, size);
         if self.chance(2) { quantity } else { Expr::Negative(Box::new(quantity)) }
     }
 
-    /// A parameter, as what must be positive has to be known to be.
+    /// Declares a parameter where a quantity must be known to be positive.
     pub(super) fn parameter(&mut self, dimension: Dimension, low: f64, high: f64) -> Expr {
         let unit = self.unit(dimension);
         let decimal = self.decimal_in(unit.as_ref(), low, high);

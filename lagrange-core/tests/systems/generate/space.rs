@@ -5,7 +5,7 @@ use crate::tree::{Body, Expr, Joint, Pose, Statement, number};
 use super::quantities::Dimension;
 use super::{Generator, Level};
 
-/// Joints by how often they are drawn, with the number of their coordinates.
+/// Joints with their relative frequencies and the number of their coordinates.
 const KINDS: [(&str, usize); 12] = [
     ("revolute", 1),
     ("revolute", 1),
@@ -20,16 +20,16 @@ const KINDS: [(&str, usize); 12] = [
     ("ball", 3),
     ("weld", 0),
 ];
-/// From this number of velocities on no joint is added.
+/// Number of velocities above which no joint is added.
 const ENOUGH: usize = 5;
-/// Freedoms that a joint gives, from which on a pin leaves some.
+/// Degrees of freedom from which on a joint leaves some to a pin.
 const LOOSE: usize = 4;
 const QUARTERS: [&str; 4] = ["0", "1.5707963267948966", "-1.5707963267948966", "3.141592653589793"];
 
 impl Generator {
     /// Declares bodies in space.
     pub(super) fn space_scene(&mut self) {
-        // Labels of bodies take plain numbers in the SI.
+        // Labels of bodies take plain numbers in SI units.
         self.with_units = false;
         let gravity = (0..3).map(|_| self.signed(Dimension::GRAVITY, 6.0)).collect();
         self.say(Statement::Gravity(gravity));
@@ -47,7 +47,7 @@ impl Generator {
             let name = self.fresh("pin");
             let from = self.place(&links, 3);
             let to = Expr::Vector(self.vector(3, 2.0));
-            // Others would be held by more than they can fulfil.
+            // Other bodies would be overconstrained.
             let held = links.iter().position(|link| from.to_string().starts_with(&format!("{link}.")));
             if held.is_some_and(|held| freedoms[held] >= LOOSE) {
                 self.say(Statement::Pin { name, from, to });
@@ -107,7 +107,7 @@ impl Generator {
         velocities
     }
 
-    /// Moments and products of inertia of a body that exists.
+    /// Returns moments and products of inertia that a real body can have.
     fn tensor(&mut self) -> Vec<Expr> {
         let count = if self.chance(2) { 3 } else { 6 };
         let entry = |k: usize| {
@@ -120,7 +120,7 @@ impl Generator {
         (0..count).map(entry).collect()
     }
 
-    /// A pose by coordinates of its own.
+    /// Declares a pose by coordinates of its own.
     fn pose(&mut self) -> (Pose, usize) {
         let place = (0..3).map(|_| self.coordinate("x", Dimension::LENGTH)).collect();
         let angles = (0..3).map(|_| self.coordinate("a", Dimension::NONE)).collect();
@@ -145,14 +145,14 @@ impl Generator {
             let is_length =
                 kind == "prismatic" || kind == "cylindrical" && k == 1 || kind == "planar" && k < 2;
             let dimension = if is_length { Dimension::LENGTH } else { Dimension::NONE };
-            // Known to loads, which come behind all joints.
+            // Loads, which come after all joints, may use the coordinate.
             self.remember_coordinate(&Expr::Name(name.clone()), dimension);
         }
         self.say(Statement::Joint(Joint { kind, names, from, to, at, turned, axis, pitch, damping }));
         count
     }
 
-    /// Quarter turns most often.
+    /// Returns angles, mostly quarter turns.
     fn angles(&mut self) -> Vec<Expr> {
         (0..3)
             .map(|_| {
@@ -165,7 +165,7 @@ impl Generator {
             .collect()
     }
 
-    /// An axis of a frame, or any direction.
+    /// Returns an axis of a frame, or any direction.
     fn direction(&mut self) -> Vec<Expr> {
         let first = self.random.below(3);
         let is_along = self.chance(2);

@@ -1,4 +1,4 @@
-//! States: at random, at exact zeros, at equal numbers and at quarter turns.
+//! States: random ones, and ones with exact zeros, equal numbers and quarter turns.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -6,7 +6,7 @@ use crate::layout::{Layout, Slot};
 use crate::random::Random;
 use crate::world::State;
 
-/// Quaternions of no turn, of half turns and of a third of a turn about a diagonal.
+/// Quaternions of the identity, of half turns and of a third of a turn about a diagonal.
 const QUATERNIONS: [[f64; 4]; 6] = [
     [1.0, 0.0, 0.0, 0.0],
     [0.0, 1.0, 0.0, 0.0],
@@ -16,7 +16,8 @@ const QUATERNIONS: [[f64; 4]; 6] = [
     [-1.0, 0.0, 0.0, 0.0],
 ];
 
-/// A state with accelerations; a special one is full of zeros, equal numbers and quarter turns.
+/// Returns a state with accelerations. A special one is full of zeros, equal numbers and quarter
+/// turns.
 pub(super) fn state(layout: &Layout, is_special: bool, random: &mut Random) -> (State, Vec<f64>) {
     let same = random.between(-1.5, 1.5);
     let entry = |random: &mut Random| match random.below(if is_special { 6 } else { 1 }) {

@@ -1,8 +1,8 @@
 //! Trees evaluated along a motion.
 //!
-//! At a state with accelerations every coordinate is a [`Jet`] with two variations for each
-//! velocity: a displacement that stays, and one that grows as τ. Expressions follow by arithmetic
-//! with jets; what statements add up to is in [`Sums`].
+//! At a state with accelerations, every coordinate is a [`Jet`] with two variations for each
+//! velocity: a constant displacement, and one that grows as τ. Expressions follow by arithmetic
+//! with jets, and [`Sums`] collects the contributions of statements.
 
 mod statements;
 mod values;
@@ -23,11 +23,11 @@ pub(crate) struct State {
     pub(crate) v: Vec<f64>,
 }
 
-/// What statements add up to.
+/// Sums of the contributions of statements.
 pub(crate) struct Sums {
     pub(crate) kinetic: Jet,
     pub(crate) potential: Jet,
-    /// What is declared as a Lagrangian.
+    /// The declared Lagrangian.
     pub(crate) lagrangian: Jet,
     pub(crate) dissipation: Jet,
     /// Forces along the velocities.
@@ -37,7 +37,7 @@ pub(crate) struct Sums {
     pub(crate) outputs: Vec<(String, Vec<Jet>)>,
 }
 
-/// A rigid body or a frame where it is.
+/// The pose of a rigid body or a frame.
 #[derive(Clone)]
 pub(crate) struct Placed {
     pub(crate) rotation: Vec<Vec<Jet>>,
@@ -45,7 +45,7 @@ pub(crate) struct Placed {
     pub(crate) centroid: Vec<Jet>,
 }
 
-/// Names with their values. Where a name is missing, everything made of it is `None`.
+/// Names with their values. Everything that depends on a missing name is `None`.
 pub(crate) struct World<'a> {
     pub(crate) field: &'a mut Field,
     pub(crate) layout: &'a Layout,
@@ -56,15 +56,15 @@ pub(crate) struct World<'a> {
     functions: HashMap<String, (Vec<String>, Expr)>,
     splines: HashMap<String, Spline>,
     variable: Option<i64>,
-    /// True if loads and outputs are passed over, which no acceleration changes.
+    /// True if loads and outputs, which change no acceleration, are skipped.
     pub(crate) only_energies: bool,
-    /// Unknowns as they were found before.
+    /// Unknowns found earlier.
     pub(crate) roots: HashMap<String, Real>,
 }
 
 impl<'a> World<'a> {
-    /// The world at a state with accelerations, and with rates of first-order states if they are
-    /// known.
+    /// Returns the world at a state with accelerations, and with rates of first-order states if
+    /// they are known.
     pub(crate) fn new(
         field: &'a mut Field,
         layout: &'a Layout,
@@ -130,7 +130,7 @@ impl<'a> World<'a> {
         self.scope.insert("t".to_owned(), vec![time]);
     }
 
-    /// The coordinate itself is displaced.
+    /// Returns the jet of a displaced coordinate.
     fn displaced(&self, mut jet: Jet, velocity: usize) -> Jet {
         let one = self.field.integer(1);
         let zero = self.field.integer(0);
@@ -139,7 +139,7 @@ impl<'a> World<'a> {
         jet
     }
 
-    /// A first-order state along its rate. Unless that is known only the value is.
+    /// Sets a first-order state along its rate, or only its value while the rate is unknown.
     fn set_states(&mut self, state: &State, rates: Option<&[Real]>) {
         let first = self.layout.positions;
         for (k, name) in self.layout.states.iter().enumerate() {
@@ -151,7 +151,7 @@ impl<'a> World<'a> {
     }
 }
 
-/// The name of an element of an array.
+/// Returns the name of an element of an array.
 pub(crate) fn element(name: &str, index: i64) -> String {
     format!("{name}[{index}]")
 }

@@ -1,4 +1,4 @@
-//! Statements read in their order: names with their values, and what is added to the sums.
+//! Statements read in order: names with their values, and contributions to the sums.
 
 use crate::jet::Jet;
 use crate::splines::Spline;
@@ -7,7 +7,7 @@ use crate::tree::{Expr, Statement, Unit, Values};
 use super::{World, element};
 
 impl World<'_> {
-    /// Adds what a statement says.
+    /// Adds the contributions of a statement.
     pub(crate) fn read(&mut self, statement: &Statement) -> Option<()> {
         if self.only_energies && statement.is_load_or_output() {
             return Some(());
@@ -91,7 +91,7 @@ impl World<'_> {
                 }
                 self.variable = None;
             }
-            // A Gibbs function states what the energies say already.
+            // A Gibbs function repeats what the energies state.
             Statement::Coordinate { .. }
             | Statement::State { .. }
             | Statement::Quaternion(_)
@@ -113,7 +113,7 @@ impl World<'_> {
         Some(())
     }
 
-    /// Adds forces times what they move, as displacements that stay or, from `first` on, as rates.
+    /// Adds the work of forces on displacements, which are constant or, from `first` on, rates.
     pub(crate) fn add_work(&mut self, force: &[Jet], moved: &[Jet], first: usize) {
         for i in 0..self.layout.velocities {
             for (force, moved) in force.iter().zip(moved) {

@@ -16,7 +16,7 @@ impl World<'_> {
         expressions.iter().map(|expression| self.scalar(expression)).collect()
     }
 
-    /// The components of an expression, of which a number has one.
+    /// Returns the components of an expression; a number has one.
     pub(crate) fn value(&mut self, expression: &Expr) -> Option<Vec<Jet>> {
         let value = match expression {
             Expr::Number(decimal, unit) => {
@@ -105,7 +105,7 @@ impl World<'_> {
         Some(vec![value])
     }
 
-    /// a b / 2
+    /// Returns a b / 2.
     pub(crate) fn half_product(&mut self, a: &Jet, b: &Jet) -> Jet {
         let half = self.field.series(&[self.field.arithmetic.float(0.5)]);
         let product = self.field.multiply(a, b);

@@ -1,4 +1,4 @@
-//! Systems where there is neither an operating system nor a heap.
+//! Systems without an operating system and without a heap.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -18,7 +18,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in single precision, as a microcontroller computes it.
+    /// A pendulum in single precision, as on a microcontroller.
     #[scalar(f32)]
     #[derive(Clone, Copy, Debug)]
     pub struct SmallPendulum;
@@ -30,7 +30,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two masses and a spring that hardens, in any number type.
+    /// Two masses and a hardening spring, in any number type.
     #[derive(Clone, Copy, Debug)]
     pub struct Chain<S>;
 
@@ -43,7 +43,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two pendulums, one on the other, in single precision and for speed.
+    /// A double pendulum in single precision, optimised for speed.
     #[scalar(f32)]
     #[accuracy(fast)]
     #[derive(Clone, Copy, Debug)]
@@ -72,7 +72,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A rod that is pinned to the ground, in single precision.
+    /// A rod pinned to the ground, in single precision.
     #[scalar(f32)]
     #[derive(Clone, Copy, Debug)]
     pub struct Beam;
@@ -85,7 +85,7 @@ lagrange::system! {
     emit { motion, drawing, system_matrix }
 }
 
-/// The height of a road.
+/// Returns the height of a road.
 fn road<S: Scalar>(x: S) -> S {
     x.sin()
 }
@@ -112,14 +112,14 @@ lagrange::system! {
     force x = motor(dot(x));
 }
 
-/// The acceleration of a wheel at rest at the foot of its road.
+/// Returns the acceleration of a wheel at rest at the foot of its road.
 #[must_use]
 pub fn start<S: Scalar>(wheel: &Wheel<S>) -> S {
     let [acceleration] = wheel.acceleration(S::ZERO, &[S::ZERO], &[S::ZERO]);
     acceleration
 }
 
-/// How hard the ground holds a rod at rest at an angle.
+/// Returns the force with which the ground holds a rod at rest at an angle.
 #[must_use]
 pub fn grip(beam: &Beam, angle: f32) -> f32 {
     let (sin, cos) = Number::sin_cos(angle);
@@ -132,20 +132,22 @@ pub fn grip(beam: &Beam, angle: f32) -> f32 {
     grip
 }
 
-/// The state of a parcel some seconds after it was thrown; `None` if its motion cannot be computed.
+/// Returns the state of a parcel some seconds after a throw, or `None` if its motion cannot be
+/// computed.
 #[must_use]
 pub fn thrown(parcel: &Parcel, state: [f64; 6], seconds: f64) -> Option<[f64; 6]> {
     integrate(parcel, 0.0, state, seconds, &RungeKutta4 { step: 5e-3 }, |_, _| {}).ok()
 }
 
-/// Where a pendulum at rest at an angle is after a second; `None` if its motion cannot be computed.
+/// Returns the angle of a pendulum one second after rest at an angle, or `None` if its motion
+/// cannot be computed.
 #[must_use]
 pub fn angle_after_a_second(pendulum: &Pendulum, angle: f64) -> Option<f64> {
     let method = RungeKutta4 { step: 5e-3 };
     integrate(pendulum, 0.0, [angle, 0.0], 1.0, &method, |_, _| {}).ok().map(|[theta, _]| theta)
 }
 
-/// The relative acceleration of two masses at rest at a distance.
+/// Returns the relative acceleration of two masses at rest at a distance.
 #[must_use]
 pub fn repulsion<S: Scalar>(chain: &Chain<S>, distance: S) -> S {
     let [first, second] = chain.acceleration(S::ZERO, &[S::ZERO, distance], &[S::ZERO; 2]);
@@ -198,7 +200,7 @@ mod tests {
 
     #[test]
     fn motions_are_integrated() {
-        // A small swing lasts T = 2π √(l/g); a second is not quite half of it.
+        // A small swing takes T = 2π √(l/g); a second is slightly less than half of it.
         let angle = angle_after_a_second(&Pendulum::default(), 0.01).expect("finite");
         assert!((angle - 0.01 * (9.81_f64.sqrt()).cos()).abs() < 1e-7);
     }

@@ -13,7 +13,7 @@ struct Random(u64);
 impl Random {
     const NEW: Random = Random(0x9e37_79b9_7f4a_7c15);
 
-    /// A number up to 10, up to 10⁵, or of any size.
+    /// Draws a number up to 10, up to 10⁵, or of any magnitude.
     fn number(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -67,7 +67,7 @@ pub(crate) fn of_two() -> Hash {
     hash
 }
 
-/// Lanes that ask for fused products and lanes that do not: the same bits as one number by itself.
+/// Hashes lanes with and without fused products: both give the bits of scalar evaluation.
 pub(crate) fn in_lanes() -> Hash {
     let (mut hash, mut random) = (Hash::NEW, Random::NEW);
     for _ in 0..COUNT / 8 {
@@ -85,7 +85,7 @@ pub(crate) fn in_lanes() -> Hash {
     hash
 }
 
-/// The values in each lane.
+/// Returns the values in each lane.
 fn transposed<const FUSED: bool>(numbers: Lanes<Portable, 8, FUSED>) -> [[Portable; 14]; 8] {
     let rows = values(numbers);
     core::array::from_fn(|lane| rows.map(|Lanes(row)| row[lane]))

@@ -1,13 +1,13 @@
 //! A hash of numbers by their bits (FNV-1a, over words).
 
-/// The hash of what was added so far.
+/// The hash of all numbers added so far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Hash(u64);
 
 impl Hash {
     pub(crate) const NEW: Hash = Hash(0xcbf2_9ce4_8422_2325);
 
-    /// Adds a number; all NaN are one.
+    /// Adds a number; all NaNs count as one.
     pub(crate) fn add(&mut self, number: impl Into<f64>) {
         let number: f64 = number.into();
         let bits = if number.is_nan() { 0x7ff8 << 48 } else { number.to_bits() };
@@ -19,7 +19,7 @@ impl Hash {
         numbers.into_iter().for_each(|number| self.add(number));
     }
 
-    /// The hash as a number.
+    /// Returns the hash as a number.
     #[must_use]
     pub fn value(self) -> u64 {
         self.0

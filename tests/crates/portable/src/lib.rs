@@ -1,8 +1,8 @@
-//! Motions and functions whose bits are the same on every platform, each as a hash that is compared
-//! with a constant.
+//! Motions and functions with the same bits on every platform, each as a hash that is compared with
+//! a constant.
 //!
-//! The constants are from x86-64. Every target must find them, at every level of optimisation and
-//! with every set of instructions: `tools/portable.py`.
+//! The constants are from x86-64. Every target must reproduce them, at every level of optimisation
+//! and with every instruction set: `tools/portable.py`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -15,9 +15,9 @@ pub use hash::Hash;
 /// A computation and the hash of its bits.
 #[derive(Debug)]
 pub struct Row {
-    /// What is computed.
+    /// Name of the computation.
     pub name: &'static str,
-    /// Computes it.
+    /// The computation.
     pub compute: fn() -> Hash,
     /// The hash on x86-64.
     pub expected: u64,

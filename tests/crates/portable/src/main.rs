@@ -1,5 +1,5 @@
-//! Compares all hashes with what they are everywhere. The exit code is the number of those that
-//! differ; where there is a standard output, they are printed.
+//! Compares all hashes with their expected values. The exit code is the number of differences;
+//! where there is a standard output, they are printed.
 
 use std::process::ExitCode;
 

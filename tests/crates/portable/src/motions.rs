@@ -1,4 +1,4 @@
-//! Motions: chaotic ones, which make any difference in a last bit large, and ones with contacts,
+//! Motions: chaotic ones, which amplify any difference in a last bit, and ones with contacts,
 //! impacts, friction and events.
 
 use lagrange::Portable;
@@ -37,8 +37,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two discs that fall onto the ground and into a wall, which they rub against, and onto each
-    /// other.
+    /// Two discs that fall onto the ground, against a rough wall, and onto each other.
     #[derive(Clone, Debug)]
     struct Discs<S>;
 
@@ -54,7 +53,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A bead on a wire, struck whenever it passes the top, in Cartesian coordinates.
+    /// A bead on a wire, struck at every passage of the top, in Cartesian coordinates.
     #[derive(Clone, Debug)]
     struct Bead<S>;
 
@@ -67,7 +66,7 @@ lagrange::system! {
     event side = x, rising => { dot(x) = dot(x) * 11/10; dot(y) = dot(y) * 11/10; }
 }
 
-/// The hash of every step of a motion.
+/// Hashes every step of a motion.
 fn steps<M, T, K>(system: &M, start: M::State, end: Portable<T>, method: &K) -> Hash
 where
     M: OdeSystem<Scalar = Portable<T>>,
@@ -143,8 +142,7 @@ mod tests {
 
     use super::{Bead, DISCS_END, DISCS_START, Discs};
 
-    /// Reductions of energy by impacts and friction, and gains by blows, show that what the hashes
-    /// are for takes place.
+    /// Energy lost by impacts and friction, and gained by blows, shows that the hashes cover these.
     #[test]
     fn discs_lie_and_slide_after_impacts() {
         let (system, method) = (Discs::<Portable>::default(), Verner98::tolerance(Portable(1e-9)));

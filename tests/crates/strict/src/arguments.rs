@@ -1,7 +1,7 @@
-//! Names of parameters, coordinates and outputs that generated code likes to use itself.
+//! Parameters, coordinates and outputs with names that generated code might use.
 
 lagrange::system! {
-    /// Coordinates called as the arguments of the methods are.
+    /// Coordinates with the names of method arguments.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Arguments;
 
@@ -17,7 +17,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Parameters called as the functions that generated code calls.
+    /// Parameters with the names of functions that generated code calls.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Functions;
 
@@ -28,7 +28,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Nothing depends on anything, so that no argument is used.
+    /// Nothing depends on anything, so that all arguments are unused.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Free;
 
@@ -38,7 +38,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Generic, without fields, and with a type parameter that is not called `S`.
+    /// Generic, without fields, and with a type parameter other than `S`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Empty<T>;
 

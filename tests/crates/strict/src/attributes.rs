@@ -1,7 +1,7 @@
-//! Systems whose attributes concern more than the struct.
+//! Systems with attributes that affect more than the struct.
 
 lagrange::system! {
-    /// Deprecated, and used by what is emitted beside it.
+    /// Deprecated, and used by the items emitted beside it.
     #[deprecated(note = "there is a better one")]
     #[derive(Clone, Copy, Debug)]
     pub struct Old;
@@ -26,12 +26,12 @@ lagrange::system! {
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     potential = cos(x) + y^2;
 
-    /// The same.
+    /// A deprecated part.
     reduce OldPart { freeze y = 0; }
 }
 
 lagrange::system! {
-    /// Not there, although its name is that of another.
+    /// Not compiled, although another type has its name.
     #[cfg(any())]
     #[derive(Clone, Copy, Debug)]
     pub struct Expected;
@@ -44,7 +44,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Parameters that nothing mentions.
+    /// Unused parameters.
     #[cfg(all())]
     #[expect(unused_variables, reason = "warnings about the declaration are expected, too")]
     #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A moment of inertia that is not that of the shape, and a parameter that nothing mentions.
+    /// A moment of inertia that differs from that of the shape, and an unused parameter.
     #[expect(deprecated, unused_variables, reason = "both are meant")]
     #[derive(Clone, Copy, Debug)]
     pub struct Doubtful;
@@ -68,7 +68,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A name in lower case, of which the compiler warns once.
+    /// A lower-case name, which causes a single warning.
     #[expect(non_camel_case_types, reason = "the name is that of a formula")]
     #[derive(Clone, Copy, Debug)]
     pub struct cart_pole;

@@ -1,4 +1,4 @@
-//! Rigid bodies with everything that is emitted of them.
+//! Rigid bodies with all products.
 
 lagrange::system! {
     /// A rod on a hinge, tied to a wheel on a slope.
@@ -27,7 +27,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A body that says where it is and does not turn, in any number type.
+    /// A body with a position that does not turn, in any number type.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Box<S>;
 
@@ -45,7 +45,7 @@ lagrange::system! {
     gravity = (0, 0, -9.81);
     /// The link.
     body link { mass: 2; inertia: (0.1, 0.1, 0.01); centroid: (0, 0, l / 2); }
-    /// Where the tool is.
+    /// Frame of the tool.
     frame Tool;
     revolute q = ground to link { axis: (1, 0, 0); }
     weld link to Tool { at: (0, 0, l); }

@@ -21,7 +21,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same branches in any number type.
+    /// These branches in any number type.
     #[derive(Clone, Copy, Debug)]
     pub struct AnyBlock<S>;
 

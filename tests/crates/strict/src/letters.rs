@@ -1,11 +1,11 @@
 //! Names with the letters of formulas, where constants and types have the same names.
 
-/// A constant that a parameter is called like, too.
+/// A constant with the name of a parameter.
 pub const G: f64 = 6.674e-11;
-/// A unit struct that a coordinate is called like, too.
+/// A unit struct with the name of a coordinate.
 #[derive(Clone, Copy, Debug)]
 pub struct X;
-/// A static that a coordinate is called like, too.
+/// A static with the name of a coordinate.
 pub static Y_1: f64 = 0.0;
 
 lagrange::system! {
@@ -23,7 +23,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same capital as type and as value.
+    /// One capital letter as a type and as a value.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Capital<S>;
 

@@ -37,7 +37,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Visible in this crate only.
+    /// Returns visible in this crate only.
     #[derive(Clone, Copy, Debug)]
     pub(crate) struct Inner;
 
@@ -47,7 +47,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Visible in this module only, and used less than it could be.
+    /// Visible in this module only, and partly unused.
     struct Hidden;
 
     param m = 1.0;
@@ -55,7 +55,7 @@ lagrange::system! {
     kinetic = 1/2 * m * dot(x)^2;
 }
 
-/// An acceleration of a system that is declared in a function.
+/// Returns an acceleration of a system declared in a function.
 #[inline]
 #[must_use]
 pub fn acceleration(force: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! Every product, for energies of every kind.
 
 lagrange::system! {
-    /// A chain of links in absolute angles, long enough to be eliminated recursively.
+    /// A chain of links in absolute angles, long enough for recursive elimination.
     #[derive(Clone, Debug)]
     pub struct Chain;
 

@@ -1,7 +1,7 @@
 //! Reduced types with names of all kinds.
 
 lagrange::system! {
-    /// Parameters and coordinates called as what conversions use.
+    /// Parameters and coordinates with the names that conversions use.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Whole;
 
@@ -14,7 +14,7 @@ lagrange::system! {
     force c = u;
     output place = a + b + c;
 
-    /// With a value that takes a function.
+    /// With a value from a function.
     reduce Held { freeze a = sqrt(state + system) * sin(L), b = pi; }
     reduce Near { small a, b = 1e-3; }
     reduce Both { freeze c = 0; small a = state; }

@@ -1,17 +1,17 @@
 //! Functions of the crate and tables.
 
-/// A force against a spring of rubber.
+/// Returns the force of a rubber spring.
 fn rubber(x: f64) -> f64 {
     x.mul_add(x * x, x)
 }
 
-/// Its stiffness.
+/// Returns its stiffness.
 fn stiffness(x: f64) -> f64 {
     (3.0 * x).mul_add(x, 1.0)
 }
 
 lagrange::system! {
-    /// A wheel with a tyre of rubber on a road, driven by a motor.
+    /// A wheel with a rubber tyre on a road, driven by a motor.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Driven;
 

@@ -17,7 +17,7 @@ lagrange::system! {
     event turn = x - L, crossing => { dot(x) = -dot(x) / 2; x = 2 * L - x; }
     event apex = dot(y), falling => record;
     event late = t - 10, rising => stop;
-    /// What the belt does.
+    /// Friction on the belt.
     friction rub = dot(x) - belt, kinetic: mu * ground, static: 1.2 * mu * ground;
     friction brush = dot(y), mu * abs(x), smooth: 1e-3;
     output load = (ground, rail, brush);
@@ -52,7 +52,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in any number type.
+    /// A ball in any number type.
     #[derive(Clone, Copy, Debug)]
     pub struct AnyBall<T>;
 

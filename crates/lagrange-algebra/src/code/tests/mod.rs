@@ -49,7 +49,7 @@ fn product<const N: usize>(graph: &mut Graph, factors: [ExprId; N]) -> ExprId {
     graph.product(factors.map(|factor| (factor, Number::ONE)))
 }
 
-/// Energy and acceleration of a damped pendulum.
+/// Returns energy and acceleration of a damped pendulum.
 fn pendulum() -> (Graph, Vec<ExprId>, Labels) {
     let mut graph = Graph::new();
     let g = &mut graph;
@@ -71,7 +71,7 @@ fn pendulum() -> (Graph, Vec<ExprId>, Labels) {
     (graph, vec![energy, acceleration], labels)
 }
 
-/// Mass matrix and bias of a double pendulum in absolute angles.
+/// Returns mass matrix and bias of a double pendulum in absolute angles.
 fn double_pendulum() -> (Graph, Vec<ExprId>, Labels) {
     let mut graph = Graph::new();
     let g = &mut graph;
@@ -100,7 +100,7 @@ fn double_pendulum() -> (Graph, Vec<ExprId>, Labels) {
     (graph, vec![first, second], labels)
 }
 
-/// A one-sided spring with dry friction.
+/// Returns a one-sided spring with dry friction.
 fn contact() -> (Graph, Vec<ExprId>, Labels) {
     let mut graph = Graph::new();
     let g = &mut graph;
@@ -118,7 +118,7 @@ fn contact() -> (Graph, Vec<ExprId>, Labels) {
     (graph, vec![force], labels)
 }
 
-/// Energy and acceleration of a body in the field of a fixed one.
+/// Returns energy and acceleration of a body in the field of a fixed one.
 fn orbit() -> (Graph, Vec<ExprId>, Labels) {
     let mut graph = Graph::new();
     let g = &mut graph;

@@ -20,7 +20,7 @@ impl Random {
         [self.number(), self.number(), self.number()]
     }
 
-    /// A body of eight equal point masses, with the places that these have in own coordinates.
+    /// Draws a body of eight equal point masses, with their positions in body coordinates.
     fn body(&mut self) -> (SpatialMotion<f64>, [Triple<f64>; 8]) {
         let points = [(); 8].map(|()| self.vector());
         let weigh = |f: &dyn Fn(Triple<f64>) -> f64| points.iter().map(|&point| f(point)).sum::<f64>();
@@ -77,7 +77,7 @@ fn later(motion: &SpatialMotion<f64>, time: f64) -> SpatialMotion<f64> {
     }
 }
 
-/// The rate of a function of time, by differences of sixth order.
+/// Computes the rate of a function of time, by differences of sixth order.
 fn rate(f: impl Fn(f64) -> Triple<f64>) -> Triple<f64> {
     const STEP: f64 = 1e-3;
     let odd = |k: f64| difference(&f(k * STEP), &f(-k * STEP));

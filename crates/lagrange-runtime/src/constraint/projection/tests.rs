@@ -257,9 +257,10 @@ impl Mechanism<2, 1> for Ellipse {
     }
 }
 
-/// The nearest point of x²/a² + y²/b² = 1 from outside or inside, by bisection for the multiplier:
-/// with M (q₀ − q) = μ A and masses as weights, qᵢ = mᵢ aᵢ² pᵢ/(mᵢ aᵢ² + μ) and Σ (qᵢ/aᵢ)² = 1,
-/// whose largest root is the global minimum (Eberly, *Distance from a point to an ellipse*, 2013).
+/// Returns the nearest point of x²/a² + y²/b² = 1 from outside or inside, by bisection for the
+/// multiplier. With `M (q₀ − q) = μ A` and masses as weights, `qᵢ = mᵢ aᵢ² pᵢ/(mᵢ aᵢ² + μ)` and
+/// `Σ (qᵢ/aᵢ)² = 1`. The largest root is the global minimum (Eberly, *Distance from a point to an
+/// ellipse*, 2013).
 fn nearest_on_ellipse(masses: [f64; 2], axes: [f64; 2], p: [f64; 2]) -> [f64; 2] {
     let weights = [0, 1].map(|i| masses[i] * axes[i] * axes[i]);
     let at = |mu: f64| [0, 1].map(|i| weights[i] * p[i] / (weights[i] + mu));

@@ -37,7 +37,7 @@ fn inner<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// A body that touches walls, or the floor in the plane of its corners, and its velocities.
+/// Draws a body that touches walls, or the floor in the plane of its corners, and its velocities.
 fn body(random: &mut Random, mu: f64, is_flat: bool) -> (Terms<f64, 6, K>, [f64; 6]) {
     let mut terms = nothing::<6, K>();
     let v: [f64; 6] = core::array::from_fn(|_| random.within(-1.0, 1.0));
@@ -155,8 +155,8 @@ fn what_starts_together_is_decided_together() {
     assert_eq!(unsolved, 0);
 }
 
-/// A block of 1 kg under a downward force of 10 and a horizontal force of (3, 4), with its slip
-/// velocities.
+/// Returns a block of 1 kg under a downward force of 10 and a horizontal force of (3, 4), with its
+/// slip velocities.
 fn pushed(mu: f64, slip: [f64; 2]) -> Terms<f64, 3, 3> {
     let unit = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let slopes = [[0.0; 3], [mu, 0.0, 0.0], [mu, 0.0, 0.0]];
@@ -215,7 +215,7 @@ fn headings_keep_all_digits() {
     assert_eq!(Heading::new([1.0, -0.0]), Heading::new([1.0_f32, 0.0]));
 }
 
-/// A box with these corners on a slope, with x downhill, that slides slowly.
+/// Returns a box with these corners on a slope, with x downhill, that slides slowly.
 fn sliding(steepness: f64, speed: f64) -> Terms<f64, 6, K> {
     let mut terms = nothing::<6, K>();
     for (corner, [x, y]) in [[0.2, 0.15], [0.2, -0.15], [-0.2, 0.15], [-0.2, -0.15]].into_iter().enumerate() {

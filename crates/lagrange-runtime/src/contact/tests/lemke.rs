@@ -21,7 +21,7 @@ impl Random {
     }
 }
 
-/// A plane body that touches four walls at random places, and its velocities.
+/// Draws a plane body that touches four walls at random positions, and its velocities.
 fn body(random: &mut Random) -> (Terms<f64, 3, K>, [f64; 3]) {
     let mut terms = nothing::<3, K>();
     let v: [f64; 3] = core::array::from_fn(|_| random.within(-1.0, 1.0));
@@ -158,8 +158,8 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
     assert_eq!(jammed, 2, "one way, fast and slowly");
 }
 
-/// The example of the documentation: a block of mass 2 on a floor, with friction of a quarter of
-/// the normal force.
+/// Returns the example of the documentation: a block of mass 2 on a floor, with friction of a
+/// quarter of the normal force.
 fn block(free: [f64; 2], rates: [f64; 2]) -> Terms<f64, 2, 2> {
     let mut terms = nothing::<2, 2>();
     terms.free = free;

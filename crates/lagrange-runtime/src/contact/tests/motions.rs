@@ -9,8 +9,8 @@ use crate::run::{integrate, integrate_with_events};
 use crate::simulate::{Ending, Simulate};
 use crate::system::{Action, Direction, EventKind, StepFailure, split};
 
-/// Returns the times when a ball falling from 1 m with e = 0.8 at g = 9.81 first hits the ground,
-/// and when it comes to rest.
+/// Time at which a ball falling from 1 m at g = 9.81 first hits the ground, then that at which it
+/// rests for e = 0.8.
 const FIRST: f64 = 0.451_523_640_985_73;
 const REST: f64 = 4.063_712_768_871_58;
 

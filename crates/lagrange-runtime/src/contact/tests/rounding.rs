@@ -70,7 +70,7 @@ fn hops_no_longer_than_rounding_of_time_are_not_resolved() {
     assert_eq!(after(512.0), speed_for(512.0));
 }
 
-/// A contact with this normal force, the difference of two forces of about one.
+/// Returns a contact with this normal force, the difference of two forces of about one.
 fn pressing(force: f64) -> Terms<f64, 1, 1> {
     let (rows, responses) = ([[1.0]], [[1.0]]);
     Terms { free: [-1.0], drifts: [1.0 - force], rows, responses, ..nothing() }

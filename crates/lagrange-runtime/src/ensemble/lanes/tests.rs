@@ -96,7 +96,7 @@ system!(Servo { damping = 1.0 }, 1, ["x"], servo);
 
 impl<S: Scalar> SeparableSystem for Spring<S> {}
 
-/// Two masses on rods of unit length; `ratio` is the second mass as a part of both.
+/// Two masses on rods of unit length; `ratio` is the second mass as a fraction of both.
 #[inline(always)]
 fn double_pendulum<S: Number>(system: &DoublePendulum<S>, _t: S, [a, b, v, w]: &[S; 4]) -> [S; 4] {
     let (sine, cosine) = (*a - *b).sin_cos();
@@ -133,7 +133,7 @@ fn servo<S: Number>(system: &Servo<S>, t: S, [x, v]: &[S; 2]) -> [S; 2] {
     [*v, t.sin() - *x - system.damping * *v]
 }
 
-/// Starts and parameters of double pendulums.
+/// Returns starts and parameters of double pendulums.
 fn starts(number: usize) -> Vec<MotionStart<DoublePendulum<f64>>> {
     let start = |index: usize| {
         let system = DoublePendulum { ratio: 0.3 + 0.4 * index as f64 / number as f64, gravity: 9.81 };
@@ -145,7 +145,7 @@ fn starts(number: usize) -> Vec<MotionStart<DoublePendulum<f64>>> {
     (0..number).map(start).collect()
 }
 
-/// Motions in lanes of the type S.
+/// Computes motions in lanes of the type S.
 fn arrivals<M, S, const SAMPLED: bool>(
     starts: &[MotionStart<M>],
     method: impl LanesMethod<M::Scalar>,

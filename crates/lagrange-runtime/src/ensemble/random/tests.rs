@@ -1,4 +1,4 @@
-//! Random numbers against what they should be.
+//! Random numbers against their expected statistics.
 
 use super::Random;
 use crate::ensemble::{Moments, Reduce};
@@ -9,7 +9,7 @@ fn the_first_bits_are_those_of_the_published_vector() {
     assert_eq!([random.bits(), random.bits()], [0xe169_c58d_6627_e8d5, 0x9b00_dbd8_bc57_ac4c]);
 }
 
-/// Bits that must be the same everywhere and forever.
+/// These bits must never change on any platform.
 #[test]
 fn numbers_are_the_same_on_every_platform() {
     let mut random = Random::start(7, 41);
@@ -20,7 +20,7 @@ fn numbers_are_the_same_on_every_platform() {
 const NUMBERS: [u64; 4] =
     [0x3fd6_aa8d_1f8b_450c, 0x3fb0_52c1_ef21_7c34, 0xbf8c_46a2_04a1_da3c, 0x3fb3_8292_3c32_c480];
 
-/// The first bits of every purpose.
+/// Returns the first bits of every purpose.
 fn first_bits(seed: u64, index: usize) -> [u64; 3] {
     [
         Random::start(seed, index).bits(),
@@ -29,8 +29,8 @@ fn first_bits(seed: u64, index: usize) -> [u64; 3] {
     ]
 }
 
-/// Of what is drawn under one seed nothing depends on the rest: five standard deviations of a
-/// correlation of so many.
+/// Draws under one seed are independent. The bound is five standard deviations of a correlation of
+/// this many.
 #[test]
 fn purposes_are_independent_of_each_other() {
     let number = 20_000;

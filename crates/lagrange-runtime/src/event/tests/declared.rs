@@ -10,11 +10,11 @@ use crate::system::{
     Action, DeclaredEvent, Direction, EventSource, OdeSystem, Reacted, Response, StepFailure,
 };
 
-/// ẏ = 1 with an event that is recorded, one that moves the state, one that ends the motion, and
-/// one that is not a number late.
+/// ẏ = 1 with four events: one is recorded, one moves the state, one ends the motion, and one is
+/// NaN later.
 #[derive(Clone, Copy)]
 struct Marks {
-    /// How far the second event moves the state.
+    /// Displacement of the state by the second event.
     jump: f64,
     /// The state beyond which the last function is NaN.
     edge: f64,

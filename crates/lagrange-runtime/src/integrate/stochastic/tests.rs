@@ -62,7 +62,7 @@ fn change<F: Scheme<Oscillator<f64>>>(y: [f64; 2], h: f64, part: [f64; 2]) -> [f
     F::increment(&OSCILLATOR, 0.0, &y, h, &path, &mut Work::default())
 }
 
-/// Computes the stationary covariance [⟨x²⟩, ⟨x v⟩, ⟨v²⟩] of steps, without random numbers: a step
+/// Computes the stationary covariance [⟨x²⟩, ⟨x v⟩, ⟨v²⟩] of steps without random numbers. A step
 /// multiplies the state by R and adds a W + b H.
 fn stationary<F: Scheme<Oscillator<f64>>>(h: f64) -> [f64; 3] {
     let [[a, c], [b, d]] = [[1.0, 0.0], [0.0, 1.0]].map(|unit: [f64; 2]| {

@@ -124,7 +124,7 @@ fn assert_same<M: Subject, K: Goes<M>>(name: &str, ensemble: &dyn Fn() -> Ensemb
     }
 }
 
-/// Files instead of memory.
+/// Results saved to files instead of memory.
 #[cfg(feature = "parquet")]
 mod saved {
     use std::fs;

@@ -98,8 +98,8 @@ fn blanes_moan_is_far_more_accurate_than_runge_kutta_at_equal_cost() {
     assert!(composed < classical / 50.0, "{composed:e} and {classical:e}");
 }
 
-/// Returns the largest error within the first step from rest at (1, 0), of coordinates and of
-/// velocities, relative to the computed end of the step.
+/// Returns the largest errors of coordinates and of velocities within the first step from rest at
+/// (1, 0). They are relative to the computed end of the step.
 fn within<K: Method<Force<f64, 1, 2>>>(method: &K, step: f64) -> [f64; 2] {
     let oscillator = super::OSCILLATOR;
     let mut stepper = method.start(&oscillator, 0.0, &[1.0, 0.0], step).expect("valid");

@@ -194,7 +194,7 @@ fn columns_are_called_as_positions_and_velocities_are() {
     assert!((rate[0] - (3.0 - 1.0) / y * 0.1 * -0.05).abs() < 1e-15);
 }
 
-/// The same body in a fluid that slows its turning.
+/// A free body in a fluid that slows its rotation.
 struct Slowed(FreeBody);
 
 impl Wrapper for Slowed {

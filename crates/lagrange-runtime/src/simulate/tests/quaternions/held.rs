@@ -140,7 +140,7 @@ fn residual(y: &[f64; 7]) -> f64 {
     residuals.as_flattened().iter().fold((length(&q) - 1.0).abs(), |most, residual| most.max(residual.abs()))
 }
 
-/// The same pendulum by its angle: I₁ θ̈ = −m g s sin θ.
+/// The hinged pendulum by its angle: I₁ θ̈ = −m g s sin θ.
 struct ByAngle;
 
 impl OdeSystem for ByAngle {
