@@ -67,7 +67,7 @@ fn architecture_shows_the_layers() {
 }
 
 #[test]
-fn packages_say_what_they_are() {
+fn packages_have_complete_manifests() {
     nothing_in(packages::lapses(&workspace().root));
 }
 
