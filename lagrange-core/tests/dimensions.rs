@@ -191,7 +191,7 @@ mod inference {
 
     /// An error between two inferred units is reported with the chain of reasons.
     #[test]
-    fn reasons_are_told() {
+    fn reasons_are_reported() {
         let text = "param m: kg = 1, k, c; coord x: m;\nkinetic = kinetic_energy(m, dot(x));\npotential = 1/2 * k * x^2;\n\
                     let f = c * k;\nforce x = f;\ndissipation = c;";
         let report = parse(text).err().map_or_else(String::new, |report| report.to_string());

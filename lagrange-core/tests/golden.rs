@@ -23,7 +23,7 @@ const WHOLE: [&str; 6] =
     ["double_pendulum", "friction_patch", "hung_arm", "kernel_pendulum", "lanes_winch", "prepared_pendulum"];
 
 #[test]
-fn every_stage_says_what_was_reviewed() {
+fn every_stage_matches_its_reviewed_output() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
     let mut systems = fs::read_dir(&root).expect("a directory").map(|entry| entry.expect("an entry").path());
     let mut systems = systems.by_ref().collect::<Vec<PathBuf>>();

@@ -65,7 +65,7 @@ fn fast_is_there_for_every_number_type() {
 }
 
 #[test]
-fn what_is_no_angle_gives_no_acceleration() {
+fn nan_angles_give_nan_accelerations() {
     let fast = Fast::default();
     for angle in [f64::NAN, f64::INFINITY] {
         assert!(fast.acceleration(0.0, &[angle, 0.1, 0.2], &V)[0].is_nan());

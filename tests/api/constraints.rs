@@ -62,7 +62,7 @@ fn contact_forces_of_a_rolling_cylinder_are_those_of_the_textbook() {
 }
 
 #[test]
-fn what_is_constrained_can_be_asked_for() {
+fn constrained_quantities_are_available() {
     let cylinder = Cylinder::default();
     assert_eq!(cylinder.constraints(0.0, &Q, &V), [0.1, 0.2 + 0.3 * 0.4]);
     assert_eq!(cylinder.constraint_velocity(0.0, &Q, &V), [-0.3, 0.7 - 0.3 * 1.1]);
@@ -242,7 +242,7 @@ fn forces_of_constraints_that_always_depend_on_each_other_are_along_the_axle() {
 }
 
 #[test]
-fn where_the_motion_is_undefined_nothing_is_plausible() {
+fn undefined_motions_give_no_plausible_numbers() {
     let rod = Rod::default();
     assert!(rod.acceleration(0.0, &[0.0, 0.0], &[1.0, 0.0]).iter().all(|a| a.is_nan()));
     assert!(rod.multipliers(0.0, &[0.0, 0.0], &[1.0, 0.0])[0].is_nan());

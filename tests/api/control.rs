@@ -231,7 +231,7 @@ const RESTING: [f64; 4] = [0.0; 4];
 
 /// µ N = 10 N at rest. A ramp of 2 t breaks loose at 5 s and slides with ẍ = (2 t − 10)/2.
 #[test]
-fn friction_breaks_loose_when_a_law_says_so() {
+fn a_law_breaks_friction_loose() {
     let at_rest = Crate::default();
     let ramp = |_: &Crate, t: f64, _| CrateInputs { side: 2.0 * t, up: 0.0 };
     let motion = at_rest.simulate(RESTING).until(8.0).drive(ramp).tolerance(1e-12).run().expect("slides");
@@ -405,7 +405,7 @@ fn outputs_are_columns_by_name() {
 }
 
 #[test]
-fn what_a_control_does_wrong_is_named() {
+fn mistakes_of_a_control_are_named() {
     let cart = CartPole::default();
     let bad = |_: &CartPole, t: f64, _| CartPoleInputs { u: if t < 0.25 { 0.0 } else { f64::NAN } };
     let error = cart.simulate(TILTED).until(1.0).sampled(0.1, bad).run().expect_err("NaN");

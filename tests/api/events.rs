@@ -85,7 +85,7 @@ lagrange::system! {
 }
 
 #[test]
-fn as_many_events_as_can_be_declared_are_found_in_order() {
+fn the_largest_number_of_events_is_found_in_order() {
     assert_eq!(Many::EVENTS.len(), MOST_DECLARED);
     let run = Many.simulate([0.5, 2.0]).until(20.0).run().expect("runs");
     let found: Vec<_> = run.events().iter().map(|event| event.name.clone()).collect();
@@ -97,7 +97,7 @@ fn as_many_events_as_can_be_declared_are_found_in_order() {
 }
 
 #[test]
-fn directions_choose_zeros_and_a_zero_at_the_start_is_none() {
+fn directions_choose_zeros_and_the_start_is_not_one() {
     let run = Oscillator.simulate([0.0, 1.0]).until(20.0).run().expect("runs");
     let count = |name: &str| run.events().iter().filter(|event| event.name == name).count();
     assert_eq!([count("up"), count("down"), count("middle"), count("end")], [1, 2, 3, 1]);

@@ -144,7 +144,7 @@ fn a_singular_mass_matrix_is_named_with_the_coordinate_of_its_pivot() {
 }
 
 #[test]
-fn what_an_event_puts_in_the_place_of_the_state_is_named() {
+fn invalid_replacements_by_events_are_named() {
     let expected = "`theta_dot` of the state is NaN (at time ";
     let run = Thrown::default().simulate([1.0, 0.0, 0.0, 1.0]).until(2.0).run().expect_err("a root of -1");
     assert!(run.to_string().starts_with(expected), "{run}");

@@ -210,7 +210,7 @@ fn slides_in_millimetres_and_in_single_precision() {
 }
 
 #[test]
-fn what_makes_no_sense_is_reported() {
+fn invalid_goals_are_reported() {
     let arm = Planar::<f64>::default();
     let to = |goal| [FrameTask::position(Planar::tip_frame, Planar::tip_jacobian, goal)];
     let message = |error: ReachError<[f64; 2], f64>| error.to_string();

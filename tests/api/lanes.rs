@@ -129,7 +129,7 @@ fn conditions_select_what_branches_choose() {
 
 /// Neighbouring lanes are on other sides of conditions, or NaN.
 #[test]
-fn what_stands_beside_a_motion_does_not_change_it() {
+fn lanes_do_not_affect_each_other() {
     let (left, right) = (Winch::default(), Winch { m: 3.0, r: 1.5, limit: 2.0, u: 5.0, ..Winch::default() });
     let mut lanes = left.lanes(|parameter| Pair([parameter; 2]));
     right.set_lane(&mut lanes, 1);

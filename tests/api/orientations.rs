@@ -192,7 +192,7 @@ fn the_tangent_jacobian_is_that_of_displacements() {
 }
 
 #[test]
-fn what_is_frozen_stays_and_quaternions_turn_on() {
+fn frozen_coordinates_rest_and_quaternions_keep_turning() {
     let (crane, parked) = (Crane::default(), Parked::from(&Crane::default()));
     let y = crane_state();
     let mut whole = y;

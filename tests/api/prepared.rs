@@ -188,7 +188,7 @@ fn orientations_are_prepared() {
 }
 
 #[test]
-fn where_nothing_can_be_prepared_the_type_holds_the_system_alone() {
+fn types_without_prepared_values_contain_only_the_system() {
     assert_eq!(size_of::<PlainPrepared>(), size_of::<Plain>());
     assert!(size_of::<PendulumPrepared>() > size_of::<Pendulum>());
     assert_eq!(Plain::default().prepared().acceleration(0.0, &[1.0], &[0.0]), [-1.0]);

@@ -111,7 +111,7 @@ fn equations_are_printed_one_line_for_each_coordinate() {
 }
 
 #[test]
-fn what_is_left_out_does_not_exist() {
+fn omitted_products_do_not_exist() {
     assert_eq!(Asked::default().inverse_dynamics(), "left out");
     assert_eq!([Silent.energy(), Silent.kinetic_energy()], ["left out"; 2]);
     assert_eq!(Particle::<f64>::default().kinetic_energy(), "left out");

@@ -188,7 +188,7 @@ fn a_point_far_from_an_ellipse_is_projected_to_its_nearest_point() {
 }
 
 #[test]
-fn where_there_is_no_state_that_satisfies_the_constraint_nothing_is_changed() {
+fn unsatisfiable_constraints_change_nothing() {
     let nothing = Ellipse { rest: -1.0, ..Ellipse::<f64>::default() };
     let (mut q, mut v) = ([1.5, 1.0], [0.1, 0.2]);
     let violation = nothing.project(0.0, &mut q, &mut v).expect_err("no point at all");

@@ -63,7 +63,7 @@ lagrange::system! {
 
 /// The remainder of a gap that is a coordinate has no other terms to which it could be compared.
 #[test]
-fn a_ball_at_rest_goes_on_from_where_its_run_ended() {
+fn a_ball_at_rest_continues_from_the_end_of_its_run() {
     for m in [0.2, 1.0, 5.0] {
         let rested = Ball { m, ..Ball::default() }
             .simulate([1.0, 0.0])

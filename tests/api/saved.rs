@@ -48,7 +48,7 @@ where
 }
 
 #[test]
-fn a_box_in_contact_goes_on_with_the_same_bits() -> Result<(), StepFailure<f32>> {
+fn a_box_in_contact_continues_with_the_same_bits() -> Result<(), StepFailure<f32>> {
     let (thrown, method) = (Thrown::default(), Stepped::every(FRAME));
     let start = thrown.start().into();
     let begin = || Method::<Thrown>::start(&method, &thrown, 0.0, &start, HOUR);
@@ -108,7 +108,7 @@ where
 }
 
 #[test]
-fn a_swing_goes_on_with_the_same_bits() -> Result<(), StepFailure<f32>> {
+fn a_swing_continues_with_the_same_bits() -> Result<(), StepFailure<f32>> {
     check(&RungeKutta4 { step: FRAME })?;
     check(&SymplecticEuler { step: FRAME })?;
     check(&StormerVerlet { step: FRAME })?;

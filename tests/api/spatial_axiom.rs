@@ -303,7 +303,7 @@ fn solids_and_frames_lie_where_the_declaration_puts_them() {
 }
 
 #[test]
-fn what_is_drawn_is_the_same_in_single_precision() {
+fn drawings_are_the_same_in_single_precision() {
     let single = |item: Item<'_, f32, Spatial>| match item {
         Item::Body { name, parts, .. } => (name.to_owned(), parts.first().map(|part| part.at[2])),
         Item::Joint { name, at, .. } => (name.to_owned(), Some(at[1])),

@@ -163,7 +163,7 @@ fn kinks_of_magnitudes_and_extrema_are_passed_in_order() {
 }
 
 #[test]
-fn what_is_looked_at_has_its_switches_free() {
+fn returned_systems_have_free_switches() {
     let valley = Valley::default();
     let run = valley.simulate([1.0, -2.0, 0.0, 0.0]).until(1.5).accelerations().run().unwrap();
     let system = run.system_at_end().unwrap();

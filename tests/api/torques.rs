@@ -80,7 +80,7 @@ fn moments_add_up_to_those_of_euler() {
 }
 
 #[test]
-fn what_does_not_tell_on_which_bodies_it_acts_is_named() {
+fn ambiguous_torques_are_named() {
     assert_eq!(omitted(&Rotors::default(), &[0.1, 0.2, 0.3], &[0.0; 3]), ["torque on an angle"]);
     assert_eq!(omitted(&Twins, &[0.1], &[0.0]), ["torque on `q`"]);
 }

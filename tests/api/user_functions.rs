@@ -24,7 +24,7 @@ lagrange::system! {
 }
 
 #[test]
-fn what_is_written_with_functions_is_the_same() {
+fn functions_do_not_change_the_equations() {
     let (functions, written) = (WithFunctions::default(), Written::default());
     for (q, v) in [([0.0, 0.0], [0.0, 0.0]), ([0.4, -1.3], [2.0, 0.7]), ([3.0, 1.0], [-1.0, 4.0])] {
         assert_eq!(functions.acceleration(0.0, &q, &v), written.acceleration(0.0, &q, &v));

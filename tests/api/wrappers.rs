@@ -155,7 +155,7 @@ fn a_wrapped_system_moves_as_one_with_the_same_equations() {
 }
 
 #[test]
-fn what_is_added_to_a_state_goes_through_events_and_constraints() {
+fn additional_entries_of_the_state_pass_events_and_constraints() {
     let system = WithWork(Rod::default());
     let rod = &system.0;
     let energy = |y: &[f64]| rod.energy(0.0, &[y[0], y[1]], &[y[2], y[3]]);
@@ -178,7 +178,7 @@ fn what_is_added_to_a_state_goes_through_events_and_constraints() {
 }
 
 #[test]
-fn contacts_and_friction_go_on_through_a_wrapper() {
+fn contacts_and_friction_work_through_a_wrapper() {
     let start = [0.0, 1.0, 2.0, 0.0];
     let crate_alone = Crate::default().simulate(start).until(5.0).run().expect("comes to rest");
     let wrapped = Same(Crate::default()).simulate(start).until(5.0).run().expect("comes to rest");

@@ -68,7 +68,7 @@ fn rates_by_hand_are_those_of_the_fields() {
 }
 
 #[test]
-fn what_knows_no_past_refuses() {
+fn methods_without_history_refuse() {
     let named = Named::default();
     let error = named.simulate([1.0]).until(1.0).gradient(["delay"], |_, [x], _| *x).unwrap_err().to_string();
     assert!(error.contains("`.with_history()`"), "{error}");

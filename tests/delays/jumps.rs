@@ -75,7 +75,7 @@ lagrange::system! {
 }
 
 #[test]
-fn clocks_that_tick_one_delay_apart_are_told_from_each_other() {
+fn clocks_one_delay_apart_are_distinguished() {
     // The clock ticks at the start, too: count is k + 1 from k/4 on, and 0 before the start.
     let clocked = Clocked::default();
     let motion = clocked.simulate(clocked.start()).until(1.0).with_history().run().unwrap();

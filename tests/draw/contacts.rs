@@ -128,7 +128,7 @@ fn nothing_presses_where_nothing_touches() {
 }
 
 #[test]
-fn a_picture_says_that_contacts_overlap() {
+fn overlapping_contacts_are_reported() {
     let block = Block::default();
     let state = [0.0, 0.0, 0.0, 0.0];
     let svg = |drawing: Drawing<'_, Block>| drawing.picture(0.0, &state).expect("draws").svg();

@@ -60,7 +60,7 @@ fn pictures_are_saved_by_extension() {
 }
 
 #[test]
-fn what_cannot_be_written_is_refused_with_its_path() {
+fn unwritable_files_are_reported_with_their_path() {
     let picture = Drawing::of(&LADDER).picture(0.0, &[0.9, -1.0]).expect("draws");
     let refused = picture.save("ladder.jpeg").expect_err("is no format that is known").to_string();
     assert_eq!(refused, "`ladder.jpeg` does not end in the name of a format, which is one of svg, png");

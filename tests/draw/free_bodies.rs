@@ -125,7 +125,7 @@ fn the_force_of_a_hinge_out_of_the_centre_comes_with_its_moment() {
 }
 
 #[test]
-fn what_is_written_by_hand_is_shown() {
+fn handwritten_loads_are_shown() {
     let system = Block::default();
     let rest = Cell::new([0.0; 2]);
     let drawing = Drawing::of(&system).free_body("block").annotate(|_, moment| {

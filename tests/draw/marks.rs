@@ -154,7 +154,7 @@ fn bodies_keep_their_names_where_something_sits_on_their_centres() {
 }
 
 #[test]
-fn what_is_hidden_leaves_no_mark() {
+fn hidden_items_leave_no_mark() {
     let count =
         |drawing: Drawing<'_, Puppet>| paths(&drawing.picture(0.0, &[0.9, -1.0]).expect("draws").svg()).len();
     assert_eq!(count(Drawing::of(&LADDER).hide("floor").hide("left")), 11 - 2 - 2);

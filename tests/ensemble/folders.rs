@@ -188,7 +188,7 @@ fn parts_of_two_ensembles_are_not_verified() {
 
 /// Memory does not grow with the number of parts.
 #[test]
-fn so_many_parts_that_no_memory_has_room_for_them_begin() {
+fn parts_beyond_any_memory_begin() {
     let (folder, pendulum) = (Folder::new("many"), DoublePendulum::default());
     let motions = pendulum.ensemble(usize::MAX).start(start).until(0.01).motions_per_part(1).threads(1);
     let error =

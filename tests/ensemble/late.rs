@@ -111,7 +111,7 @@ fn a_delayed_drift_has_the_strong_order_one() {
 }
 
 #[test]
-fn what_is_missing_is_said() {
+fn missing_features_are_reported() {
     let late = Late::default();
     let method = runge_kutta(0.1, WienerPath::of_seed(1));
     let error = late.simulate([1.0]).until(1.0).method(method).run().map(drop).expect_err("has delays");

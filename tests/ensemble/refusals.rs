@@ -73,7 +73,7 @@ fn settings_are_checked_before_anything_moves() {
 }
 
 #[test]
-fn a_motion_that_fails_is_a_row_and_the_others_go_on() {
+fn a_failed_motion_is_a_row_and_the_others_continue() {
     let pendulum = DoublePendulum::default();
     let nan =
         |i: usize, random: &mut _| if i % 3 == 1 { [f64::NAN, 0.0, 0.0, 0.0] } else { start(i, random) };
@@ -111,7 +111,7 @@ fn motions_fail_where_they_fail() {
 }
 
 #[test]
-fn a_panic_is_an_error_that_says_in_which_motion() {
+fn a_panic_is_an_error_that_names_its_motion() {
     let pendulum = DoublePendulum::default();
     for threads in [1, 2] {
         let panics = |i: usize, _: &mut _| if i >= 70 { panic!("no start for {i}") } else { [0.0; 4] };
@@ -125,7 +125,7 @@ fn a_panic_is_an_error_that_says_in_which_motion() {
 
 /// In two ways: one by one, and in lanes, whose columns are computed from final states.
 #[test]
-fn what_is_observed_may_panic() {
+fn observers_may_panic() {
     let (pendulum, cart) = (DoublePendulum::default(), CartPole::default());
     let alone =
         pendulum.ensemble(9).start(start).until(0.1).observe("seen", |_, _, _| panic!("is not observed"));
@@ -162,7 +162,7 @@ fn more_than_memory_holds_is_refused_before_anything_is_computed() {
 }
 
 #[test]
-fn an_empty_range_says_so() {
+fn an_empty_range_is_reported() {
     let pendulum = DoublePendulum::default();
     let ensemble = pendulum.ensemble(10).start(|_, random| [random.uniform(1.0..1.0), 0.0, 0.0, 0.0]);
     assert_says(ensemble.until(0.1).run(), "motion 0 panicked: there is no random number in 1.0..1.0");

@@ -170,7 +170,7 @@ fn parameters_of_motions_are_columns() {
 }
 
 #[test]
-fn times_run_from_where_they_are_told_and_backwards() {
+fn times_run_from_the_given_start_and_backwards() {
     let cart = Cart::default();
     let ends = cart.ensemble([[0.0, 1.0]]).from(5.0).until(2.0).run().expect("runs");
     assert_eq!(ends.times(), [2.0]);

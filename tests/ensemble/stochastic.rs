@@ -270,7 +270,7 @@ fn failure<K: Method<Particle>>(particle: &Particle, method: &K) -> String {
 }
 
 #[test]
-fn what_cannot_be_integrated_is_said() {
+fn unsuitable_systems_are_refused() {
     let particle = Particle::default();
     let by_default = particle.simulate([0.0, 1.5]).until(1.0).run().map(drop).expect_err("has noise");
     assert!(by_default.to_string().contains("`EulerMaruyama` and `StochasticRungeKutta4`"), "{by_default}");

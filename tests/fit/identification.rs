@@ -92,7 +92,7 @@ fn standard_errors_are_honest_for_joints_of_different_noise() {
 }
 
 #[test]
-fn what_is_missing_or_not_finite_is_told() {
+fn missing_and_infinite_data_are_reported() {
     let arm = Arm::default();
     let mut regression = arm.regression();
     let too_few = |forces, combinations| IdentificationError::TooFew { forces, combinations };
@@ -111,7 +111,7 @@ fn what_is_missing_or_not_finite_is_told() {
 
 /// At rest only weights and the spring act.
 #[test]
-fn a_motion_tells_what_it_contains() {
+fn a_motion_determines_the_parameters_it_excites() {
     let arm = Arm::default();
     let mut regression = arm.regression();
     for step in 0..20 {

@@ -32,7 +32,7 @@ fn vary(fit: Search<'_>) -> Search<'_> {
 }
 
 #[test]
-fn mistakes_are_told_by_name() {
+fn mistakes_are_reported_by_name() {
     assert_eq!(
         message(data().with("y", [1.0; 3]), |fit| vary(fit).noise("h", 0.1).noise("y", 0.1)),
         "nothing of the system is called `y`, as a column of the data is; known are `h`, `x`, `h_dot`, `x_dot`"
@@ -75,7 +75,7 @@ fn mistakes_are_told_by_name() {
 }
 
 #[test]
-fn a_motion_that_ends_early_is_told_with_its_values() {
+fn a_motion_that_ends_early_is_reported_with_its_values() {
     let late = Data::new([0.0, 2.0]).with("h", [1.0, 0.5]);
     let text = message(late, |fit| fit.vary("g", 1.0..));
     assert!(

@@ -75,7 +75,7 @@ fn a_fit_that_a_bound_ends() {
 
 /// Noise-free data as a run saves them: columns of states and of an output, by another method.
 #[test]
-fn what_a_run_saved_is_recovered() {
+fn a_saved_run_is_recovered() {
     let wanted = DoublePendulum { m2: 0.2, c2: 0.004, ..DoublePendulum::default() };
     let start = [1.0, -0.5, 0.0, 0.0];
     let motion = wanted.simulate(start).until(2.0).every(0.05).tolerance(1e-12).outputs().run().unwrap();

@@ -1,4 +1,5 @@
-//! Plain English in documentation: how first lines begin, and phrases that native writers avoid.
+//! Plain English in the documentation of libraries and tests alike: the beginnings of first lines,
+//! and phrases that native writers avoid.
 
 use std::fs;
 use std::path::Path;
@@ -7,6 +8,7 @@ use crate::book::pages;
 use crate::imports::Crate;
 use crate::literals::literals;
 use crate::prose::{long_sentences, long_sentences_of, wrapped};
+use crate::workspace::RustFile;
 
 /// Words with which the first line of documentation must not begin: a function's is a verb, a
 /// type's a noun phrase.
@@ -19,22 +21,13 @@ const PHRASES: [&str; 6] = ["be it", "in the place of", "lest", "that is said", 
 /// Phrases that pages must not contain either.
 const PHRASES_OF_COMMENTS: [&str; 2] = ["is none", "so that no"];
 
-/// Largest number of sentences that are too long, anywhere: in pages, messages, documentation and
-/// comments.
-const MAX_LONG_SENTENCES: usize = 0;
-
-/// Largest number of files with a paragraph that is too wide. The number may only fall;
-/// `cargo xtask wrap` makes it zero.
-const MAX_WIDE_FILES: usize = 0;
-
-/// Finds sentences that are too long, if there are more than allowed.
-pub(crate) fn sentences(root: &Path, crates: &[Crate]) -> Vec<String> {
-    let texts = texts(root, crates).into_iter();
-    let written = texts.flat_map(|(path, text)| {
+/// Finds sentences that are too long in pages, comments and messages.
+pub(crate) fn sentences(root: &Path, crates: &[Crate], files: &[RustFile]) -> Vec<String> {
+    let written = texts(root, files).into_iter().flat_map(|(path, text)| {
         let long = long_sentences(&text, path.ends_with(".rs")).into_iter();
         long.map(|(line, words)| format!("{path}:{line}: {words} …")).collect::<Vec<_>>()
     });
-    too_many(written.chain(long_messages(crates)).collect(), MAX_LONG_SENTENCES)
+    written.chain(long_messages(crates)).collect()
 }
 
 /// Finds sentences that are too long in the literals of crates, without their tests.
@@ -51,22 +44,20 @@ fn long_messages(crates: &[Crate]) -> Vec<String> {
     long.collect()
 }
 
-/// Finds files whose paragraphs are too wide, if there are more than allowed.
-pub(crate) fn wide_files(root: &Path, crates: &[Crate]) -> Vec<String> {
-    let texts = texts(root, crates).into_iter();
-    let wide = texts.filter(|(path, text)| wrapped(text, path.ends_with(".rs")) != *text);
-    too_many(wide.map(|(path, _)| path).collect(), MAX_WIDE_FILES)
+/// Finds files whose paragraphs are too wide; `cargo xtask wrap` wraps them.
+pub(crate) fn wide_files(root: &Path, files: &[RustFile]) -> Vec<String> {
+    let wide = texts(root, files).into_iter();
+    let wide = wide.filter(|(path, text)| wrapped(text, path.ends_with(".rs")) != *text);
+    wide.map(|(path, _)| path).collect()
 }
 
-/// Returns pages and the files of crates, with their texts.
-fn texts(root: &Path, crates: &[Crate]) -> Vec<(String, String)> {
-    let page = |page: &str| (page.to_owned(), page_text(root, page));
-    let files = crates.iter().flat_map(|krate| &krate.files);
-    pages(root)
-        .iter()
-        .map(|path| page(path))
-        .chain(files.map(|file| (file.path.clone(), file.text.clone())))
-        .collect()
+/// Returns pages and files of Rust with their texts.
+fn texts(root: &Path, files: &[RustFile]) -> Vec<(String, String)> {
+    let pages = pages(root).into_iter().map(|page| {
+        let text = page_text(root, &page);
+        (page, text)
+    });
+    pages.chain(files.iter().map(|file| (file.path.clone(), file.text.clone()))).collect()
 }
 
 /// Returns the text of a page. For the changelog, it is the unreleased part.
@@ -77,17 +68,9 @@ fn page_text(root: &Path, page: &str) -> String {
     text[..end].to_owned()
 }
 
-/// Returns all complaints if there are more than allowed, with their number.
-fn too_many(complaints: Vec<String>, most: usize) -> Vec<String> {
-    let number = complaints.len();
-    let total = (number > most).then(|| format!("these are {number}, at most {most} are allowed"));
-    if total.is_none() { Vec::new() } else { complaints.into_iter().chain(total).collect() }
-}
-
 /// Finds the first lines of documentation that begin with one of [`OPENINGS`].
-pub(crate) fn openings(crates: &[Crate]) -> Vec<String> {
-    let files = crates.iter().flat_map(|krate| &krate.files);
-    let found = files.flat_map(|file| {
+pub(crate) fn openings(files: &[RustFile]) -> Vec<String> {
+    let found = files.iter().flat_map(|file| {
         let lines = clumsy_openings(&file.text).into_iter();
         lines.map(|(line, text)| format!("{}:{line}: {text}", file.path))
     });
@@ -95,8 +78,8 @@ pub(crate) fn openings(crates: &[Crate]) -> Vec<String> {
 }
 
 /// Finds the phrases to be avoided in pages and comments.
-pub(crate) fn phrases(root: &Path, crates: &[Crate]) -> Vec<String> {
-    let texts = texts(root, crates).into_iter();
+pub(crate) fn phrases(root: &Path, files: &[RustFile]) -> Vec<String> {
+    let texts = texts(root, files).into_iter();
     let found = texts.flat_map(|(path, text)| {
         let is_rust = path.ends_with(".rs");
         let others = if is_rust { &[] } else { &PHRASES_OF_COMMENTS[..] };

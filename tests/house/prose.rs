@@ -27,6 +27,11 @@ pub(crate) struct Paragraph<'t> {
 /// Returns a file with every paragraph wrapped that is wider than [`MAX_COLUMNS`].
 pub(crate) fn wrapped(file: &str, is_rust: bool) -> String {
     let lines = file.split('\n').collect::<Vec<_>>();
+    // Most files need no search for paragraphs, which has to parse Rust.
+    let is_text = |line: &str| !is_rust || !comment(line).0.is_empty();
+    if !lines.iter().any(|line| line.chars().count() > MAX_COLUMNS && is_text(line)) {
+        return file.to_owned();
+    }
     let mut wrapped = Vec::new();
     let mut next = 0;
     for paragraph in paragraphs(&lines, is_rust).into_iter().filter(|paragraph| paragraph.is_wide(&lines)) {

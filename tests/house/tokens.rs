@@ -70,7 +70,7 @@ mod tests {
     use crate::tokens::paths;
 
     #[test]
-    fn paths_and_calls_are_told_apart() {
+    fn paths_and_calls_are_distinguished() {
         let tokens = "a::b::<C>(self.d.e(), x.f), [::core::f, $crate::g]".parse().expect("tokens");
         let found = paths(&tokens).into_iter().map(|path| {
             let receiver = path.receiver.map_or_else(String::new, |receiver| format!("{receiver}."));

@@ -12,7 +12,18 @@ use crate::tables::LIBRARIES;
 pub(crate) struct Workspace {
     pub(crate) root: PathBuf,
     pub(crate) crates: Vec<Crate>,
+    /// All files of Rust, including tests.
+    pub(crate) files: Vec<RustFile>,
 }
+
+/// A file of Rust with its text.
+pub(crate) struct RustFile {
+    pub(crate) path: String,
+    pub(crate) text: String,
+}
+
+/// Folders of compiled code, and of code that golden systems emit.
+const GENERATED: [&str; 2] = ["golden", "target"];
 
 pub(crate) fn workspace() -> &'static Workspace {
     static WORKSPACE: LazyLock<Workspace> = LazyLock::new(Workspace::read);
@@ -36,7 +47,8 @@ impl Workspace {
         let text_of = |path: &str| fs::read_to_string(root.join(path)).ok();
         let crates = roots(&root).into_iter().map(|(name, path)| Crate::read(&name, &path, &text_of));
         let crates = crates.collect();
-        Self { root, crates }
+        let files = rust_files(&root, "");
+        Self { root, crates, files }
     }
 }
 
@@ -74,6 +86,21 @@ fn roots(root: &Path) -> Vec<(String, String)> {
         found.extend(programs.into_iter().flatten().map(|path| (path.clone(), path)));
     }
     found
+}
+
+/// Reads the files of Rust below a folder, whose path ends with a slash unless it is the root.
+fn rust_files(root: &Path, folder: &str) -> Vec<RustFile> {
+    let names = entries(root, folder).into_iter();
+    let names = names.filter(|name| !name.starts_with('.') && !GENERATED.contains(&name.as_str()));
+    let found = names.flat_map(|name| {
+        let path = format!("{folder}{name}");
+        if root.join(&path).is_dir() {
+            return rust_files(root, &format!("{path}/"));
+        }
+        let text = path.ends_with(".rs").then(|| fs::read_to_string(root.join(&path)).expect("a text"));
+        text.map(|text| RustFile { path, text }).into_iter().collect()
+    });
+    found.collect()
 }
 
 /// Returns the roots of the programs in a folder.

@@ -159,7 +159,7 @@ fn an_orientation_turns_until_the_mass_centre_is_below() {
 }
 
 #[test]
-fn searches_from_anywhere_end_at_equilibria_or_say_where_they_stopped() {
+fn searches_end_at_equilibria_or_report_their_last_point() {
     let rods = DoublePendulum { pull: 3.0, ..DoublePendulum::<f64>::default() };
     let mut found = 0;
     for i in 0..20 {

@@ -150,7 +150,7 @@ fn single_precision_is_shown_too() {
 }
 
 #[test]
-fn what_cannot_be_shown_is_refused() {
+fn modes_that_cannot_be_shown_are_refused() {
     let skate = Skate::default();
     let modes = skate.linearise(0.0, [0.0; 6]).expect("smooth").modes().expect("eigenvalues");
     let slide = skate.mode_motion(0.0, [0.0; 6], &modes.modes()[0], 1.0);

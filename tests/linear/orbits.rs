@@ -214,7 +214,7 @@ fn exponents_of_hamiltonian_motions_are_in_pairs() {
 }
 
 #[test]
-fn what_has_no_orbit_is_reported() {
+fn missing_orbits_are_reported() {
     let pendulum = Pendulum::default();
     for period in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = pendulum.orbit([1.0, 0.0], period).solve().unwrap_err();

@@ -80,7 +80,7 @@ fn a_torque_beyond_the_largest_moment_leaves_an_acceleration() {
 }
 
 #[test]
-fn what_no_unknown_changes_is_mentioned() {
+fn residuals_without_unknowns_are_mentioned() {
     let error = Pushed.equilibrium([0.0, 1.0, 0.0, 0.0]).solve().expect_err("nothing holds it");
     let text = error.to_string();
     assert!(text.contains("`x_ddot` remains 2.0 instead of 0, which no unknown changes there"), "{text}");
@@ -88,7 +88,7 @@ fn what_no_unknown_changes_is_mentioned() {
 }
 
 #[test]
-fn what_is_not_finite_is_named() {
+fn infinite_entries_are_named() {
     let rods = DoublePendulum::<f64>::default();
     let error = rods.equilibrium([f64::NAN, 0.0, 0.0, 0.0]).solve().expect_err("no state");
     assert_eq!(error.to_string(), "`a` of the state is NaN");

@@ -135,7 +135,7 @@ fn an_observer_and_a_regulator_balance_together() {
 }
 
 #[test]
-fn what_outputs_do_not_show_is_named() {
+fn unobservable_states_are_named() {
     let model = Twins::default().linearise(0.0, [0.0; 6]).expect("smooth");
     let hidden = model.least_observed_direction().expect("states");
     assert!(!hidden.is_controllable(), "{hidden}");

@@ -142,7 +142,7 @@ fn responses_in_time_are_closed_forms() {
 }
 
 #[test]
-fn responses_without_a_limit_say_so() {
+fn responses_without_a_limit_are_reported() {
     let undamped = place(0.0).step_response(3.0).unwrap();
     assert_eq!((undamped.limit, undamped.rise_time(), undamped.settling_time(0.02)), (None, None, None));
     assert!((undamped.values[499] - (1.0 - 6.0_f64.cos()) / 8.0).abs() < 1e-14);

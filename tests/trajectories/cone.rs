@@ -275,7 +275,7 @@ fn plates_come_to_rest_where_a_regularised_reference_does() {
 }
 
 #[test]
-fn what_rests_stays() {
+fn resting_bodies_stay_at_rest() {
     let still = Cuboid { e: 0.3, ..Cuboid::default() };
     let run = still.simulate(flat(0.1, [0.0; 3], [0.0; 3])).until(100.0).run().expect("rests");
     assert!(run.events().is_empty());

@@ -329,7 +329,7 @@ fn a_resumed_motion_is_the_uninterrupted_one() {
 }
 
 #[test]
-fn what_rests_stays_and_zeros_stay_zeros() {
+fn resting_states_stay_and_zeros_stay_zeros() {
     let pendulum = ElasticPendulum { g: 0.0, ..ElasticPendulum::<f64>::default() };
     let rest = [1.0, 0.0, 0.0, 0.0];
     assert_eq!(integrate(&pendulum, 0.0, rest, 1e6, &Radau5::tolerance(1e-9), |_, _| {}), Ok(rest));

@@ -106,7 +106,7 @@ fn the_energy_of_a_chaotic_star_does_not_drift() {
 }
 
 #[test]
-fn what_does_drift_is_seen() {
+fn drift_is_detected() {
     let (pendulum, start, step) = (Pendulum::default(), [1.0, 0.0], 0.01);
     let line = energy_error(&pendulum, start, step, &RungeKutta4 { step }, pendulum_energy);
     assert!(line.slope.abs() > 10.0 * line.noise, "{line:?}");

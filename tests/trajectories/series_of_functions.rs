@@ -210,7 +210,7 @@ fn powers_of_zero_keep_the_energy() {
 }
 
 #[test]
-fn what_only_touches_is_hit() {
+fn touched_points_are_located() {
     let start = [-0.1, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
     for n in [1.5, 1.7, 3.0] {
         let beads = Beads { n, ..Beads::<f64>::default() };

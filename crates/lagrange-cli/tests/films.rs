@@ -79,7 +79,7 @@ fn a_motion_that_fails_is_filmed_as_far_as_it_went() {
 }
 
 #[test]
-fn what_is_no_film_is_refused() {
+fn other_formats_than_films_are_refused() {
     let point = "coord x = 0; kinetic = 1/2 * dot(x)^2;";
     let cases: [(&str, &[&str], i32, &str); 7] = [
         (point, &["--until", "1"], 1, "a film needs bodies, and the declaration has none"),

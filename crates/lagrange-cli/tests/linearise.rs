@@ -142,7 +142,7 @@ fn options_that_make_no_sense_are_named() {
 }
 
 #[test]
-fn systems_without_an_equilibrium_or_a_model_say_why() {
+fn missing_equilibria_and_models_are_explained() {
     let cases = [
         (
             "falls.lag",

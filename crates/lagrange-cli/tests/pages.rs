@@ -178,7 +178,7 @@ fn bounces_that_accumulate_end_in_words() {
 }
 
 #[test]
-fn what_pages_cannot_run_is_refused_by_name() {
+fn systems_beyond_pages_are_refused_by_name() {
     let base = "coord x = 0; kinetic = 1/2 * dot(x)^2;";
     for (declaration, wanted) in [
         (format!("{base} event floor = x, falling => impact(0.5);"), "`floor`"),

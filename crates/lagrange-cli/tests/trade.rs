@@ -84,7 +84,7 @@ fn the_table_has_a_line_for_each_error_and_all_runs_are_saved() {
 }
 
 #[test]
-fn what_cannot_be_measured_is_refused() {
+fn unmeasurable_motions_are_refused() {
     let ending = declaration("ends.lag", "coord x = 0; kinetic = 1/2 * dot(x)^2; force x = sqrt(1/2 - t);");
     let cases: [(&str, &[&str], i32, &str); 9] = [
         (SWING, &[], 2, "the end is missing"),

@@ -87,7 +87,7 @@ fn a_motion_is_computed_again_after_each_change() {
 }
 
 #[test]
-fn what_cannot_be_watched_is_refused() {
+fn unwatchable_inputs_are_refused() {
     let cases: [(&[&str], &str); 6] = [
         (&[], "a command is missing"),
         (&["fly", "a.lag"], "unknown command `fly`"),

@@ -111,7 +111,7 @@ fn orientations_and_states_are_linearised_as_in_compiled_code() {
 }
 
 #[test]
-fn what_cannot_be_found_is_said() {
+fn failed_searches_are_explained() {
     let read = Loop::text();
     let wrong =
         read.equilibrium(SearchSettings { hold: vec!["z".to_owned()], ..near(&[0.0, -1.2, 0.0, 0.0]) });
@@ -124,7 +124,7 @@ fn what_cannot_be_found_is_said() {
 }
 
 #[test]
-fn parameters_out_of_their_ranges_are_said() {
+fn parameters_out_of_range_are_reported() {
     let mut spring = declared(
         "param k: N/m > 0 = 4; param m: kg = 1; coord x: m; kinetic = 1/2 * m * dot(x)^2; \
          potential = 1/2 * k * x^2; emit { system_matrix }",

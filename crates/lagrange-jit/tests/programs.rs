@@ -144,7 +144,7 @@ const COUPLED: &str =
     kinetic = 1/2 * dot(x)^2; force x = lift(x) + a * b + a;";
 
 #[test]
-fn what_is_called_back_has_the_values_of_the_interpreter() {
+fn callbacks_return_the_values_of_the_interpreter() {
     let derived = parse(COUPLED).and_then(|system| system.derive(StrategyChoice::Cheapest));
     let interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
     let compiler = Compiler::for_this_processor().expect("a known processor");

@@ -243,7 +243,7 @@ fn other_extensions_are_refused() {
 }
 
 #[test]
-fn pictures_larger_than_memory_are_none() {
+fn pictures_larger_than_memory_are_refused() {
     for size in [[1 << 20, 1 << 20], [u32::MAX; 2], [0, 1], [1, 0]] {
         assert_eq!(Pixels::white(size, 1.0), None, "{size:?}");
     }

@@ -61,7 +61,7 @@ fn files_larger_than_a_table_are_refused() {
 /// Waiting for a writer, or for the end of a device, would block the build.
 #[cfg(unix)]
 #[test]
-fn what_is_no_file_is_not_waited_for() {
+fn special_files_do_not_block() {
     use std::os::unix::fs::symlink;
     use std::os::unix::net::UnixListener;
 

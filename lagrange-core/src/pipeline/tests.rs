@@ -94,7 +94,7 @@ fn equations_read_like_those_of_a_textbook() {
 }
 
 #[test]
-fn the_documentation_says_which_strategy_was_taken_and_which_was_closed() {
+fn the_documentation_names_the_chosen_strategy_and_the_excluded_one() {
     let coupled = |inertia: &str| {
         let text =
             format!("coord x, y; let a = x + sin(y); kinetic = 1/2*dot(x)^2 + {inertia}; potential = x*y;");

@@ -340,7 +340,7 @@ fn one_mistake_in_a_joint_is_one_message() {
 }
 
 #[test]
-fn what_has_no_effect_is_a_mistake() {
+fn statements_without_effect_are_mistakes() {
     let still = "param m; coord x, y; body b { mass: m; center: (x, y); shape: disk(1); } line f { }";
     for (statement, expected) in [
         ("torque 1 on b;", "`b` never rotates, so a torque"),
@@ -388,7 +388,7 @@ fn masses_and_gravity_are_no_matter_of_motion() {
 }
 
 #[test]
-fn how_mass_is_distributed_is_no_matter_of_motion() {
+fn distributions_of_mass_must_be_constant() {
     for items in [
         "mass: 1; inertia: x^2;",
         "mass: 1; shape: disk(1 + x);",

@@ -84,7 +84,7 @@ fn in_takes_the_whole_expression_before_it() {
 }
 
 #[test]
-fn what_a_joint_says_is_not_said_twice() {
+fn joints_alone_place_their_bodies() {
     let message =
         mistakes("coord e; body rod { mass: 1; inertia: 1; angle: e; } revolute a = ground to rod;");
     assert_eq!(message[0], "the joint that places `rod` determines its angle");

@@ -62,7 +62,7 @@ fn subjects(declaration: &str) -> Vec<(&'static str, Subject)> {
 
 /// Moving an input slightly shows which accelerations depend on it.
 #[test]
-fn an_acceleration_is_not_a_number_if_something_it_depends_on_is_none() {
+fn an_acceleration_is_nan_if_an_input_is() {
     let mut failures = Vec::new();
     for Case { name, declaration, sample } in cases() {
         let reference = Reference::new(&declaration);

@@ -179,7 +179,7 @@ fn eight_unknowns_have_the_derivatives_that_differences_show() {
 }
 
 #[test]
-fn what_has_no_common_solution_is_not_a_number() {
+fn equations_without_common_solution_give_nan() {
     let of = |equations: &str| {
         found(&format!("param p = 1; solve (y, z): {equations}; output found = (y, z);"), &[])
     };
@@ -219,7 +219,7 @@ fn what_has_no_common_solution_is_not_a_number() {
 }
 
 #[test]
-fn what_is_printed_of_equations_is_read_as_those() {
+fn printed_equations_keep_their_meaning() {
     for equations in [
         "(y, z): 0 = y^2 - x * z, 0 = z - cos(y)",
         "(y: m, z): 0 = y - x^3/(4 [m^2]), 0 = z - y / (2 [m]), start: (2, 1/2), iterations: 7 + 1",

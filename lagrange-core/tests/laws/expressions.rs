@@ -110,7 +110,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_written_is_read_with_the_same_value(steps in steps(14), point in points()) {
+    fn written_expressions_are_read_with_the_same_value(steps in steps(14), point in points()) {
         let mut graph = Graph::new();
         let root = *build(&mut graph, &steps).last().expect("leaves at least");
         let written = text(&graph, root);

@@ -198,7 +198,7 @@ fn count(tokens: TokenStream) -> usize {
 }
 
 #[test]
-fn what_is_emitted_for_pinned_bodies_grows_in_proportion() {
+fn code_for_pinned_bodies_grows_in_proportion() {
     let per_body = EMITTED.map(|n| {
         let derived = derived(&Mechanism::chain(n).declaration("standard", |i| i), StrategyChoice::Cheapest);
         count(derived.emit(&quote!(lagrange)).unwrap_or_else(|report| panic!("{report}"))) / n

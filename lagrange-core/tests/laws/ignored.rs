@@ -97,7 +97,7 @@ proptest! {
     #![proptest_config(crate::one_in(10))]
 
     #[test]
-    fn what_is_ignored_still_acts(machine in machines(), a in prop::collection::vec(-2.0..2.0, 5)) {
+    fn ignored_coordinates_still_act(machine in machines(), a in prop::collection::vec(-2.0..2.0, 5)) {
         let pair = Pair::new(machine);
         let (t, q, scale) = (pair.t, pair.reduced_positions(), pair.scale());
         let a = &a[..pair.q.len()];

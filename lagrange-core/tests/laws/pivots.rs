@@ -56,7 +56,7 @@ fn kinetic_energies_need_no_second_way() {
 }
 
 #[test]
-fn what_is_not_determined_is_not_a_number() {
+fn undetermined_accelerations_are_nan() {
     for text in [
         "param m = 0; coord x, y; kinetic = 1/2*m*dot(x)^2 + 1/2*dot(y)^2; force x = 1;",
         "coord x, y; lagrangian = 1/2*sin(x)*dot(x)^2 + sin(x)*dot(x)*dot(y) + 1/2*dot(y)^2*x;",

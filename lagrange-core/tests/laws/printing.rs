@@ -106,7 +106,7 @@ pub(crate) const SCENE: &str = "
     output push = touch.force;";
 
 #[test]
-fn what_bodies_become_is_printed_as_what_it_says() {
+fn expanded_bodies_are_printed_with_the_same_meaning() {
     let mut report = Report::default();
     let of_bodies = plain(read(SCENE), &mut report).declaration;
     assert!(!report.has_errors(), "{report}");

@@ -128,7 +128,7 @@ fn needed_by(product: Product) -> &'static [Product] {
 }
 
 #[test]
-fn what_is_not_asked_for_is_not_derived() {
+fn unrequested_products_are_not_derived() {
     // The other products are built from the expressions that lead to the accelerations.
     let [bare, with] =
         [vec![], vec![Product::InverseDynamics]].map(|products| emission(SYSTEM, &products).expressions);

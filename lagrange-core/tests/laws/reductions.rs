@@ -107,7 +107,7 @@ proptest! {
     #![proptest_config(crate::one_in(10))]
 
     #[test]
-    fn what_is_frozen_drops_out(machine in machines(), frozen in 1..31_u32, a in prop::collection::vec(-2.0..2.0, 5)) {
+    fn frozen_coordinates_drop_out(machine in machines(), frozen in 1..31_u32, a in prop::collection::vec(-2.0..2.0, 5)) {
         let n = machine.q.len();
         let frozen = frozen & ((1 << n) - 1);
         prop_assume!(frozen != 0 && (frozen.count_ones() as usize) < n);
@@ -119,7 +119,7 @@ proptest! {
     /// Deviations and their rates are of order ε. Then forces have errors of order ε² on small
     /// coordinates, and ε³ on the others.
     #[test]
-    fn what_is_small_is_linear(
+    fn small_coordinates_are_linear(
         machine in machines(),
         frozen in 0..31_u32,
         small in 1..32_u32,

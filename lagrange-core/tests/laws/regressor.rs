@@ -128,7 +128,7 @@ fn systems_of_energies_have_columns_for_what_is_linear() {
 
 /// A product of parameters is linear in its first factor.
 #[test]
-fn of_a_product_the_first_parameter_is_taken() {
+fn products_are_linear_in_their_first_parameter() {
     let spring = "struct S; param a = 2, b = 3; coord x; kinetic = 1/2 * dot(x)^2;
         potential = 1/2 * a * b * x^2; emit { regressor }";
     assert_eq!(names(spring), ["a"]);

@@ -140,7 +140,7 @@ fn known_solutions_are_found_to_their_last_digits() {
 }
 
 #[test]
-fn what_has_no_solution_or_is_not_found_is_not_a_number() {
+fn missing_solutions_are_nan() {
     let a = &[("a", 1.0)];
     assert!(solution("0 = y^2 + a", a).is_nan());
     assert!(solution("0 = y^2 + a, start: 2, iterations: 1000", a).is_nan());
@@ -164,7 +164,7 @@ fn along(equation: &str, functions: &str) -> impl Fn(f64) -> f64 {
 }
 
 #[test]
-fn what_only_looks_like_a_solution_is_not_a_number() {
+fn apparent_solutions_are_nan() {
     let root = along("0 = sqrt(y^2 + 1) - y + x", "");
     let distance = along("0 = hypot(y - 1, 2) - sqrt(5) + y - x", "");
     let is_near = |found: f64, y: f64| (found - y).abs() < 1e-14 * (1.0 + y.abs()).powi(3);
@@ -253,7 +253,7 @@ fn reductions_take_unknowns_with_them() {
 }
 
 #[test]
-fn what_is_printed_of_an_equation_is_read_as_that() {
+fn a_printed_equation_keeps_its_meaning() {
     for equation in [
         "0 = y^2 - x",
         "m: 0 = y - x^3/(4 [m^2]), start: 2, iterations: 7 + 1",

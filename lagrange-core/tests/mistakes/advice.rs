@@ -21,7 +21,7 @@ fn worth(expression: &str) -> Vec<f64> {
 }
 
 #[test]
-fn whatever_is_advised_can_be_read() {
+fn all_advice_can_be_read() {
     let numbers = ["x", "y", "z"].map(str::to_owned);
     let vectors = ["(x, y)", "(y, z)", "(z, x)"].map(str::to_owned);
     for (names, count, template) in FUNCTIONS {
@@ -40,7 +40,7 @@ fn whatever_is_advised_can_be_read() {
 }
 
 #[test]
-fn functions_are_worth_what_they_are_elsewhere() {
+fn functions_have_the_same_values_as_elsewhere() {
     type Elsewhere = fn(f64, f64, f64) -> f64;
     let [x, y, z] = PLACE;
     let cases: [(&str, usize, Elsewhere); 22] = [

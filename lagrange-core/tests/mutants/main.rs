@@ -51,7 +51,7 @@ const WHOLE: usize = if cfg!(debug_assertions) { 16 } else { 1 };
 const LONGEST: usize = if cfg!(debug_assertions) { 700 } else { 6_000 };
 
 #[test]
-fn every_mutant_is_emitted_or_complained_about() {
+fn every_mutant_is_emitted_or_refused() {
     let cases = numbered("LAGRANGE_MUTANTS", USUAL);
     let corpus = corpus::declarations(LONGEST);
     assert!(corpus.len() > 100, "{} declarations found", corpus.len());

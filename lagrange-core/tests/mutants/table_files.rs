@@ -95,7 +95,7 @@ fn answer(text: &str) -> Result<Answer, String> {
 }
 
 #[test]
-fn every_file_of_a_table_is_read_or_complained_about() {
+fn every_file_of_a_table_is_read_or_refused() {
     let count = env::var("LAGRANGE_TABLES").map_or(USUAL, |count| count.parse().expect("a number"));
     let verdicts = guard::run(0..count, |case| Case { text: file(case), judge: answer });
     let accepted = verdicts.iter().filter(|verdict| verdict.answer == Some(Answer::Accepted)).count();

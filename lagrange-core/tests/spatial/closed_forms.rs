@@ -111,7 +111,7 @@ fn a_free_top_turns_as_euler_says() {
 
 /// Two bodies on a freely moving frame without gravity: all forces are internal.
 #[test]
-fn what_acts_between_bodies_keeps_momentum_and_angular_momentum() {
+fn internal_forces_conserve_momentum_and_angular_momentum() {
     let system = system(
         "frame f1; frame f2; frame f3; frame f4; frame f5;
         body hull { mass: 3; centroid: (0.1, -0.2, 0.05); inertia: (0.5, 0.6, 0.4, 0.02, -0.05, 0.1); }

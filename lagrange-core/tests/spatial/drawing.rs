@@ -267,7 +267,7 @@ fn is_incomplete(tree: &Case, derived: &Derived) -> bool {
 }
 
 #[test]
-fn what_is_drawn_moves_the_trees() {
+fn drawn_loads_move_the_trees() {
     let mut complete = 0;
     for tree in trees(2) {
         let derived = derived(&tree);

@@ -140,7 +140,7 @@ fn a_gyroscope_on_a_ball_precesses_steadily_at_both_of_its_rates() {
 
 /// Without gravity all forces act between bodies.
 #[test]
-fn what_acts_between_free_bodies_keeps_momentum_and_angular_momentum() {
+fn forces_between_free_bodies_conserve_momentum_and_angular_momentum() {
     let system = system(
         "gravity = (0, 0, 0);
         body hull { mass: 3; centroid: (0.1, -0.2, 0.05); inertia: (0.5, 0.6, 0.4, 0.02, -0.05, 0.1); }

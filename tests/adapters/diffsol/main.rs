@@ -112,7 +112,7 @@ fn time_may_run_backwards() {
 }
 
 #[test]
-fn where_the_system_ends_the_last_good_state_is_told() {
+fn failures_report_the_last_good_state() {
     let method = Stiff::tolerance(1e-8);
     let error = integrate_stiff(&Oscillator { until: 1.0 }, 0.0, [1.0, 0.0], 2.0, &method, |_, y| {
         assert!(y[0].is_finite() && y[1].is_finite());

@@ -139,7 +139,7 @@ fn solids_become_each_other_at_the_ends_of_their_dimensions() {
 }
 
 #[test]
-fn what_does_not_exist_is_not_a_number() {
+fn impossible_solids_give_nan() {
     assert!(triangle(M, 1.0, 2.0, 4.0).is_nan());
     assert!(triangle_center(-1.0_f64, 2.0, 2.0)[0].is_nan());
     assert!(hollow_cylinder(M, 2.0, 1.0).is_nan());

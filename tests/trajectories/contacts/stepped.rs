@@ -315,7 +315,7 @@ fn steps_are_the_same_bits_whatever_is_seen_of_them() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_settings_are_refused() {
     let words = |h: f64, mu: f64, e: f64| {
         let thrown = Thrown { mu, e, ..Thrown::default() };
         let start = flat([0.0, 0.0, 0.11], [0.0; 3], [0.0; 3]);

@@ -105,7 +105,7 @@ fn thrown(number: u64) -> Outcome {
 }
 
 #[test]
-fn bodies_thrown_onto_rough_ground_go_on() {
+fn bodies_thrown_onto_rough_ground_keep_moving() {
     let count = env::var("LAGRANGE_THROWS").ok();
     let count = count.map_or(USUAL, |count| count.parse().expect("LAGRANGE_THROWS is a whole number"));
     let (mut failed, mut steps, mut rise, mut depth) = (Vec::new(), 0, 0.0_f64, 0.0_f64);

@@ -13,7 +13,7 @@ use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use lagrange_plot::label::Anchor;
 
 #[test]
-fn of_samples_at_one_time_the_last_is_shown() {
+fn the_last_of_simultaneous_samples_is_shown() {
     assert_eq!(last_at_each(&[0.0, 1.0, 1.0, 2.0]), [0, 2, 3]);
     assert_eq!(last_at_each::<f64>(&[]), [0; 0]);
 }

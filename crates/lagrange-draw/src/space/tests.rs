@@ -106,7 +106,7 @@ fn texts(picture: &Picture) -> Vec<String> {
 }
 
 #[test]
-fn what_is_asked_for_is_drawn_and_named() {
+fn requested_items_are_drawn_and_named() {
     let drawing = Drawing::of(&Crane).title("A crane").forces().velocities().axes().floor(-0.5);
     let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);
     let moments = (0..10).map(|k| (0.1 * f64::from(k), [0.2 * f64::from(k), 1.0]));
@@ -181,7 +181,7 @@ fn things_that_change_during_a_film_are_refused_by_name() {
 }
 
 #[test]
-fn what_is_hidden_or_not_finite_is_refused_by_name() {
+fn hidden_and_infinite_items_are_refused_by_name() {
     let drawing = Drawing::of(&Crane);
     assert!(matches!(drawing.clone().hide("wheel").picture(0.0, &[0.0; 2]), Err(DrawError::UnknownItem(_))));
     match drawing.clone().picture(0.5, &[f64::NAN, 0.0]) {

@@ -27,7 +27,7 @@ fn derivatives_have_default_names() {
 }
 
 #[test]
-fn where_derivatives_are_listed_others_are_missing() {
+fn listed_derivatives_exclude_others() {
     let road = function(&["x"], Some(vec![(vec![1], "slope".to_owned())]));
     let [slope, curvature] = [road.derivative(0), road.derivative(0).derivative(0)];
     assert_eq!([road.rust_name(), slope.rust_name()], ["lift", "slope"]);

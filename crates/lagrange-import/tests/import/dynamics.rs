@@ -27,7 +27,7 @@ fn every_type_of_joint_moves_as_pinocchio_says() {
 }
 
 #[test]
-fn what_is_written_compiles_and_moves_as_pinocchio_says() {
+fn imported_code_compiles_and_moves_as_in_pinocchio() {
     let imported = imported("every_joint.urdf", &Options::default());
     let machine = compiled::OddMachine2;
     for [q, v, expected] in states(&imported, &read("every_joint.txt")).expect("the same joints") {

@@ -43,7 +43,7 @@ fn nothing_that_changes_the_motion_is_left_out() {
 }
 
 #[test]
-fn what_other_programs_add_is_left_out_with_a_warning() {
+fn elements_of_other_programs_are_skipped_with_a_warning() {
     let cases = [
         ("<parent", "<hardwareInterface/><parent"),
         ("<parent", "<dynamics damping=\"0\" K=\"7000\"/><parent"),
@@ -59,7 +59,7 @@ fn what_other_programs_add_is_left_out_with_a_warning() {
 }
 
 #[test]
-fn elements_of_other_namespaces_are_none_of_the_robot() {
+fn elements_of_other_namespaces_are_not_part_of_the_robot() {
     let drake = "<robot name=\"r\" xmlns:drake=\"http://drake.mit.edu\">";
     let plain = import(GOOD, &Options::default()).expect("a robot").declaration;
     let foreign = "<drake:joint name=\"p\" type=\"ball\"/><drake:link name=\"l\"><inertial/></drake:link>";
@@ -134,7 +134,7 @@ fn angles(line: &str) -> [f64; 3] {
 }
 
 #[test]
-fn orientations_that_are_none_are_mistakes() {
+fn impossible_orientations_are_mistakes() {
     let cases = [
         ("quat_xyzw=\"0 0 0 0\"", "11:9: error: joint \"q\", <origin>: the quaternion is zero"),
         (
@@ -185,7 +185,7 @@ fn thin(moments: [&str; 3], joint: &str) -> String {
 }
 
 #[test]
-fn what_could_move_without_inertia_is_a_mistake_of_the_file() {
+fn motions_without_inertia_are_mistakes_of_the_file() {
     let free = Options { is_free: true, ..Options::default() };
     let cases = [
         (

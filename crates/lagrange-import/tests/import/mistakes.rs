@@ -217,7 +217,7 @@ const EDITS: &[(&str, &str, &[&str])] = &[
 ];
 
 #[test]
-fn mistakes_are_told_with_their_line_and_element() {
+fn mistakes_are_reported_with_line_and_element() {
     let wrong = EDITS.iter().filter_map(|(piece, other, expected)| {
         assert!(GOOD.contains(piece), "{piece}");
         let said = said(&GOOD.replacen(piece, other, 1));
@@ -241,7 +241,7 @@ fn other_files_are_no_robots() {
 }
 
 #[test]
-fn every_mistake_of_a_file_is_told() {
+fn every_mistake_of_a_file_is_reported() {
     let text = read("wrong.urdf");
     let mistakes = import(&text, &Options::default()).expect_err("all is wrong");
     let told = listing("wrong.urdf", &mistakes);

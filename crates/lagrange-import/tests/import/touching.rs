@@ -70,7 +70,7 @@ fn messages(text: &str, options: &Options) -> Vec<String> {
 }
 
 #[test]
-fn what_is_wanted_and_cannot_be_is_reported() {
+fn impossible_requests_are_reported() {
     let cornered = |link: &str| Options { corners: vec![link.to_owned()], ..Options::default() };
     let free = Options { is_free: true, ..all() };
     let nothing = "no moving link has a sphere as its collision shape";
@@ -106,7 +106,7 @@ fn what_is_wanted_and_cannot_be_is_reported() {
 }
 
 #[test]
-fn what_keeps_its_height_is_no_contact_and_what_cannot_slip_has_no_friction() {
+fn bodies_of_constant_height_have_no_contact_and_those_without_slip_no_friction() {
     let sphere =
         r#"<collision><origin xyz="0 0.1 0"/><geometry><sphere radius="0.1"/></geometry></collision>"#;
     let about_the_vertical = robot(sphere, r#"<axis xyz="0 0 1"/>"#);

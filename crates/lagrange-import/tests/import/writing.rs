@@ -45,7 +45,7 @@ fn declarations_are_written_as_they_were_read_and_judged() {
 }
 
 #[test]
-fn what_is_printed_of_a_declaration_is_printed_of_what_was_printed() {
+fn printing_is_idempotent() {
     for file in FILES {
         for options in options() {
             let declaration = imported(file, &options).declaration;

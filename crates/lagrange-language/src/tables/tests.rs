@@ -101,7 +101,7 @@ fn characters_that_cannot_be_seen_are_escaped_in_messages() {
 }
 
 #[test]
-fn bytes_that_are_no_text_are_told_what_they_are() {
+fn bytes_that_are_not_text_are_identified() {
     let utf_16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>();
     assert_eq!(decoded(b"0, 1".to_vec()), Ok("0, 1".to_owned()));
     assert_eq!(decoded(Vec::new()), Ok(String::new()));

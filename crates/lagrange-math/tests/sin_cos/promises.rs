@@ -22,7 +22,7 @@ fn zeros_and_the_smallest_numbers_come_back_as_they_are() {
 }
 
 #[test]
-fn what_is_no_angle_gives_no_number() {
+fn nan_and_infinity_give_nan() {
     for angle in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN, -f64::NAN] {
         for (of, _) in FUNCTIONS {
             let (sine, cosine) = of(angle);

@@ -67,7 +67,7 @@ fn symbols_lean_and_their_greek_does() {
 }
 
 #[test]
-fn what_the_font_lacks_is_a_box_and_not_left_out() {
+fn missing_characters_are_boxes() {
     let area = bounds(UNKNOWN, Slope::Upright);
     assert!(area.width() > 0.4 && area.height() > 0.6, "{area:?}");
     for text in ["\u{1f980}", "字", "ا"] {
@@ -90,7 +90,7 @@ fn heights_are_those_of_the_font() {
 }
 
 #[test]
-fn pairs_stand_closer_where_the_font_says_so() {
+fn pairs_follow_the_kerning_of_the_font() {
     let apart = |a, b| width(a, Slope::Upright) + width(b, Slope::Upright);
     assert!(width("AV", Slope::Upright) < apart("A", "V") - 0.05);
     assert_eq!(width("nn", Slope::Upright), apart("n", "n"));

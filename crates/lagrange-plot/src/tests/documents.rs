@@ -57,7 +57,7 @@ fn title(figure: &Figure) -> String {
 }
 
 #[test]
-fn titles_say_what_there_is_to_see() {
+fn titles_describe_the_content() {
     let line = |name: &str| curve(name, [(0.0, 1.0), (1.0, 2.0)].into_iter());
     assert_eq!(title(&figure(vec![line("y")])), "height over time");
     assert_eq!(title(&figure(vec![line("a < b"), line("c")])), "height (a < b, c) over time");

@@ -183,7 +183,7 @@ fn pure_translation_has_no_instantaneous_centre() {
 }
 
 #[test]
-fn centres_that_are_no_places_are_none() {
+fn motions_without_rotation_or_values_have_no_centre() {
     let (motion, _) = motions().next().unwrap();
     for omega in [f64::MIN_POSITIVE * 1e-10, f64::NAN] {
         assert_eq!(Motion { angular_velocity: omega, ..motion }.instant_center(), None);

@@ -257,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn what_inputs_do_not_move_is_named() {
+    fn uncontrollable_states_are_named() {
         // The second state grows by itself.
         let a = DenseMatrix::from_rows(&[[0.0, 0.0], [0.0, 2.0]]);
         let b = DenseMatrix::from_rows(&[[1.0], [0.0]]);

@@ -137,7 +137,7 @@ fn capsules_lie_on_two_points() {
 }
 
 #[test]
-fn where_blocks_coincide_or_touch_there_is_a_normal() {
+fn coincident_and_touching_blocks_have_a_normal() {
     let tilted = turned([0.9, 0.1, 0.3, -0.2]);
     let of = [cube([0.0; 3]), Block { axes: tilted, ..cube([0.0; 3]) }, capsule([0.0; 3], UPRIGHT)];
     for first in &of {

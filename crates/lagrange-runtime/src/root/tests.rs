@@ -85,7 +85,7 @@ fn small_zeros_are_found_where_digits_cancel() {
 }
 
 #[test]
-fn what_has_no_zero_or_no_slope_is_not_a_number() {
+fn equations_without_zero_or_slope_give_nan() {
     let without_zero =
         |y: f64| [(y - 1000.0).powi(2) + 1e-12, 2.0 * (y - 1000.0), 4.0 * (y - 1000.0).powi(2)];
     assert!(newton(1.0, 1000, without_zero).is_nan());

@@ -333,7 +333,7 @@ impl OdeSystem for Halving {
 }
 
 #[test]
-fn what_is_seen_after_an_event_is_what_the_motion_goes_on_from() {
+fn motions_continue_from_the_state_observed_after_an_event() {
     let mut seen = Vec::new();
     let method = RungeKutta4 { step: 0.25 };
     integrate(&Halving, 0.0, [0.0, 0.0], 1.0, &method, |_, [_, distance]| seen.push(*distance))

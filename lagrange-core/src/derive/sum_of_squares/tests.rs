@@ -169,7 +169,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn what_is_left_of_squares_is_their_minimum(
+    fn the_remainder_of_squares_is_their_minimum(
         shape in shapes(),
         values in numbers(61),
         places in prop::array::uniform3(numbers(REMAINING)),

@@ -56,7 +56,7 @@ fn conditions_hold_for_every_item() {
 }
 
 #[test]
-fn what_is_emitted_may_use_a_deprecated_struct() {
+fn emitted_items_may_use_a_deprecated_struct() {
     for item in items("#[deprecated] struct Whole;") {
         let makes_types = matches!(&item, syn::Item::Const(_)) && !has(&item, "dead_code");
         assert_eq!(has(&item, "allow (deprecated"), makes_types, "{:?}", attributes(&item));

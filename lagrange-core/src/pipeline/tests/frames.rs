@@ -251,7 +251,7 @@ fn what_time_alone_moves_is_left_out_of_jacobians() {
 }
 
 #[test]
-fn what_is_asked_for_leaves_the_equations_alone() {
+fn requested_products_leave_the_equations_unchanged() {
     for text in [ARM, CARRIED] {
         let [silent, asked] = ["", "emit { motion, frames, frame_jacobians }"].map(|emit| {
             let values = Values::of(&format!("{text} {emit}"));
@@ -280,7 +280,7 @@ fn items(text: &str) -> String {
 }
 
 #[test]
-fn methods_are_emitted_of_what_is_asked_for_alone() {
+fn only_requested_methods_are_emitted() {
     let methods = ["fn arm_motion", "fn arm_frame", "fn wrist_frame", "fn arm_jacobian", "fn wrist_jacobian"];
     let with = |emit: &str| {
         let text = items(&format!("struct Arm; {LINK} {emit}"));

@@ -19,7 +19,7 @@ fn assert_reported(statement: &str, part: &str, message: &str) {
 }
 
 #[test]
-fn what_is_not_real_is_reported_where_it_stands() {
+fn numbers_that_are_not_real_are_reported_in_place() {
     let message = "this is not a real number";
     for value in ["sqrt(-2)", "ln(-1)", "ln(0)", "asin(2)", "acos(-3/2)", "(-pi)^(1/2)", "pow(-pi, 1/3)"] {
         for statement in [

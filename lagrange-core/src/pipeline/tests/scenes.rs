@@ -80,7 +80,7 @@ fn nothing_is_derived_or_emitted_that_nobody_asks_for() {
 }
 
 #[test]
-fn what_is_asked_for_leaves_the_equations_alone() {
+fn requested_products_leave_the_equations_unchanged() {
     let [silent, asked] = ["", "emit { motion, drawing }"].map(|emit| {
         let text = FULL.replace("emit { drawing }", emit);
         let derived = derived(&text);
@@ -195,7 +195,7 @@ fn bodies_of_reduced_types_stand_where_coordinates_are_frozen() {
 }
 
 #[test]
-fn after_a_mistake_the_type_still_has_what_was_asked_for() {
+fn requested_members_exist_even_after_a_mistake() {
     let text = format!("struct Rod; {ROD} output o = unknown; emit {{ motion, drawing, statements }}");
     let skeleton = items(&text);
     for present in ["fn rod_motion", ":: scene :: Scene for Rod", "STATEMENTS", "compile_error"] {

@@ -100,7 +100,7 @@ fn nothing_is_derived_or_emitted_that_nobody_asks_for() {
 }
 
 #[test]
-fn what_is_asked_for_leaves_the_equations_alone() {
+fn requested_products_leave_the_equations_unchanged() {
     let [silent, asked] = ["", "emit { drawing }"].map(|emit| {
         let derived = derived(&format!("{ARM} {emit}"));
         let accelerations = derived.equations.accelerations.clone();

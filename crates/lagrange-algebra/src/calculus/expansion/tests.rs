@@ -93,7 +93,7 @@ fn kinks_and_poles_at_the_point_have_no_expansion() {
 }
 
 #[test]
-fn what_vanishes_at_a_kink_smooths_it() {
+fn a_factor_that_vanishes_at_a_kink_smooths_it() {
     let mut g = Graph::new();
     let ([x, y, v, _], zero) = (symbols(&mut g), g.number(0));
     let magnitude = apply(&mut g, Function::Abs, &[v]);
@@ -125,7 +125,7 @@ fn what_vanishes_at_a_kink_smooths_it() {
 }
 
 #[test]
-fn what_is_not_chosen_need_not_be_defined() {
+fn unchosen_branches_may_be_undefined() {
     let mut g = Graph::new();
     let ([x, ..], one) = (symbols(&mut g), g.number(1));
     let pole = g.reciprocal(x);

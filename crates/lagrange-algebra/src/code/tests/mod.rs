@@ -170,7 +170,7 @@ fn elimination_reads_like_written_by_hand() {
 }
 
 #[test]
-fn a_choice_is_not_a_number_where_its_condition_is_none() {
+fn a_choice_is_nan_if_its_condition_is() {
     let (graph, outputs, labels) = contact();
     insta::assert_snapshot!("contact", function(&graph, &outputs, &labels, &Scalar::F32));
 }

@@ -102,7 +102,7 @@ fn values_are_computed_close_to_their_use() {
 /// c·d has no dependencies, while sin(a·b) depends on a product. The product therefore comes first,
 /// and c·d immediately before its use.
 #[test]
-fn what_waits_longest_is_computed_first() {
+fn values_with_the_longest_wait_are_computed_first() {
     let (mut g, [a, b, c, d], _) = letters();
     let angle = g.multiply(a, b);
     let late = apply(&mut g, Function::Sin, &[angle]);

@@ -117,7 +117,7 @@ proptest! {
 
     /// Parameters are 0 to 3; prepared values follow them.
     #[test]
-    fn what_is_prepared_computes_the_same_bits_and_is_no_longer_computed(steps in steps()) {
+    fn prepared_values_have_the_same_bits_and_leave_the_program(steps in steps()) {
         let (mut graph, parameters, coordinates) = letters();
         let outputs = build(&mut graph, &[parameters.as_slice(), &coordinates].concat(), &steps);
         let program = lowered(&graph, &outputs);

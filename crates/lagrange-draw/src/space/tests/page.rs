@@ -116,7 +116,7 @@ fn places_are_where_things_are() {
 }
 
 #[test]
-fn what_does_not_change_is_written_once_and_equal_meshes_are_one() {
+fn constants_are_written_once_and_equal_meshes_are_shared() {
     let data = film(walker_page());
     let space = &data["space"];
     let (meshes, things) = (space["meshes"].as_array(), space["things"].as_array());
@@ -205,7 +205,7 @@ fn files_are_written_where_they_are_wanted() {
 
 /// Writes pages for `tools/space_check.py` and for inspection, if a folder is specified for them.
 #[test]
-fn samples_are_left_where_they_are_asked_for() {
+fn samples_are_saved_in_the_given_folder() {
     let Ok(folder) = std::env::var("LAGRANGE_PICTURES") else { return };
     for (name, film) in [("crane", &crane(121)), ("walker", walker())] {
         for extension in ["html", "glb"] {

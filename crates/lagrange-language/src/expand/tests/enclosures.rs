@@ -25,7 +25,7 @@ fn loops_in_events_and_clocks_stand_for_assignments() {
 
 /// The spelling of local names avoids declared names, including those in parts.
 #[test]
-fn local_names_are_none_that_are_declared() {
+fn local_names_avoid_declared_ones() {
     assert_same(
         "coord x; param v_0, v_2; event hit = x, rising => { let v = 3 * v_0; let w = v; x = v + w; }
          event fall = x, falling => { let v = v_2; x = v; }",

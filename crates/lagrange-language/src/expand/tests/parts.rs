@@ -155,7 +155,7 @@ fn members_are_known_as_they_are_written() {
 /// Copies of an argument count like terms of sums, and nested parts are counted before their
 /// expansion.
 #[test]
-fn what_would_grow_without_bound_is_refused() {
+fn unbounded_expansion_is_refused() {
     let doubling = (0..30).map(|i| format!("part P{} (a) {{ p: P{i} {{ a: a * a; }} }}", i + 1));
     let doubling = doubling.collect::<String>();
     let cases = [
@@ -191,7 +191,7 @@ fn what_would_grow_without_bound_is_refused() {
 }
 
 #[test]
-fn what_was_expanded_can_be_expanded_again() {
+fn expansion_is_idempotent() {
     let text =
         "part P(k = 1) { coord x; kinetic = k * dot(x)^2; } p[i in 0..3]: P { k: i; } output o = p[2].x;";
     let once = written_out(text);

@@ -246,7 +246,7 @@ fn names_of_a_scene_are_declared() {
 }
 
 #[test]
-fn incomplete_statements_about_bodies_say_what_is_missing() {
+fn missing_pieces_of_statements_about_bodies_are_reported() {
     let cases = [
         ("gravity (0, 1);", "error at 1:9: expected `=`, found `(`"),
         ("body;", "error at 1:5: expected a name, found `;`"),
@@ -375,7 +375,7 @@ error at 18:28: expected `:`, found `3`
 }
 
 #[test]
-fn what_could_not_be_read_is_not_missing() {
+fn unreadable_statements_are_not_reported_as_missing() {
     let (declaration, _) =
         read_wrong("body a { mass 1; } spring { x; } body b { shape: 3; mass: 1; center: 2; }");
     let expected = [

@@ -164,7 +164,7 @@ fn attributes_hold_fragments_of_other_macros() {
 
 /// Emitted unchanged, they would make all emitted items unreadable.
 #[test]
-fn what_is_no_attribute_of_rust_is_refused() {
+fn invalid_attributes_are_refused() {
     let cases = [
         ("[derive *]", 10),
         ("[derive Clone]", 10),
@@ -210,7 +210,7 @@ fn what_is_no_attribute_of_rust_is_refused() {
 }
 
 #[test]
-fn what_restricts_no_visibility_is_refused() {
+fn invalid_visibilities_are_refused() {
     for restriction in ["(crate crate)", "(in)", "(rod)", "()", "(in crate::)"] {
         let report = read_wrong(&format!("pub{restriction} struct Rod;")).1;
         assert!(report.starts_with("error at 1:4: unknown visibility"), "{restriction}\n{report}");

@@ -56,7 +56,7 @@ error at 5:12: missing `;` after this
 }
 
 #[test]
-fn reading_goes_on_at_the_next_statement() {
+fn reading_continues_at_the_next_statement() {
     let text = "let a = x +\nlet b = 2;\nparam c,\ncoord d;\n+ 3;\nlet = 4;\nlet let e = 5;";
     let (declaration, report) = read_wrong(text);
     let expected = "\
@@ -77,7 +77,7 @@ error at 7:5: `let` begins a statement and cannot be a name
 }
 
 #[test]
-fn what_is_left_out_is_remembered_by_its_words() {
+fn skipped_statements_are_recorded_by_their_words() {
     let declaration = read_wrong("paran m = 1.0;\nparam type, l;\nlet e = a +;").0.expect("tokens");
     let words = ["m", "type", "l", "a"].map(|word| declaration.unreadable_words.contains(&word.to_owned()));
     assert_eq!(words, [true, true, false, false]);
@@ -103,7 +103,7 @@ fn unknown_statements_get_the_nearest_keyword() {
 }
 
 #[test]
-fn names_that_cannot_be_declared_say_why() {
+fn undeclarable_names_are_explained() {
     let cases = [
         ("fn", "`fn` is a Rust keyword and cannot be a name"),
         ("self", "`self` is a Rust keyword and cannot be a name"),
@@ -129,7 +129,7 @@ fn names_that_cannot_be_declared_say_why() {
 }
 
 #[test]
-fn incomplete_statements_say_what_is_missing() {
+fn missing_pieces_of_statements_are_reported() {
     let cases = [
         ("const k, l = 1;", "error at 1:7: the constant `k` needs a value"),
         ("param 3 = 1;", "error at 1:7: expected a name, found `3`"),
@@ -157,7 +157,7 @@ fn incomplete_statements_say_what_is_missing() {
 }
 
 #[test]
-fn texts_that_are_no_tokens_say_where() {
+fn untokenisable_texts_are_located() {
     let cases = [
         ("let a = (b", "error at 1:9: `(` is never closed"),
         ("let a = b)", "error at 1:10: `)` has no matching opening bracket"),
@@ -179,7 +179,7 @@ fn long_words_are_cut_in_messages() {
 }
 
 #[test]
-fn reductions_go_on_behind_a_mistake() {
+fn reductions_continue_after_a_mistake() {
     let text = "
 reduce near;
 reduce Near { frieze x = 0; small y + 1; freeze x; 3; small z; }
@@ -204,7 +204,7 @@ error at 3:52: expected `freeze`, `small` or `ignore`, found `3`
 }
 
 #[test]
-fn incomplete_events_say_what_is_missing() {
+fn missing_pieces_of_events_are_reported() {
     let cases = [
         ("event a;", "error at 1:8: expected `=`, found `;`"),
         ("event a = x;", "error at 1:12: the event `a` has no action"),
@@ -234,7 +234,7 @@ fn incomplete_events_say_what_is_missing() {
 }
 
 #[test]
-fn incomplete_friction_says_what_is_missing() {
+fn missing_pieces_of_friction_are_reported() {
     let cases = [
         ("friction a;", "error at 1:11: expected `=`, found `;`"),
         ("friction = 1;", "error at 1:10: expected a name, found `=`"),
@@ -260,7 +260,7 @@ fn incomplete_friction_says_what_is_missing() {
 }
 
 #[test]
-fn reading_goes_on_behind_an_event() {
+fn reading_continues_after_an_event() {
     let text = "
 coord x, y;
 event a = x, fallling => { y = 1; };
@@ -299,7 +299,7 @@ error at 7:11: expected `=`, found `1`
 }
 
 #[test]
-fn what_is_left_out_hides_no_mistake_with_names_that_are_known() {
+fn skipped_statements_hide_no_mistakes_about_known_names() {
     let text = "coord x;\nevent a = x;\nlet b = x +;\nlet c = a +;\nevent sin = x;\nlet d = sin(x) +;";
     let report = [
         "error at 2:12: the event `a` has no action",
@@ -311,7 +311,7 @@ fn what_is_left_out_hides_no_mistake_with_names_that_are_known() {
 }
 
 #[test]
-fn events_say_what_stands_between_their_braces() {
+fn contents_of_event_braces_are_described() {
     let text = "coord x;\nevent wall = x - 3, rising => { const v = 1; dot(x) = -v / 2; }\nkinetic = x * y;";
     let (declaration, report) = read_wrong(text);
     let expected = "\

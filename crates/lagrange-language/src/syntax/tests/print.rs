@@ -193,7 +193,7 @@ proptest! {
 }
 
 #[test]
-fn what_could_not_be_read_is_not_printed_as_something_else() {
+fn unreadable_expressions_are_not_printed_as_others() {
     let mut report = lagrange_expr::diagnostics::Report::default();
     let declaration = parse_text("let a = 1 +;", &mut report).expect("tokens");
     assert_eq!(print::statements(&declaration), "let a = ?;\n");

@@ -60,7 +60,7 @@ fn units_behind_numbers_end_where_operators_stand() {
 }
 
 #[test]
-fn what_is_no_unit_is_said() {
+fn invalid_units_are_reported() {
     let messages = [
         ("param a: metre = 1;", "error at 1:10: `metre` is not a unit"),
         ("param a: kgg = 1;", "error at 1:10: `kgg` is not a unit"),

@@ -49,7 +49,7 @@ fn regular_equations_have_one_solution() {
 
 /// Penrose's conditions: x is a combination of rows, and the remainder is orthogonal to all rows.
 #[test]
-fn of_the_closest_vectors_the_shortest_is_found_at_every_rank() {
+fn the_shortest_of_the_closest_vectors_is_found_at_every_rank() {
     let mut next = numbers();
     for rank in 0..=5 {
         for _ in 0..20 {
@@ -143,7 +143,7 @@ fn constraints_determine_what_has_no_mass() {
 }
 
 #[test]
-fn what_nothing_determines_and_what_is_contradictory_is_refused() {
+fn undetermined_and_contradictory_systems_are_refused() {
     let free: Motion<2, 1> = redundant_motion(&[[2.0, 0.0], [0.0, 0.0]], &[0.0, 0.0], &[[1.0, 0.0]], &[1.0]);
     assert!(free.acceleration.iter().chain(&free.multipliers).all(|x| x.is_nan()));
     let (mass, forcing, along) = PENDULUM;

@@ -8,7 +8,7 @@ use crate::system::{StepFailure, Violated, Violation, split};
 const PENDULUM: System<Pendulum, 2, 1> = System(Pendulum);
 
 #[test]
-fn what_a_correction_leaves_is_the_square_of_it() {
+fn corrections_converge_quadratically() {
     for offset in [1e-2, 1e-3, 1e-4] {
         let q = [0.6 * (1.0 + offset), -0.8 * (1.0 + offset)];
         let residuals = PENDULUM.position_residuals(0.0, &q);
@@ -162,7 +162,7 @@ impl Mechanism<1, 2> for Torn {
 }
 
 #[test]
-fn constraints_that_contradict_each_other_are_told_by_name() {
+fn contradictory_constraints_are_reported_by_name() {
     let (mut q, mut v) = ([0.5], [0.0]);
     let violation = project(&System::<_, 1, 2>(Torn), 0.0, &mut q, &mut v).expect_err("torn");
     assert_eq!(violation, Violation { constraint: "there", residual: -5.0, of: Violated::Positions });
@@ -187,7 +187,7 @@ fn a_loop_with_a_crank_too_many_is_closed_at_every_angle() {
 }
 
 #[test]
-fn what_is_zero_is_measured_by_the_others() {
+fn vanishing_coordinates_are_scaled_by_the_others() {
     // The gap of 1e-9 is small relative to a coordinate of one, but not relative to one of a
     // thousandth.
     for (x, is_near) in [(1.0, true), (1e6, true), (1e-2, true), (1e-4, false), (0.0, false)] {
@@ -383,7 +383,7 @@ fn no_small_turn_of_a_chain_brings_it_nearer_than_where_it_was_projected() {
 }
 
 #[test]
-fn what_is_on_the_constraints_stays_to_the_bit() {
+fn states_on_the_constraints_stay_to_the_bit() {
     let (mut q, mut v) = ([0.6, -0.8], [0.8, 0.6]);
     project(&PENDULUM, 0.0, &mut q, &mut v).expect("nothing to do");
     assert_eq!((q, v), ([0.6, -0.8], [0.8, 0.6]));

@@ -132,7 +132,7 @@ fn impacts_in_space_with_restitution_create_no_energy() {
 /// A body at rest on a floor is pulled in any direction: forces satisfy the cone, and accelerations
 /// follow from the forces.
 #[test]
-fn what_starts_together_is_decided_together() {
+fn simultaneous_starts_are_decided_together() {
     let choices = core::array::from_fn(|k| [Choice::Touch, Choice::Rest, Choice::Across][k % 3]);
     let mut random = Random(3);
     let mut unsolved = 0;
@@ -239,7 +239,7 @@ fn sliding(steepness: f64, speed: f64) -> Terms<f64, 6, K> {
 /// Loads are not unique if some friction has a direction and some is about to have one. Their sum
 /// and the motion are unique.
 #[test]
-fn what_starts_beside_what_slides_presses_everywhere() {
+fn a_start_beside_a_slide_presses_everywhere() {
     for excess in [1e-13, 1e-9, 1e-6, 1e-3, 0.1] {
         for slides in 0..16 {
             let terms = sliding(0.5 + excess, 1e-5);

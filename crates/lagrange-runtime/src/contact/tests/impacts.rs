@@ -249,7 +249,7 @@ fn no_impact_creates_energy() {
 /// Painlevé's paradox: a rough rod that is dragged may have no forces under which its end neither
 /// leaves nor enters the floor.
 #[test]
-fn where_no_forces_fit_the_motion_is_refused() {
+fn motions_without_matching_forces_are_refused() {
     let stick = Stick { m: 1.0, length: 2.0, g: 9.81, e: 0.0, mu: 3.0, modes: [OPEN, FREE] };
     let angle: f64 = 1.0;
     let refused = begin(&stick, 0.0, &[0.0, angle.sin(), angle, 2.0, 0.0, 0.0]);

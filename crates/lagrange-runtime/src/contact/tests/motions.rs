@@ -44,7 +44,7 @@ fn a_ball_comes_to_rest_where_its_bounces_accumulate() {
 }
 
 #[test]
-fn every_loss_of_a_bouncing_ball_is_told() {
+fn every_loss_of_a_bouncing_ball_is_reported() {
     let ball = Ball::new(0.8);
     let simulation = ball.simulate([1.0, 0.0]).until(6.0).tolerance(1e-12);
     let trajectory = simulation.run().expect("runs");
@@ -123,7 +123,7 @@ fn a_body_that_touches_and_goes_down_at_the_start_hits_at_once() {
 
 /// A ball is thrown so that it just reaches a ceiling, modelled as an inverted floor.
 #[test]
-fn a_ball_that_just_touches_goes_on() {
+fn a_ball_that_just_touches_continues() {
     let ball = Ball { g: -9.81, ..Ball::new(0.5) };
     let speed = (2.0_f64 * 9.81).sqrt();
     let trajectory = ball.simulate([1.0, -speed]).until(1.0).tolerance(1e-13).run().expect("runs");

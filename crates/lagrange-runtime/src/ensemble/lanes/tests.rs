@@ -274,7 +274,7 @@ where
 }
 
 #[test]
-fn motions_fail_as_they_do_alone_and_others_go_on() {
+fn motions_fail_as_they_do_alone_and_others_continue() {
     const ROOT: Root<f64> = Root { end: 1.0 };
     let roots = || {
         let motions = ROOT.ensemble(12).start(|index, _| [if index == 4 { f64::NAN } else { 0.0 }, 0.5]);

@@ -12,7 +12,7 @@ fn shard(variables: &[(&str, &str)]) -> Result<(u64, u64), String> {
 }
 
 #[test]
-fn launchers_say_the_share() {
+fn launchers_determine_the_share() {
     assert_eq!(shard(&[]), Ok((0, 1)));
     assert_eq!(shard(&[("OMPI_COMM_WORLD_RANK", "2"), ("OMPI_COMM_WORLD_SIZE", "4")]), Ok((2, 4)));
     assert_eq!(shard(&[("PMI_RANK", "0"), ("PMI_SIZE", "3")]), Ok((0, 3)));
@@ -78,7 +78,7 @@ fn a_launcher_that_is_not_known_is_not_passed_over() {
 }
 
 #[test]
-fn what_is_wrong_with_an_environment_is_said() {
+fn mistakes_of_an_environment_are_reported() {
     let beyond = shard(&[("PMI_RANK", "3"), ("PMI_SIZE", "3")]).expect_err("is beyond");
     assert!(beyond.contains("no shard 3 of 3"), "{beyond}");
     let incomplete = shard(&[("HQ_TASK_ID", "1")]).expect_err("has no count");

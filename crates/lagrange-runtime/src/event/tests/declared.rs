@@ -51,7 +51,7 @@ impl OdeSystem for Marks {
 const MARKS: Marks = Marks { jump: 0.5, edge: 1e9 };
 
 #[test]
-fn declared_events_are_looked_for_without_being_asked() {
+fn declared_events_are_detected_by_default() {
     let method = RungeKutta4 { step: 0.3 };
     let mut seen = Vec::new();
     let end = integrate(&MARKS, 0.0, [0.0], 9.0, &method, |t, y| seen.push((t, y[0]))).expect("stops");
@@ -76,7 +76,7 @@ fn given_events_come_between_declared_ones() {
 }
 
 #[test]
-fn what_is_not_a_number_is_told_by_its_name_or_its_place_among_those_given() {
+fn nan_is_reported_by_name_or_index() {
     let go_on = |_: &Occurrence<f64, [f64; 1]>| Action::Continue;
     let run = |system: Marks, bad: f64| {
         let watch = ([Direction::Rising; 2], move |t: f64, _: &[f64; 1]| [-1.0, (bad - t).sqrt()]);

@@ -72,7 +72,7 @@ fn no_ball_tunnels_through_a_floor() {
 /// A ball that is slowed down at a surface sinks through it. This is one event, however little
 /// speed remains.
 #[test]
-fn what_goes_on_in_its_direction_has_one_event() {
+fn motions_that_continue_in_their_direction_have_one_event() {
     for kept in [1.0, 0.5, 1e-3, 1e-6] {
         let mut events = Vec::new();
         let watch = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
@@ -93,7 +93,7 @@ fn what_goes_on_in_its_direction_has_one_event() {
 
 /// A reset to another state starts afresh, on whichever side of zero it is.
 #[test]
-fn what_is_taken_elsewhere_counts_from_there() {
+fn resets_elsewhere_count_from_there() {
     for (to, wanted) in [(5.0, 3), (-7.0, 1), (1.25, 5)] {
         let mut events = 0;
         let watch = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
@@ -108,7 +108,7 @@ fn what_is_taken_elsewhere_counts_from_there() {
 }
 
 #[test]
-fn an_accumulation_says_what_to_do() {
+fn an_accumulation_suggests_a_remedy() {
     let (result, ..) = bounce(&Verner98::tolerance(1e-9), 0.0, 0.5);
     let message = std::format!("{}", result.expect_err("Zeno"));
     assert!(message.contains("accumulate") && message.contains("`impact("), "{message}");

@@ -101,7 +101,7 @@ fn kinks_and_jumps_are_found() {
 }
 
 #[test]
-fn directions_are_told_apart_in_one_step() {
+fn directions_are_distinguished_in_one_step() {
     let method = RungeKutta4 { step: 1.0 };
     for (direction, count) in
         [(Direction::Rising, 318), (Direction::Falling, 318), (Direction::Crossing, 636)]

@@ -46,7 +46,7 @@ fn unknowns_of_all_scales_are_found_to_rounding() {
 }
 
 #[test]
-fn what_does_not_converge_is_reported() {
+fn divergence_is_reported() {
     assert!(matches!(roots([1.0, 6e8, 6e-12]), Err(StepFailure::NotConverged { .. })));
     assert_eq!(roots([-3.0, 6e8, 6e-12]).err(), roots([-3.0, 6e8, 6e-12]).err());
     assert!(matches!(
@@ -81,7 +81,7 @@ fn unknowns_that_change_in_turns_converge() {
 }
 
 #[test]
-fn what_is_not_a_number_is_reported() {
+fn nan_is_reported() {
     assert_eq!(roots([f64::NAN, 6e8, 6e-12]).err(), Some(StepFailure::NotFinite));
 }
 

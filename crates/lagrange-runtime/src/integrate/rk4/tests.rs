@@ -221,7 +221,7 @@ fn the_longest_step_of_stiff_oscillations_is_named() {
 }
 
 #[test]
-fn what_is_not_finite_at_the_start_is_refused() {
+fn infinite_starts_are_refused() {
     let start = [f64::INFINITY, 0.0];
     let method = RungeKutta4 { step: 0.1 };
     let outcome = integrate(&Oscillator, 3.0, start, 3.0, &method, |_, _| panic!("observed"));

@@ -3,7 +3,7 @@
 use super::{Watch, eigenvalue_at, largest_eigenvalue};
 
 #[test]
-fn oscillations_decay_and_growth_are_told_apart() {
+fn oscillations_decay_and_growth_are_distinguished() {
     let largest =
         |rates: fn(&[f64; 2]) -> [f64; 2]| largest_eigenvalue(rates, &[0.3, 0.2], 0.1, &[1.0, -2.0]);
     assert!((largest(|[x, v]| [*v, -1e8 * x]) / 1e4 - 1.0).abs() < 1e-3);
@@ -20,7 +20,7 @@ fn units_do_not_matter() {
 /// A pair of eigenvalues is found for any damping, any units of the rates, and any phase of the
 /// motion.
 #[test]
-fn damped_oscillations_are_told_by_their_frequency() {
+fn damped_oscillations_are_recognised_by_their_frequency() {
     for frequency in [0.01_f64, 3.0, 1e4] {
         for damping in [0.0, 0.1, 0.5, 0.7, 0.95] {
             let rates = |[x, v]: &[f64; 2]| [*v, -frequency * frequency * x - 2.0 * damping * frequency * v];
@@ -50,7 +50,7 @@ fn the_fastest_of_several_is_found() {
 }
 
 #[test]
-fn nothing_is_said_where_nothing_can_be_told() {
+fn undecidable_motions_are_not_judged() {
     let outside = largest_eigenvalue(|[x]: &[f64; 1]| [x.ln()], &[-1.0], 0.1, &[1.0]);
     let unmoved = largest_eigenvalue(|_: &[f64; 1]| [1.0], &[0.0], 0.0, &[0.0]);
     let free = largest_eigenvalue(|[_, v]: &[f64; 2]| [*v, 0.0], &[0.0, 0.0], 0.0, &[1.0, 1.0]);

@@ -329,7 +329,7 @@ fn an_overflow_ends_soon() {
 }
 
 #[test]
-fn short_numbers_go_on_at_late_times() {
+fn single_precision_continues_at_late_times() {
     let growth = Equation(|_: f32, y: f32| 0.0 * y + 0.5);
     let grown = |start: f32, longest_step| {
         let method = Verner98 { longest_step, ..Verner98::tolerance(1e-5_f32) };

@@ -11,7 +11,7 @@ fn regular_systems_are_solved() {
 }
 
 #[test]
-fn of_many_solutions_the_shortest_is_taken() {
+fn the_shortest_of_many_solutions_is_taken() {
     let x: [f64; 3] = solve(&[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 2.0]], &[3.0, 3.0, 4.0], 3, 0.0);
     for (x, wanted) in x.iter().zip([1.5, 1.5, 2.0]) {
         assert!((x - wanted).abs() < 1e-14, "{x}");
@@ -45,7 +45,7 @@ fn a_small_pivot_does_not_hide_dependence() {
 }
 
 #[test]
-fn what_cannot_be_solved_is_not_a_number() {
+fn unsolvable_systems_give_nan() {
     let impossible: [f64; 2] = solve(&[[1.0, 1.0], [1.0, 1.0]], &[1.0, 2.0], 2, 0.0);
     assert!(impossible.iter().all(|x| x.is_nan()));
     let broken: [f64; 2] = solve(&[[1.0, f64::NAN], [1.0, 1.0]], &[1.0, 2.0], 2, 0.0);

@@ -48,7 +48,7 @@ fn methods_of_low_order_keep_their_interpolation() {
 }
 
 #[test]
-fn what_was_not_kept_is_not_made_up() {
+fn discarded_states_are_not_invented() {
     let trajectory = Oscillator.simulate(START).until(1.0).run().expect("runs");
     assert_eq!(trajectory.at(0.5), Err(NotKept::NotDense));
     let trajectory = Oscillator.simulate(START).from(1.0).until(2.0).dense().run().expect("runs");

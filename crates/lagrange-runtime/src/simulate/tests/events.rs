@@ -45,7 +45,7 @@ fn a_run_stops_at_an_event() {
 
 /// With a wall at 0 the oscillator moves as without it, but mirrored.
 #[test]
-fn a_run_goes_on_from_another_state() {
+fn a_run_continues_from_another_state() {
     let simulation = || {
         let simulation = Oscillator.simulate(START).until(7.0).tolerance(1e-12).dense();
         let bounce = |_: &Oscillator, [x, v]: [f64; 2]| Action::Replace([x, -v]);

@@ -27,7 +27,7 @@ fn a_failure_keeps_the_samples_so_far() {
 }
 
 #[test]
-fn a_failure_of_a_fixed_step_says_why_and_when() {
+fn a_failure_of_a_fixed_step_reports_cause_and_time() {
     let method = RungeKutta4 { step: 0.01 };
     let error = Broken(0.5).simulate(START).until(10.0).method(method).run().expect_err("fails");
     let StepFailure::Undefined(Undefined::Rate { component, value, time }) = error.cause else {

@@ -163,7 +163,7 @@ fn an_energy_of_zero_drifts_absolutely() {
 }
 
 #[test]
-fn an_energy_that_was_not_observed_is_asked_for() {
+fn plots_of_unobserved_energies_suggest_observing_them() {
     let trajectory = Oscillator.simulate(START).until(1.0).run().expect("runs");
     assert!(matches!(trajectory.plot_energy("energy.svg"), Err(PlotError::NoEnergy)));
 }

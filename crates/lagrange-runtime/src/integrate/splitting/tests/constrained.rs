@@ -80,7 +80,7 @@ fn angular_momentum_about_the_vertical_is_kept() {
 }
 
 #[test]
-fn a_constraint_that_is_said_twice_holds_once() {
+fn a_repeated_constraint_holds_once() {
     let once = run(&SPHERE, SPHERICAL, 2.0, &verlet(0.01));
     let twice = run(&Pinned(SphericalPendulum { is_said_twice: true }), SPHERICAL, 2.0, &verlet(0.01));
     assert!(distance(&once, &twice) < 1e-12, "{once:?} {twice:?}");

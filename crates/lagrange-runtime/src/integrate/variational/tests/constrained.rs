@@ -95,7 +95,7 @@ fn angular_momentum_about_the_vertical_is_kept() {
 }
 
 #[test]
-fn a_constraint_that_is_said_twice_holds_once() {
+fn a_repeated_constraint_holds_once() {
     let once = reached(&Pinned(SPHERE), 0.0, SPHERICAL, 2.0, &method(0.02));
     let twice = SphericalPendulum { is_said_twice: true };
     let twice = reached(&Pinned(twice), 0.0, SPHERICAL, 2.0, &method(0.02));
@@ -113,7 +113,7 @@ fn few_iterations_take_a_step() {
 }
 
 #[test]
-fn what_hangs_at_rest_stays_there() {
+fn a_pendulum_at_rest_stays_at_rest() {
     let rest = [0.0, -1.0, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0];
     let end = reached(&Pinned(TwoRods), 0.0, rest, 10.0, &method(0.1));
     assert!(distance(&end, &rest) < 1e-15, "{end:?}");

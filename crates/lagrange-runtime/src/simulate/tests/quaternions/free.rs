@@ -243,7 +243,7 @@ fn positions_and_velocities_are_plotted_however_many_there_are() {
 }
 
 #[test]
-fn what_is_not_finite_is_called_by_its_name() {
+fn infinite_entries_are_reported_by_name() {
     let mut start = START;
     start[5] = f64::NAN;
     let error = BODY.simulate(start).until(1.0).run().expect_err("not a number");
