@@ -1,29 +1,43 @@
 //! Drawn items from their numbers.
 
 use lagrange_core::bodies::{DrawnKind, JointForm, SpatialJointForm};
-use lagrange_core::pipeline::{PlacedItem, PlacedPart};
-use lagrange_core::syntax::ast::{ConnectorKind, MobilizerKind};
+use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
+use lagrange_core::syntax::ast::{ConnectorKind, MobilizerKind, SurfaceKind};
 use lagrange_runtime::body::{Motion, SpatialMotion};
 use lagrange_runtime::scene::{
-    Connector, Frame, Item, Joint, Line, Outline, Part, Plane, Solid, Space, Spatial, SpatialJoint,
-    SpatialJointKind,
+    Connector, Frame, Height, Item, Joint, Outline, Part, Plane, Solid, Space, Spatial, SpatialJoint,
+    SpatialJointKind, Surface, SurfaceShape,
 };
 
 /// A space whose items are constructed from their numbers. Bodies have no rates, which are only
 /// needed for arrows.
 pub trait NumberedSpace: Space {
-    /// Visits an item whose numbers come first, and leaves the numbers of other items.
-    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Self>));
+    /// Visits an item whose numbers come first, and leaves the numbers of other items. `height`
+    /// returns the height of terrain over a place.
+    fn item(
+        item: &PlacedItem,
+        numbers: &mut Numbers<'_>,
+        height: &dyn Fn([f64; 2]) -> f64,
+        visit: &mut dyn FnMut(Item<'_, f64, Self>),
+    );
 }
 
-/// Visits items with the numbers returned by their program.
+/// Visits the items of a system at a state.
 pub fn visit_items<D: NumberedSpace>(
-    items: &[PlacedItem],
-    numbers: &[f64],
+    system: &NumericSystem,
+    scene: &DrawnScene,
+    (t, q, v): (f64, &[f64], &[f64]),
     visit: &mut dyn FnMut(Item<'_, f64, D>),
 ) {
-    let mut numbers = Numbers(numbers);
-    items.iter().for_each(|item| D::item(item, &mut numbers, visit));
+    let numbers = system.evaluate(&scene.program, t, q, v);
+    let mut numbers = Numbers(&numbers);
+    for item in &scene.items {
+        let height = |place| match &item.height {
+            Some(height) => system.height(height, (t, q, v), place),
+            None => f64::NAN,
+        };
+        D::item(item, &mut numbers, &height, visit);
+    }
 }
 
 /// Numbers that are consumed in order; NaN after the last.
@@ -43,6 +57,16 @@ impl Numbers<'_> {
 
     fn rows(&mut self) -> [[f64; 3]; 3] {
         std::array::from_fn(|_| self.take())
+    }
+
+    /// Returns the shape of a surface.
+    fn shape<'h>(&mut self, kind: SurfaceKind, height: &'h dyn Fn([f64; 2]) -> f64) -> SurfaceShape<'h, f64> {
+        match kind {
+            SurfaceKind::Line | SurfaceKind::Plane => SurfaceShape::Flat,
+            SurfaceKind::Circle | SurfaceKind::Sphere => SurfaceShape::Round(self.one()),
+            SurfaceKind::Cylinder => SurfaceShape::Cylinder(self.one()),
+            SurfaceKind::Terrain => SurfaceShape::Terrain(Height(height)),
+        }
     }
 
     /// Returns the solid of a part, with its placement.
@@ -97,7 +121,12 @@ impl Numbers<'_> {
 }
 
 impl NumberedSpace for Plane {
-    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64>)) {
+    fn item(
+        item: &PlacedItem,
+        numbers: &mut Numbers<'_>,
+        height: &dyn Fn([f64; 2]) -> f64,
+        visit: &mut dyn FnMut(Item<'_, f64>),
+    ) {
         match &item.kind {
             DrawnKind::Body { .. } => {
                 let (centroid, center, angle) = (numbers.take(), numbers.take(), numbers.one());
@@ -119,9 +148,10 @@ impl NumberedSpace for Plane {
                     item.parts.iter().zip(&corners).map(|(part, corners)| rest.outline(part, corners));
                 visit(Item::Body { name: &item.body, motion, parts: &parts.collect::<Vec<_>>() });
             }
-            DrawnKind::Line { name, body } => {
-                let (through, angle) = (numbers.take(), numbers.one());
-                visit(Item::Line(Line { name, body: body.as_deref(), through, angle }));
+            DrawnKind::Surface { name, body, kind, is_inside, .. } => {
+                let (at, rotation) = (numbers.take(), numbers.one());
+                let (body, shape, is_inside) = (body.as_deref(), numbers.shape(*kind, height), *is_inside);
+                visit(Item::Surface(Surface { name, body, shape, at, rotation, is_inside }));
             }
             DrawnKind::Connector { name, kind } => {
                 let (from, to, tension) = (numbers.take(), numbers.take(), numbers.one());
@@ -143,7 +173,12 @@ impl NumberedSpace for Plane {
 }
 
 impl NumberedSpace for Spatial {
-    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Spatial>)) {
+    fn item(
+        item: &PlacedItem,
+        numbers: &mut Numbers<'_>,
+        height: &dyn Fn([f64; 2]) -> f64,
+        visit: &mut dyn FnMut(Item<'_, f64, Spatial>),
+    ) {
         match &item.kind {
             DrawnKind::Body { .. } => {
                 let (centroid, center, rotation) = (numbers.take(), numbers.take(), numbers.rows());
@@ -161,6 +196,11 @@ impl NumberedSpace for Spatial {
                 };
                 let parts = item.parts.iter().map(|part| numbers.solid(part)).collect::<Vec<_>>();
                 visit(Item::Body { name: &item.body, motion, parts: &parts });
+            }
+            DrawnKind::Surface { name, body, kind, is_inside, .. } => {
+                let (at, rotation) = (numbers.take(), numbers.rows());
+                let (body, shape, is_inside) = (body.as_deref(), numbers.shape(*kind, height), *is_inside);
+                visit(Item::Surface(Surface { name, body, shape, at, rotation, is_inside }));
             }
             DrawnKind::Frame { name } => {
                 visit(Item::Frame(Frame { name, rotation: numbers.rows(), origin: numbers.take() }));
@@ -257,9 +297,9 @@ mod tests {
         let drawing = programs.drawing.clone().expect("a body is drawn");
         let system = NumericSystem::of(Arc::new(programs));
         let at = system.evaluate(&drawing.program, 0.0, &[0.5], &[0.0]);
-        visit_items(&drawing.items, &at, visit);
+        visit_items(&system, &drawing, (0.0, &[0.5], &[0.0]), visit);
         let mut numbers = Numbers(&at);
-        drawing.items.iter().for_each(|item| D::item(item, &mut numbers, &mut |_| {}));
+        drawing.items.iter().for_each(|item| D::item(item, &mut numbers, &|_| f64::NAN, &mut |_| {}));
         assert!(numbers.0.is_empty(), "{text}: {:?}", numbers.0);
     }
 

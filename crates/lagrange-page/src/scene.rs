@@ -2,6 +2,7 @@
 
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
+use lagrange_core::syntax::ast::SurfaceKind;
 use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour, is_made_up};
 use lagrange_dynamic::{connector, visit_items};
 use lagrange_plot::label::Label;
@@ -31,7 +32,7 @@ pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Shown, Draw
     match &system.programs().drawing {
         None => Ok(Shown::default()),
         Some(drawing) if drawing.is_in_space => in_space(system, drawing, start),
-        Some(drawing) => Ok(in_plane(drawing)),
+        Some(drawing) => Ok(in_plane(system, drawing, start)),
     }
 }
 
@@ -39,7 +40,7 @@ fn figure(elements: &str) -> String {
     format!("<figure id=\"picture\">{elements}</figure>")
 }
 
-fn in_plane(drawing: &DrawnScene) -> Shown {
+fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Shown {
     let mut bodies = 0;
     let mut item = |item: &PlacedItem| match &item.kind {
         DrawnKind::Body { .. } => {
@@ -47,7 +48,11 @@ fn in_plane(drawing: &DrawnScene) -> Shown {
             let (colour, parts) = (body_colour(bodies - 1), item.parts.iter().map(part).collect::<Vec<_>>());
             json!({ "kind": "body", "label": plain(&item.body), "colour": colour, "parts": parts })
         }
-        DrawnKind::Line { .. } => json!({ "kind": "line" }),
+        DrawnKind::Surface { kind: SurfaceKind::Line, .. } => json!({ "kind": "line" }),
+        DrawnKind::Surface { kind: SurfaceKind::Circle, is_inside, .. } => {
+            json!({ "kind": "circle", "inside": is_inside })
+        }
+        DrawnKind::Surface { .. } => json!({ "kind": "terrain", "points": profile(system, item, start) }),
         DrawnKind::Connector { name, kind } => {
             let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
             json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
@@ -64,6 +69,22 @@ fn in_plane(drawing: &DrawnScene) -> Shown {
     }
 }
 
+/// Half the width of terrain.
+const REACH: i32 = 500;
+/// Distance of its points.
+const STEP: f64 = 0.05;
+
+/// Returns points of terrain in its own coordinates, as it is at the start.
+fn profile(system: &NumericSystem, item: &PlacedItem, start: &[f64]) -> Vec<[f64; 2]> {
+    let Some(height) = &item.height else { return Vec::new() };
+    let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
+    let point = |k| {
+        let x = STEP * f64::from(k);
+        [x, system.height(height, (0.0, q, v), [x, 0.0])]
+    };
+    (-REACH..=REACH).map(point).filter(|[_, y]| y.is_finite()).collect()
+}
+
 fn part(part: &PlacedPart) -> Value {
     json!({ "variant": part.variant, "count": part.dimension_count, "hole": part.is_hole })
 }
@@ -74,8 +95,7 @@ fn plain(name: &str) -> String {
 
 fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Result<Shown, DrawError> {
     let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
-    let values = system.evaluate(&drawing.program, 0.0, q, v);
-    let live = LiveScene::new(|visit| visit_items(&drawing.items, &values, visit))?;
+    let live = LiveScene::new(|visit| visit_items(system, drawing, (0.0, q, v), visit))?;
     let places = Places::of(drawing);
     let things = live.meshes.iter().map(|mesh| places.thing(*mesh)).collect::<Vec<_>>();
     let space = serde_json::from_str::<Value>(&live.space).unwrap_or_default();
@@ -93,6 +113,7 @@ fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Resu
 struct Places {
     /// Bodies and frames, and true for a frame.
     bodies: Vec<(usize, bool)>,
+    surfaces: Vec<usize>,
     connectors: Vec<usize>,
     joints: Vec<usize>,
 }
@@ -111,6 +132,10 @@ impl Places {
                     places.bodies.push((at, true));
                     12
                 }
+                DrawnKind::Surface { kind, .. } => {
+                    places.surfaces.push(at);
+                    12 + usize::from(kind.labels().contains(&"radius"))
+                }
                 DrawnKind::Connector { .. } => {
                     places.connectors.push(at);
                     7
@@ -127,6 +152,9 @@ impl Places {
     fn thing(&self, mesh: LiveMesh) -> Value {
         match mesh {
             LiveMesh::Body(index) => self.body(index),
+            LiveMesh::Surface(index, place) => {
+                json!({ "kind": "surface", "at": self.surfaces[index], "place": place })
+            }
             LiveMesh::Connector(index, lane) => {
                 json!({ "kind": "connector", "at": self.connectors[index], "lane": lane })
             }

@@ -1,12 +1,14 @@
 //! Scenes in space for pages that compute motions themselves: the meshes at one moment, and the
 //! viewer of films.
 
+use super::mesh::Placement;
 use super::page;
 use super::projector::Projector;
 use super::recording::{Kind, MovingMesh, Recording};
 use super::size::Size;
 use super::stage;
-use super::vector::Vector;
+use super::surroundings::{Surroundings, sample_terrain};
+use super::vector::{Vector, apply_back};
 use crate::error::DrawError;
 use crate::geometry::{dot, subtract};
 use crate::look::{Direction, Look, Wanted};
@@ -33,6 +35,8 @@ pub struct LiveScene {
 pub enum LiveMesh {
     /// A body or frame, by its index among both.
     Body(usize),
+    /// A surface, and the place of its mesh in its own axes.
+    Surface(usize, [f64; 3]),
     /// A connector, and its offset along its first axis from the line between its ends.
     Connector(usize, f64),
     /// A joint.
@@ -54,10 +58,13 @@ impl LiveScene {
     ///
     /// # Errors
     /// If a number is not finite, or there is nothing to draw.
-    pub fn new(visit: impl FnOnce(&mut dyn FnMut(Item<'_, f64, Spatial>))) -> Result<LiveScene, DrawError> {
-        let snapshot = [Snapshot::collected(visit)];
+    pub fn new(visit: impl Fn(&mut dyn FnMut(Item<'_, f64, Spatial>))) -> Result<LiveScene, DrawError> {
+        let mut snapshot = [Snapshot::collected(&visit)];
         let wanted = Wanted { names: true, ..Wanted::default() };
-        let things = stage::things(&snapshot, wanted, &Size::of(&snapshot));
+        let size = Size::of(&snapshot);
+        sample_terrain(&mut snapshot, &size, true, visit);
+        let surroundings = Surroundings { film: &snapshot, size: &size, is_live: true };
+        let things = stage::things(&surroundings, wanted);
         let meshes = meshes(&snapshot[0], &things);
         let recording = Recording { times: vec![0.0], things, traces: Vec::new(), note: String::new() };
         let (middle, radius) = recording.ball();
@@ -85,6 +92,11 @@ fn meshes(scene: &Snapshot<Spatial>, things: &[MovingMesh]) -> Vec<LiveMesh> {
                 let outer = &scene.joints[index].kind.links[1];
                 let body = scene.bodies.iter().position(|link| outer.as_ref() == Some(&link.name));
                 if is_second { LiveMesh::Rod(index, body) } else { LiveMesh::Joint(index) }
+            }
+            Kind::Surroundings => {
+                let index = place(Box::new(scene.supports.iter().map(|support| &*support.name)));
+                let (support, Placement { origin, .. }) = (&scene.supports[index], thing.track[0]);
+                LiveMesh::Surface(index, apply_back(&support.rotation, subtract(origin, support.at)))
             }
             _ => LiveMesh::Body(place(Box::new(scene.bodies.iter().map(|link| &*link.name)))),
         }
