@@ -84,7 +84,6 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::anchored;
-    use crate::geometry::Place;
     use crate::load::{Load, Value};
     use crate::picture::Point;
     use crate::snapshot::{Form, Joint, Snapshot, Span, Support};

@@ -11,9 +11,8 @@ use std::f64::consts::{PI, TAU};
 use crate::geometry::{add, bounds, direction, dot, extent, length, subtract, times, turned};
 use crate::outline::Piece;
 use crate::picture::Point;
-use crate::plane::Body;
-use crate::snapshot::{Form, Snapshot, Support};
-use lagrange_runtime::scene::Joint;
+use crate::snapshot::{Form, Snapshot, Support, sampled};
+use lagrange_runtime::scene::{Item, Joint};
 
 /// Drawn stretches of each surface, by its name: lengths along lines, angles on circles, x on terrain.
 pub(super) type Stretches = BTreeMap<String, Vec<[f64; 2]>>;
@@ -28,6 +27,8 @@ const LONGER: f64 = 0.2;
 const LARGE: f64 = 30.0;
 /// Extent of arcs and terrain beyond bodies, relative to everything else.
 const BEYOND: f64 = 2.0;
+/// Extent of the terrain of live motions, in units of that of others.
+const LIVE: f64 = 10.0;
 /// Number of straight pieces of a circle.
 const ROUND: usize = 120;
 /// Number of straight pieces of terrain.
@@ -55,12 +56,14 @@ pub(super) fn stretches(film: &[Snapshot]) -> Stretches {
 
 /// Returns the points of bodies that determine how large they are.
 fn places(snapshot: &Snapshot) -> Vec<Point> {
-    let of_body = |body: &Body| {
-        let rim = body.pieces.iter().flat_map(Piece::rim).map(|p| body.place().of(p));
-        rim.chain([body.motion.center]).collect::<Vec<_>>()
-    };
+    let bodies = || snapshot.bodies.iter();
+    let rims = bodies().flat_map(|body| {
+        let place = body.place();
+        body.pieces.iter().flat_map(Piece::rim).map(move |p| place.of(p))
+    });
+    let centers = bodies().map(|body| body.motion.center);
     let ends = snapshot.connectors.iter().flat_map(|connector| connector.ends);
-    snapshot.bodies.iter().flat_map(of_body).chain(ends).collect()
+    rims.chain(centers).chain(ends).collect()
 }
 
 /// Returns the places of bodies in the coordinates of a surface throughout a film.
@@ -101,6 +104,22 @@ pub(super) fn samples(stretches: &[[f64; 2]]) -> Vec<Point> {
         (0..=PIECES).map(move |k| [from + step * k as f64, 0.0])
     };
     stretches.iter().flat_map(along).collect()
+}
+
+/// Returns points of each terrain in its own coordinates, for pages that compute motions
+/// themselves. They extend far beyond the bodies of the visited scene.
+pub fn live_terrain(visit: impl Fn(&mut dyn FnMut(Item<'_, f64>))) -> Vec<Vec<[f64; 2]>> {
+    let snapshot = Snapshot::collected(&visit);
+    let size = extent(places(&snapshot));
+    let points = |support: &Support| {
+        let [low, high] = of_terrain(support, std::slice::from_ref(&snapshot), LIVE * size);
+        match sampled(&visit, &support.name, samples(&[[low, high]])) {
+            Form::Terrain(heights) => heights.into_iter().map(|([x, _], height)| [x, height]).collect(),
+            _ => Vec::new(),
+        }
+    };
+    let is_terrain = |support: &&Support| matches!(support.form, Form::Terrain(_));
+    snapshot.supports.iter().filter(is_terrain).map(points).collect()
 }
 
 /// Returns the points of a circle or of terrain in the world. The solid side is on their right.

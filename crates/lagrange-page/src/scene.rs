@@ -3,7 +3,7 @@
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
 use lagrange_core::syntax::ast::SurfaceKind;
-use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour, is_made_up};
+use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour, is_made_up, live_terrain};
 use lagrange_dynamic::{connector, visit_items};
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
@@ -36,11 +36,18 @@ pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Shown, Draw
     }
 }
 
+/// Splits a state into positions and velocities.
+fn split<'s>(system: &NumericSystem, start: &'s [f64]) -> (&'s [f64], &'s [f64]) {
+    start.split_at(system.programs().layout.positions.min(start.len()))
+}
+
 fn figure(elements: &str) -> String {
     format!("<figure id=\"picture\">{elements}</figure>")
 }
 
 fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Shown {
+    let (q, v) = split(system, start);
+    let mut terrain = live_terrain(|visit| visit_items(system, drawing, (0.0, q, v), visit)).into_iter();
     let mut bodies = 0;
     let mut item = |item: &PlacedItem| match &item.kind {
         DrawnKind::Body { .. } => {
@@ -52,7 +59,7 @@ fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Show
         DrawnKind::Surface { kind: SurfaceKind::Circle, is_inside, .. } => {
             json!({ "kind": "circle", "inside": is_inside })
         }
-        DrawnKind::Surface { .. } => json!({ "kind": "terrain", "points": profile(system, item, start) }),
+        DrawnKind::Surface { .. } => json!({ "kind": "terrain", "points": terrain.next() }),
         DrawnKind::Connector { name, kind } => {
             let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
             json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
@@ -69,22 +76,6 @@ fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Show
     }
 }
 
-/// Half the width of terrain.
-const REACH: i32 = 500;
-/// Distance of its points.
-const STEP: f64 = 0.05;
-
-/// Returns points of terrain in its own coordinates, as it is at the start.
-fn profile(system: &NumericSystem, item: &PlacedItem, start: &[f64]) -> Vec<[f64; 2]> {
-    let Some(height) = &item.height else { return Vec::new() };
-    let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
-    let point = |k| {
-        let x = STEP * f64::from(k);
-        [x, system.height(height, (0.0, q, v), [x, 0.0])]
-    };
-    (-REACH..=REACH).map(point).filter(|[_, y]| y.is_finite()).collect()
-}
-
 fn part(part: &PlacedPart) -> Value {
     json!({ "variant": part.variant, "count": part.dimension_count, "hole": part.is_hole })
 }
@@ -94,7 +85,7 @@ fn plain(name: &str) -> String {
 }
 
 fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Result<Shown, DrawError> {
-    let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
+    let (q, v) = split(system, start);
     let live = LiveScene::new(|visit| visit_items(system, drawing, (0.0, q, v), visit))?;
     let places = Places::of(drawing);
     let things = live.meshes.iter().map(|mesh| places.thing(*mesh)).collect::<Vec<_>>();

@@ -31,8 +31,9 @@ pub trait Scene: MechanicalSystem {
 
     /// Passes every item to be drawn at time `t`, coordinates `q` and velocities `v` to `visit`.
     /// Surfaces, bodies and frames come first, then connectors and joints, then friction cones,
-    /// forces and moments, each in the order of the declaration. Everything is in world axes. In space, only the places
-    /// of items change with time, not the items or their shapes.
+    /// forces and moments, each in the order of the declaration. Everything is in world axes. In
+    /// space, only the places of items change with time, not the items or their shapes, except for
+    /// heights of terrain.
     fn items(
         &self,
         t: Self::Scalar,

@@ -52,7 +52,7 @@ impl Surroundings<'_> {
         let Size { low, high } = *self.size;
         let Patch { mesh, at, colour } = self.grid([low, high]);
         let placement = Placement::rigid(add(at, [0.0, 0.0, height]), UPRIGHT);
-        self.thing("floor", (mesh, colour), vec![placement; self.film.len()])
+        thing("floor", (mesh, colour), vec![placement; self.film.len()])
     }
 
     /// Returns a surface, if it is near the motion.
@@ -63,11 +63,7 @@ impl Surroundings<'_> {
             let Support { at: origin, rotation, .. } = &snapshot.supports[index];
             Placement::rigid(add(*origin, apply(rotation, at)), *rotation)
         });
-        Some(self.thing(&support.name, (mesh, colour), track.collect()))
-    }
-
-    fn thing(&self, name: &str, (mesh, colour): (Mesh, Colour), track: Vec<Placement>) -> MovingMesh {
-        MovingMesh { name: name.to_owned(), label: None, colour, kind: Kind::Surroundings, mesh, track }
+        Some(thing(&support.name, (mesh, colour), track.collect()))
     }
 
     fn patch(&self, index: usize, support: &Support<Spatial>) -> Option<Patch> {
@@ -199,6 +195,10 @@ fn terrain(heights: &[([f64; 2], f64)]) -> Patch {
         mesh.faces.clear();
     }
     Patch { mesh, at: middle, colour: GROUND }
+}
+
+fn thing(name: &str, (mesh, colour): (Mesh, Colour), track: Vec<Placement>) -> MovingMesh {
+    MovingMesh { name: name.to_owned(), label: None, colour, kind: Kind::Surroundings, mesh, track }
 }
 
 /// Returns a fixed line through points, in a film of this many moments.
