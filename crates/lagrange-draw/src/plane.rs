@@ -3,7 +3,7 @@
 use crate::geometry::Place;
 use crate::outline::Piece;
 use crate::remainder::Remainder;
-use crate::snapshot::{Named, Snapshot, Stored, Support};
+use crate::snapshot::{Named, Snapshot, Stored};
 use lagrange_runtime::body::Motion;
 use lagrange_runtime::scalar::Scalar;
 use lagrange_runtime::scene::{Joint, Part, Plane};
@@ -76,13 +76,6 @@ impl Body {
         let Motion { center, centroid, angle, .. } = self.motion;
         let turned = Place { at: [0.0, 0.0], angle }.of(centroid);
         Place { at: [center[0] - turned[0], center[1] - turned[1]], angle }
-    }
-}
-
-impl Support {
-    /// Returns the map from its own coordinates to the world.
-    pub(super) fn place(&self) -> Place {
-        Place { at: self.at, angle: self.rotation }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 
+use crate::geometry::Place;
 use crate::load::{Load, Value};
 use crate::remainder::Remainder;
 use lagrange_runtime::scalar::Scalar;
@@ -234,6 +235,13 @@ pub(super) fn sampled<S: Scalar + Into<f64>, D: Space>(
         _ => {}
     });
     Form::Terrain(places.into_iter().zip(heights).collect())
+}
+
+impl Support {
+    /// Returns the map from its own coordinates to the world.
+    pub(super) fn place(&self) -> Place {
+        Place { at: self.at, angle: self.rotation }
+    }
 }
 
 impl<D: Stored> Default for Snapshot<D> {

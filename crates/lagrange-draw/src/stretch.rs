@@ -2,8 +2,8 @@
 //!
 //! Lines of a scene have no ends. However, if two of them cross, a floor ends at a wall, and a
 //! plateau at the start of a slope. A line at rest is therefore cut at its crossings, and only the
-//! stretches remain that an object touches at some time. Circles are drawn as a whole unless they are
-//! far larger than everything else, and terrain reaches beyond the borders of most pictures.
+//! stretches remain that an object touches at some time. Circles are drawn as a whole unless they
+//! are far larger than everything else, and terrain reaches beyond the borders of most pictures.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -14,7 +14,8 @@ use crate::picture::Point;
 use crate::snapshot::{Form, Snapshot, Support, sampled};
 use lagrange_runtime::scene::{Item, Joint};
 
-/// Drawn stretches of each surface, by its name: lengths along lines, angles on circles, x on terrain.
+/// Drawn stretches of each surface, by its name: lengths along lines, angles on circles, x on
+/// terrain.
 pub(super) type Stretches = BTreeMap<String, Vec<[f64; 2]>>;
 
 const ENDLESS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
