@@ -51,8 +51,8 @@ impl Surroundings<'_> {
     pub(super) fn floor(&self, height: f64) -> MovingMesh {
         let Size { low, high } = *self.size;
         let Patch { mesh, at, colour } = self.grid([low, high]);
-        let placement = Placement::rigid(add(at, [0.0, 0.0, height]), UPRIGHT);
-        thing("floor", (mesh, colour), vec![placement; self.film.len()])
+        let placement = Placement::rigid([0.0, 0.0, height], UPRIGHT);
+        thing("floor", (mesh.placed(at, &UPRIGHT), colour), vec![placement; self.film.len()])
     }
 
     /// Returns a surface, if it is near the motion.
