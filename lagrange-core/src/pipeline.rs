@@ -29,7 +29,7 @@ use lagrange_language::syntax::parse_tokens;
 use lagrange_language::tables::{Reader, no_files, read_files};
 use phases::{equations_of, items_of, model_of};
 
-pub use drawn::{DrawnScene, PlacedItem, PlacedPart};
+pub use drawn::{DrawnScene, PlacedHeight, PlacedItem, PlacedPart};
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
 pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};

@@ -2,7 +2,7 @@
 
 use lagrange::Scalar;
 use lagrange::body::Motion;
-use lagrange::scene::{Item, Line, Outline, Scene};
+use lagrange::scene::{Item, Outline, Scene};
 use lagrange::system::OdeSystem;
 
 use crate::assert_close;
@@ -193,7 +193,8 @@ fn listed(system: &Crane<f64>) -> Vec<String> {
     let ((q, v), mut list) = (halves(STATE), Vec::new());
     system.items(TIME, &q, &v, &mut |item| {
         list.push(match item {
-            Item::Line(Line { name, .. }) => format!("line {name}"),
+            Item::Surface(surface) => format!("surface {}", surface.name),
+            Item::Cone { name, .. } => format!("cone {name}"),
             Item::Body { name, .. } => format!("body {name}"),
             Item::Connector { name, kind, .. } => format!("{kind:?} {name}"),
             Item::Joint { name, kind, .. } => format!("{kind:?} {name}"),
@@ -208,7 +209,7 @@ fn listed(system: &Crane<f64>) -> Vec<String> {
 #[test]
 fn items_come_in_the_order_in_which_they_are_drawn() {
     let list = listed(&crane());
-    let head = ["line track", "body trolley", "body boom", "body wheel", "Spring cable"];
+    let head = ["surface track", "body trolley", "body boom", "body wheel", "Spring cable"];
     assert_eq!(list[..5], head);
     assert!(list[5].starts_with("TorsionDamper "), "{list:?}");
     assert_eq!(list[6], "Pin axle");

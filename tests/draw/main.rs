@@ -10,3 +10,4 @@ mod marks;
 mod parallel;
 mod refusals;
 mod scenes;
+mod surfaces;

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use lagrange::draw::{Drawing, Picture};
-use lagrange::scene::{Connector, Item, Line, Outline};
+use lagrange::scene::{Connector, Item, Outline};
 
 use crate::marks::{numbers, paths, texts};
-use crate::scenes::{Puppet, part, still};
+use crate::scenes::{Puppet, line, part, still};
 
 lagrange::system! {
     /// A block between a spring and a damper, with a wheel on a torsion spring and a torsion
@@ -61,7 +61,7 @@ const PAIR: Puppet = Puppet(|angle, visit| {
 const MEETING: Puppet = Puppet(|s, visit| pair([0.6 * s, 0.8 * s], visit));
 
 fn pair(tip: [f64; 2], visit: &mut dyn FnMut(Item<'_, f64>)) {
-    visit(Item::Line(Line { name: "floor", body: None, through: [0.0, -2.0], angle: 0.0 }));
+    visit(line("floor", [0.0, -2.0], 0.0));
     let parts = [part(Outline::Disk(0.05))];
     visit(Item::Body { name: "tip", motion: still(tip, 0.0), parts: &parts });
     visit(Item::Body { name: "far", motion: still([2.0, 2.0], 0.0), parts: &parts });

@@ -2,9 +2,9 @@
 
 use lagrange::body::Motion;
 use lagrange::draw::{DrawError, Drawing, Picture};
-use lagrange::scene::{Connector, Item, Joint, Line, LoadOrigin, Outline};
+use lagrange::scene::{Connector, Item, Joint, LoadOrigin, Outline};
 
-use crate::scenes::{Items, LADDER, Puppet, SLOPE, part, still};
+use crate::scenes::{Items, LADDER, Puppet, SLOPE, line, part, still};
 
 fn refused(result: Result<Picture, DrawError>) -> String {
     result.expect_err("cannot be drawn").to_string()
@@ -44,9 +44,7 @@ fn a_state_that_is_not_a_number_is_refused_by_the_first_item_that_shows_it() {
 #[test]
 fn every_kind_of_item_is_checked() {
     let broken: [(&str, Items); 6] = [
-        ("line", |x, visit| {
-            visit(Item::Line(Line { name: "line", body: None, through: [0.0, 0.0], angle: x }));
-        }),
+        ("line", |x, visit| visit(line("line", [0.0, 0.0], x))),
         ("spring", |x, visit| {
             let kind = Connector::Spring;
             visit(Item::Connector { name: "spring", kind, from: [0.0, 0.0], to: [x, 0.0], tension: 0.0 });

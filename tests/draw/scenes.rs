@@ -4,7 +4,9 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 use lagrange::body::Motion;
 use lagrange::draw::Drawing;
-use lagrange::scene::{Connector, Item, Joint, Line, LoadOrigin, Outline, Part, Plane, Scene};
+use lagrange::scene::{
+    Connector, Item, Joint, LoadOrigin, Outline, Part, Plane, Scene, Surface, SurfaceShape,
+};
 use lagrange::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 /// A scene that shows its items as a function of a single coordinate.
@@ -60,6 +62,11 @@ pub(crate) fn still(center: [f64; 2], angle: f64) -> Motion<f64> {
     }
 }
 
+/// A line at rest.
+pub(crate) fn line(name: &str, at: [f64; 2], rotation: f64) -> Item<'_, f64> {
+    Item::Surface(Surface { name, body: None, shape: SurfaceShape::Flat, at, rotation, is_inside: false })
+}
+
 pub(crate) fn part(outline: Outline<'_, f64>) -> Part<'_, f64> {
     Part { shape: outline, at: [0.0, 0.0], rotation: 0.0, is_hole: false }
 }
@@ -68,7 +75,7 @@ pub(crate) fn part(outline: Outline<'_, f64>) -> Part<'_, f64> {
 /// floor, φ̇ = −1.
 pub(crate) const LADDER: Puppet = Puppet(|phi, visit| {
     let (sin, cos) = phi.sin_cos();
-    visit(Item::Line(Line { name: "floor", body: None, through: [0.0, 0.0], angle: 0.0 }));
+    visit(line("floor", [0.0, 0.0], 0.0));
     let rod = [part(Outline::SlenderRod(1.0))];
     let left = Motion {
         velocity: [0.5 * sin, -0.5 * cos],
@@ -111,7 +118,7 @@ pub(crate) const SLOPE: Puppet = Puppet(|s, visit| {
     let (alpha, radius) = (FRAC_PI_6, 0.5);
     let (along, up) = ([alpha.cos(), -alpha.sin()], [alpha.sin(), alpha.cos()]);
     let at = |x: f64, y: f64| [x * along[0] + y * up[0], x * along[1] + y * up[1]];
-    visit(Item::Line(Line { name: "slope", body: None, through: [0.0, 0.0], angle: -alpha }));
+    visit(line("slope", [0.0, 0.0], -alpha));
     let cylinder = Motion {
         velocity: at(1.0, 0.0),
         angular_velocity: -1.0 / radius,
@@ -190,8 +197,8 @@ pub(crate) const COLLECTION: Puppet = Puppet(|s, visit| {
 /// downwards.
 pub(crate) const CORNER: Puppet = Puppet(|phi, visit| {
     let (sin, cos) = phi.sin_cos();
-    visit(Item::Line(Line { name: "floor", body: None, through: [0.0, 0.0], angle: 0.0 }));
-    visit(Item::Line(Line { name: "wall", body: None, through: [0.0, 0.0], angle: -FRAC_PI_2 }));
+    visit(line("floor", [0.0, 0.0], 0.0));
+    visit(line("wall", [0.0, 0.0], -FRAC_PI_2));
     let rod = [part(Outline::SlenderRod(2.0))];
     visit(Item::Body { name: "rod", motion: still([cos, sin], -phi), parts: &rod });
     visit(Item::Joint { name: "foot", kind: Joint::Slide, at: [2.0 * cos, 0.0] });

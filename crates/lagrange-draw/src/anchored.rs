@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::geometry::{add, length, subtract, unit};
 use crate::picture::Point;
-use crate::snapshot::{Snapshot, Span};
+use crate::snapshot::{Form, Snapshot, Span};
 use crate::stretch::coordinates;
 use lagrange_runtime::scene::{Connector, LoadOrigin};
 
@@ -57,7 +57,10 @@ fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -
 /// True if a line or a joint is drawn at this point.
 fn is_held(at: Point, ends: &[Point; 2], snapshot: &Snapshot) -> bool {
     let close = TOUCHING * length(subtract(ends[1], ends[0]));
-    let on_line = snapshot.lines.iter().any(|line| coordinates(line, at)[1].abs() <= close);
+    let on_line = snapshot
+        .supports
+        .iter()
+        .any(|line| line.form == Form::Flat && coordinates(line, at)[1].abs() <= close);
     on_line || snapshot.joints.iter().any(|joint| length(subtract(joint.at, at)) <= close)
 }
 
@@ -81,10 +84,9 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::anchored;
-    use crate::geometry::Place;
     use crate::load::{Load, Value};
     use crate::picture::Point;
-    use crate::snapshot::{Joint, Line, Snapshot, Span};
+    use crate::snapshot::{Form, Joint, Snapshot, Span, Support};
     use lagrange_runtime::scene::{self, Connector, LoadOrigin};
 
     /// Creates a spring that acts on a body at its second end.
@@ -126,8 +128,8 @@ mod tests {
         scene.joints = vec![Joint { name: "pin".to_string(), kind: scene::Joint::Anchor, at: [0.0, 2.0] }];
         assert!(anchored(&[scene.clone()], &elsewhere).is_empty());
         scene.joints.clear();
-        scene.lines =
-            vec![Line { name: "top".to_string(), body: None, place: Place { at: [5.0, 2.0], angle: PI } }];
+        let (name, body, at) = ("top".to_string(), None, [5.0, 2.0]);
+        scene.supports = vec![Support { name, body, form: Form::Flat, at, rotation: PI, is_inside: false }];
         assert!(anchored(&[scene], &elsewhere).is_empty());
     }
 }

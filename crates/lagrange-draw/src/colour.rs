@@ -8,6 +8,8 @@ pub(super) const INK: Colour = Colour([40, 40, 40, 255]);
 /// Colour of auxiliary lines.
 pub(super) const PALE: Colour = Colour([130, 130, 130, 255]);
 pub(super) const HATCHING: Colour = Colour([150, 150, 150, 255]);
+/// Colour of solid ground.
+pub(super) const GROUND: Colour = Colour([214, 214, 214, 255]);
 /// Colour of the background.
 pub(super) const PAPER: Colour = Colour([255, 255, 255, 255]);
 

@@ -52,7 +52,7 @@ pub trait DrawnSpace: Stored {
 
 /// Pictures of a declared system of rigid bodies, in the plane or in space.
 ///
-/// Bodies, connectors, joints, lines and names are always drawn; arrows and other additions are
+/// Bodies, surfaces, connectors, joints and names are always drawn; arrows and other additions are
 /// optional. All pictures share one window and one scale, and all arrows of one kind share one
 /// scale.
 ///
@@ -138,13 +138,14 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
 
     /// Adds the forces and moments that have names: declared ones, weights, constraint forces of
     /// joints, and those of springs, dampers and contacts of bodies. Forces of contacts,
-    /// `touch.normal` and `touch.friction`, are those of a motion that starts from the state. In
-    /// space, arrows of moments have two heads. Torques on angles act on the bodies that rotate by
-    /// these angles. A line below the picture names the omitted ones: forces of joints that the
-    /// coordinates satisfy, and torques on angles that determine no body. [`hide`](Self::hide)
-    /// removes a name from it. Hand-written constraints and potentials, impacts and dry friction of
-    /// events also act, but have no names. In the plane, [`free_body`](Self::free_body) shows their
-    /// resultant.
+    /// `touch.normal` and `touch.friction`, are those of a motion that starts from the state. The
+    /// force of a contact is within its friction cone, `touch.cone`, which is as high as the normal
+    /// force. In space, arrows of moments have two heads. Torques on angles act on the bodies that
+    /// rotate by these angles. A line below the picture names the omitted ones: forces of joints
+    /// that the coordinates satisfy, and torques on angles that determine no body.
+    /// [`hide`](Self::hide) removes a name from it. Hand-written constraints and potentials,
+    /// impacts and dry friction of events also act, but have no names. In the plane,
+    /// [`free_body`](Self::free_body) shows their resultant.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self

@@ -1,6 +1,6 @@
 //! The elements of a picture, in world coordinates.
 
-use crate::geometry::{Place, add};
+use crate::geometry::{Place, add, subtract, times, turned};
 use crate::outline::Piece;
 use crate::picture::{Colour, Point};
 use lagrange_runtime::scene::Connector;
@@ -37,6 +37,10 @@ pub(super) enum Shape {
     /// A line with hatching on its right, drawn along `stretches` from a point on it, whose ends
     /// may be infinite. The points `seen` must be visible.
     Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
+    /// A curve through points with hatching on its right. The points `seen` must be visible.
+    Curve { points: Vec<Point>, seen: Vec<Point> },
+    /// A friction cone: its apex, the force along its axis, and the coefficient of friction.
+    Cone { at: Point, normal: Point, coefficient: f64 },
     /// A spring or damper, `lane` lanes to the left of the line between its ends; a torsional one
     /// surrounds `lane` others.
     Connector { kind: Connector, ends: [Point; 2], lane: f64 },
@@ -117,6 +121,7 @@ impl Element {
             self.reaches(&|_| 1.0).iter().flat_map(|r| [r.at, r.offset].concat()).collect();
         match &self.shape {
             Shape::Ground { place, .. } => numbers.extend([place.at[0], place.at[1], place.angle]),
+            Shape::Curve { points, .. } => numbers.extend(points.as_flattened()),
             Shape::Turn { moment, .. } => numbers.push(*moment),
             Shape::Ray { to, .. } => numbers.extend(to),
             Shape::Through { points } => numbers.extend(points.as_flattened()),
@@ -134,7 +139,9 @@ impl Element {
         let all = |points: &[Point]| points.iter().map(|at| point(*at, ROOM)).collect();
         match &self.shape {
             Shape::Body { place, center, pieces } => body(place, *center, pieces),
-            Shape::Ground { seen, .. } => seen.iter().map(|at| point(*at, GROUND)).collect(),
+            Shape::Ground { seen, .. } | Shape::Curve { seen, .. } => {
+                seen.iter().map(|at| point(*at, GROUND)).collect()
+            }
             Shape::Through { .. } => Vec::new(),
             Shape::Connector { kind: Connector::Spring | Connector::Damper, ends, lane } => {
                 ends.map(|at| point(at, ROOM + LANE * lane.abs())).into()
@@ -149,6 +156,10 @@ impl Element {
                 let sign = if *is_push { -1.0 } else { 1.0 };
                 let offset = vector.map(|part| sign * pixels(*measure) * part);
                 vec![point(*from, ROOM), Reach { at: *from, offset, room: GROUND }]
+            }
+            Shape::Cone { at, normal, coefficient } => {
+                let rim = cone_rim(times(pixels(Measure::Force), *normal), *coefficient);
+                rim.map(|offset| Reach { at: *at, offset, room: ROOM }).into()
             }
             Shape::Ray { from, .. } => vec![point(*from, ROOM)],
             Shape::Segment { ends, .. } => all(ends),
@@ -166,6 +177,8 @@ impl Shape {
         match self {
             Shape::Body { .. } => "position or shape",
             Shape::Ground { .. } => "line",
+            Shape::Curve { .. } => "surface",
+            Shape::Cone { .. } => "friction cone",
             Shape::Connector { kind: Connector::Spring | Connector::Damper, .. } => "end",
             Shape::Connector { .. } => "place",
             Shape::Wall { .. } => "anchor",
@@ -187,6 +200,12 @@ impl Shape {
             Shape::Words { .. } => "place of the text",
         }
     }
+}
+
+/// Returns the ends of a friction cone relative to its apex.
+pub(super) fn cone_rim(normal: Point, coefficient: f64) -> [Point; 2] {
+    let aside = times(coefficient, turned(normal));
+    [add(normal, aside), subtract(normal, aside)]
 }
 
 fn body(place: &Place, center: Point, pieces: &[Piece]) -> Vec<Reach> {

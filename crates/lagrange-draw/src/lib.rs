@@ -85,3 +85,4 @@ pub use picture::Picture;
 pub use sketch::Sketch;
 pub use space::live::{LiveMesh, LiveScene};
 pub use stage::is_made_up;
+pub use stretch::live_terrain;

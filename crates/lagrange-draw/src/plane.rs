@@ -3,10 +3,10 @@
 use crate::geometry::Place;
 use crate::outline::Piece;
 use crate::remainder::Remainder;
-use crate::snapshot::{Line, Named, Snapshot, Stored};
+use crate::snapshot::{Named, Snapshot, Stored};
 use lagrange_runtime::body::Motion;
 use lagrange_runtime::scalar::Scalar;
-use lagrange_runtime::scene::{self, Joint, Part, Plane};
+use lagrange_runtime::scene::{Joint, Part, Plane};
 use std::convert::Infallible;
 
 /// A body.
@@ -47,9 +47,8 @@ impl Stored for Plane {
         match *frame {}
     }
 
-    fn line<S: Scalar + Into<f64>>(line: &scene::Line<'_, S>) -> Line {
-        let place = Place { at: Self::vector(line.through), angle: line.angle.into() };
-        Line { name: line.name.to_owned(), body: line.body.map(ToOwned::to_owned), place }
+    fn rotation<S: Scalar + Into<f64>>(angle: S) -> f64 {
+        angle.into()
     }
 
     fn joint<S: Scalar + Into<f64>>(joint: &Joint) -> Joint {
@@ -94,6 +93,7 @@ impl Snapshot {
         self.loads.retain(|load| load.body.as_deref() == Some(name));
         // Loads omitted from a free body are part of its remainder. Joints stay, since they
         // determine the labels of forces.
-        Snapshot { lines: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
+        self.cones.retain(|cone| cone.body.as_deref() == Some(name));
+        Snapshot { supports: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
     }
 }

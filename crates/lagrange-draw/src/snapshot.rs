@@ -6,7 +6,9 @@ use crate::geometry::Place;
 use crate::load::{Load, Value};
 use crate::remainder::Remainder;
 use lagrange_runtime::scalar::Scalar;
-use lagrange_runtime::scene::{Connector, Item, LoadOrigin, Part, Plane, Scene, Space};
+use lagrange_runtime::scene::{
+    Connector, Item, LoadOrigin, Part, Plane, Scene, Space, Surface, SurfaceShape,
+};
 
 /// A space whose scenes are stored as double-precision numbers.
 pub trait Stored: Space {
@@ -24,8 +26,8 @@ pub trait Stored: Space {
     ) -> Self::Body;
     /// Stores a frame.
     fn frame<S: Scalar + Into<f64>>(frame: &Self::Frame<'_, S>) -> Self::Body;
-    /// Stores a line.
-    fn line<S: Scalar + Into<f64>>(line: &Self::Line<'_, S>) -> Line;
+    /// Stores a rotation.
+    fn rotation<S: Scalar + Into<f64>>(rotation: Self::Rotation<S>) -> Self::Rotation<f64>;
     /// Stores a joint.
     fn joint<S: Scalar + Into<f64>>(joint: &<Self as Space>::Joint<'_, S>) -> <Self as Stored>::Joint;
     /// Stores a vector.
@@ -45,9 +47,10 @@ pub trait Named {
 pub(super) struct Snapshot<D: Stored = Plane> {
     /// Bodies and, in space, frames.
     pub(super) bodies: Vec<D::Body>,
-    pub(super) lines: Vec<Line>,
+    pub(super) supports: Vec<Support<D>>,
     pub(super) connectors: Vec<Span<D>>,
     pub(super) joints: Vec<Joint<D>>,
+    pub(super) cones: Vec<Cone<D>>,
     pub(super) loads: Vec<Load<D>>,
     /// Loads that act but are not drawn.
     pub(super) omitted: Vec<String>,
@@ -55,12 +58,36 @@ pub(super) struct Snapshot<D: Stored = Plane> {
     pub(super) remainder: Option<Remainder>,
 }
 
-/// A line in the plane.
+/// A surface that bodies touch.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Line {
+pub(super) struct Support<D: Space = Plane> {
     pub(super) name: String,
     pub(super) body: Option<String>,
-    pub(super) place: Place,
+    pub(super) form: Form,
+    pub(super) at: D::Vector<f64>,
+    pub(super) rotation: D::Rotation<f64>,
+    pub(super) is_inside: bool,
+}
+
+/// The shape of a surface in its own axes.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Form {
+    Flat,
+    Round(f64),
+    Cylinder(f64),
+    /// Terrain, with its height over places; none before it is sampled.
+    Terrain(Vec<([f64; 2], f64)>),
+}
+
+/// The friction cone of a contact: its apex, the force along its axis, and the coefficient of
+/// friction.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Cone<D: Space = Plane> {
+    pub(super) name: String,
+    pub(super) body: Option<String>,
+    pub(super) at: D::Vector<f64>,
+    pub(super) normal: D::Vector<f64>,
+    pub(super) coefficient: f64,
 }
 
 /// A spring or damper.
@@ -106,7 +133,14 @@ impl<D: Stored> Snapshot<D> {
                 self.bodies.push(D::body(name, self.bodies.len(), &motion, parts));
             }
             Item::Frame(frame) => self.bodies.push(D::frame(&frame)),
-            Item::Line(line) => self.lines.push(D::line(&line)),
+            Item::Surface(surface) => self.supports.push(support(&surface)),
+            Item::Cone { name, body, at, normal, coefficient } => self.cones.push(Cone {
+                name: name.to_owned(),
+                body: body.map(ToOwned::to_owned),
+                at: D::vector(at),
+                normal: D::vector(normal),
+                coefficient: coefficient.into(),
+            }),
             Item::Connector { name, kind, from, to, .. } => {
                 self.connectors.push(Span { name: name.to_owned(), kind, ends: [from, to].map(D::vector) });
             }
@@ -147,10 +181,11 @@ impl<D: Stored> Snapshot<D> {
 
     /// Returns the names of all items.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
-        let bodies = self.bodies.iter().map(Named::name).chain(self.lines.iter().map(|line| &*line.name));
+        let bodies = self.bodies.iter().map(Named::name).chain(self.supports.iter().map(|one| &*one.name));
         let connectors = self.connectors.iter().map(|connector| &*connector.name);
         let joints = self.joints.iter().map(|joint| &*joint.name);
-        let loads = self.loads.iter().map(|load| &*load.name);
+        let cones = self.cones.iter().map(|cone| &*cone.name);
+        let loads = self.loads.iter().map(|load| &*load.name).chain(cones);
         let omitted = self.omitted.iter().map(|name| &**name);
         bodies.chain(connectors).chain(joints).chain(loads).chain(omitted)
     }
@@ -159,12 +194,53 @@ impl<D: Stored> Snapshot<D> {
     pub(super) fn without(mut self, hidden: &[String]) -> Self {
         let is_shown = |name: &str| hidden.iter().all(|other| other != name);
         self.bodies.retain(|body| is_shown(body.name()));
-        self.lines.retain(|line| is_shown(&line.name));
+        self.supports.retain(|support| is_shown(&support.name));
         self.connectors.retain(|connector| is_shown(&connector.name));
         self.joints.retain(|joint| is_shown(&joint.name));
+        self.cones.retain(|cone| is_shown(&cone.name));
         self.loads.retain(|load| is_shown(&load.name));
         self.omitted.retain(|name| is_shown(name));
         self
+    }
+}
+
+fn support<S: Scalar + Into<f64>, D: Stored>(surface: &Surface<'_, S, D>) -> Support<D> {
+    let form = match surface.shape {
+        SurfaceShape::Flat => Form::Flat,
+        SurfaceShape::Round(radius) => Form::Round(radius.into()),
+        SurfaceShape::Cylinder(radius) => Form::Cylinder(radius.into()),
+        SurfaceShape::Terrain(_) => Form::Terrain(Vec::new()),
+    };
+    Support {
+        name: surface.name.to_owned(),
+        body: surface.body.map(ToOwned::to_owned),
+        form,
+        at: D::vector(surface.at),
+        rotation: D::rotation(surface.rotation),
+        is_inside: surface.is_inside,
+    }
+}
+
+/// Samples the height of a terrain among the visited items over places.
+pub(super) fn sampled<S: Scalar + Into<f64>, D: Space>(
+    visit: impl FnOnce(&mut dyn FnMut(Item<'_, S, D>)),
+    terrain: &str,
+    places: Vec<[f64; 2]>,
+) -> Form {
+    let mut heights = Vec::new();
+    visit(&mut |item| match item {
+        Item::Surface(Surface { name, shape: SurfaceShape::Terrain(height), .. }) if name == terrain => {
+            heights.extend(places.iter().map(|place| height.over(place.map(S::from_f64)).into()));
+        }
+        _ => {}
+    });
+    Form::Terrain(places.into_iter().zip(heights).collect())
+}
+
+impl Support {
+    /// Returns the map from its own coordinates to the world.
+    pub(super) fn place(&self) -> Place {
+        Place { at: self.at, angle: self.rotation }
     }
 }
 
@@ -172,9 +248,10 @@ impl<D: Stored> Default for Snapshot<D> {
     fn default() -> Self {
         Snapshot {
             bodies: Vec::new(),
-            lines: Vec::new(),
+            supports: Vec::new(),
             connectors: Vec::new(),
             joints: Vec::new(),
+            cones: Vec::new(),
             loads: Vec::new(),
             omitted: Vec::new(),
             remainder: None,

@@ -11,7 +11,7 @@ use crate::parallel::Lanes;
 use crate::picture::{Colour, Point};
 use crate::plane::Body;
 use crate::remainder::{REMAINDER, Remainder};
-use crate::snapshot::{Snapshot, Span};
+use crate::snapshot::{Cone, Form, Snapshot, Span, Support};
 use crate::stretch::{self, Stretches};
 use lagrange_plot::notation::{formula, symbol};
 use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
@@ -31,7 +31,7 @@ const TURNING: f64 = 1e-9;
 
 /// Returns all elements of a scene.
 pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, fastest: f64) -> Vec<Element> {
-    let mut elements = lines(snapshot, &fixed.stretches);
+    let mut elements = surfaces(snapshot, &fixed.stretches);
     elements.extend(walls(snapshot, &fixed.anchored));
     for body in &snapshot.bodies {
         let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
@@ -50,6 +50,7 @@ pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, faste
         elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
     }
     if wanted.forces {
+        elements.extend(snapshot.cones.iter().filter_map(|one| cone(one, snapshot, wanted.is_free)));
         elements.extend(snapshot.loads.iter().enumerate().map(|(index, item)| {
             let before = &snapshot.loads[..index];
             load(item, before, snapshot, wanted.is_free)
@@ -63,14 +64,18 @@ fn element(name: &str, label: String, colour: Colour, layer: Layer, shape: Shape
     Element { name: name.to_owned(), label, colour, layer, shape }
 }
 
-fn lines(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
-    let of = |line: &crate::snapshot::Line| {
-        let stretches = stretches.get(&line.name).cloned().unwrap_or_default();
-        let seen = stretch::seen(line, snapshot, &stretches);
-        let shape = Shape::Ground { place: line.place, stretches, seen };
-        element(&line.name, String::new(), INK, Layer::Ground, shape)
+fn surfaces(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
+    let of = |support: &Support| {
+        let stretches = stretches.get(&support.name).cloned().unwrap_or_default();
+        let points = stretch::curve(support, &stretches);
+        let seen = stretch::seen(support, snapshot, &stretches, &points);
+        let shape = match support.form {
+            Form::Flat => Shape::Ground { place: support.place(), stretches, seen },
+            _ => Shape::Curve { points, seen },
+        };
+        element(&support.name, String::new(), INK, Layer::Ground, shape)
     };
-    snapshot.lines.iter().map(of).collect()
+    snapshot.supports.iter().map(of).collect()
 }
 
 /// Returns the walls that hold connectors.
@@ -167,6 +172,15 @@ fn load(load: &Load, before: &[Load], snapshot: &Snapshot, is_free: bool) -> Ele
     element(&load.name, load_label(load, snapshot), FORCE, Layer::Arrow, shape)
 }
 
+/// Returns the friction cone of a contact that presses, on the side of the arrow of its force.
+fn cone(cone: &Cone, snapshot: &Snapshot, is_free: bool) -> Option<Element> {
+    let &Cone { at, normal, coefficient, .. } = cone;
+    let body = cone.body.as_deref().and_then(|name| snapshot.body(name));
+    let is_push = is_free && points_into(normal, at, body.map(|body| body.motion.center));
+    let shape = Shape::Cone { at, normal: times(if is_push { -1.0 } else { 1.0 }, normal), coefficient };
+    (length(normal) != 0.0).then(|| element(&cone.name, String::new(), FORCE, Layer::Arrow, shape))
+}
+
 /// Counts the moments on a body.
 fn moments(loads: &[Load], body: Option<&str>) -> usize {
     loads.iter().filter(|load| load.is_moment() && load.body.as_deref() == body).count()
@@ -184,10 +198,15 @@ fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
 /// True if a contact or joint force points into the body. On a free body it is then drawn from
 /// outside.
 fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
-    const NARROW: f64 = 0.5;
-    let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));
     let is_contact = matches!(load.cause, LoadOrigin::Joint | LoadOrigin::Contact);
-    is_contact && dot(force, inwards) > NARROW * length(force) * length(inwards)
+    is_contact && points_into(force, load.at, center)
+}
+
+/// True if a force at a place points to the middle of a body.
+fn points_into(force: Point, at: Point, center: Option<Point>) -> bool {
+    const NARROW: f64 = 0.5;
+    let inwards = center.map_or([0.0, 0.0], |center| subtract(center, at));
+    dot(force, inwards) > NARROW * length(force) * length(inwards)
 }
 
 /// Returns the path of a point up to its current position, and a mark there.

@@ -151,6 +151,6 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
         Shape::Circle { center, radius, .. } => around(&add(*center, times(*radius, direction(0.8)))),
         Shape::Polyline { points } | Shape::Area { points } => points.last().and_then(around),
         Shape::Through { points } => around(&points[0]),
-        Shape::Ground { .. } | Shape::Wall { .. } => None,
+        Shape::Ground { .. } | Shape::Curve { .. } | Shape::Cone { .. } | Shape::Wall { .. } => None,
     }
 }

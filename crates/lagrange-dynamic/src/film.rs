@@ -165,8 +165,7 @@ impl<D: NumberedSpace> Scene for Drawn<'_, D> {
         v: &Inline<LARGEST>,
         visit: &mut dyn FnMut(Item<'_, f64, D>),
     ) {
-        let numbers = self.system.numeric.evaluate(&self.scene.program, t, q.as_ref(), v.as_ref());
-        visit_items(&self.scene.items, &numbers, visit);
+        visit_items(&self.system.numeric, self.scene, (t, q.as_ref(), v.as_ref()), visit);
     }
 }
 

@@ -1,39 +1,54 @@
 //! Drawn items from their numbers.
 
 use lagrange_core::bodies::{self, DrawnKind, JointForm, SpatialJointForm};
-use lagrange_core::pipeline::{PlacedItem, PlacedPart};
-use lagrange_core::syntax::ast::{ConnectorKind, MobilizerKind};
+use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
+use lagrange_core::syntax::ast::{ConnectorKind, MobilizerKind, SurfaceKind};
 use lagrange_runtime::body::{Motion, SpatialMotion};
 use lagrange_runtime::scene::{
-    Connector, Frame, Item, Joint, Line, LoadOrigin, Outline, Part, Plane, Solid, Space, Spatial,
-    SpatialJoint, SpatialJointKind,
+    Connector, Frame, Height, Item, Joint, LoadOrigin, Outline, Part, Plane, Solid, Space, Spatial,
+    SpatialJoint, SpatialJointKind, Surface, SurfaceShape,
 };
 
 /// A space whose items are constructed from their numbers. Bodies have no rates, which are only
 /// needed for arrows.
 pub trait NumberedSpace: Space {
-    /// Visits a body, frame, line or joint, whose numbers come first.
-    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Self>));
+    /// Visits a body, frame, surface or joint, whose numbers come first. `height` returns the height
+    /// of terrain over a place.
+    fn item(
+        item: &PlacedItem,
+        numbers: &mut Numbers<'_>,
+        height: &dyn Fn([f64; 2]) -> f64,
+        visit: &mut dyn FnMut(Item<'_, f64, Self>),
+    );
     /// Takes a vector.
     fn vector(numbers: &mut Numbers<'_>) -> Self::Vector<f64>;
     /// Takes a moment.
     fn moment(numbers: &mut Numbers<'_>) -> Self::Moment<f64>;
 }
 
-/// Visits items with the numbers returned by their program.
+/// Visits the items of a system at a state.
 pub fn visit_items<D: NumberedSpace>(
-    items: &[PlacedItem],
-    numbers: &[f64],
+    system: &NumericSystem,
+    scene: &DrawnScene,
+    (t, q, v): (f64, &[f64], &[f64]),
     visit: &mut dyn FnMut(Item<'_, f64, D>),
 ) {
-    let mut numbers = Numbers(numbers);
-    items.iter().for_each(|item| visit_item(item, &mut numbers, visit));
+    let numbers = system.evaluate(&scene.program, t, q, v);
+    let mut numbers = Numbers(&numbers);
+    for item in &scene.items {
+        let height = |place| match &item.height {
+            Some(height) => system.height(height, (t, q, v), place),
+            None => f64::NAN,
+        };
+        visit_item(item, &mut numbers, &height, visit);
+    }
 }
 
 /// Visits an item whose numbers come first, and leaves the numbers of other items.
 fn visit_item<D: NumberedSpace>(
     item: &PlacedItem,
     numbers: &mut Numbers<'_>,
+    height: &dyn Fn([f64; 2]) -> f64,
     visit: &mut dyn FnMut(Item<'_, f64, D>),
 ) {
     match &item.kind {
@@ -51,9 +66,13 @@ fn visit_item<D: NumberedSpace>(
             let (at, moment) = (D::vector(numbers), D::moment(numbers));
             visit(Item::Moment { name, cause, body, at, moment });
         }
+        DrawnKind::Cone { name, body } => {
+            let (at, normal, coefficient) = (D::vector(numbers), D::vector(numbers), numbers.one());
+            visit(Item::Cone { name, body: body.as_deref(), at, normal, coefficient });
+        }
         // Torques have already become moments.
         DrawnKind::Omitted { name } | DrawnKind::Torque { name } => visit(Item::Omitted { name }),
-        _ => D::item(item, numbers, visit),
+        _ => D::item(item, numbers, height, visit),
     }
 }
 
@@ -74,6 +93,16 @@ impl Numbers<'_> {
 
     fn rows(&mut self) -> [[f64; 3]; 3] {
         std::array::from_fn(|_| self.take())
+    }
+
+    /// Returns the shape of a surface.
+    fn shape<'h>(&mut self, kind: SurfaceKind, height: &'h dyn Fn([f64; 2]) -> f64) -> SurfaceShape<'h, f64> {
+        match kind {
+            SurfaceKind::Line | SurfaceKind::Plane => SurfaceShape::Flat,
+            SurfaceKind::Circle | SurfaceKind::Sphere => SurfaceShape::Round(self.one()),
+            SurfaceKind::Cylinder => SurfaceShape::Cylinder(self.one()),
+            SurfaceKind::Terrain => SurfaceShape::Terrain(Height(height)),
+        }
     }
 
     /// Returns the solid of a part, with its placement.
@@ -128,7 +157,12 @@ impl Numbers<'_> {
 }
 
 impl NumberedSpace for Plane {
-    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64>)) {
+    fn item(
+        item: &PlacedItem,
+        numbers: &mut Numbers<'_>,
+        height: &dyn Fn([f64; 2]) -> f64,
+        visit: &mut dyn FnMut(Item<'_, f64>),
+    ) {
         match &item.kind {
             DrawnKind::Body { .. } => {
                 let (centroid, center, angle) = (numbers.take(), numbers.take(), numbers.one());
@@ -150,9 +184,10 @@ impl NumberedSpace for Plane {
                     item.parts.iter().zip(&corners).map(|(part, corners)| rest.outline(part, corners));
                 visit(Item::Body { name: &item.body, motion, parts: &parts.collect::<Vec<_>>() });
             }
-            DrawnKind::Line { name, body } => {
-                let (through, angle) = (numbers.take(), numbers.one());
-                visit(Item::Line(Line { name, body: body.as_deref(), through, angle }));
+            DrawnKind::Surface { name, body, kind, is_inside, .. } => {
+                let (at, rotation) = (numbers.take(), numbers.one());
+                let (body, shape, is_inside) = (body.as_deref(), numbers.shape(*kind, height), *is_inside);
+                visit(Item::Surface(Surface { name, body, shape, at, rotation, is_inside }));
             }
             DrawnKind::Joint { name, kind } => {
                 let kind = match kind {
@@ -178,7 +213,12 @@ impl NumberedSpace for Plane {
 }
 
 impl NumberedSpace for Spatial {
-    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Spatial>)) {
+    fn item(
+        item: &PlacedItem,
+        numbers: &mut Numbers<'_>,
+        height: &dyn Fn([f64; 2]) -> f64,
+        visit: &mut dyn FnMut(Item<'_, f64, Spatial>),
+    ) {
         match &item.kind {
             DrawnKind::Body { .. } => {
                 let (centroid, center, rotation) = (numbers.take(), numbers.take(), numbers.rows());
@@ -196,6 +236,11 @@ impl NumberedSpace for Spatial {
                 };
                 let parts = item.parts.iter().map(|part| numbers.solid(part)).collect::<Vec<_>>();
                 visit(Item::Body { name: &item.body, motion, parts: &parts });
+            }
+            DrawnKind::Surface { name, body, kind, is_inside, .. } => {
+                let (at, rotation) = (numbers.take(), numbers.rows());
+                let (body, shape, is_inside) = (body.as_deref(), numbers.shape(*kind, height), *is_inside);
+                visit(Item::Surface(Surface { name, body, shape, at, rotation, is_inside }));
             }
             DrawnKind::Frame { name } => {
                 visit(Item::Frame(Frame { name, rotation: numbers.rows(), origin: numbers.take() }));
@@ -306,9 +351,9 @@ mod tests {
         let drawing = programs.drawing.clone().expect("a body is drawn");
         let system = NumericSystem::of(Arc::new(programs));
         let at = system.evaluate(&drawing.program, 0.0, &[0.5], &[0.0]);
-        visit_items(&drawing.items, &at, visit);
+        visit_items(&system, &drawing, (0.0, &[0.5], &[0.0]), visit);
         let mut numbers = Numbers(&at);
-        drawing.items.iter().for_each(|item| visit_item::<D>(item, &mut numbers, &mut |_| {}));
+        drawing.items.iter().for_each(|item| visit_item::<D>(item, &mut numbers, &|_| f64::NAN, &mut |_| {}));
         assert!(numbers.0.is_empty(), "{text}: {:?}", numbers.0);
     }
 

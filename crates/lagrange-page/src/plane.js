@@ -66,6 +66,22 @@ function showsScene(scene) {
     const [x, y] = add(back, tip.map((part) => -part)).map((part) => HALF / HEAD * part);
     line([[tip, add(back, [-y, x]), add(back, [y, -x])]], { isClosed: true, fill: LOAD, colour: LOAD });
   }
+  // A curve with hatching on its right.
+  function hatched(points) {
+    line(points);
+    const strokes = [];
+    let [along, next] = [0, 0];
+    for (let k = 1; k < points.length; k++) {
+      const [from, to] = [points[k - 1], points[k]];
+      const [way, size] = [[to[0] - from[0], to[1] - from[1]], Math.hypot(to[0] - from[0], to[1] - from[1])];
+      for (; next <= along + size && size > 0; next += 9) {
+        const at = add(from, way.map((part) => part * (next - along) / size));
+        strokes.push([at, add(at, [-way[1] - way[0], way[0] - way[1]].map((part) => 6 * part / size))]);
+      }
+      along += size;
+    }
+    hatch(strokes);
+  }
   const circle = (at, radius, fill, colour = INK) => line([round(radius).map((p) => add(at, p))], { isClosed: true, fill, colour });
 
   // Each kind of item: its numbers, taken in order, as a function that draws it and places that must be seen.
@@ -109,6 +125,15 @@ function showsScene(scene) {
         hatch(Array.from({ length: last - first + 1 }, (_, k) => (first + k) * gap).map((place) => [at(place), at(place - 0.7 * gap, 7)]));
       };
       return { draw, seen: [[x, y]] };
+    },
+    circle({ inside }) {
+      const [x, y, , radius] = take(4);
+      const points = round(radius).map((p) => add([x, y], p));
+      return { draw: () => hatched((inside ? points : points.toReversed()).map(pixel)), seen: points };
+    },
+    terrain({ points }) {
+      const [x, y, angle] = take(3);
+      return { draw: () => hatched(points.map((p) => pixel(add([x, y], turned(p, angle))))), seen: [] };
     },
     connector({ variant, label }) {
       const [x0, y0, x1, y1] = take(5);
@@ -188,6 +213,10 @@ function showsScene(scene) {
         return { label, at: add(pixel(about), [0, -radius - 10]), colour: LOAD };
       };
       return { draw, seen: [] };
+    },
+    cone() {
+      take(5);
+      return { draw: () => null, seen: [] };
     },
     omitted: () => ({ draw: () => null, seen: [] }),
   };

@@ -4,11 +4,13 @@ use std::collections::HashMap;
 
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
-use lagrange_draw::{DrawError, LiveLoads, LiveMesh, LiveScene, body_colour, is_made_up};
+use lagrange_core::syntax::ast::SurfaceKind;
+use lagrange_draw::{DrawError, LiveLoads, LiveMesh, LiveScene, body_colour, is_made_up, live_terrain};
 use lagrange_dynamic::{connector, visit_items};
 use lagrange_plot::characters::escaped;
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
+use lagrange_runtime::scene::Item;
 use serde_json::{Value, json};
 
 const PLANE: &str = include_str!("plane.js");
@@ -34,14 +36,13 @@ pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Shown, Draw
     match &system.programs().drawing {
         None => Ok(Shown::default()),
         Some(drawing) if drawing.is_in_space => in_space(system, drawing, start),
-        Some(drawing) => Ok(in_plane(drawing, &numbers(system, drawing, start))),
+        Some(drawing) => Ok(in_plane(system, drawing, start)),
     }
 }
 
-/// Returns the numbers of all items at the start.
-fn numbers(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Vec<f64> {
-    let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
-    system.evaluate(&drawing.program, 0.0, q, v)
+/// Splits a state into positions and velocities.
+fn split<'s>(system: &NumericSystem, start: &'s [f64]) -> (&'s [f64], &'s [f64]) {
+    start.split_at(system.programs().layout.positions.min(start.len()))
 }
 
 /// True if forces or moments can be drawn.
@@ -53,8 +54,11 @@ fn figure(elements: &str) -> String {
     format!("<figure id=\"picture\">{elements}</figure>")
 }
 
-fn in_plane(drawing: &DrawnScene, numbers: &[f64]) -> Shown {
-    let LiveLoads { labels, note, colour } = LiveLoads::new(|visit| visit_items(&drawing.items, numbers, visit));
+fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Shown {
+    let (q, v) = split(system, start);
+    let visit_start = |visit: &mut dyn FnMut(Item<'_, f64>)| visit_items(system, drawing, (0.0, q, v), visit);
+    let LiveLoads { labels, note, colour } = LiveLoads::new(visit_start);
+    let mut terrain = live_terrain(visit_start).into_iter();
     let (mut labels, mut centers, mut at) = (labels.into_iter(), HashMap::new(), 0);
     let items = drawing.items.iter().map(|item| {
         let first = at;
@@ -67,7 +71,11 @@ fn in_plane(drawing: &DrawnScene, numbers: &[f64]) -> Shown {
                 let parts = item.parts.iter().map(part).collect::<Vec<_>>();
                 json!({ "kind": "body", "label": plain(&item.body), "colour": colour, "parts": parts })
             }
-            DrawnKind::Line { .. } => json!({ "kind": "line" }),
+            DrawnKind::Surface { kind: SurfaceKind::Line, .. } => json!({ "kind": "line" }),
+            DrawnKind::Surface { kind: SurfaceKind::Circle, is_inside, .. } => {
+                json!({ "kind": "circle", "inside": is_inside })
+            }
+            DrawnKind::Surface { .. } => json!({ "kind": "terrain", "points": terrain.next() }),
             DrawnKind::Connector { name, kind } => {
                 let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
                 json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
@@ -78,6 +86,7 @@ fn in_plane(drawing: &DrawnScene, numbers: &[f64]) -> Shown {
                 let center = body.as_deref().and_then(|body| centers.get(body));
                 json!({ "kind": "moment", "label": labels.next(), "center": center })
             }
+            DrawnKind::Cone { .. } => json!({ "kind": "cone" }),
             // Loads that are not drawn have no numbers.
             _ => json!({ "kind": "omitted" }),
         }
@@ -102,8 +111,8 @@ fn plain(name: &str) -> String {
 }
 
 fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Result<Shown, DrawError> {
-    let values = numbers(system, drawing, start);
-    let live = LiveScene::new(|visit| visit_items(&drawing.items, &values, visit))?;
+    let (q, v) = split(system, start);
+    let live = LiveScene::new(|visit| visit_items(system, drawing, (0.0, q, v), visit))?;
     let places = Places::of(drawing);
     let things = live.meshes.iter().map(|mesh| places.thing(*mesh)).collect::<Vec<_>>();
     let space = serde_json::from_str::<Value>(&live.space).unwrap_or_default();
@@ -127,8 +136,9 @@ fn count(item: &PlacedItem, dimension: usize) -> usize {
             let parts = item.parts.iter().map(|part| part.dimension_count + dimension + turn);
             2 * dimension + turn + parts.sum::<usize>()
         }
-        DrawnKind::Line { .. } | DrawnKind::Frame { .. } => dimension + turn,
-        DrawnKind::Connector { .. } => 2 * dimension + 1,
+        DrawnKind::Surface { kind, .. } => dimension + turn + usize::from(kind.labels().contains(&"radius")),
+        DrawnKind::Frame { .. } => dimension + turn,
+        DrawnKind::Connector { .. } | DrawnKind::Cone { .. } => 2 * dimension + 1,
         DrawnKind::Joint { .. } => dimension,
         DrawnKind::SpatialJoint { .. } | DrawnKind::Force { .. } => 2 * dimension,
         DrawnKind::Moment { .. } => dimension + moment,
@@ -141,6 +151,7 @@ fn count(item: &PlacedItem, dimension: usize) -> usize {
 struct Places {
     /// Bodies and frames, and true for a frame.
     bodies: Vec<(usize, bool)>,
+    surfaces: Vec<usize>,
     connectors: Vec<usize>,
     joints: Vec<usize>,
     /// Forces and moments, and true for a moment.
@@ -155,10 +166,11 @@ impl Places {
             match item.kind {
                 DrawnKind::Body { .. } => places.bodies.push((at, false)),
                 DrawnKind::Frame { .. } => places.bodies.push((at, true)),
+                DrawnKind::Surface { .. } => places.surfaces.push(at),
                 DrawnKind::Connector { .. } => places.connectors.push(at),
                 DrawnKind::Force { .. } => places.loads.push((at, false)),
                 DrawnKind::Moment { .. } => places.loads.push((at, true)),
-                DrawnKind::Omitted { .. } | DrawnKind::Torque { .. } => {}
+                DrawnKind::Cone { .. } | DrawnKind::Omitted { .. } | DrawnKind::Torque { .. } => {}
                 _ => places.joints.push(at),
             }
             at += count(item, 3);
@@ -169,6 +181,9 @@ impl Places {
     fn thing(&self, mesh: LiveMesh) -> Value {
         match mesh {
             LiveMesh::Body(index) => self.body(index),
+            LiveMesh::Surface(index, place) => {
+                json!({ "kind": "surface", "at": self.surfaces[index], "place": place })
+            }
             LiveMesh::Connector(index, lane) => {
                 json!({ "kind": "connector", "at": self.connectors[index], "lane": lane })
             }

@@ -38,6 +38,11 @@ function showsScene(scene) {
   const poses = {
     body: (numbers) => body(numbers),
     frame: (numbers) => ({ origin: numbers.slice(9, 12), turn: columns(numbers), stretch: 0 }),
+    surface: (numbers, k, { place }) => {
+      const rows = numbers.slice(3, 12);
+      const origin = numbers.slice(0, 3).map((value, row) => value + place.reduce((sum, p, column) => sum + rows[3 * row + column] * p, 0));
+      return { origin, turn: columns(rows), stretch: 0 };
+    },
     connector: (numbers, k, { lane }) => {
       const pose = spanned(k, numbers.slice(0, 3), numbers.slice(3, 6));
       return { ...pose, origin: pose.origin.map((value, row) => value + lane * pose.turn[row]) };

@@ -7,10 +7,12 @@
 mod plane;
 mod space;
 mod spatial;
+mod surface;
 
-pub use plane::{Joint, Line, Outline};
+pub use plane::{Joint, Outline};
 pub use space::{Plane, Space, Spatial};
 pub use spatial::{Frame, Solid, SpatialJoint, SpatialJointKind};
+pub use surface::{Height, Surface, SurfaceShape};
 
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem};
@@ -28,9 +30,10 @@ pub trait Scene: MechanicalSystem {
     type Space: Space;
 
     /// Passes every item to be drawn at time `t`, coordinates `q` and velocities `v` to `visit`.
-    /// Lines, bodies and frames come first, then connectors and joints, then forces and moments,
-    /// each in the order of the declaration. Everything is in world axes. In space, only the places
-    /// of items change with time, not the items or their shapes.
+    /// Surfaces, bodies and frames come first, then connectors and joints, then friction cones,
+    /// forces and moments, each in the order of the declaration. Everything is in world axes. In
+    /// space, only the places of items change with time, not the items or their shapes, except for
+    /// heights of terrain.
     fn items(
         &self,
         t: Self::Scalar,
@@ -54,8 +57,8 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
     },
     /// A frame, in space only.
     Frame(D::Frame<'a, S>),
-    /// An infinite straight line, in the plane only.
-    Line(D::Line<'a, S>),
+    /// A surface that bodies touch.
+    Surface(Surface<'a, S, D>),
     /// A spring or damper.
     Connector {
         /// Its name.
@@ -92,6 +95,19 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         at: D::Vector<S>,
         /// Its components.
         force: D::Vector<S>,
+    },
+    /// The friction cone of a contact. The force of the contact is within it.
+    Cone {
+        /// Its name.
+        name: &'a str,
+        /// The body it acts on, if known.
+        body: Option<&'a str>,
+        /// The touching point, which is its apex.
+        at: D::Vector<S>,
+        /// The normal force along its axis; zero if the contact is open.
+        normal: D::Vector<S>,
+        /// Coefficient of friction, the tangent of half its opening angle.
+        coefficient: S,
     },
     /// A moment: positive counterclockwise, in space by the right-hand rule about its own
     /// direction.

@@ -9,6 +9,7 @@ use super::expression::value_of;
 use super::messages::{self, scene};
 use super::operand::Operand;
 use super::scene_in_space::add_scene_in_space;
+use super::scope::NameKind;
 use super::staged::Staged;
 use super::torques::torque_item;
 use crate::model::BodyMotion;
@@ -17,6 +18,7 @@ use crate::model::InertialBody;
 use crate::model::LinkPose;
 use crate::model::OutlinedPart;
 use crate::model::Product;
+use crate::model::SampledHeight;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies;
 use lagrange_language::bodies::Drawn;
@@ -26,6 +28,7 @@ use lagrange_language::bodies::Outline;
 use lagrange_language::bodies::Plain;
 use lagrange_language::syntax::ast::AstId;
 use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::ast::Name;
 
 /// Adds the requested quantities of bodies to the model.
 pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
@@ -149,7 +152,30 @@ fn drawn_item(elaborator: &mut Elaborator<'_>, item: &Drawn) -> Option<DrawnItem
         }
         _ => Vec::new(),
     };
-    Some(DrawnItem { kind: item.kind.clone(), values, parts })
+    let height = match &item.kind {
+        DrawnKind::Surface { height: Some((variables, value)), .. } => {
+            Some(sampled_height(elaborator, variables, *value)?)
+        }
+        _ => None,
+    };
+    Some(DrawnItem { kind: item.kind.clone(), values, parts, height })
+}
+
+/// Returns a height as an expression of symbols for its variables.
+fn sampled_height(
+    elaborator: &mut Elaborator<'_>,
+    variables: &[String],
+    value: AstId,
+) -> Option<SampledHeight> {
+    let mut roles = Vec::new();
+    for name in variables {
+        let symbol = elaborator.evaluator.graph.operand(name);
+        roles.extend(elaborator.evaluator.graph.symbol_of(symbol).map(|symbol| symbol.role));
+        let name = Name::new(name.clone(), elaborator.declaration.name.span);
+        elaborator.declare(&name, NameKind::Coordinate, Some(Operand::Scalar(symbol)));
+    }
+    let value = scalars_of(elaborator, &[value])?[0];
+    Some(SampledHeight { variables: roles, value })
 }
 
 fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<OutlinedPart> {
@@ -200,7 +226,11 @@ fn value_count(kind: &DrawnKind, is_in_space: bool) -> usize {
         DrawnKind::Body { .. } | DrawnKind::Omitted { .. } => 0,
         DrawnKind::Joint { .. } => vector,
         DrawnKind::Torque { .. } => 2,
-        DrawnKind::Line { .. } => vector + 1,
+        DrawnKind::Surface { kind, .. } => {
+            let rotation = if is_in_space { 9 } else { 1 };
+            vector + rotation + usize::from(kind.labels().contains(&"radius"))
+        }
+        DrawnKind::Cone { .. } => 2 * vector + 1,
         DrawnKind::Moment { .. } => vector + moment,
         DrawnKind::Force { .. } | DrawnKind::SpatialJoint { .. } => 2 * vector,
         DrawnKind::Connector { .. } => 2 * vector + 1,
@@ -211,11 +241,12 @@ fn value_count(kind: &DrawnKind, is_in_space: bool) -> usize {
 /// Returns the layer of an item: lower layers are drawn first, below the others.
 fn layer(kind: &DrawnKind) -> u8 {
     match kind {
-        DrawnKind::Line { .. } => 0,
+        DrawnKind::Surface { .. } => 0,
         DrawnKind::Body { .. } | DrawnKind::Frame { .. } => 1,
         DrawnKind::Connector { .. } => 2,
         DrawnKind::Joint { .. } | DrawnKind::SpatialJoint { .. } => 3,
-        DrawnKind::Force { .. } | DrawnKind::Moment { .. } | DrawnKind::Torque { .. } => 4,
-        DrawnKind::Omitted { .. } => 5,
+        DrawnKind::Cone { .. } => 4,
+        DrawnKind::Force { .. } | DrawnKind::Moment { .. } | DrawnKind::Torque { .. } => 5,
+        DrawnKind::Omitted { .. } => 6,
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn torque_item(elaborator: &mut Elaborator<'_>, name: &str, values: &
         let ([x, y], body) = (motion.center(), Some(motion.body.text.clone()));
         let moment = if is_opposite { elaborator.evaluator.graph.negate(moment) } else { moment };
         let kind = DrawnKind::Moment { name: "torque".to_owned(), cause: LoadOrigin::Applied, body };
-        DrawnItem { kind, values: vec![x, y, moment], parts: Vec::new() }
+        DrawnItem { kind, values: vec![x, y, moment], parts: Vec::new(), height: None }
     };
     shares.iter().map(item).collect()
 }

@@ -14,7 +14,9 @@ use lagrange_language::syntax::ast::{Direction, Name};
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
 pub(crate) use samples::{Entry, default_values, entries, may_be_flat, sample_values};
-pub use scene::{BodyMotion, DrawnItem, InertialBody, LinkPose, LinkTwist, OutlinedPart, Scene};
+pub use scene::{
+    BodyMotion, DrawnItem, InertialBody, LinkPose, LinkTwist, OutlinedPart, SampledHeight, Scene,
+};
 
 /// Meaning of a declaration, as expressions of one graph.
 #[derive(Clone, Debug)]

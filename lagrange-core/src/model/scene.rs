@@ -1,6 +1,7 @@
 //! Rigid bodies of a model: their motion, and the items to draw.
 
 use lagrange_expr::expr::ExprId;
+use lagrange_expr::symbol::Role;
 use lagrange_language::bodies::DrawnKind;
 use lagrange_language::syntax::ast::Name;
 
@@ -104,14 +105,25 @@ pub struct DrawnItem {
     pub values: Vec<ExprId>,
     /// The shape, if it is a body.
     pub parts: Vec<OutlinedPart>,
+    /// The height, if it is terrain.
+    pub height: Option<SampledHeight>,
 }
 
 impl DrawnItem {
     /// Creates an item for a load that is not known.
     pub(crate) fn omitted(name: &str) -> DrawnItem {
         let kind = DrawnKind::Omitted { name: name.to_owned() };
-        DrawnItem { kind, values: Vec::new(), parts: Vec::new() }
+        DrawnItem { kind, values: Vec::new(), parts: Vec::new(), height: None }
     }
+}
+
+/// The height of terrain over any place.
+#[derive(Clone, Debug)]
+pub struct SampledHeight {
+    /// Roles of the symbols for one coordinate in the plane, and for two in space.
+    pub variables: Vec<Role>,
+    /// The height over them.
+    pub value: ExprId,
 }
 
 /// A part of a body's shape.
@@ -140,6 +152,7 @@ impl Scene {
         for item in &mut self.drawing {
             places.extend(&mut item.values);
             places.extend(item.parts.iter_mut().flat_map(|part| &mut part.values));
+            places.extend(item.height.iter_mut().map(|height| &mut height.value));
         }
         places
     }

@@ -1,8 +1,9 @@
 //! Items to draw as plain data, and the expressions that place them.
 
-use crate::model::{BodyMotion, OutlinedPart, Scene};
+use crate::model::{BodyMotion, OutlinedPart, SampledHeight, Scene};
 use lagrange_algebra::program::Program;
 use lagrange_expr::expr::ExprId;
+use lagrange_expr::symbol::Role;
 use lagrange_language::bodies::DrawnKind;
 
 /// All items to draw, loads included.
@@ -14,6 +15,14 @@ pub struct DrawnScene {
     pub items: Vec<PlacedItem>,
     /// Program for the consecutive numbers of all items.
     pub program: Program,
+}
+
+impl DrawnScene {
+    /// Returns all its programs.
+    pub(super) fn programs(&self) -> impl Iterator<Item = &Program> {
+        let heights = self.items.iter().filter_map(|item| item.height.as_ref());
+        heights.map(|height| &height.program).chain([&self.program])
+    }
 }
 
 /// An item; its kind determines its numbers.
@@ -29,6 +38,17 @@ pub struct PlacedItem {
     pub body: String,
     /// Parts of a body's shape.
     pub parts: Vec<PlacedPart>,
+    /// The height of terrain.
+    pub height: Option<PlacedHeight>,
+}
+
+/// The height of terrain over any place.
+#[derive(Clone, Debug)]
+pub struct PlacedHeight {
+    /// Roles of one coordinate in the plane, and of two in space.
+    pub variables: Vec<Role>,
+    /// Program for the height.
+    pub program: Program,
 }
 
 /// A part of a body's shape.
@@ -44,8 +64,12 @@ pub struct PlacedPart {
     pub is_hole: bool,
 }
 
-/// Returns the items of a scene, and their expressions.
-pub(super) fn placed_items(scene: &Scene, is_in_space: bool) -> (Vec<PlacedItem>, Vec<ExprId>) {
+/// Returns the items of a scene, and their expressions. `placed` lowers heights.
+pub(super) fn placed_items(
+    scene: &Scene,
+    is_in_space: bool,
+    placed: impl Fn(&SampledHeight) -> PlacedHeight,
+) -> (Vec<PlacedItem>, Vec<ExprId>) {
     let (mut items, mut roots) = (Vec::new(), Vec::new());
     for item in &scene.drawing {
         let motion = match item.kind {
@@ -57,7 +81,8 @@ pub(super) fn placed_items(scene: &Scene, is_in_space: bool) -> (Vec<PlacedItem>
         roots.extend(item.parts.iter().flat_map(|part| &part.values));
         let body = motion.map(|motion| motion.body.text.clone()).unwrap_or_default();
         let parts = item.parts.iter().map(placed_part).collect();
-        items.push(PlacedItem { kind: item.kind.clone(), body, parts });
+        let height = item.height.as_ref().map(&placed);
+        items.push(PlacedItem { kind: item.kind.clone(), body, parts, height });
     }
     (items, roots)
 }

@@ -1,6 +1,6 @@
 //! Lowering of the equations of a system to programs.
 
-use super::drawn::{DrawnScene, placed_items};
+use super::drawn::{DrawnScene, PlacedHeight, placed_items};
 use super::phases::DerivedPart;
 use super::programs::{Layout, Programs, Range, Reaction, TickingClock};
 use super::system::Derived;
@@ -8,7 +8,7 @@ use crate::derive::Equations;
 use crate::emit::{
     NamedRoots, Variables, by_fields, by_state, by_state_and_inputs, on_sides, system_matrix, variables,
 };
-use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, Speed};
+use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, SampledHeight, Speed};
 use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::{Labels, NewtonProgram, Program, lower, optimise};
 use lagrange_expr::accuracy::Accuracy;
@@ -233,7 +233,11 @@ impl<'a> Lowering<'a> {
 
     fn drawing(&mut self) -> Option<DrawnScene> {
         let is_in_space = self.declaration.is_in_space;
-        let (items, roots) = placed_items(&self.model.scene, is_in_space);
+        let placed = |height: &SampledHeight| PlacedHeight {
+            variables: height.variables.clone(),
+            program: self.as_declared(&[height.value]),
+        };
+        let (items, roots) = placed_items(&self.model.scene, is_in_space, placed);
         (!items.is_empty()).then(|| DrawnScene { is_in_space, items, program: self.on_sides(&roots) })
     }
 

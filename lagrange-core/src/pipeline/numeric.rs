@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::callables::{Callables, calls};
+use super::drawn::PlacedHeight;
 use super::phases::DerivedPart;
 use super::programs::{Place, Programs};
 use super::routines::{Backend, Numbers, Routines};
@@ -14,6 +15,7 @@ use lagrange_algebra::program::{Program, run_with};
 use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Function;
 use lagrange_expr::opaque::Opaque;
+use lagrange_expr::symbol::Role;
 
 /// Maximum number of values computed without heap allocation.
 const SMALL: usize = 64;
@@ -163,16 +165,36 @@ impl NumericSystem {
         if code.is_some_and(|code| code.run(&at, outputs)) {
             return;
         }
-        let lists = at.lists();
+        outputs.copy_from_slice(&self.interpreted(program, at, |_| None));
+    }
+
+    /// Interprets a program. `given` returns values of roles that have no place in the layout.
+    fn interpreted(
+        &self,
+        program: &Program,
+        at: Numbers<'_>,
+        given: impl Fn(Role) -> Option<f64>,
+    ) -> Vec<f64> {
+        let (layout, lists) = (&self.programs.layout, at.lists());
         let value_of = |role| match layout.place(role) {
             Some(Place::Time) => at.t,
             place => {
                 let entry = place.and_then(|place| layout.entry(place));
-                entry.and_then(|(list, index)| lists[list].get(index)).copied().unwrap_or(f64::NAN)
+                let value = entry.and_then(|(list, index)| lists[list].get(index)).copied();
+                value.or_else(|| given(role)).unwrap_or(f64::NAN)
             }
         };
         let call = |function: &Opaque, arguments: &[f64]| self.callables.call(function, arguments);
-        outputs.copy_from_slice(&run_with(program, value_of, call));
+        run_with(program, value_of, call)
+    }
+
+    /// Computes the height of terrain over a place at a state.
+    pub fn height(&self, height: &PlacedHeight, (t, q, v): (f64, &[f64], &[f64]), place: [f64; 2]) -> f64 {
+        let given = |role| {
+            let index = height.variables.iter().position(|variable| *variable == role)?;
+            place.get(index).copied()
+        };
+        self.interpreted(&height.program, self.at(t, q, v), given)[0]
     }
 
     /// Computes q̈.

@@ -204,7 +204,7 @@ impl Programs {
             .chain(&self.parameter_jacobian)
             .chain(&self.linearised)
             .chain(&self.system_matrix)
-            .chain(self.drawing.iter().map(|drawing| &drawing.program))
+            .chain(self.drawing.iter().flat_map(DrawnScene::programs))
             .chain(self.switch_times.iter().flatten());
         let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events);
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)

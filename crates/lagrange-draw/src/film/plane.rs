@@ -16,12 +16,12 @@ use crate::parallel::lanes;
 use crate::picture::{Picture, Point};
 use crate::recorded::Recorded;
 use crate::sketch::Sketch;
-use crate::snapshot::Snapshot;
+use crate::snapshot::{Form, Snapshot, sampled};
 use crate::stage::{self, Fixed};
-use crate::stretch::stretches;
+use crate::stretch::{Stretches, samples, stretches};
 use crate::timeline::Timeline;
 use lagrange_runtime::scalar::{Number, Scalar};
-use lagrange_runtime::scene::{Plane, Scene};
+use lagrange_runtime::scene::{Item, Plane, Scene};
 use lagrange_runtime::system::split;
 
 /// Length of the longest arrows relative to the smaller side.
@@ -43,11 +43,15 @@ impl DrawnSpace for Plane {
         let past: Vec<Shot<M>> = drawing.past.iter().map(|instant| (*instant, None)).collect();
         let shots: Vec<&Shot<M>> = past.iter().chain(shots).collect();
         let snapshots = shots.iter().map(|shot| drawing.shown(shot));
-        let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
+        let mut snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
         let elsewhere = shots.first().map(|(first, _)| drawing.elsewhere(first));
         let anchored = elsewhere.as_ref().map(|elsewhere| anchored(&snapshots, elsewhere));
+        let stretches = stretches(&snapshots);
+        for (shot, snapshot) in shots.iter().zip(&mut snapshots) {
+            drawing.sample_terrain(shot, snapshot, &stretches);
+        }
         let fixed = Fixed {
-            stretches: stretches(&snapshots),
+            stretches,
             anchored: anchored.unwrap_or_default(),
             lanes: lanes(&snapshots, elsewhere.as_ref()),
         };
@@ -105,6 +109,18 @@ where
             return Err(DrawError::UnknownBody(name.clone()));
         }
         Ok(Snapshot { remainder, ..snapshot.free_body(name) })
+    }
+
+    /// Samples the heights of terrain along its drawn stretches.
+    fn sample_terrain(&self, shot: &Shot<M>, snapshot: &mut Snapshot, stretches: &Stretches) {
+        let ((t, y), system) = (&shot.0, self.system_in(shot));
+        let (q, v) = split::<M>(y);
+        for support in &mut snapshot.supports {
+            if let (Form::Terrain(_), Some(stretches)) = (&support.form, stretches.get(&support.name)) {
+                let visit = |keep: &mut dyn FnMut(Item<'_, M::Scalar>)| system.items(*t, &q, &v, keep);
+                support.form = sampled(visit, &support.name, samples(stretches));
+            }
+        }
     }
 
     /// Returns the scene in a different configuration at a different time. Items in the same place

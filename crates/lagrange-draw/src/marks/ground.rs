@@ -1,7 +1,7 @@
 //! Fixed elements: lines with hatching, and pins on the ground.
 
 use crate::colour::{HATCHING, INK, PAPER};
-use crate::geometry::{Place, add, direction, length, polyline, subtract, times, turned};
+use crate::geometry::{Place, add, direction, length, polyline, subtract, times, turned, unit};
 use crate::marks::{JOINT, MEDIUM, THIN, circle, path, stroke};
 use crate::picture::{Mark, Point, Segment, Style};
 use crate::view::View;
@@ -25,16 +25,53 @@ pub(super) fn marks(place: Place, stretches: &[[f64; 2]], view: &View) -> Vec<Ma
     let start = view.point(place.at);
     // Far enough to leave the window on both sides, wherever the line starts.
     let far = length(subtract(start, view.window[0])) + length(subtract(view.window[1], view.window[0]));
-    let (mut edges, mut hatching) = (Vec::new(), Vec::new());
-    for stretch in stretches {
+    let piece = |stretch: &[f64; 2]| {
         let [from, to] = stretch.map(|end| view.length(end).clamp(-far, far));
-        let at = |s: f64| add(start, times(s, along));
-        if let Some(ends) = view.clipped([at(from), at(to)]) {
-            edges.extend(polyline(ends, false));
+        // Hatching of the first stroke does not extend beyond the start.
+        (vec![add(start, times(from, along)), add(start, times(to, along))], from, DEPTH)
+    };
+    hatched(stretches.iter().map(piece), view)
+}
+
+/// Draws a curve through points with hatching on its right.
+pub(super) fn curve(points: &[Point], view: &View) -> Vec<Mark> {
+    let points = points.iter().map(|point| view.point(*point)).collect();
+    hatched([(points, 0.0, 0.0)], view)
+}
+
+/// Draws lines through points with hatching on their right. Each has the length along it at its
+/// first point, and the length from there to the first stroke.
+fn hatched(lines: impl IntoIterator<Item = (Vec<Point>, f64, f64)>, view: &View) -> Vec<Mark> {
+    let (mut edges, mut hatching) = (Vec::new(), Vec::new());
+    for (points, mut from, room) in lines {
+        let mut next = (from + room) / SPACING;
+        for ends in points.windows(2) {
+            let way = subtract(ends[1], ends[0]);
+            let Some(along) = unit(way) else { continue };
+            edges.extend(view.clipped([ends[0], ends[1]]).into_iter().flat_map(|ends| polyline(ends, false)));
+            let to = from + length(way);
+            let at = |s: f64| add(ends[0], times(s - from, along));
+            hatching.extend(hatches(at, along, [next.ceil(), (to / SPACING).floor()], view));
+            // A stroke at the common point of two pieces is drawn once.
+            next = next.max((to / SPACING).floor() + 1.0);
+            from = to;
         }
-        hatching.extend(hatches(at, along, [from, to], view));
     }
-    vec![path(hatching, stroke(HATCHING, THIN)), path(edges, stroke(INK, MEDIUM))]
+    vec![path(hatching, stroke(HATCHING, THIN)), path(joined(edges), stroke(INK, MEDIUM))]
+}
+
+/// Leaves out movements to the current point.
+fn joined(segments: Vec<Segment>) -> Vec<Segment> {
+    let mut last = None;
+    let mut is_new = |segment: &Segment| match *segment {
+        Segment::Move(to) => last != Some(to),
+        Segment::Line(to) => {
+            last = Some(to);
+            true
+        }
+        _ => true,
+    };
+    segments.into_iter().filter(|segment| is_new(segment)).collect()
 }
 
 /// Draws a short line with hatching on its right, centred at a point.
@@ -43,11 +80,10 @@ pub(super) fn wall(place: Place, view: &View) -> Vec<Mark> {
     marks(place, &[[-half, half]], view)
 }
 
-/// Returns strokes to the right of a line and backwards.
-fn hatches(at: impl Fn(f64) -> Point, along: Point, [from, to]: [f64; 2], view: &View) -> Vec<Segment> {
+/// Returns strokes with numbers in a range, to the right of a line and backwards.
+fn hatches(at: impl Fn(f64) -> Point, along: Point, [first, last]: [f64; 2], view: &View) -> Vec<Segment> {
     // On paper, a quarter turn from x to y is clockwise.
     let stroke = times(DEPTH, subtract(turned(along), along));
-    let (first, last) = (((from + DEPTH) / SPACING).ceil(), (to / SPACING).floor());
     let count = (last - first + 1.0).max(0.0) as u32;
     let ends = |k: u32| {
         let start = at(SPACING * (first + f64::from(k)));

@@ -6,9 +6,9 @@ mod connector;
 mod ground;
 mod line;
 
-use crate::colour::{INK, PALE, light};
-use crate::element::{Element, Shape};
-use crate::geometry::{Place, ellipse, moved, polyline};
+use crate::colour::{INK, PALE, PAPER, light, mixed};
+use crate::element::{Element, Measure, Shape, cone_rim};
+use crate::geometry::{Place, add, ellipse, moved, polyline};
 use crate::picture::{Colour, Mark, Point, Segment, Style};
 use crate::view::View;
 
@@ -18,6 +18,10 @@ const THIN: f64 = 1.0;
 const MEDIUM: f64 = 1.4;
 /// Lengths of dashes and gaps.
 const DASHES: &[f64] = &[5.0, 4.0];
+/// Lengths of dashes and gaps of friction cones.
+const CONE: &[f64] = &[3.0, 3.0];
+/// Fraction of the background colour in the colour of friction cones.
+const CONE_PALE: f64 = 0.35;
 /// Radius of joints.
 const JOINT: f64 = 4.0;
 /// Radius of points.
@@ -29,6 +33,13 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
     match &element.shape {
         Shape::Body { place, center, pieces } => body::marks(place, *center, pieces, colour, view),
         Shape::Ground { place, stretches, .. } => ground::marks(*place, stretches, view),
+        Shape::Curve { points, .. } => ground::curve(points, view),
+        Shape::Cone { at, normal, coefficient } => {
+            let rim = cone_rim(view.vector(*normal, Measure::Force), *coefficient);
+            let [left, right] = rim.map(|end| add(view.point(*at), end));
+            let style = Style { dashes: CONE, ..stroke(mixed(colour, PAPER, CONE_PALE), THIN) };
+            vec![path(polyline([left, view.point(*at), right], false), style)]
+        }
         Shape::Connector { kind, ends, lane } => {
             vec![line(connector::segments(*kind, ends.map(|p| view.point(p)), *lane), INK)]
         }
@@ -100,7 +111,7 @@ fn dot(at: Point, colour: Colour) -> Mark {
 }
 
 fn joint(at: Point) -> Mark {
-    path(circle(at, JOINT), Style { fill: Some(crate::colour::PAPER), ..stroke(INK, MEDIUM) })
+    path(circle(at, JOINT), Style { fill: Some(PAPER), ..stroke(INK, MEDIUM) })
 }
 
 fn circle(at: Point, radius: f64) -> Vec<Segment> {

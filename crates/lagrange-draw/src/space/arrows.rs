@@ -6,12 +6,12 @@ use super::size::Size;
 use super::snapshot::Link;
 use super::solids::{self, SHORTEST_ARROW};
 use super::vector::{NONE, Rotation, UPRIGHT, Vector};
-use crate::colour::{FORCE, PALE};
+use crate::colour::{FORCE, PALE, PAPER, mixed};
 use crate::geometry::{length, times};
 use crate::load::Value;
 use crate::load_label::contact_label;
 use crate::picture::Colour;
-use crate::snapshot::Snapshot;
+use crate::snapshot::{Cone, Snapshot};
 use lagrange_plot::notation::formula;
 use lagrange_plot::notation::symbol;
 use lagrange_runtime::body::SpatialMotion;
@@ -19,6 +19,8 @@ use lagrange_runtime::scene::{LoadOrigin, Spatial};
 
 /// Length of the longest arrows of a kind, relative to the diagonal of the motion.
 pub(super) const LONGEST: f64 = 0.3;
+/// Fraction of the background colour in the colour of friction cones.
+const CONE: f64 = 0.5;
 /// Length of axes, relative to the diagonal of the motion.
 const AXIS: f64 = 0.12;
 
@@ -104,10 +106,8 @@ impl Arrows<'_> {
         colour: Colour,
         mesh: &Mesh,
     ) -> Vec<MovingMesh> {
-        let all = vectors.iter().flat_map(|(_, _, track)| track.iter().map(|[_, vector]| length(*vector)));
-        let largest = all.fold(0.0, f64::max);
-        let scale = LONGEST * self.size.diagonal() / largest;
-        let scale = if scale.is_finite() { scale } else { 0.0 };
+        let all = vectors.iter().flat_map(|(_, _, track)| track.iter().map(|[_, vector]| *vector));
+        let scale = self.scale(all);
         let thing = |(name, text, track): (&str, String, Vec<[Vector; 2]>)| MovingMesh {
             name: name.to_owned(),
             label: Label::new(text, NONE, 1.0),
@@ -117,6 +117,39 @@ impl Arrows<'_> {
             track: self.track(track.into_iter().map(|[at, vector]| [at, times(scale, vector)])),
         };
         vectors.into_iter().map(thing).collect()
+    }
+
+    /// Returns the scale at which the longest of vectors has a readable length.
+    fn scale(&self, vectors: impl Iterator<Item = Vector>) -> f64 {
+        let scale = LONGEST * self.size.diagonal() / vectors.map(length).fold(0.0, f64::max);
+        if scale.is_finite() { scale } else { 0.0 }
+    }
+
+    /// Returns the outlines of friction cones, as high as the arrows of normal forces. A cone is
+    /// hidden while its coefficient differs from that of the first moment.
+    pub(super) fn cones(&self, first: &Snapshot<Spatial>) -> Vec<MovingMesh> {
+        let loads = self.film.iter().flat_map(|snapshot| &snapshot.loads);
+        let scale = self.scale(loads.filter_map(|load| match load.value {
+            Value::Force(force) => Some(force),
+            Value::Moment(_) => None,
+        }));
+        let cone = |(index, cone): (usize, &Cone<Spatial>)| {
+            let now = |snapshot: &Snapshot<Spatial>| snapshot.cones[index].clone();
+            let spans = self.film.iter().map(now).map(|Cone { at, normal, .. }| [at, times(scale, normal)]);
+            let placed = Placement::spanned(spans).into_iter().zip(self.film).map(|(placement, snapshot)| {
+                let is_same = now(snapshot).coefficient == cone.coefficient;
+                Placement { stretch: 0.0, scale: if is_same { placement.stretch } else { 0.0 }, ..placement }
+            });
+            MovingMesh {
+                name: cone.name.clone(),
+                label: None,
+                colour: mixed(FORCE, PAPER, CONE),
+                kind: Kind::Arrow,
+                mesh: solids::cone_outline(cone.coefficient),
+                track: placed.collect(),
+            }
+        };
+        first.cones.iter().enumerate().map(cone).collect()
     }
 
     /// Returns placements of arrows. Short arrows are scaled down as a whole, and invisibly short

@@ -5,10 +5,12 @@ use super::recording::{Recording, Trace};
 use super::size::Size;
 use super::snapshot::difference;
 use super::stage;
+use super::surroundings::{Surroundings, path, sample_terrain};
 use crate::colour;
 use crate::drawing::{Drawing, DrawnSpace, Instant, Shot};
 use crate::error::{DrawError, refusal};
 use lagrange_runtime::scene::{Scene, Spatial};
+use lagrange_runtime::system::split;
 
 impl DrawnSpace for Spatial {
     const SIZE: [f64; 2] = [640.0, 480.0];
@@ -22,17 +24,25 @@ impl DrawnSpace for Spatial {
         M::Scalar: Into<f64>,
     {
         let snapshot = |shot| Ok(drawing.snapshot(shot)?.without(&drawing.hidden));
-        let snapshots = shots.iter().map(snapshot).collect::<Result<Vec<_>, DrawError>>()?;
+        let mut snapshots = shots.iter().map(snapshot).collect::<Result<Vec<_>, DrawError>>()?;
         let differing = snapshots.iter().find_map(|snapshot| difference(&snapshots[0], snapshot));
         if let Some(name) = differing {
             return Err(refusal(&format!("`{name}` changes from moment to moment")));
         }
         // Past motion is visible only in traces.
-        let mut things = stage::things(&snapshots, drawing.wanted, &Size::of(&snapshots));
+        let size = Size::of(&snapshots);
+        if let Some(shot) = shots.first() {
+            let ((t, y), system) = (&shot.0, drawing.system_in(shot));
+            let (q, v) = split::<M>(y);
+            sample_terrain(&mut snapshots, &size, false, |keep| system.items(*t, &q, &v, keep));
+        }
+        let surroundings = Surroundings { film: &snapshots, size: &size, is_live: false };
+        let mut things = stage::things(&surroundings, drawing.wanted);
         let paths = drawing.paths.iter().enumerate().filter(|(_, (_, points))| points.len() > 1);
-        things.extend(paths.map(|(index, (label, points))| {
-            stage::path(label, points, colour::ink(index + 1), snapshots.len())
-        }));
+        things
+            .extend(paths.map(|(index, (label, points))| {
+                path(label, points, colour::ink(index + 1), snapshots.len())
+            }));
         let traces = drawing.traces.iter().enumerate().map(|(index, (label, point))| {
             let place = |system: &M, (t, y): &Instant<M>| point(system, *t, y).map(Into::into);
             Trace {

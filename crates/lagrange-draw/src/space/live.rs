@@ -9,7 +9,8 @@ use super::recording::{Kind, MovingMesh, Recording};
 use super::size::Size;
 use super::solids::SHORTEST_ARROW;
 use super::stage;
-use super::vector::{NONE, UPRIGHT, Vector};
+use super::surroundings::{Surroundings, sample_terrain};
+use super::vector::{NONE, UPRIGHT, Vector, apply_back};
 use crate::error::DrawError;
 use crate::geometry::{dot, subtract};
 use crate::load_label::omitted_loads;
@@ -41,6 +42,8 @@ pub struct LiveScene {
 pub enum LiveMesh {
     /// A body or frame, by its index among both.
     Body(usize),
+    /// A surface, and the place of its mesh in its own axes.
+    Surface(usize, [f64; 3]),
     /// A connector, and its offset along its first axis from the line between its ends.
     Connector(usize, f64),
     /// A joint.
@@ -64,11 +67,14 @@ impl LiveScene {
     ///
     /// # Errors
     /// If a number is not finite, or there is nothing to draw.
-    pub fn new(visit: impl FnOnce(&mut dyn FnMut(Item<'_, f64, Spatial>))) -> Result<LiveScene, DrawError> {
-        let snapshot = [Snapshot::collected(visit)];
+    pub fn new(visit: impl Fn(&mut dyn FnMut(Item<'_, f64, Spatial>))) -> Result<LiveScene, DrawError> {
+        let mut snapshot = [Snapshot::collected(&visit)];
+        snapshot[0].cones.clear();
         let wanted = Wanted { names: true, forces: true, ..Wanted::default() };
         let size = Size::of(&snapshot);
-        let mut things = stage::things(&snapshot, wanted, &size);
+        sample_terrain(&mut snapshot, &size, true, visit);
+        let surroundings = Surroundings { film: &snapshot, size: &size, is_live: true };
+        let mut things = stage::things(&surroundings, wanted);
         for thing in things.iter_mut().filter(|thing| thing.kind == Kind::Arrow) {
             thing.track = vec![Placement { scale: 0.0, ..Placement::rigid(NONE, UPRIGHT) }];
         }
@@ -106,6 +112,11 @@ fn meshes(scene: &Snapshot<Spatial>, things: &[MovingMesh]) -> Vec<LiveMesh> {
                 if is_second { LiveMesh::Rod(index, body) } else { LiveMesh::Joint(index) }
             }
             Kind::Arrow => LiveMesh::Load(loads.next().unwrap_or_default()),
+            Kind::Surroundings => {
+                let index = place(Box::new(scene.supports.iter().map(|support| &*support.name)));
+                let (support, Placement { origin, .. }) = (&scene.supports[index], thing.track[0]);
+                LiveMesh::Surface(index, apply_back(&support.rotation, subtract(origin, support.at)))
+            }
             _ => LiveMesh::Body(place(Box::new(scene.bodies.iter().map(|link| &*link.name)))),
         }
     };

@@ -195,6 +195,12 @@ impl Mesh {
         self
     }
 
+    /// Turns the faces inside out.
+    pub(super) fn inverted(mut self) -> Mesh {
+        self.faces.iter_mut().for_each(|face| face.reverse());
+        self
+    }
+
     /// Returns the sharp edges without the faces.
     pub(super) fn edges_only(self) -> Mesh {
         let edges = Edges::of(&self);

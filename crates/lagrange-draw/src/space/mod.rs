@@ -24,6 +24,7 @@ mod sort;
 mod stage;
 mod store;
 mod surface;
+mod surroundings;
 mod vector;
 
 #[cfg(test)]

@@ -38,7 +38,7 @@ pub(crate) enum Kind {
     Connector,
     Joint,
     Arrow,
-    /// A floor, or a fixed line.
+    /// A surface, a floor, or a fixed line.
     Surroundings,
 }
 

@@ -1,10 +1,8 @@
 //! Stored bodies, frames and joints of space.
 
-use std::convert::Infallible;
-
 use super::vector::{Rotation, Vector, apply, apply_back};
 use crate::geometry::{add, subtract};
-use crate::snapshot::{Joint, Line, Named, Snapshot, Stored};
+use crate::snapshot::{Joint, Named, Snapshot, Stored};
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scalar::Scalar;
 use lagrange_runtime::scene::{Frame, Part, Solid, Spatial, SpatialJoint, SpatialJointKind};
@@ -46,7 +44,7 @@ impl Stored for Spatial {
             inertia: motion.inertia.map(Self::vector),
             centroid: Self::vector(motion.centroid),
             center: Self::vector(motion.center),
-            rotation: motion.rotation.map(Self::vector),
+            rotation: Self::rotation(motion.rotation),
             velocity: Self::vector(motion.velocity),
             angular_velocity: Self::vector(motion.angular_velocity),
             acceleration: Self::vector(motion.acceleration),
@@ -63,12 +61,12 @@ impl Stored for Spatial {
     }
 
     fn frame<S: Scalar + Into<f64>>(frame: &Frame<'_, S>) -> Link {
-        let (origin, rotation) = (Self::vector(frame.origin), frame.rotation.map(Self::vector));
+        let (origin, rotation) = (Self::vector(frame.origin), Self::rotation(frame.rotation));
         Link { name: frame.name.to_owned(), origin, rotation, motion: None, parts: Vec::new() }
     }
 
-    fn line<S: Scalar + Into<f64>>(line: &Infallible) -> Line {
-        match *line {}
+    fn rotation<S: Scalar + Into<f64>>(rotation: [[S; 3]; 3]) -> Rotation {
+        rotation.map(Self::vector)
     }
 
     fn joint<S: Scalar + Into<f64>>(joint: &SpatialJoint<'_, S>) -> Hold {
@@ -128,6 +126,6 @@ fn part<S: Scalar + Into<f64>>(part: &Part<'_, S, Spatial>) -> SolidPart {
         Solid::HollowCylinder(inner, outer, h) => Solid::HollowCylinder(inner.into(), outer.into(), h.into()),
         Solid::Cone(r, h) => Solid::Cone(r.into(), h.into()),
     };
-    let (at, rotation) = (Spatial::vector(part.at), part.rotation.map(Spatial::vector));
+    let (at, rotation) = (Spatial::vector(part.at), Spatial::rotation(part.rotation));
     Part { shape, at, rotation, is_hole: part.is_hole }
 }

@@ -24,7 +24,7 @@ pub(super) fn solid(solid: Solid<f64>, thickness: f64) -> Mesh {
     match solid {
         Solid::PointMass => ball(1.6 * thickness),
         Solid::SlenderRod(length) => rod_along_x(length, 0.5 * thickness),
-        Solid::Sphere(radius) => ellipsoid([radius; 3], ROUND, RINGS),
+        Solid::Sphere(radius) => sphere(radius),
         Solid::Ellipsoid(a, b, c) => ellipsoid([a, b, c], ROUND, RINGS),
         Solid::Cuboid(a, b, c) => cuboid([a, b, c]),
         Solid::Disk(radius) => cylinder(radius, [-0.25 * thickness, 0.25 * thickness], ROUND),
@@ -135,6 +135,10 @@ fn ellipsoid(axes: Vector, count: usize, rings: usize) -> Mesh {
     mesh
 }
 
+pub(super) fn sphere(radius: f64) -> Mesh {
+    ellipsoid([radius; 3], ROUND, RINGS)
+}
+
 /// Returns a small sphere.
 pub(super) fn ball(radius: f64) -> Mesh {
     ellipsoid([radius; 3], SMALL_ROUND, SMALL_RINGS)
@@ -190,6 +194,15 @@ const WIDTH: f64 = 3.2;
 /// Length of an arrow below which its head would exceed its allowed fraction of the arrow, relative
 /// to the radius of its shaft.
 pub(super) const SHORTEST_ARROW: f64 = 1.6 * HEAD;
+
+/// Returns the outline of a cone of height one with its apex at the origin.
+pub(super) fn cone_outline(radius: f64) -> Mesh {
+    let mut corners: Vec<Corner> = circle(radius, 1.0, 0.0, ROUND).collect();
+    corners.push(corner([0.0; 3]));
+    let rim = (0..=ROUND).map(|index| index % ROUND).collect();
+    let sides = (0..ROUND).step_by(ROUND / 4).map(|index| vec![ROUND, index]);
+    Mesh { corners, faces: Vec::new(), lines: [rim].into_iter().chain(sides).collect(), is_closed: false }
+}
 
 /// Returns an arrow from one point to another.
 pub(super) fn arrow(radius: f64) -> Mesh {

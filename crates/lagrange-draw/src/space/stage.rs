@@ -1,12 +1,13 @@
 //! Conversion of scenes in space to meshes and labels of each item.
 
 use super::arrows::Arrows;
-use super::mesh::{Corner, Mesh, Placement};
+use super::mesh::{Mesh, Placement};
 use super::recording::{Kind, Label, MovingMesh};
 use super::size::Size;
 use super::skeleton::Skeleton;
 use super::snapshot::{Hold, Link};
 use super::solids;
+use super::surroundings::Surroundings;
 use super::vector::{NONE, UPRIGHT, Vector, apply, axes_along};
 use crate::colour::{self, ACCELERATION, INK, PALE, VELOCITY};
 use crate::geometry::{add, length, subtract, unit};
@@ -27,15 +28,15 @@ const COIL: f64 = 3.0;
 const LANE: f64 = 7.0;
 /// Distance relative to the diagonal below which ends coincide.
 const TOUCHING: f64 = 1e-6;
-/// Number of grid fields of a floor along its longer side.
-const FIELDS: f64 = 8.0;
 
 /// Returns all things of a motion; every scene of it has the same items.
-pub(super) fn things(film: &[Snapshot<Spatial>], wanted: Wanted, size: &Size) -> Vec<MovingMesh> {
+pub(super) fn things(surroundings: &Surroundings<'_>, wanted: Wanted) -> Vec<MovingMesh> {
+    let &Surroundings { film, size, .. } = surroundings;
     let Some(first) = film.first() else { return Vec::new() };
     let stage = Stage { film, wanted, size };
     let mut things = Vec::new();
-    things.extend(wanted.floor.map(|height| stage.floor(height)));
+    things.extend(wanted.floor.map(|height| surroundings.floor(height)));
+    things.extend((0..first.supports.len()).filter_map(|index| surroundings.surface(index)));
     let skeleton = Skeleton::of(first, size.thin());
     let mut bodies = 0;
     for (index, link) in first.bodies.iter().enumerate() {
@@ -62,6 +63,7 @@ fn arrows(arrows: &Arrows<'_>, first: &Snapshot<Spatial>, wanted: Wanted) -> Vec
         things.extend(arrows.own_axes(first));
     }
     if wanted.forces {
+        things.extend(arrows.cones(first));
         things.extend(arrows.loads(first));
     }
     if wanted.axes {
@@ -178,47 +180,5 @@ impl Stage<'_> {
             things.push(thing(solids::stick(thin), rod));
         }
         things
-    }
-
-    /// Returns a grid at a height that covers the extent of the motion.
-    fn floor(&self, height: f64) -> MovingMesh {
-        let Size { low, high } = *self.size;
-        let field = (high[0] - low[0]).max(high[1] - low[1]).max(0.2 * self.size.diagonal()) / FIELDS;
-        let from = [0, 1].map(|axis| (low[axis] / field).floor() as i64 - 1);
-        let to = [0, 1].map(|axis| (high[axis] / field).ceil() as i64 + 1);
-        let mut mesh = Mesh::default();
-        let mut line = |ends: [[i64; 2]; 2]| {
-            let start = mesh.corners.len();
-            mesh.corners.extend(
-                ends.map(|[x, y]| Corner { at: [x as f64 * field, y as f64 * field, 0.0], share: 0.0 }),
-            );
-            mesh.lines.push(vec![start, start + 1]);
-        };
-        (from[0]..=to[0]).for_each(|x| line([[x, from[1]], [x, to[1]]]));
-        (from[1]..=to[1]).for_each(|y| line([[from[0], y], [to[0], y]]));
-        let placement = Placement::rigid([0.0, 0.0, height], UPRIGHT);
-        let track = self.track(|_| placement);
-        MovingMesh {
-            name: "floor".to_owned(),
-            label: None,
-            colour: colour::HATCHING,
-            kind: Kind::Surroundings,
-            mesh,
-            track,
-        }
-    }
-}
-
-/// Returns a fixed line through points, in a film of this many moments.
-pub(super) fn path(label: &str, points: &[Vector], colour: Colour, moments: usize) -> MovingMesh {
-    let corners = points.iter().map(|&at| Corner { at, share: 0.0 }).collect();
-    let placement = Placement::rigid(NONE, UPRIGHT);
-    MovingMesh {
-        name: label.to_owned(),
-        label: points.last().and_then(|&at| Label::new(formula(label), at, 0.0)),
-        colour,
-        kind: Kind::Surroundings,
-        mesh: Mesh { corners, faces: Vec::new(), lines: vec![(0..points.len()).collect()], is_closed: false },
-        track: vec![placement; moments],
     }
 }

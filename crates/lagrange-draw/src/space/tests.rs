@@ -3,6 +3,7 @@
 mod glb;
 mod hostile;
 mod page;
+mod surroundings;
 mod walker;
 
 use lagrange_runtime::body::SpatialMotion;

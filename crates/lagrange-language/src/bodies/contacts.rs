@@ -15,19 +15,20 @@ mod touched;
 
 use proc_macro2::TokenStream;
 
-use super::drawing::draw_forces;
+use super::drawing::{draw_forces, draw_from_inside};
 use super::expressions::is_ground;
 use super::messages::contacts as words;
 use super::object::{self, Object, Surface};
-use super::plain::LoadOrigin;
+use super::plain::{Drawn, DrawnKind, LoadOrigin};
 use super::space::vectors::{Triple, minus, plus, scale, zero_triple};
+use super::surfaces::scene_vector;
 use super::touching::{Touching, touching};
 use super::translation::Translation;
 use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, StatementKind};
 use coefficients::{Coefficient, coefficients, compliance, limit, radius, restitution};
 use compliant::{press, rub_smoothly};
 use faces::{between_blocks, block_that_touches, is_between_blocks, surface_of_block};
-use geometry::{ContactGeometry, geometry, scene_vector, slip_of};
+use geometry::{ContactGeometry, geometry, slip_of};
 use rim::on_rim;
 use terrain::over_terrain;
 use touched::surface_named;
@@ -68,8 +69,7 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     let (coefficients, restitution, radius) = (coefficients?, restitution?, radius?);
     let compliance = compliance?;
     if surface.carrier == Some(touching.body) {
-        let body = name_of(translation, touching.body);
-        let message = words::touches_itself(&statement.name.text, &body);
+        let message = words::touches_itself(&statement.name.text, translation.name_of(touching.body));
         translation.report.error(statement.surface.span, message).help(words::TOUCHES_ITSELF_HELP);
         return None;
     }
@@ -80,6 +80,7 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
         Some(compliance) => press(translation, statement, gap, compliance),
         None => push_event(translation, &statement.name, gap, restitution),
     }
+    let grip = coefficients.map(|[_, fixed]| fixed.value);
     let slip = match (coefficients, compliance.and_then(|compliance| compliance.stiction)) {
         (Some([coefficient, _]), Some(stiction)) => {
             rub_smoothly(translation, statement, slip, (coefficient, stiction))
@@ -88,8 +89,11 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
         (None, _) => slip,
     };
     let geometry = ContactGeometry { gap, ..geometry };
+    if statement.is_inside {
+        draw_from_inside(translation, &statement.surface.text);
+    }
     let bodies = [Some(touching.body), surface.carrier].map(|body| loaded_name(translation, body?));
-    Some(parts_of(translation, statement, &bodies, &geometry, slip))
+    Some(parts_of(translation, statement, &bodies, &geometry, (slip, grip)))
 }
 
 /// Returns the touching part and the geometry of a contact; `None` after an error.
@@ -148,21 +152,13 @@ fn touching_part(translation: &mut Translation<'_>, statement: &ast::Contact) ->
     }
 }
 
-/// Returns the name of a body in the plane or a link in space.
-fn name_of(translation: &Translation<'_>, body: usize) -> String {
-    match &translation.space {
-        Some(space) => space.name_of(body).to_owned(),
-        None => translation.bodies[body].name.text.clone(),
-    }
-}
-
 /// Returns the name of the body on which a force on a body or link acts.
 fn loaded_name(translation: &Translation<'_>, body: usize) -> Option<String> {
     let body = match &translation.space {
         Some(space) => space.loaded_link(body)?,
         None => body,
     };
-    Some(name_of(translation, body))
+    Some(translation.name_of(body).to_owned())
 }
 
 /// Adds the friction against a slip velocity, and returns the name of the slip velocity.
@@ -204,6 +200,26 @@ fn draw_contact(
     }
 }
 
+/// Draws the friction cones on both bodies, if there are friction and a drawing.
+fn draw_cones(
+    translation: &mut Translation<'_>,
+    name: &Name,
+    bodies: &[Option<String>; 2],
+    (point, pressure): (Triple, Triple),
+    coefficient: Option<AstId>,
+) {
+    let Some(coefficient) = coefficient.filter(|_| translation.is_drawn) else { return };
+    let [point, pressure] = [point, pressure].map(|vector| scene_vector(translation, vector));
+    let opposite = translation.terms().negative(pressure);
+    for (body, normal) in bodies.iter().zip([pressure, opposite]) {
+        if body.is_some() {
+            let kind = DrawnKind::Cone { name: format!("{}.cone", name.text), body: body.clone() };
+            let values = vec![point, normal, coefficient];
+            translation.loads.push(Drawn { kind, values, needs: Vec::new() });
+        }
+    }
+}
+
 /// Returns the values of the parts of a contact in expressions, and draws its forces on both
 /// bodies.
 fn parts_of(
@@ -211,7 +227,7 @@ fn parts_of(
     statement: &ast::Contact,
     bodies: &[Option<String>; 2],
     geometry: &ContactGeometry,
-    slip: AstId,
+    (slip, coefficient): (AstId, Option<AstId>),
 ) -> object::Contact {
     let is_spatial = translation.space.is_some();
     let mut terms = translation.terms();
@@ -236,6 +252,7 @@ fn parts_of(
     let point = minus(&mut terms, geometry.center, foot);
     let shares = [pressure, grip].into_iter().take(1 + usize::from(statement.has_friction()));
     draw_contact(translation, &statement.name, bodies, point, shares);
+    draw_cones(translation, &statement.name, bodies, (point, pressure), coefficient);
     let [force, point] = [force, point].map(|vector| scene_vector(translation, vector));
     let values = [normal, friction, force, geometry.gap, slip, point];
     object::Contact { parts: PARTS.into_iter().zip(values).collect() }

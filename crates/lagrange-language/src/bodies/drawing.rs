@@ -3,7 +3,7 @@
 use super::plain::{Drawn, DrawnKind, LoadOrigin};
 use super::space::point_on_link;
 use super::translation::Translation;
-use crate::syntax::ast::{AstId, Expression};
+use crate::syntax::ast::{AstId, Expression, SurfaceKind};
 
 /// A load and the body on which it acts, if known.
 pub(super) struct Load<'a> {
@@ -72,6 +72,30 @@ pub(super) fn draw_forces(
 pub(super) fn draw_moment(translation: &mut Translation<'_>, load: Load<'_>, [at, moment]: [AstId; 2]) {
     let kind = DrawnKind::Moment { name: load.name.to_owned(), cause: load.cause, body: load.body };
     translation.loads.push(Drawn { kind, values: vec![at, moment], needs: Vec::new() });
+}
+
+/// Draws a surface that a body or link may carry. Terrain has a height.
+pub(super) fn draw_surface(
+    translation: &mut Translation<'_>,
+    name: &str,
+    (kind, carrier): (SurfaceKind, Option<usize>),
+    values: Vec<AstId>,
+    height: Option<(Vec<String>, AstId)>,
+) {
+    let (name, body) = (name.to_owned(), carrier.map(|body| translation.name_of(body).to_owned()));
+    let kind = DrawnKind::Surface { name, body, kind, is_inside: false, height };
+    translation.drawing.push(Drawn { kind, values, needs: Vec::new() });
+}
+
+/// Draws a surface as seen from inside.
+pub(super) fn draw_from_inside(translation: &mut Translation<'_>, surface: &str) {
+    for drawn in &mut translation.drawing {
+        if let DrawnKind::Surface { name, is_inside, .. } = &mut drawn.kind
+            && name == surface
+        {
+            *is_inside = true;
+        }
+    }
 }
 
 /// Returns the name of a torque on an angle for pictures that cannot show it.

@@ -1,13 +1,13 @@
 //! Lines and their carriers.
 
+use super::drawing::draw_surface;
 use super::expressions::{mention, report_early};
 use super::kinematics::point_of_body;
 use super::mass_geometry::vector_of;
 use super::messages;
 use super::object::{Line, Object};
-use super::plain::{Drawn, DrawnKind};
 use super::translation::Translation;
-use crate::syntax::ast;
+use crate::syntax::ast::{self, SurfaceKind};
 
 pub(super) fn translate_line(translation: &mut Translation<'_>, statement: ast::Surface) {
     let through = match statement.place {
@@ -28,9 +28,7 @@ pub(super) fn translate_line(translation: &mut Translation<'_>, statement: ast::
     };
     let name = statement.name.text;
     let point = translation.terms().tuple(through);
-    let carrier = body.map(|body| translation.bodies[body].name.text.clone());
-    let kind = DrawnKind::Line { name: name.clone(), body: carrier };
-    translation.drawing.push(Drawn { kind, values: vec![point, angle], needs: Vec::new() });
+    draw_surface(translation, &name, (SurfaceKind::Line, body), vec![point, angle], None);
     translation.names.declare(&name, Object::Line(translation.lines.len()));
     translation.lines.push(Line { body, through, angle });
 }

@@ -1,6 +1,8 @@
 //! A declaration in plain statements, with additional data about its bodies.
 
-use crate::syntax::ast::{AstId, ConnectorKind, Declaration, MobilizerKind, Name, StatementKind};
+use crate::syntax::ast::{
+    AstId, ConnectorKind, Declaration, MobilizerKind, Name, StatementKind, SurfaceKind,
+};
 use lagrange_expr::diagnostics::Origin;
 
 /// A declaration without statements about bodies, and the properties of the bodies.
@@ -182,12 +184,19 @@ pub enum DrawnKind {
         /// Its name.
         name: String,
     },
-    /// A line: a point on it, and its angle.
-    Line {
+    /// A surface: a point on it or its centre, the rotation of its axes, and its radius if it is
+    /// round. The rotation is an angle, and in space a matrix in rows.
+    Surface {
         /// Its name.
         name: String,
-        /// The body that carries it.
+        /// The body or frame that carries it.
         body: Option<String>,
+        /// Its kind.
+        kind: SurfaceKind,
+        /// True if bodies touch it from inside.
+        is_inside: bool,
+        /// The height, if it is terrain, as a function of variables with these names.
+        height: Option<(Vec<String>, AstId)>,
     },
     /// A connector: both ends and, if positive, its tension. The ends of torsion springs and
     /// dampers are one place.
@@ -221,6 +230,13 @@ pub enum DrawnKind {
         /// Origin of the load.
         cause: LoadOrigin,
         /// The body it acts on, if that is known.
+        body: Option<String>,
+    },
+    /// A friction cone: the touching point, the normal force, and the coefficient of friction.
+    Cone {
+        /// Its name.
+        name: String,
+        /// The body it acts on.
         body: Option<String>,
     },
     /// A moment: the position where it is drawn, and its value, which is a vector in space.

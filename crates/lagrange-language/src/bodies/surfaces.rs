@@ -4,6 +4,7 @@
 //! aligned coordinate axis, or the first of several. They are fixed in the carrier of the plane.
 
 use super::constants::number;
+use super::drawing::draw_surface;
 use super::expressions::plain_expression;
 use super::kinematics::point_of_body;
 use super::lines::carrier;
@@ -32,7 +33,46 @@ pub(super) fn translate_surface(translation: &mut Translation<'_>, statement: &a
         return declare_broken_surface(translation, statement);
     };
     let surface = in_world(translation, &statement.name, own, carrier.flatten());
+    draw_if_wanted(translation, &statement.name.text, &surface);
     translation.names.declare(&statement.name.text, Object::Surface(Box::new(surface)));
+}
+
+/// Draws a surface in the world, if there is a drawing.
+pub(super) fn draw_if_wanted(translation: &mut Translation<'_>, name: &str, surface: &Surface) {
+    if !translation.is_drawn {
+        return;
+    }
+    let &Surface { kind, carrier, place, direction, tangents: [first, second], radius, .. } = surface;
+    let mut values = match translation.space {
+        None => {
+            let angle = carrier.map(|body| translation.bodies[body].angle);
+            let angle = angle.unwrap_or_else(|| translation.terms().number(0));
+            vec![angle]
+        }
+        // A sphere has no axes.
+        Some(_) if kind == SurfaceKind::Sphere => {
+            let mut terms = translation.terms();
+            [0, 1, 2].map(|axis| unit(&mut terms, axis)).map(|axis| terms.vector(&axis)).to_vec()
+        }
+        Some(_) => {
+            transposed([first, second, direction]).map(|row| translation.terms().vector(&row)).to_vec()
+        }
+    };
+    values.insert(0, scene_vector(translation, place));
+    if kind.labels().contains(&"radius") {
+        values.push(radius);
+    }
+    let height = surface.height.as_ref().map(|height| height_of_variables(translation, height));
+    draw_surface(translation, name, (kind, carrier), values, height);
+}
+
+/// Returns a height as a function of new variables.
+fn height_of_variables(translation: &mut Translation<'_>, height: &Height) -> (Vec<String>, AstId) {
+    let names = height.coordinates.iter().map(|name| translation.new_name(name).text).collect::<Vec<_>>();
+    let mut terms = translation.terms();
+    let variables = names.iter().map(|name| terms.name(name)).collect::<Vec<_>>();
+    let value = terms.with_values(height.value, &height.coordinates, &variables);
+    (names, value)
 }
 
 /// Declares a surface with a reported error.
@@ -253,6 +293,14 @@ fn in_world(translation: &mut Translation<'_>, name: &Name, own: Surface, carrie
     let [first, second] = own.tangents;
     let tangents = [turned("tangent_1", first), turned("tangent_2", second)];
     Surface { carrier, place, direction, tangents, ..own }
+}
+
+/// Returns a vector with the dimension of the scene.
+pub(super) fn scene_vector(translation: &mut Translation<'_>, vector: Triple) -> AstId {
+    match translation.space {
+        Some(_) => translation.terms().vector(&vector),
+        None => translation.terms().tuple([vector[0], vector[1]]),
+    }
 }
 
 /// Returns a vector under a name, unless its components need none; in the plane its first two

@@ -191,6 +191,14 @@ impl<'a> Translation<'a> {
         self.translated.get(&id).copied().unwrap_or(id)
     }
 
+    /// Returns the name of a body in the plane or a link in space.
+    pub(super) fn name_of(&self, body: usize) -> &str {
+        match &self.space {
+            Some(space) => space.name_of(body),
+            None => &self.bodies[body].name.text,
+        }
+    }
+
     /// Returns the body or frame in space that an expression names.
     pub(super) fn link_named(&self, id: AstId) -> Option<usize> {
         let Expression::Name(name) = self.expressions.get(id) else { return None };

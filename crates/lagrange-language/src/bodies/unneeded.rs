@@ -39,12 +39,13 @@ pub(super) fn leave_out_unneeded(plain: &mut Plain, optional: &HashSet<String>) 
 
 /// Returns the expressions of a drawn item.
 fn drawn(item: &Drawn) -> Vec<AstId> {
-    let outlines = match &item.kind {
-        DrawnKind::Body { outlines, .. } => &outlines[..],
-        _ => &[],
+    let (outlines, height) = match &item.kind {
+        DrawnKind::Body { outlines, .. } => (&outlines[..], None),
+        DrawnKind::Surface { height, .. } => (&[][..], height.as_ref().map(|(_, height)| height)),
+        _ => (&[][..], None),
     };
     let of_shape = outlines.iter().flat_map(|outline| outline.dimensions.iter().chain(&outline.place));
-    item.values.iter().chain(of_shape).copied().collect()
+    item.values.iter().chain(of_shape).chain(height).copied().collect()
 }
 
 /// Returns the expressions that obligations check; those of masses and properties are among the

@@ -1,18 +1,4 @@
-//! Lines, shapes of bodies and kinds of joints in the plane.
-
-/// An infinite straight line: ground, a slope, a rail. Its free side is on the left of its
-/// direction.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Line<'a, S> {
-    /// Its name.
-    pub name: &'a str,
-    /// The body that carries it; `None` if it is at rest.
-    pub body: Option<&'a str>,
-    /// A point on it.
-    pub through: [S; 2],
-    /// Its direction.
-    pub angle: S,
-}
+//! Shapes of bodies and kinds of joints in the plane.
 
 /// An outline in its own coordinates, in which [`lagrange::inertia`](mod@crate::inertia) also
 /// returns centres of mass.

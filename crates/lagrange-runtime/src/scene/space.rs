@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 use core::fmt::Debug;
 
-use super::plane::{Joint, Line, Outline};
+use super::plane::{Joint, Outline};
 use super::spatial::{Frame, Solid, SpatialJoint};
 use crate::body::{Motion, SpatialMotion};
 use crate::scalar::Scalar;
@@ -22,9 +22,7 @@ pub trait Space: Copy + PartialEq + Debug + 'static {
     type Shape<'a, S: Scalar>: Copy + PartialEq + Debug;
     /// A joint, apart from its name and place.
     type Joint<'a, S: Scalar>: Copy + PartialEq + Debug;
-    /// A line; [`Infallible`] in space, so that patterns can omit it.
-    type Line<'a, S: Scalar>: Copy + PartialEq + Debug;
-    /// A frame; [`Infallible`] in the plane.
+    /// A frame; [`Infallible`] in the plane, so that patterns can omit it.
     type Frame<'a, S: Scalar>: Copy + PartialEq + Debug;
 }
 
@@ -43,7 +41,6 @@ impl Space for Plane {
     type Motion<S: Scalar> = Motion<S>;
     type Shape<'a, S: Scalar> = Outline<'a, S>;
     type Joint<'a, S: Scalar> = Joint;
-    type Line<'a, S: Scalar> = Line<'a, S>;
     type Frame<'a, S: Scalar> = Infallible;
 }
 
@@ -54,6 +51,5 @@ impl Space for Spatial {
     type Motion<S: Scalar> = SpatialMotion<S>;
     type Shape<'a, S: Scalar> = Solid<S>;
     type Joint<'a, S: Scalar> = SpatialJoint<'a, S>;
-    type Line<'a, S: Scalar> = Infallible;
     type Frame<'a, S: Scalar> = Frame<'a, S>;
 }

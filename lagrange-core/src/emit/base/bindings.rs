@@ -40,7 +40,8 @@ impl Bindings<'_> {
             EmittedType::Lanes => self.lanes_bindings(used, names),
         };
         let sides = self.side_bindings(used, names, arguments);
-        let fields = quote!(#fields #sides);
+        let places = self.place_bindings(used, names);
+        let fields = quote!(#fields #sides #places);
         let (nq, nv) = (self.model.coordinates.len(), self.model.speeds.len());
         let position = |index: u32| self.model.role_of_position(index as usize);
         if arguments == Arguments::Whole {
@@ -93,6 +94,19 @@ impl Bindings<'_> {
         let bound = bound_fields(self.shape, self.model, used, names);
         let has_others = bound.len() < self.shape.number_fields().len();
         destructured(&bound, has_others, (&quote!(Self), &quote!(*self)))
+    }
+
+    /// Binds the variables of a height to the coordinates of a place.
+    fn place_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
+        let (graph, place) = (&self.model.graph, &self.arguments.place);
+        let heights = self.model.scene.drawing.iter().filter_map(|item| item.height.as_ref());
+        let variables = heights.flat_map(|height| height.variables.iter().enumerate());
+        let used = variables.filter(|(_, role)| used.contains(role));
+        let bound = used.map(|(index, &role)| {
+            let (name, index) = (names.role(graph.symbols(), role), length(index));
+            quote!(let #name = #place[#index];)
+        });
+        bound.collect()
     }
 
     /// Binds the sides of switches that a body uses.

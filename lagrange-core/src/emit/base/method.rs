@@ -48,6 +48,8 @@ pub(in crate::emit) struct ArgumentNames {
     pub(in crate::emit) shares: Ident,
     /// Name of the closure that receives the items of a scene.
     pub(in crate::emit) visit: Ident,
+    /// Name of the place over which a height is computed.
+    pub(in crate::emit) place: Ident,
 }
 
 /// One method, ready to be written.
@@ -64,7 +66,7 @@ impl ArgumentNames {
     pub(in crate::emit) fn beside(user_names: &[String]) -> ArgumentNames {
         let mut names = Names::new(user_names.iter().map(String::as_str));
         let mut allocate = |wish: &str| names.fresh(wish);
-        let (residuals, shares, visit) = (allocate("residuals"), allocate("shares"), allocate("visit"));
+        let [residuals, shares, visit, place] = ["residuals", "shares", "visit", "place"].map(&mut allocate);
         let mut either = |short: &str, long: &str| {
             let name = allocate(short);
             if name == short { name } else { allocate(long) }
@@ -78,6 +80,7 @@ impl ArgumentNames {
             residuals,
             shares,
             visit,
+            place,
         }
     }
 }

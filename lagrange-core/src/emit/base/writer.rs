@@ -215,7 +215,10 @@ impl<'a> MethodWriter<'a> {
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let argument_names = &self.members.names;
-        let reserved = arguments.vectors(argument_names).into_iter().chain([&argument_names.visit]);
+        let reserved = arguments
+            .vectors(argument_names)
+            .into_iter()
+            .chain([&argument_names.visit, &argument_names.place]);
         let reserved = reserved.map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
         let scalar = match emitted_type {

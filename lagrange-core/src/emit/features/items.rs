@@ -13,7 +13,7 @@ use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies::DrawnKind;
 use lagrange_language::bodies::LoadOrigin;
 use lagrange_language::bodies::SpatialJointForm;
-use lagrange_language::syntax::ast::ConnectorKind;
+use lagrange_language::syntax::ast::{ConnectorKind, SurfaceKind};
 
 /// Returns the name of the body that an item draws, and its motion.
 pub(super) fn body_of<'a>(scene: &'a Scene, item: &DrawnItem) -> Option<(&'a str, &'a [ExprId])> {
@@ -24,13 +24,15 @@ pub(super) fn body_of<'a>(scene: &'a Scene, item: &DrawnItem) -> Option<(&'a str
 /// Results of a program, consumed one after another.
 pub(super) struct Values<'a> {
     rest: Iter<'a, TokenStream>,
+    /// Functions for the heights of terrain.
+    pub(super) heights: Iter<'a, TokenStream>,
     /// Number of components of vectors: 3 in space.
     dimension: usize,
 }
 
 impl<'a> Values<'a> {
     pub(super) fn new(results: &'a [TokenStream], dimension: usize) -> Values<'a> {
-        Values { rest: results.iter(), dimension }
+        Values { rest: results.iter(), heights: [].iter(), dimension }
     }
 
     fn is_in_space(&self) -> bool {
@@ -102,9 +104,13 @@ impl<'a> Values<'a> {
                 let (rotation, origin) = (self.matrix(), self.vector());
                 quote!(Frame(#krate::scene::Frame { name: #name, rotation: #rotation, origin: #origin }))
             }
-            DrawnKind::Line { name, body } => {
-                let (body, through, angle) = (option(body.as_deref()), self.vector(), self.scalar());
-                quote!(Line(#krate::scene::Line { name: #name, body: #body, through: #through, angle: #angle }))
+            DrawnKind::Surface { name, body, kind, is_inside, .. } => {
+                self.surface(krate, (name, body.as_deref()), *kind, *is_inside)
+            }
+            DrawnKind::Cone { name, body } => {
+                let (body, at, normal) = (option(body.as_deref()), self.vector(), self.vector());
+                let coefficient = self.scalar();
+                quote!(Cone { name: #name, body: #body, at: #at, normal: #normal, coefficient: #coefficient })
             }
             DrawnKind::Connector { name, kind } => self.connector(krate, name, *kind),
             DrawnKind::Joint { name, kind } => {
@@ -126,6 +132,41 @@ impl<'a> Values<'a> {
             }
         };
         quote!(#krate::scene::Item::#content)
+    }
+
+    fn surface(
+        &mut self,
+        krate: &TokenStream,
+        (name, body): (&str, Option<&str>),
+        kind: SurfaceKind,
+        is_inside: bool,
+    ) -> TokenStream {
+        let (body, at, rotation) = (option(body), self.vector(), self.rotation());
+        let shape = match kind {
+            SurfaceKind::Line | SurfaceKind::Plane => quote!(Flat),
+            SurfaceKind::Circle | SurfaceKind::Sphere => {
+                let radius = self.scalar();
+                quote!(Round(#radius))
+            }
+            SurfaceKind::Cylinder => {
+                let radius = self.scalar();
+                quote!(Cylinder(#radius))
+            }
+            SurfaceKind::Terrain => {
+                let height = self.heights.next();
+                quote!(Terrain(#krate::scene::Height(#height)))
+            }
+        };
+        quote! {
+            Surface(#krate::scene::Surface {
+                name: #name,
+                body: #body,
+                shape: #krate::scene::SurfaceShape::#shape,
+                at: #at,
+                rotation: #rotation,
+                is_inside: #is_inside,
+            })
+        }
     }
 
     fn connector(&mut self, krate: &TokenStream, name: &str, kind: ConnectorKind) -> TokenStream {

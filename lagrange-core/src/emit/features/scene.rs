@@ -9,7 +9,8 @@ use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments};
 use crate::emit::base::shape::{Shape, local, motion_name};
 use crate::emit::base::writer::MethodWriter;
-use crate::model::{BodyMotion, DrawnItem, Product, Scene};
+use crate::model::{BodyMotion, DrawnItem, Product, SampledHeight, Scene};
+use lagrange_expr::expr::Dependencies;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::Name;
 
@@ -42,15 +43,28 @@ fn write_motion(writer: &mut MethodWriter<'_>, motion: &BodyMotion) {
 }
 
 fn visits(writer: &mut MethodWriter<'_>, scene: &Scene) -> TokenStream {
+    let heights = scene.drawing.iter().filter_map(|item| item.height.as_ref());
+    let heights = heights.map(|height| height_function(writer, height)).collect::<Vec<_>>();
     let roots = scene.drawing.iter().flat_map(|item| roots(scene, item)).collect::<Vec<_>>();
     let (krate, dimension) = (writer.shape.krate, dimension(writer));
     let visit = writer.members.names.visit.clone();
     let (body, _) = writer.lowered(&roots, Arguments::State, |results| {
         let mut values = Values::new(results, dimension);
+        values.heights = heights.iter();
         let items = scene.drawing.iter().map(|item| values.item(krate, scene, item));
         quote!(#(#visit(#items);)*)
     });
     body
+}
+
+/// Returns a closure for the height of terrain over a place.
+fn height_function(writer: &mut MethodWriter<'_>, height: &SampledHeight) -> TokenStream {
+    let is_level = !writer.model.graph.dependencies(height.value).intersects(Dependencies::PLACEHOLDER);
+    let place = if is_level { local("_") } else { writer.members.names.place.clone() };
+    let scalar = writer.shape.scalar();
+    let (body, _) =
+        writer.lowered_as_declared(&[height.value], Arguments::State, |results| quote!(#(#results)*));
+    quote!(&|#place: [#scalar; 2]| { #body })
 }
 
 /// Returns the number of components of vectors.

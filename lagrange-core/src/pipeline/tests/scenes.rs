@@ -45,7 +45,8 @@ fn items(text: &str) -> String {
 /// Returns the kind of a drawn item: rod, line, spring, joint or force.
 fn kind(kind: &DrawnKind) -> &'static str {
     match kind {
-        DrawnKind::Line { .. } => "line",
+        DrawnKind::Surface { .. } => "surface",
+        DrawnKind::Cone { .. } => "cone",
         DrawnKind::Body { .. } => "body",
         DrawnKind::Connector { .. } => "connector",
         DrawnKind::Joint { .. } => "joint",
@@ -99,7 +100,7 @@ fn requested_products_leave_the_equations_unchanged() {
 #[test]
 fn items_come_in_the_order_in_which_they_are_drawn() {
     let kinds = kinds(FULL);
-    assert_eq!(kinds[..4], ["line", "body", "connector", "joint"]);
+    assert_eq!(kinds[..4], ["surface", "body", "connector", "joint"]);
     assert!(
         kinds.len() > 4 && kinds[4..].iter().all(|kind| matches!(*kind, "force" | "moment")),
         "{kinds:?}"

@@ -152,12 +152,15 @@ function paintsThings(canvas, space) {
   function paintThings(camera, things, isAbove) {
     const shown = space.things.map((thing, k) => [thing, things[k]]).filter(([thing, { scale }]) => thing.above === isAbove && scale > 0);
     use(faces, camera);
+    // Of surfaces that are touched from inside, the near side is not painted.
+    gl.enable(gl.CULL_FACE);
     for (const [thing, pose] of shown) {
       const { face } = meshes[thing.mesh];
       put(faces, pose, thing.colour);
       gl.bindVertexArray(face.array);
       gl.drawElements(gl.TRIANGLES, face.count, gl.UNSIGNED_INT, 0);
     }
+    gl.disable(gl.CULL_FACE);
     use(lines, camera);
     for (const [thing, pose] of shown) {
       put(lines, pose, thing.edge);

@@ -19,7 +19,7 @@
 
 use crate::bodies::object::Surface;
 use crate::bodies::space::vectors::{Triple, cross, inner, minus, plus, scale, unit};
-use crate::bodies::surfaces::{bind_vector, tangents_of};
+use crate::bodies::surfaces::{bind_vector, scene_vector, tangents_of};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::touching::{Touching, motion_at, rate_of};
 use crate::bodies::translation::Translation;
@@ -157,12 +157,4 @@ fn motion_of_surface(
 fn rolling_part(terms: &mut TermWriter<'_>, radius: AstId, tangent: Triple, spin: Triple) -> AstId {
     let rate = inner(terms, tangent, spin);
     terms.times(radius, rate)
-}
-
-/// Returns a vector with the dimension of the scene.
-pub(super) fn scene_vector(translation: &mut Translation<'_>, vector: Triple) -> AstId {
-    match translation.space {
-        Some(_) => translation.terms().vector(&vector),
-        None => translation.terms().tuple([vector[0], vector[1]]),
-    }
 }

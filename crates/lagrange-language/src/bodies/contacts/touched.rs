@@ -6,6 +6,7 @@ use crate::bodies::messages::contacts as words;
 use crate::bodies::object::{Line, Object, Surface};
 use crate::bodies::plain::{Drawn, DrawnKind};
 use crate::bodies::space::vectors::{unit, zero_triple};
+use crate::bodies::surfaces::draw_if_wanted;
 use crate::bodies::touching::{rate_of, surface_of};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, SurfaceKind};
@@ -46,9 +47,6 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
     let ground = translation.terms().name(&name.text);
     if is_ground(translation, ground) {
         let is_spatial = translation.space.is_some();
-        if !is_spatial {
-            draw_ground(translation, &name.text);
-        }
         let mut terms = translation.terms();
         let [x, y, z] = [0, 1, 2].map(|axis| unit(&mut terms, axis));
         let down = z.map(|component| terms.negative(component));
@@ -58,7 +56,11 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
         };
         let (place, radius) = (zero_triple(&mut terms), terms.number(0));
         let (carrier, turning, height) = (None, radius, None);
-        return Some(Surface { kind, carrier, place, direction, tangents, radius, height, turning });
+        let ground = Surface { kind, carrier, place, direction, tangents, radius, height, turning };
+        if !has_drawn(translation, &name.text) {
+            draw_if_wanted(translation, &name.text, &ground);
+        }
+        return Some(ground);
     }
     let before = std::mem::replace(&mut translation.origin, name.span.into());
     if !translation.unreadable.contains(&name.text) && !report_early(translation, &name.text) {
@@ -75,18 +77,11 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
     None
 }
 
-/// Draws the line y = 0, once for all contacts.
-fn draw_ground(translation: &mut Translation<'_>, name: &str) {
-    let is_ground =
-        |drawn: &Drawn| matches!(&drawn.kind, DrawnKind::Line { name: known, .. } if known == name);
-    if !translation.is_drawn || translation.drawing.iter().any(is_ground) {
-        return;
-    }
-    let mut terms = translation.terms();
-    let (origin, angle) = (terms.zero_pair(), terms.number(0));
-    let origin = terms.tuple(origin);
-    let kind = DrawnKind::Line { name: name.to_owned(), body: None };
-    translation.drawing.push(Drawn { kind, values: vec![origin, angle], needs: Vec::new() });
+/// True if a surface of this name has been drawn.
+fn has_drawn(translation: &Translation<'_>, name: &str) -> bool {
+    let is_it =
+        |drawn: &Drawn| matches!(&drawn.kind, DrawnKind::Surface { name: known, .. } if known == name);
+    translation.drawing.iter().any(is_it)
 }
 
 fn surface_of_line(translation: &mut Translation<'_>, line: usize) -> Surface {
