@@ -3,7 +3,7 @@
 use super::systems::{BACKWARDS, CLOSED, FORWARDS, FREE, OPEN, STICKS, Stick, TestTerms, nothing, slope};
 use crate::contact::choice::Choice;
 use crate::contact::reaction_forces::Balance;
-use crate::contact::{ContactSystem, Mode, Terms, begin};
+use crate::contact::{ContactSystem, Mode, begin};
 use crate::system::{Action, OdeSystem};
 
 /// Number of contacts of a body; the friction of each follows its contact.

@@ -107,6 +107,9 @@ pub(super) const FORWARDS: Mode = Mode::Friction(Friction::SlipsForwards);
 pub(super) const BACKWARDS: Mode = Mode::Friction(Friction::SlipsBackwards);
 pub(super) const STICKS: Mode = Mode::Friction(Friction::Sticks);
 
+/// Terms in which each limit may depend on one reaction.
+pub(super) type TestTerms<const N: usize, const K: usize> = Terms<f64, N, K, [LimitSlope<f64>; K]>;
+
 /// Returns terms that are all zero.
 pub(super) fn nothing<const N: usize, const K: usize>() -> TestTerms<N, K> {
     Terms {
