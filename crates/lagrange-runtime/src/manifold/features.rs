@@ -2,6 +2,7 @@
 
 use super::separation::{Separation, parallel};
 use super::{Block, Manifold, Touch, slack};
+use crate::linalg::singular::negligible;
 use crate::linalg::space::{Triple, cross, multiple, norm};
 use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
@@ -23,7 +24,7 @@ struct Edge<S> {
 }
 
 impl<S: Scalar> Edge<S> {
-    /// False if the sphere around it is farther than this from a cuboid.
+    /// True if the sphere around it is as close as this to a cuboid.
     fn is_within(&self, block: &Block<S>, limit: S) -> bool {
         let distance = norm(&difference(&self.middle, &within(block, &self.middle)));
         distance <= limit + self.half
@@ -60,7 +61,8 @@ pub(super) fn closest_features<S: Scalar>(
         false => found.normal,
     };
     let gap = if is_apart { pair.distance } else { found.distance };
-    let ends = edges.filter(|_| is_apart).and_then(|(a, b)| shared_ends(&a, &b));
+    let is_closest = |ends: &[Pair<S>; 2]| ends.iter().any(|end| end.distance <= pair.distance + slack(size));
+    let ends = edges.filter(|_| is_apart).and_then(|(a, b)| shared_ends(&a, &b)).filter(is_closest);
     let pairs = ends.unwrap_or([Pair { distance: gap, ..pair }; 2]);
     for Pair { on_first, on_second, distance: gap } in
         pairs.into_iter().take(if ends.is_some() { 2 } else { 1 })
@@ -163,6 +165,9 @@ fn within<S: Scalar>(block: &Block<S>, point: &Triple<S>) -> Triple<S> {
 }
 
 /// The closest points of two edges; of parallel ones those at the middle of what they share.
+///
+/// With the middles m and the directions u, the lines through both cross at s from the first middle,
+/// with ((m₁ − m₂) × u₂)·(u₁ × u₂) = −s |u₁ × u₂|². The left side is as accurate as the angle.
 fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {
     let arm = difference(&a.middle, &b.middle);
     let cosine = dot(&a.direction, &b.direction);
@@ -170,13 +175,14 @@ fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {
     let across = cross(&a.direction, &b.direction);
     let square = dot(&across, &across);
     let at = |first: S| clamped(cosine.multiply_add(first, on_b), b.half);
-    if square <= parallel::<S>() * parallel::<S>()
-        && let Some([from, to]) = shared(a, b)
-    {
-        let first = S::from_f64(0.5) * (from + to);
+    if square <= negligible::<S>() * negligible::<S>() {
+        let first = match shared(a, b) {
+            Some([from, to]) => S::from_f64(0.5) * (from + to),
+            None => clamped(-on_a, a.half),
+        };
         return pair_at(a, b, first, at(first));
     }
-    let start = if square > S::ZERO { (cosine * on_b - on_a) / square } else { -on_a };
+    let start = -dot(&cross(&arm, &b.direction), &across) / square;
     let second = at(clamped(start, a.half));
     // Once more, because the second may have been moved to its end.
     pair_at(a, b, clamped(cosine.multiply_add(second, -on_a), a.half), second)
