@@ -61,8 +61,11 @@ pub const MAX_BRANCHES: u64 = 100;
 /// Jointly solved algebraic unknowns, whose derivatives are written by Cramer's rule.
 pub const MAX_COUPLED: usize = 8;
 
-/// Events of a declaration.
+/// Events of a declaration, except those of contacts and friction.
 pub const MAX_EVENTS: usize = 64;
+
+/// Contacts and friction. Steps store several numbers for each pair of one and a velocity.
+pub const MAX_CONTACTS: usize = 1_000;
 
 /// Total number of events and switches located by runs; further switches are stepped across.
 pub const MAX_LOCATED: usize = 64;

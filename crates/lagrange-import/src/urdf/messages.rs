@@ -58,7 +58,7 @@ messages! {
     NOTHING_TOUCHES = "no moving link has a sphere as its collision shape";
     LEVEL = "its collision shape stays at a constant height, so no contact is added";
     NO_CORNERS = "it has no moving collision box, so there are no corners for contacts";
-    FEWER_EVENTS_HELP = "import fewer limits, friction or contacts, or remove some from the file";
+    FEWER_EVENTS_HELP = "for other methods, import fewer limits, friction or contacts, or remove some from the file";
     MIMIC_HELP = "revolute, continuous and prismatic joints that move a mass have one";
     element(tag, name) = "{tag} {}", quoted(name);
     missing_element(tag) = "<{tag}> is missing";
@@ -71,8 +71,8 @@ messages! {
     unknown_version(version) = "unknown URDF version {}", quoted(version);
     repeated(tag, line) = "this name already belongs to the {tag} in line {line}";
     unknown_link(role, name) = "unknown {role} link {}", quoted(name);
-    too_many_events(count, most) =
-        "its limits, friction and contacts are {count} events, and a system can have at most {most}";
+    many_events(count, most) =
+        "its limits, friction and contacts are {count}, and with more than {most} the robot needs the method `Stepped`";
     unknown_cornered(name) = "unknown link {} of `--corners`", quoted(name);
     unknown_joint(name) = "unknown joint {} to mimic", quoted(name);
     in_loop(link) = "joints form a loop through link {}, away from the base", quoted(link);

@@ -58,7 +58,7 @@ fn report_left_out(source: &mut Source<'_>, link: &Link, has_corners: bool) {
     }
 }
 
-/// Reports joints without stops, links that cannot touch, and more events than a system can have.
+/// Reports joints without stops, links that cannot touch, and more contacts than runs locate.
 pub(super) fn report_written(source: &mut Source<'_>, robot: &Robot, declared: &Declared) {
     for &joint in &declared.rangeless {
         source.warning_at(joint_place(&robot.joints[joint]), messages::NO_RANGE);
@@ -69,9 +69,9 @@ pub(super) fn report_written(source: &mut Source<'_>, robot: &Robot, declared: &
         source.warning_at(link_place(&robot.links[link]), messages::LEVEL);
     }
     if declared.event_count > MAX_EVENTS {
-        let message = messages::too_many_events(declared.event_count, MAX_EVENTS);
+        let message = messages::many_events(declared.event_count, MAX_EVENTS);
         let root = link_place(&robot.links[robot.root]);
-        source.error_at(root, message).help(messages::FEWER_EVENTS_HELP);
+        source.warning_at(root, message).help(messages::FEWER_EVENTS_HELP);
     }
 }
 

@@ -123,11 +123,11 @@ fn bodies_of_constant_height_have_no_contact_and_those_without_slip_no_friction(
 }
 
 #[test]
-fn more_events_than_a_system_can_have_are_an_error() {
+fn more_contacts_than_runs_locate_are_a_warning() {
     let sphere = r#"<collision><origin xyz="0 1 0"/><geometry><sphere radius="0.1"/></geometry></collision>"#;
     let report = |count: usize| messages(&robot(&sphere.repeat(count), ""), &all());
     assert_eq!(report(32), [""; 0]);
-    let message = "its limits, friction and contacts are 66 events, and a system can have at most 64";
+    let message = "its limits, friction and contacts are 66, and with more than 64 the robot needs the method `Stepped`";
     assert_eq!(report(33), [message]);
 }
 

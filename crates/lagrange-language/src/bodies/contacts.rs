@@ -31,7 +31,7 @@ use faces::{between_blocks, block_that_touches, is_between_blocks, surface_of_bl
 use geometry::{ContactGeometry, geometry, slip_of};
 use rim::on_rim;
 use terrain::over_terrain;
-use touched::surface_named;
+use touched::{is_block, surface_named};
 
 pub(super) fn translate_contact(
     translation: &mut Translation<'_>,
@@ -63,6 +63,8 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     }
     let surface = match is_between_blocks(translation, statement) {
         true => surface_of_block(translation, statement),
+        // The first body was reported: bodies of different parts do not touch with their faces.
+        false if touching.is_none() && is_block(translation, &statement.surface.text) => None,
         false => surface_named(translation, statement),
     };
     let (touching, surface) = (touching?, surface?);

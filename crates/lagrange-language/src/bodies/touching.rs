@@ -43,23 +43,37 @@ pub(super) fn touching(translation: &mut Translation<'_>, contact: &Contact) -> 
     if let Some(Touching { radius: None, .. }) = touching
         && contact.radius.or(contact.rim).is_none()
     {
-        report_without_radius(translation, name, object);
+        report_without_radius(translation, contact);
     }
     touching.filter(|_| translation.report.diagnostics().len() == mistakes)
 }
 
 /// Reports a body that denotes its centre although it has a shape.
-fn report_without_radius(translation: &mut Translation<'_>, contact: &Name, object: AstId) {
+fn report_without_radius(translation: &mut Translation<'_>, contact: &Contact) {
+    let Contact { name: contact, object, surface, .. } = contact;
+    let object = *object;
     let Expression::Name(name) = translation.expressions.get(object).clone() else { return };
     let Some(shape) = shape_named(translation, object).filter(|shape| shape.variant != "PointMass") else {
         return;
     };
+    let is_on_round = round_named(translation, &surface.text);
     let (message, help) = match corner_count(translation, Some(&shape)) {
         0 => (words::no_outline(&contact.text, &name), words::NO_OUTLINE_HELP.to_owned()),
+        _ if is_on_round => {
+            (words::edges_on_round(&contact.text, &name, &surface.text), words::EDGES_ON_ROUND_HELP.to_owned())
+        }
         count => (words::corners_of_another(&contact.text, &name), words::loop_over_corners(count)),
     };
     let origin = translation.expressions.origin(object);
     translation.report.error(origin, message).help(help);
+}
+
+/// True if this is a round body.
+fn round_named(translation: &mut Translation<'_>, name: &str) -> bool {
+    match translation.names.find(name) {
+        Some(&Object::Link { index, .. } | &Object::Body(index)) => round_of(translation, index).is_some(),
+        _ => false,
+    }
 }
 
 /// Returns the shape of the body with this name.

@@ -5,10 +5,10 @@
 //! corners that the shape of the body has. A body whose shape has corners stands for all of them.
 //!
 //! Cuboids and rods on each other touch in contact points, which are numbered in the same way. Two
-//! cuboids have up to eight of them, and a rod has two.
+//! cuboids have up to eight of them, a rod has two, and a ball on one of them has one.
 
 use crate::syntax::ast::{
-    ArrayExpression, AstId, Block, CONTACT_POINT, Contact, Declaration, Expression, Expressions, Name, Range,
+    ArrayExpression, AstId, Block, CONTACT_POINT, Declaration, Expression, Expressions, Name, Range,
     Repetition, SceneStatement, Shape, Statement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
@@ -17,13 +17,24 @@ use lagrange_expr::number::Number;
 /// The variable of such a loop, which no identifier hides.
 const VARIABLE: &str = "corner number";
 
-/// Contact points of two cuboids, and of a rod with a cuboid or another rod.
+/// Contact points of two cuboids, of a rod with a cuboid or another rod, and of a ball with one of
+/// them.
 const POINTS_OF_CUBOIDS: usize = 8;
 const POINTS_OF_RODS: usize = 2;
+const POINTS_OF_BALLS: usize = 1;
 
-/// Numbers of corners of bodies, and of contact points with cuboids, by the names of bodies or of
-/// their arrays.
-type CornerCounts = HashMap<String, [usize; 2]>;
+/// The points in which a shape may touch.
+#[derive(Clone, Copy, Default)]
+struct PointCounts {
+    corners: usize,
+    /// Contact points with cuboids.
+    points: usize,
+    /// True if edges touch it between their ends, where no corner is.
+    is_cylinder: bool,
+}
+
+/// Numbers of points by the names of bodies or of their arrays.
+type CornerCounts = HashMap<String, PointCounts>;
 
 /// Touching points: a function of a body, and the number of its values.
 struct Numbered {
@@ -79,8 +90,7 @@ fn corner_counts(statements: &[Statement]) -> CornerCounts {
             match kind {
                 StatementKind::Block(block) => pending.extend(block.bodies()),
                 StatementKind::Scene(SceneStatement::Body(body)) => {
-                    let shape = body.shape.as_ref();
-                    let count = shape.map_or([0; 2], |shape| [shape.corner_count(), contact_points(shape)]);
+                    let count = body.shape.as_ref().map(PointCounts::of).unwrap_or_default();
                     counts.insert(body.name.text.clone(), count);
                 }
                 _ => {}
@@ -90,11 +100,19 @@ fn corner_counts(statements: &[Statement]) -> CornerCounts {
     counts
 }
 
+impl PointCounts {
+    fn of(shape: &Shape) -> Self {
+        let is_cylinder = matches!(shape.solid.text.as_str(), "solid_cylinder" | "hollow_cylinder");
+        PointCounts { corners: shape.corner_count(), points: contact_points(shape), is_cylinder }
+    }
+}
+
 /// The number of points in which a shape touches a cuboid with its faces and edges.
 fn contact_points(shape: &Shape) -> usize {
     match (shape.solid.text.as_str(), shape.dimensions.len()) {
         ("cuboid", 3) => POINTS_OF_CUBOIDS,
         ("slender_rod", 1) => POINTS_OF_RODS,
+        ("solid_sphere" | "thin_sphere", 1) => POINTS_OF_BALLS,
         _ => 0,
     }
 }
@@ -111,17 +129,16 @@ fn corners_of(kind: &StatementKind, expressions: &Expressions, counts: &CornerCo
         Expression::Array(ArrayExpression::Element(name)) => &name.text,
         _ => return None,
     };
-    let &[corners, points] = counts.get(name)?;
-    let on_points = points_of_surface(contact, counts);
-    let (function, count) = match is_whole && points > 0 && on_points > 0 {
-        true => (CONTACT_POINT, points.min(on_points)),
-        false => ("corner", corners),
+    let PointCounts { corners, points, .. } = *counts.get(name)?;
+    let surface = counts.get(&contact.surface.text).copied().unwrap_or_default();
+    let is_in_ball = contact.is_inside && surface.points == POINTS_OF_BALLS;
+    let have_edges = points.max(surface.points) > POINTS_OF_BALLS;
+    let (function, count) = match (is_whole, points.min(surface.points)) {
+        (true, fewer) if fewer > 0 && have_edges && !is_in_ball => (CONTACT_POINT, fewer),
+        (true, _) if surface.is_cylinder && !contact.is_inside => return None,
+        _ => ("corner", corners),
     };
     (count > 0).then_some(Numbered { body, function, count })
-}
-
-fn points_of_surface(contact: &Contact, counts: &CornerCounts) -> usize {
-    counts.get(&contact.surface.text).map_or(0, |[_, points]| *points)
 }
 
 /// `for k in 0..count { contact name[k] = body.corner(k) on … }`

@@ -43,7 +43,7 @@ const MOST_COMBINATIONS: u64 = 1_296;
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Finds rules among these choices that fit together; `None` if there are none.
     pub(super) fn settle(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
-        let choices = &self.possible(choices);
+        let choices = &self.law().possible(choices);
         let held = choices.map(|choice| choice.rule(0));
         if choices.contains(&Choice::Across) {
             return self
@@ -52,22 +52,6 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
                 .or_else(|| self.pivot(choices, held));
         }
         self.pivot(choices, held).or_else(|| self.complement(choices)).or_else(|| self.try_all(choices))
-    }
-
-    /// Removes friction that has no limit in any mode of the contacts from these choices.
-    pub(super) fn possible(&self, choices: &[Choice<S>; K]) -> [Choice<S>; K] {
-        let mut possible = *choices;
-        // Limits may include reactions that were declared before.
-        for k in 0..K {
-            let may_act = |j: usize| j != k && possible[j] != Choice::Only(Rule::Absent);
-            if matches!(possible[k], Choice::Rest | Choice::GiveWay) && !self.has_limit(k, may_act) {
-                possible[k] = Choice::Only(Rule::Absent);
-                if choices.get(k + 1) == Some(&Choice::Across) {
-                    possible[k + 1] = possible[k];
-                }
-            }
-        }
-        possible
     }
 
     /// Returns the solution of Newton's method, refined to full accuracy and the shortest forces.

@@ -38,28 +38,37 @@
 //!
 //! With ¼ the limit is 2½: the force is 2½·(−3, −4)/5 = (−1½, −2), and (1½, 2) accelerates it.
 
+mod newton;
 mod search;
-
-use core::array;
+mod velocities;
 
 use super::choice::{Choice, Rule, Settled};
-use super::reaction_forces::Balance;
+use super::LimitSlope;
+use super::law::Law;
+use super::reaction_forces::{Balance, unit};
 use super::slip::length;
+use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 use crate::tolerance::BALANCED_BY_SEARCH;
 
+/// Maximum number of reactions of systems whose responses are stored as a matrix.
+pub(super) const MOST_DENSE: usize = 64;
+
 /// The problem in units in which reactions change their own rates by one. It contains only the
-/// reactions that may act; a place is an index among them.
-pub(super) struct Cone<'a, S, const N: usize, const K: usize> {
-    balance: &'a Balance<'a, S, N, K>,
+/// reactions that may act; a place is an index among them. D is K if responses are stored as a
+/// matrix. It is zero if they follow from changes of velocities, which suits many reactions.
+pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
+    law: &'a Law<'a, S, N, K>,
     /// Number of reactions that may act, and their indices.
     count: usize,
     active: [usize; K],
+    /// The place of each reaction; K for those that do not act.
+    places: [usize; K],
     choices: [Choice<S>; K],
     /// Units of rates; the units of reactions are their reciprocals.
     units: [S; K],
     /// Derivatives of the rates with respect to the reactions.
-    matrix: [[S; K]; K],
+    matrix: [[S; K]; D],
     /// Rates without reactions.
     offsets: [S; K],
 }
@@ -98,33 +107,37 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Finds rules among these choices that fit together, and the reactions, by Newton's method.
     /// Undetermined reactions are close to the shortest ones that hold all rates.
     pub(super) fn in_cone(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
-        let cone = Cone::new(self, choices);
+        let cone = Cone::<_, N, K, K>::new(self.law(), choices, |k, j| self.entry(k, j));
         let shortest = self.reactions(&choices.map(|choice| choice.rule(0)));
         Some(cone.settled(&cone.point(cone.solve(cone.scaled(&shortest))?)))
     }
+}
 
+impl<S: Scalar, const N: usize, const K: usize> Law<'_, S, N, K> {
     /// Finds the reactions that obey the law best, starting from these, such as those of the step
     /// before.
     pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
-        let cone = Cone::new(self, choices);
-        let search = cone.follow(cone.scaled(start));
-        let end = cone.point(search.forces);
-        let (settled, residual) = (cone.settled(&end), cone.residual(&end));
-        Approximation { settled, residual, is_exact: search.is_exact, iterations: search.iterations }
+        let entry = |k: usize, j: usize| dot(&self.terms.rows[k], &self.terms.responses[j]);
+        if const { K <= MOST_DENSE } {
+            Cone::<_, N, K, K>::new(self, choices, entry).best(start)
+        } else {
+            Cone::<_, N, K, 0>::new(self, choices, entry).best(start)
+        }
     }
 }
 
-impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
-    fn new(balance: &'a Balance<'a, S, N, K>, all: &[Choice<S>; K]) -> Self {
-        let all_units = balance.units();
-        let (mut active, mut count) = ([0; K], 0);
+impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, N, K, D> {
+    /// Builds the problem. `entry` returns the change of a rate with a reaction, which is
+    /// symmetric.
+    fn new(law: &'a Law<'a, S, N, K>, all: &[Choice<S>; K], entry: impl Fn(usize, usize) -> S) -> Self {
+        let (mut active, mut places, mut count) = ([0; K], [K; K], 0);
         for k in (0..K).filter(|&k| all[k] != Choice::Only(Rule::Absent)) {
-            (active[count], count) = (k, count + 1);
+            (active[count], places[k], count) = (k, count, count + 1);
         }
         let mut units = [S::ONE; K];
         let mut choices = [Choice::Only(Rule::Absent); K];
         for (place, &k) in active[..count].iter().enumerate() {
-            (units[place], choices[place]) = (all_units[k], all[k]);
+            (units[place], choices[place]) = (unit(entry(k, k)), all[k]);
         }
         // Both components have the same unit, so that a disk remains a disk.
         for place in (1..count).filter(|&place| choices[place] == Choice::Across) {
@@ -133,14 +146,25 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
             let unit = (half * squares).sqrt();
             (units[place - 1], units[place]) = (unit, unit);
         }
-        let (mut matrix, mut offsets) = ([[S::ZERO; K]; K], [S::ZERO; K]);
+        let (mut matrix, mut offsets) = ([[S::ZERO; K]; D], [S::ZERO; K]);
         for (place, &k) in active[..count].iter().enumerate() {
-            offsets[place] = balance.offset(k) / units[place];
-            for (other, &j) in active[..count].iter().enumerate() {
-                matrix[place][other] = balance.entry(k, j) / (units[place] * units[other]);
+            offsets[place] = law.offsets[k] / units[place];
+        }
+        for place in 0..count.min(D) {
+            for other in 0..=place {
+                let entry = entry(active[place], active[other]) / (units[place] * units[other]);
+                (matrix[place][other], matrix[other][place]) = (entry, entry);
             }
         }
-        Cone { balance, count, active, choices, units, matrix, offsets }
+        Cone { law, count, active, places, choices, units, matrix, offsets }
+    }
+
+    /// Finds the reactions of the least error, starting from these.
+    fn best(&self, start: &[S; K]) -> Approximation<S, K> {
+        let search = self.follow(self.scaled(start));
+        let end = self.point(search.forces);
+        let (settled, residual) = (self.settled(&end), self.residual(&end));
+        Approximation { settled, residual, is_exact: search.is_exact, iterations: search.iterations }
     }
 
     /// Converts these reactions to the units of the problem.
@@ -154,8 +178,16 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
 
     fn point(&self, forces: [S; K]) -> ForcePoint<S, K> {
         let mut pulls = [S::ZERO; K];
+        let velocities = if D == 0 { self.velocities(&forces) } else { [S::ZERO; N] };
         for k in 0..self.count {
-            pulls[k] = forces[k] - self.offsets[k] - self.change(k, &forces);
+            let change = match self.matrix.get(k) {
+                Some(row) => {
+                    let parts = row[..self.count].iter().zip(&forces);
+                    parts.fold(S::ZERO, |sum, (entry, force)| entry.multiply_add(*force, sum))
+                }
+                None => self.rate(k, &velocities),
+            };
+            pulls[k] = forces[k] - self.offsets[k] - change;
         }
         ForcePoint { forces, pulls }
     }
@@ -201,12 +233,6 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
 
     fn is_planar(&self, k: usize) -> bool {
         self.choices.get(k + 1) == Some(&Choice::Across)
-    }
-
-    /// Computes the change of rate k due to these reactions.
-    fn change(&self, k: usize, forces: &[S; K]) -> S {
-        let parts = self.matrix[k][..self.count].iter().zip(forces);
-        parts.fold(S::ZERO, |sum, (entry, force)| entry.multiply_add(*force, sum))
     }
 
     /// True if the rates of friction k are zero up to rounding.
@@ -258,7 +284,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         let pull = self.pull(at, k);
         let size = length(&pull);
         let radius = self.kinetic(at, k).abs();
-        let fixed = self.limit(at, k, self.balance.static_limit(self.active[k])).abs().max(radius);
+        let fixed = self.fixed(at, k).abs().max(radius);
         if self.choices[k] == Choice::Rest && size <= fixed {
             return TargetPiece::Holds;
         }
@@ -274,25 +300,32 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         [at.pulls[k], if self.is_planar(k) { at.pulls[k + 1] } else { S::ZERO }]
     }
 
+    /// Returns the slopes of the limits of friction k, with the places of reactions that may act.
+    fn slopes_of(&self, k: usize) -> impl Iterator<Item = (usize, &LimitSlope<S>)> {
+        let slopes = self.law.slopes(self.active[k]).iter();
+        slopes.map(|slope| (self.places[slope.reaction], slope)).filter(|(place, _)| *place < K)
+    }
+
     /// Computes a limit of friction k from its value without reactions and its slopes.
-    fn limit(&self, at: &ForcePoint<S, K>, k: usize, (free, slopes): (S, &[S; K])) -> S {
-        let mut limit = free;
-        for (j, slope) in self.active[..self.count].iter().map(|&j| slopes[j]).enumerate() {
-            if slope == S::ZERO {
-                continue;
-            }
+    fn limit(&self, at: &ForcePoint<S, K>, k: usize, free: S, slope: fn(&LimitSlope<S>) -> S) -> S {
+        let limit = self.slopes_of(k).fold(free, |limit, (j, entry)| {
             let pressing = match self.choices[j] {
                 Choice::Touch => self.pull(at, j)[0].max(S::ZERO),
                 _ => at.forces[j],
             };
-            limit = limit + slope * pressing / self.units[j];
-        }
+            limit + slope(entry) * pressing / self.units[j]
+        });
         self.units[k] * limit
+    }
+
+    /// Computes the static limit of friction k.
+    fn fixed(&self, at: &ForcePoint<S, K>, k: usize) -> S {
+        self.limit(at, k, self.law.fixed(self.active[k]), |slope| slope.fixed)
     }
 
     /// Computes the kinetic limit of friction k.
     fn kinetic(&self, at: &ForcePoint<S, K>, k: usize) -> S {
-        self.limit(at, k, self.balance.limit(self.active[k]))
+        self.limit(at, k, self.law.kinetic(self.active[k]), |slope| slope.kinetic)
     }
 
     /// Returns the sign of the kinetic limit, whose absolute value is the radius.
@@ -301,66 +334,14 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         if is_reversed { -S::ONE } else { S::ONE }
     }
 
-    /// Computes the derivatives of the reactions minus the targets.
-    fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
-        let mut slopes = [[S::ZERO; K]; K];
-        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
-            let components = if self.is_planar(k) { 2 } else { 1 };
-            for component in 0..components {
-                let target = self.slope(at, k, component);
-                slopes[k + component] = target.map(|slope| -slope);
-                slopes[k + component][k + component] = slopes[k + component][k + component] + S::ONE;
-            }
-        }
-        slopes
-    }
-
-    /// Computes the derivative of a component of a target.
-    fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; K] {
-        match self.piece(at, k) {
-            TargetPiece::Absent => [S::ZERO; K],
-            TargetPiece::Holds => self.pull_slope(k + component),
-            TargetPiece::Limited { direction, turning, .. } => {
-                let mut slope = self.limit_slope(at, k).map(|slope| direction[component] * slope);
-                for other in (0..2).filter(|_| turning != S::ZERO) {
-                    let own = if other == component { S::ONE } else { S::ZERO };
-                    let share = turning * (own - direction[component] * direction[other]);
-                    let pull = self.pull_slope(k + other);
-                    slope = array::from_fn(|j| share.multiply_add(pull[j], slope[j]));
-                }
-                slope
-            }
-        }
-    }
-
-    /// Computes the derivative of one component of d.
-    fn pull_slope(&self, k: usize) -> [S; K] {
-        let mut slope = self.matrix[k].map(|entry| -entry);
-        slope[k] = slope[k] + S::ONE;
-        slope
-    }
-
-    /// Computes the derivative of the kinetic limit of friction k, or of its absolute value if the
-    /// direction is free.
-    fn limit_slope(&self, at: &ForcePoint<S, K>, k: usize) -> [S; K] {
-        let (_, slopes) = self.balance.limit(self.active[k]);
+    /// Returns the derivatives of the kinetic limit of friction k, or of its absolute value if the
+    /// direction is free, with their places. They refer to d of contacts that press, and to forces
+    /// of others.
+    fn shares(&self, at: &ForcePoint<S, K>, k: usize) -> impl Iterator<Item = (usize, S)> {
         let is_free = matches!(self.choices[k], Choice::Rest | Choice::GiveWay);
         let side = if is_free { self.side(at, k) } else { S::ONE };
-        let mut total = [S::ZERO; K];
-        for (j, slope) in self.active[..self.count].iter().map(|&j| slopes[j]).enumerate() {
-            if slope == S::ZERO {
-                continue;
-            }
-            let share = side * slope * self.units[k] / self.units[j];
-            match self.choices[j] {
-                Choice::Touch if self.pull(at, j)[0] > S::ZERO => {
-                    let pull = self.pull_slope(j);
-                    total = array::from_fn(|i| share.multiply_add(pull[i], total[i]));
-                }
-                Choice::Touch => {}
-                _ => total[j] = total[j] + share,
-            }
-        }
-        total
+        let presses = |j: usize| self.choices[j] != Choice::Touch || self.pull(at, j)[0] > S::ZERO;
+        let slopes = self.slopes_of(k).filter(move |(j, slope)| slope.kinetic != S::ZERO && presses(*j));
+        slopes.map(move |(j, slope)| (j, side * slope.kinetic * self.units[k] / self.units[j]))
     }
 }

@@ -15,6 +15,8 @@
 use core::array;
 
 use super::choice::{Choice, Rule};
+use super::cone::MOST_DENSE;
+use super::law::Law;
 use super::reaction_forces::Balance;
 use super::rules::Rules;
 use super::slip::{is_planar, length};
@@ -33,12 +35,27 @@ const STOPPING: f64 = 0.5;
 ///
 /// If the motion does not determine the reactions, as for a table on four legs, the shortest are
 /// taken. Each is measured in the unit in which it changes its own rate. If the shortest pull or
-/// exceed a limit, close reactions that do not are taken, if there are any.
+/// exceed a limit, close reactions that do not are taken, if there are any. Systems of more than 64
+/// reactions take reactions within all limits at once.
 pub fn reactions<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
 ) -> [S; K] {
+    if const { K > MOST_DENSE } {
+        let Some(Rules::Known(rules)) = terms.rules(modes) else { return [S::NAN; K] };
+        return Law::of_forces(terms).near(&within_limits(modes, &rules), &[S::ZERO; K]).settled.reactions;
+    }
     Forces::under(terms, modes).reactions
+}
+
+/// Returns the choices of forces that hold what these modes hold, within all limits.
+fn within_limits<S: Scalar, const K: usize>(modes: &[Mode; K], rules: &[Rule<S>; K]) -> [Choice<S>; K] {
+    array::from_fn(|k| match (modes[k], rules[k]) {
+        (Mode::Contact(_), Rule::Holds) => Choice::Touch,
+        (Mode::Friction(_), Rule::Holds) => Choice::Rest,
+        (Mode::Across(_), Rule::Holds) => Choice::Across,
+        (_, rule) => Choice::Only(rule),
+    })
 }
 
 /// The forces of a system in some modes.
@@ -80,13 +97,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Forces<'a, S, N, K> {
     /// Searches for forces within all limits. If they do not hold all held rates, the motion
     /// continues with the shortest forces up to the event that ends it.
     fn within_limits(mut self, modes: &[Mode; K], rules: &[Rule<S>; K]) -> Self {
-        let choices = array::from_fn(|k| match (modes[k], rules[k]) {
-            (Mode::Contact(_), Rule::Holds) => Choice::Touch,
-            (Mode::Friction(_), Rule::Holds) => Choice::Rest,
-            (Mode::Across(_), Rule::Holds) => Choice::Across,
-            (_, rule) => Choice::Only(rule),
-        });
-        let found = self.balance.in_cone(&choices);
+        let found = self.balance.in_cone(&within_limits(modes, rules));
         self.within = found.map(|found| found.reactions);
         if let Some(within) = self.within
             && (0..K).all(|k| {

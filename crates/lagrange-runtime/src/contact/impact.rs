@@ -36,7 +36,7 @@ use core::array;
 
 use super::choice::{Choice, Rule, Settled};
 use super::reaction_forces::Balance;
-use super::{Mode, Terms};
+use super::{LimitSlope, Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
 use crate::tolerance::IMPACT_ENERGY;
@@ -76,7 +76,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         restitutions: &[S; K],
     ) -> Result<Collision<S, N, K>, StepFailure<S>> {
         let choices = self.choices(modes, is_touching);
-        if !Balance::of_impulses(self, restitutions).is_finite() {
+        if !Balance::of_impulses(self, &self.rates, restitutions).is_finite() {
             return Err(StepFailure::NotFinite);
         }
         let part = |part: S| self.collide(v, &choices, &restitutions.map(|e| part * e));
@@ -120,15 +120,12 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         is_pressed: &[bool; K],
     ) -> Option<Collision<S, N, K>> {
         let choices = self.choices(modes, is_pressed);
-        let mut stopped = *self;
-        for k in (0..K).filter(|k| is_pressed[*k]) {
-            stopped.rates[k] = S::ZERO;
-        }
-        let balance = Balance::of_impulses(&stopped, &[S::ZERO; K]);
+        let rates = array::from_fn(|k| if is_pressed[k] { S::ZERO } else { self.rates[k] });
+        let balance = Balance::of_impulses(self, &rates, &[S::ZERO; K]);
         APPROACHES.into_iter().find_map(|approach| {
             let found = balance.approached(S::from_f64(approach), is_pressed).settle(&choices)?;
             let impulses = balance.confirmed(&choices, found.rules)?;
-            let jam = stopped.collision(v, &balance, impulses, &[S::ZERO; K]);
+            let jam = self.collision(v, &balance, impulses, (&rates, &[S::ZERO; K]));
             let is_felt = jam.energy_loss > self.rounding(&jam);
             is_felt.then_some(jam)
         })
@@ -151,9 +148,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         choices: &[Choice<S>; K],
         restitutions: &[S; K],
     ) -> Option<Collision<S, N, K>> {
-        let balance = Balance::of_impulses(self, restitutions);
+        let balance = Balance::of_impulses(self, &self.rates, restitutions);
         let settled = balance.settle(choices)?;
-        Some(self.collision(v, &balance, settled, restitutions))
+        Some(self.collision(v, &balance, settled, (&self.rates, restitutions)))
     }
 
     fn collision(
@@ -161,15 +158,15 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         v: &[S; N],
         balance: &Balance<'_, S, N, K>,
         settled: Settled<S, K>,
-        restitutions: &[S; K],
+        (rates, restitutions): (&[S; K], &[S; K]),
     ) -> Collision<S, N, K> {
         let impulses = settled.reactions;
         let mut energy_loss = S::ZERO;
         for (k, &impulse) in impulses.iter().enumerate() {
-            let mean = self.rates[k] + S::from_f64(0.5) * balance.change(k, &impulses);
+            let mean = rates[k] + S::from_f64(0.5) * balance.change(k, &impulses);
             energy_loss = energy_loss - impulse * mean;
         }
-        let is_thrown_back = |k: usize| self.rates[k] * restitutions[k] < S::ZERO;
+        let is_thrown_back = |k: usize| rates[k] * restitutions[k] < S::ZERO;
         let is_still = array::from_fn(|k| settled.rules[k] == Rule::Holds && !is_thrown_back(k));
         Collision { velocities: self.added(v, &impulses), impulses, energy_loss, is_still }
     }
@@ -183,7 +180,6 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
 
     /// True if the limits of friction k grow with reactions.
     fn has_impulses(&self, k: usize) -> bool {
-        let slopes = self.kinetic_slopes[k].iter().chain(&self.static_slopes[k]);
-        slopes.copied().any(|slope| slope != S::ZERO)
+        self.slopes_of(k).iter().any(LimitSlope::is_present)
     }
 }

@@ -30,6 +30,7 @@
 //! solvable linear complementarity problems", *Nonlinear Dynamics* 14 (1997) 231–247; Cottle, Pang,
 //! Stone, *The Linear Complementarity Problem*, §4.4, §4.9.
 
+use super::LimitSlope;
 use super::choice::{Choice, Rule, Settled};
 use super::reaction_forces::Balance;
 use crate::linalg::singular::negligible;
@@ -331,12 +332,13 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
 
     /// Returns a row and sign·limit, with the sign changed if it is negative without reactions.
     fn limit(&self, mut row: Row<S, K>, k: usize, sign: S) -> Row<S, K> {
-        let (free, slopes) = self.balance.limit(k);
+        let law = self.balance.law();
+        let free = law.kinetic(k);
         let is_reversed = free < S::ZERO && self.choices[k] != Choice::Only(Rule::Smooth);
         let sign = if is_reversed { -sign } else { sign };
         row.value = sign * free * self.units[k];
-        for (j, slope) in slopes.iter().enumerate() {
-            self.add(&mut row, j, sign * *slope * self.units[k] / self.units[j]);
+        for &LimitSlope { reaction, kinetic, .. } in law.slopes(k) {
+            self.add(&mut row, reaction, sign * kinetic * self.units[k] / self.units[reaction]);
         }
         row
     }

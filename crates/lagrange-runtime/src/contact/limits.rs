@@ -1,6 +1,6 @@
 //! Limits of friction, which are magnitudes.
 
-use super::{ContactSystem, Mode, Terms};
+use super::{ContactSystem, LimitSlope, Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
@@ -23,9 +23,11 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 Mode::Smooth => self.rates[k].sign(),
                 Mode::Friction(_) => S::ONE,
             };
-            let limits =
-                [(self.kinetic[k], &self.kinetic_slopes[k]), (self.fixed[k], &self.static_slopes[k])];
-            let negative = limits.into_iter().find_map(|(free, slopes)| negative(side, free, slopes, modes));
+            let of = |slope: fn(&LimitSlope<S>) -> S| {
+                self.slopes_of(k).iter().map(move |entry| (entry.reaction, slope(entry)))
+            };
+            let negative = negative(side, self.kinetic[k], of(|slope| slope.kinetic), modes)
+                .or_else(|| negative(side, self.fixed[k], of(|slope| slope.fixed), modes));
             if let Some(value) = negative.filter(|value| self.is_felt(k, -*value)) {
                 return Err(StepFailure::FrictionLimit { friction: M::REACTIONS[k], value });
             }
@@ -44,10 +46,15 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
 
 /// Returns the part of a limit on this side that makes it negative, if no other part can compensate
 /// for it: contacts only press.
-fn negative<S: Scalar, const K: usize>(side: S, free: S, slopes: &[S; K], modes: &[Mode; K]) -> Option<S> {
+fn negative<S: Scalar, const K: usize>(
+    side: S,
+    free: S,
+    slopes: impl Iterator<Item = (usize, S)>,
+    modes: &[Mode; K],
+) -> Option<S> {
     let mut least = side * free;
-    for (&slope, mode) in slopes.iter().zip(modes).filter(|(slope, _)| **slope != S::ZERO) {
-        let is_pressing = matches!(mode, Mode::Contact(_));
+    for (reaction, slope) in slopes.filter(|(_, slope)| *slope != S::ZERO) {
+        let is_pressing = matches!(modes[reaction], Mode::Contact(_));
         if side * slope > S::ZERO || side * free > S::ZERO || !is_pressing {
             return None;
         }

@@ -73,6 +73,7 @@ mod guards;
 mod heading;
 mod impact;
 mod initial_modes;
+mod law;
 mod lemke;
 mod limits;
 mod numbers;
@@ -99,6 +100,8 @@ pub use self::project::correct;
 pub use self::stepped::{ImpulseFormula, Stepped, SteppedStepper};
 pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
+
+use core::ops::{Deref, DerefMut};
 
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, StepFailure};
@@ -151,9 +154,10 @@ pub enum Mode {
 }
 
 /// The reaction terms of an emitted type with contacts or friction at one state: N velocities, K
-/// reactions in the order of declaration.
+/// reactions in the order of declaration, and the slopes of limits. References need not state the
+/// number of slopes, as with arrays and slices.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Terms<S, const N: usize, const K: usize> {
+pub struct Terms<S, const N: usize, const K: usize, L: ?Sized = [LimitSlope<S>]> {
     /// Accelerations with all reactions zero.
     pub free: [S; N],
     /// In row k the accelerations added by a unit of reaction k.
@@ -171,18 +175,32 @@ pub struct Terms<S, const N: usize, const K: usize> {
     pub restitutions: [S; K],
     /// Kinetic limits with all reactions zero, for friction; in a plane for each component.
     pub kinetic: [S; K],
-    /// In row k how the kinetic limit k grows with each reaction.
-    pub kinetic_slopes: [[S; K]; K],
     /// Static limits with all reactions zero, for friction.
     pub fixed: [S; K],
-    /// In row k how the static limit k grows with each reaction.
-    pub static_slopes: [[S; K]; K],
+    /// The growth of limits with reactions, in the order of the limits.
+    pub slopes: L,
+}
+
+/// The growth of the limits of a friction with a reaction.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LimitSlope<S> {
+    /// The reaction that is limited.
+    pub limited: usize,
+    /// The reaction that the limits depend on.
+    pub reaction: usize,
+    /// Slope of the kinetic limit.
+    pub kinetic: S,
+    /// Slope of the static limit.
+    pub fixed: S,
 }
 
 /// A system with K reactions: contacts and dry friction. Emitted types implement it.
 pub trait ContactSystem<const N: usize, const K: usize>:
     MechanicalSystem<Velocities = [<Self as crate::system::OdeSystem>::Scalar; N]> + Sized
 {
+    /// [`Terms`] with the number of slopes that the system has.
+    type Terms: DerefMut<Target = Terms<Self::Scalar, N, K>>;
+
     /// Names of the reactions.
     const REACTIONS: [&'static str; K];
 
@@ -219,7 +237,7 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         t: Self::Scalar,
         q: &Self::Coordinates,
         v: &[Self::Scalar; N],
-    ) -> Terms<Self::Scalar, N, K>;
+    ) -> Self::Terms;
 
     /// Returns the reaction terms for a step of the length `h` by which velocities change. Forces
     /// of the dissipation function are evaluated with the velocities at its end, so free
@@ -231,7 +249,7 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         q: &Self::Coordinates,
         v: &[Self::Scalar; N],
         _h: Self::Scalar,
-    ) -> Terms<Self::Scalar, N, K> {
+    ) -> Self::Terms {
         self.terms(t, q, v)
     }
 
@@ -240,7 +258,37 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     fn event_of(&self, k: usize) -> usize;
 }
 
+impl<S: Scalar> LimitSlope<S> {
+    /// True if a limit depends on the reaction.
+    fn is_present(&self) -> bool {
+        self.kinetic != S::ZERO || self.fixed != S::ZERO
+    }
+}
+
+impl<S, const N: usize, const K: usize, const L: usize> Deref for Terms<S, N, K, [LimitSlope<S>; L]> {
+    type Target = Terms<S, N, K>;
+
+    #[inline]
+    fn deref(&self) -> &Self::Target {
+        self
+    }
+}
+
+impl<S, const N: usize, const K: usize, const L: usize> DerefMut for Terms<S, N, K, [LimitSlope<S>; L]> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        self
+    }
+}
+
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// Returns the slopes of the limits of friction k.
+    fn slopes_of(&self, k: usize) -> &[LimitSlope<S>] {
+        let from = self.slopes.partition_point(|slope| slope.limited < k);
+        let count = self.slopes[from..].iter().take_while(|slope| slope.limited == k).count();
+        &self.slopes[from..][..count]
+    }
+
     /// Returns the accelerations with these reactions.
     pub fn acceleration(&self, reactions: &[S; K]) -> [S; N] {
         self.added(&self.free, reactions)

@@ -11,8 +11,9 @@
 
 use core::array;
 
-use super::Terms;
 use super::choice::Rule;
+use super::law::Law;
+use super::{LimitSlope, Terms};
 use crate::linalg::singular::{is_singular, nearest, solve};
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
@@ -20,16 +21,11 @@ use crate::scalar::{Number, Scalar};
 /// Rates without reactions, and their changes with the reactions.
 #[derive(Clone, Copy)]
 pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
-    terms: &'a Terms<S, N, K>,
+    law: Law<'a, S, N, K>,
     /// G
     matrix: [[S; K]; K],
-    /// Rates without reactions.
-    offsets: [S; K],
     /// Magnitude of the terms in the offsets, the scale for rounding tests.
     sizes: [S; K],
-    /// One if limits include their values without reactions; zero for impulses, to which finite
-    /// forces do not contribute.
-    presence: S,
     /// True if rates that cannot be held together are an error; otherwise they are held as closely
     /// as possible.
     is_exact: bool,
@@ -54,54 +50,32 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         balance
     }
 
-    /// Builds the problem for impulses of reactions that act, over a step of the length `h`.
-    /// Offsets are the rates at its end without impulses.
-    pub(super) fn of_step(
-        terms: &'a Terms<S, N, K>,
-        h: S,
-        offsets: [S; K],
-        acts: impl Fn(usize) -> bool,
-    ) -> Self {
-        let (sizes, matrix) = (offsets.map(Number::abs), [[S::ZERO; K]; K]);
-        let mut step = Balance { terms, matrix, offsets, sizes, presence: h, is_exact: true };
-        for k in (0..K).filter(|k| acts(*k)) {
-            for j in (0..=k).filter(|j| acts(*j)) {
-                let entry = dot(&terms.rows[k], &terms.responses[j]);
-                (step.matrix[k][j], step.matrix[j][k]) = (entry, entry);
-            }
-        }
-        step
-    }
-
     fn without_responses(terms: &'a Terms<S, N, K>) -> Self {
-        let offset = |k: usize| dot(&terms.rows[k], &terms.free) + terms.drifts[k];
         let size = |k: usize| terms.size_of(k, &terms.free) + terms.drifts[k].abs();
-        let (offsets, sizes) = (array::from_fn(offset), array::from_fn(size));
-        let matrix = [[S::ZERO; K]; K];
-        Balance { terms, matrix, offsets, sizes, presence: S::ONE, is_exact: true }
+        let (sizes, matrix) = (array::from_fn(size), [[S::ZERO; K]; K]);
+        Balance { law: Law::of_forces(terms), matrix, sizes, is_exact: true }
     }
 
     /// Builds the problem for impulses and the post-impact values rate⁺ + e rate⁻, which are zero
     /// or positive.
-    pub(super) fn of_impulses(terms: &'a Terms<S, N, K>, restitutions: &[S; K]) -> Self {
-        let offsets: [S; K] = array::from_fn(|k| match terms.rates[k] {
+    pub(super) fn of_impulses(terms: &'a Terms<S, N, K>, rates: &[S; K], restitutions: &[S; K]) -> Self {
+        let offsets: [S; K] = array::from_fn(|k| match rates[k] {
             rate if rate < S::ZERO => rate + restitutions[k] * rate,
             rate => rate,
         });
-        let sizes = array::from_fn(|k| offsets[k].abs());
-        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
+        Self::at_an_instant(terms, offsets, true)
     }
 
     /// Lets these contacts approach with a fraction of the largest slip velocity that their
     /// friction meets.
     pub(super) fn approached(mut self, part: S, contacts: &[bool; K]) -> Self {
         let units = self.units();
-        let meets_friction = |k: &usize| !contacts[*k] && self.has_limit(*k, |j| contacts[j]);
-        let slips = (0..K).filter(meets_friction).map(|k| self.offsets[k].abs() / units[k]);
+        let meets_friction = |k: &usize| !contacts[*k] && self.law.has_limit(*k, |j| contacts[j]);
+        let slips = (0..K).filter(meets_friction).map(|k| self.law.offsets[k].abs() / units[k]);
         let largest = slips.fold(S::ZERO, S::max);
         for k in (0..K).filter(|k| contacts[*k]) {
-            self.offsets[k] = self.offsets[k] - part * largest * units[k];
-            self.sizes[k] = self.offsets[k].abs();
+            self.law.offsets[k] = self.law.offsets[k] - part * largest * units[k];
+            self.sizes[k] = self.law.offsets[k].abs();
         }
         self
     }
@@ -109,23 +83,27 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// Builds the problem for changes of the state that remove these values. For a state at rest up
     /// to rounding, they need not be consistent.
     pub(super) fn of_values(terms: &'a Terms<S, N, K>, values: [S; K]) -> Self {
-        let (offsets, sizes) = (values, values);
-        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: false }
+        Self::at_an_instant(terms, values, false)
+    }
+
+    fn at_an_instant(terms: &'a Terms<S, N, K>, offsets: [S; K], is_exact: bool) -> Self {
+        let (law, sizes) = (Law { terms, offsets, presence: S::ZERO }, offsets.map(Number::abs));
+        Balance { law, matrix: terms.matrix(), sizes, is_exact }
     }
 
     /// True if the rates without reactions, and their changes with reactions, are finite.
     pub(super) fn is_finite(&self) -> bool {
-        self.matrix.iter().chain([&self.offsets]).flatten().all(|entry| entry.is_finite())
+        self.matrix.iter().chain([&self.law.offsets]).flatten().all(|entry| entry.is_finite())
     }
 
     /// True if reactions are impulses.
     pub(super) fn is_of_impulses(&self) -> bool {
-        self.is_exact && self.presence == S::ZERO
+        self.is_exact && self.law.presence == S::ZERO
     }
 
     /// Returns rate k under these reactions.
     pub(super) fn rate(&self, k: usize, reactions: &[S; K]) -> S {
-        self.offsets[k] + self.change(k, reactions)
+        self.law.offsets[k] + self.change(k, reactions)
     }
 
     /// Returns the change of rate k under these reactions.
@@ -151,45 +129,30 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
 
     /// Returns rate k without reactions.
     pub(super) fn offset(&self, k: usize) -> S {
-        self.offsets[k]
+        self.law.offsets[k]
     }
 
-    /// Returns the kinetic limit of friction k without reactions, and its slope with respect to
-    /// each reaction.
-    pub(super) fn limit(&self, k: usize) -> (S, &[S; K]) {
-        (self.presence * self.terms.kinetic[k], &self.terms.kinetic_slopes[k])
-    }
-
-    /// Returns the static limit of friction k without reactions, and its slope with respect to each
-    /// reaction.
-    pub(super) fn static_limit(&self, k: usize) -> (S, &[S; K]) {
-        (self.presence * self.terms.fixed[k], &self.terms.static_slopes[k])
+    /// Returns the rates without reactions, and the limits of friction.
+    pub(super) fn law(&self) -> &Law<'a, S, N, K> {
+        &self.law
     }
 
     /// Returns the units of rates; those of reactions are the reciprocals.
     pub(super) fn units(&self) -> [S; K] {
-        array::from_fn(|k| match self.response(k) {
-            response if response > S::ZERO => response.sqrt(),
-            _ => S::ONE,
-        })
-    }
-
-    /// True if friction k has a limit if these reactions may act.
-    pub(super) fn has_limit(&self, k: usize, may_act: impl Fn(usize) -> bool) -> bool {
-        let Terms { kinetic, fixed, kinetic_slopes, static_slopes, .. } = self.terms;
-        let is_present = self.presence * (kinetic[k].abs() + fixed[k].abs()) != S::ZERO;
-        let grows = |j: usize| kinetic_slopes[k][j] != S::ZERO || static_slopes[k][j] != S::ZERO;
-        is_present || (0..K).any(|j| grows(j) && may_act(j))
+        array::from_fn(|k| unit(self.response(k)))
     }
 
     /// Returns the kinetic limit of friction k while it slips, with the computed sign.
     pub(super) fn kinetic(&self, k: usize, reactions: &[S; K]) -> S {
-        self.presence * self.terms.kinetic[k] + dot(&self.terms.kinetic_slopes[k], reactions)
+        let slopes = self.law.slopes(k).iter();
+        slopes.fold(self.law.kinetic(k), |sum, slope| sum + slope.kinetic * reactions[slope.reaction])
     }
 
     /// Returns the static limit of friction k while it sticks; never below the kinetic one.
     pub(super) fn fixed(&self, k: usize, reactions: &[S; K]) -> S {
-        let fixed = self.presence * self.terms.fixed[k] + dot(&self.terms.static_slopes[k], reactions);
+        let slopes = self.law.slopes(k).iter();
+        let fixed =
+            slopes.fold(self.law.fixed(k), |sum, slope| sum + slope.fixed * reactions[slope.reaction]);
         fixed.abs().max(self.kinetic(k, reactions).abs())
     }
 
@@ -198,7 +161,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// A limit that becomes negative, such as that of a guide pressed from its other side, counts
     /// by its magnitude. The system is then solved again with the opposite sign.
     pub(super) fn reactions(&self, rules: &[Rule<S>; K]) -> [S; K] {
-        let is_reversed = |k: usize| rules[k] == Rule::Smooth && self.terms.rates[k] < S::ZERO;
+        let is_reversed = |k: usize| rules[k] == Rule::Smooth && self.law.terms.rates[k] < S::ZERO;
         let expected = array::from_fn(|k| if is_reversed(k) { -S::ONE } else { S::ONE });
         let mut signs = expected;
         for _ in 0..=K {
@@ -223,17 +186,17 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// event by which the contact opens. Methods evaluate them before they find the event, and need
     /// a smooth continuation of the motion.
     fn is_beyond(&self, k: usize, rules: &[Rule<S>; K], reactions: &[S; K]) -> bool {
-        let slopes = &self.terms.kinetic_slopes[k];
-        (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
+        self.law.slopes(k).iter().any(|&LimitSlope { reaction: j, kinetic, .. }| {
+            rules[j] == Rule::Holds && kinetic > S::ZERO && reactions[j] < S::ZERO
+        })
     }
 
     /// Returns the limits of the holding friction, relative to which forces count as rounding.
     /// Without other forces, several points of a body at rest hold only the rounding of its
     /// velocity.
     fn held_limits(&self, rules: &[Rule<S>; K], units: &[S; K]) -> S {
-        let Terms { kinetic, fixed, .. } = self.terms;
         let held = (0..K).filter(|&k| rules[k] == Rule::Holds);
-        held.fold(S::ZERO, |sum, k| sum + self.presence * (kinetic[k].abs() + fixed[k].abs()) * units[k])
+        held.fold(S::ZERO, |sum, k| sum + (self.law.kinetic(k).abs() + self.law.fixed(k).abs()) * units[k])
     }
 
     /// True if held rates determine the forces that hold them.
@@ -264,16 +227,20 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             active[count] = k;
             count += 1;
         }
+        let slope = |k: usize, j: usize| {
+            let slope = self.law.slopes(k).iter().find(|slope| slope.reaction == j);
+            slope.map_or(S::ZERO, |slope| slope.kinetic)
+        };
         let entry = |k: usize, j: usize| match rules[k] {
             Rule::Holds => self.matrix[k][j] / (units[k] * units[j]),
             _ => {
                 let own = if j == k { S::ONE } else { S::ZERO };
-                own + factor(k) * self.terms.kinetic_slopes[k][j] * units[k] / units[j]
+                own + factor(k) * slope(k, j) * units[k] / units[j]
             }
         };
         let right = |k: usize| match rules[k] {
-            Rule::Holds => -self.offsets[k] / units[k],
-            _ => -(factor(k) * self.presence * self.terms.kinetic[k] * units[k]),
+            Rule::Holds => -self.law.offsets[k] / units[k],
+            _ => -(factor(k) * self.law.kinetic(k) * units[k]),
         };
         let (mut matrix, mut rights) = ([[S::ZERO; K]; K], [S::ZERO; K]);
         for (row, &k) in active[..count].iter().enumerate() {
@@ -292,6 +259,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         }
         reactions
     }
+}
+
+/// Returns the unit of a rate that a reaction changes by this response.
+pub(super) fn unit<S: Scalar>(response: S) -> S {
+    if response > S::ZERO { response.sqrt() } else { S::ONE }
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {

@@ -23,7 +23,7 @@ use crate::linalg::singular::regular;
 use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 
-impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+impl<S: Scalar, const N: usize, const K: usize, L> Terms<S, N, K, L> {
     /// Returns the terms under this mass matrix. They contain the generalised forces in place of
     /// the free accelerations. If the matrix is singular, the result is not finite.
     #[must_use]

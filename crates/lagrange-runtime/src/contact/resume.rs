@@ -51,7 +51,7 @@ pub(super) struct Resumed<S, const N: usize, const K: usize> {
 }
 
 impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K> {
-    pub(super) fn terms(&self, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
+    pub(super) fn terms(&self, v: &[M::Scalar; N]) -> M::Terms {
         self.system.terms(self.t, &self.q, v)
     }
 

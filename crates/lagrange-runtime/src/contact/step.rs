@@ -30,7 +30,7 @@ use super::choice::{Choice, Rule, Settled};
 use super::cone::Approximation;
 use super::heading::Heading;
 use super::pace::Pace;
-use super::reaction_forces::Balance;
+use super::law::Law;
 use super::slip::{is_planar, length, present_direction};
 use super::{Contact, Friction, Mode, Terms};
 use crate::linalg::vector::dot;
@@ -74,7 +74,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     pub(super) fn is_finite(&self) -> bool {
         let terms = self.terms;
         let limits = terms.kinetic.iter().chain(&terms.fixed);
-        let slopes = terms.kinetic_slopes.iter().chain(&terms.static_slopes).flatten();
+        let slopes = terms.slopes.iter().flat_map(|slope| [&slope.kinetic, &slope.fixed]);
         let responses = terms.responses.iter().flatten();
         let values = self.free.iter().chain(&terms.gaps).chain(limits).chain(slopes).chain(responses);
         { values }.all(|value| value.is_finite())
@@ -110,8 +110,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         let choices = array::from_fn(|k| if near(k) { Choice::Touch } else { Choice::Only(Rule::Absent) });
         let share = S::from_f64(SHARE);
         let values = array::from_fn(|k| if near(k) { share * self.terms.gaps[k] } else { S::ZERO });
-        let balance = Balance::of_step(self.terms, S::ZERO, values, near);
-        Some(balance.near(&choices, &[S::ZERO; K]).settled.reactions)
+        let law = Law { terms: self.terms, offsets: values, presence: S::ZERO };
+        Some(law.near(&choices, &[S::ZERO; K]).settled.reactions)
     }
 
     fn is_contact(&self, k: usize) -> bool {
@@ -162,27 +162,17 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
             false => self.free[k],
         });
         let choices = self.choices(acts);
-        let takes_part = |k: usize| choices[k] != Choice::Only(Rule::Absent);
-        let balance = Balance::of_step(self.terms, self.h, offsets, takes_part);
-        balance.near(&balance.possible(&choices), start)
+        let law = Law { terms: self.terms, offsets, presence: self.h };
+        law.near(&law.possible(&choices), start)
     }
 
     fn choices(&self, acts: &[bool; K]) -> [Choice<S>; K] {
-        let has_limit = |k: usize| {
-            let terms = self.terms;
-            let slopes = terms.kinetic_slopes[k].iter().zip(&terms.static_slopes[k]).enumerate();
-            let grows = |(j, (kinetic, fixed)): (usize, (&S, &S))| {
-                let may_act = !self.is_contact(j) || acts[j];
-                may_act && (*kinetic != S::ZERO || *fixed != S::ZERO)
-            };
-            terms.kinetic[k] != S::ZERO || terms.fixed[k] != S::ZERO || { slopes }.any(grows)
-        };
         let mut choices = [Choice::Only(Rule::Absent); K];
         for k in 0..K {
             choices[k] = match self.modes[k] {
                 Mode::Contact(_) if acts[k] => Choice::Touch,
-                Mode::Friction(_) if has_limit(k) => Choice::Rest,
-                Mode::Across(_) if choices[k - 1] == Choice::Rest => Choice::Across,
+                Mode::Friction(_) => Choice::Rest,
+                Mode::Across(_) => Choice::Across,
                 Mode::Smooth => Choice::Only(Rule::Smooth),
                 _ => continue,
             };

@@ -2,6 +2,7 @@
 
 use super::separation::{Separation, parallel};
 use super::{Block, Manifold, Touch, slack};
+use crate::linalg::singular::negligible;
 use crate::linalg::space::{Triple, cross, multiple, norm};
 use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
@@ -20,6 +21,14 @@ struct Edge<S> {
     middle: Triple<S>,
     direction: Triple<S>,
     half: S,
+}
+
+impl<S: Scalar> Edge<S> {
+    /// True if the sphere around it is as close as this to a cuboid.
+    fn is_within(&self, block: &Block<S>, limit: S) -> bool {
+        let distance = norm(&difference(&self.middle, &within(block, &self.middle)));
+        distance <= limit + self.half
+    }
 }
 
 /// An edge of the first cuboid and one of the second.
@@ -44,7 +53,7 @@ pub(super) fn closest_features<S: Scalar>(
             return manifold;
         }
     }
-    let (pair, edges) = closest_pair(first, second);
+    let (pair, edges) = closest_pair(first, second, size);
     let Some(pair) = pair else { return undefined(manifold) };
     let is_apart = found.distance > S::ZERO || pair.distance > slack(size);
     let normal = match is_apart && pair.distance > S::ZERO {
@@ -52,7 +61,8 @@ pub(super) fn closest_features<S: Scalar>(
         false => found.normal,
     };
     let gap = if is_apart { pair.distance } else { found.distance };
-    let ends = edges.filter(|_| is_apart).and_then(|(a, b)| shared_ends(&a, &b));
+    let is_closest = |ends: &[Pair<S>; 2]| ends.iter().any(|end| end.distance <= pair.distance + slack(size));
+    let ends = edges.filter(|_| is_apart).and_then(|(a, b)| shared_ends(&a, &b)).filter(is_closest);
     let pairs = ends.unwrap_or([Pair { distance: gap, ..pair }; 2]);
     for Pair { on_first, on_second, distance: gap } in
         pairs.into_iter().take(if ends.is_some() { 2 } else { 1 })
@@ -80,10 +90,19 @@ fn supporting<S: Scalar>(block: &Block<S>, axis: usize, direction: &Triple<S>) -
 }
 
 /// The closest points of two cuboids that are apart, and the edges on which they are, if they are.
-fn closest_pair<S: Scalar>(first: &Block<S>, second: &Block<S>) -> (Option<Pair<S>>, Option<EdgePair<S>>) {
+///
+/// Edges are compared only if the spheres around them are as close as the closest corner. Of two
+/// corners beside each other, 9 of the 144 pairs of edges remain.
+fn closest_pair<S: Scalar>(
+    first: &Block<S>,
+    second: &Block<S>,
+    size: S,
+) -> (Option<Pair<S>>, Option<EdgePair<S>>) {
+    let corner = closest_corner(first, second);
+    let limit = corner.map_or(S::ONE / S::ZERO, |pair| pair.distance + slack(size));
     let (mut best, mut on_edges) = (None::<Pair<S>>, None);
-    for a in edges(first) {
-        for b in edges(second) {
+    for a in edges(first).filter(|a| a.is_within(second, limit)) {
+        for b in edges(second).filter(|b| b.is_within(first, limit)) {
             let pair = nearest(&a, &b);
             if best.is_none_or(|best| pair.distance < best.distance) {
                 best = Some(pair);
@@ -91,6 +110,15 @@ fn closest_pair<S: Scalar>(first: &Block<S>, second: &Block<S>) -> (Option<Pair<
             }
         }
     }
+    // Equal distances are those of edges, of which two points are known.
+    if let Some(corner) = corner.filter(|corner| best.is_none_or(|best| corner.distance < best.distance)) {
+        (best, on_edges) = (Some(corner), None);
+    }
+    (best.filter(|best| best.distance.is_finite()), on_edges)
+}
+
+/// The corner of one cuboid that is closest to the other; `None` if none has a distance.
+fn closest_corner<S: Scalar>(first: &Block<S>, second: &Block<S>) -> Option<Pair<S>> {
     let corners = corners(first).map(|corner| {
         let on_second = within(second, &corner);
         Pair { on_first: corner, on_second, distance: norm(&difference(&corner, &on_second)) }
@@ -99,13 +127,8 @@ fn closest_pair<S: Scalar>(first: &Block<S>, second: &Block<S>) -> (Option<Pair<
         let on_first = within(first, &corner);
         Pair { on_first, on_second: corner, distance: norm(&difference(&corner, &on_first)) }
     });
-    for pair in corners.chain(others) {
-        // Equal distances are those of edges, of which two points are known.
-        if best.is_none_or(|best| pair.distance < best.distance) {
-            (best, on_edges) = (Some(pair), None);
-        }
-    }
-    (best.filter(|best| best.distance.is_finite()), on_edges)
+    let pairs = corners.chain(others).filter(|pair| pair.distance.is_finite());
+    pairs.reduce(|best, pair| if pair.distance < best.distance { pair } else { best })
 }
 
 /// The corners of a cuboid, each once.
@@ -142,6 +165,9 @@ fn within<S: Scalar>(block: &Block<S>, point: &Triple<S>) -> Triple<S> {
 }
 
 /// The closest points of two edges; of parallel ones those at the middle of what they share.
+///
+/// With the middles m and the directions u, the lines through both cross at s from the first middle,
+/// with ((m₁ − m₂) × u₂)·(u₁ × u₂) = −s |u₁ × u₂|². The left side is as accurate as the angle.
 fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {
     let arm = difference(&a.middle, &b.middle);
     let cosine = dot(&a.direction, &b.direction);
@@ -149,13 +175,14 @@ fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {
     let across = cross(&a.direction, &b.direction);
     let square = dot(&across, &across);
     let at = |first: S| clamped(cosine.multiply_add(first, on_b), b.half);
-    if square <= parallel::<S>() * parallel::<S>()
-        && let Some([from, to]) = shared(a, b)
-    {
-        let first = S::from_f64(0.5) * (from + to);
+    if square <= negligible::<S>() * negligible::<S>() {
+        let first = match shared(a, b) {
+            Some([from, to]) => S::from_f64(0.5) * (from + to),
+            None => clamped(-on_a, a.half),
+        };
         return pair_at(a, b, first, at(first));
     }
-    let start = if square > S::ZERO { (cosine * on_b - on_a) / square } else { -on_a };
+    let start = -dot(&cross(&arm, &b.direction), &across) / square;
     let second = at(clamped(start, a.half));
     // Once more, because the second may have been moved to its end.
     pair_at(a, b, clamped(cosine.multiply_add(second, -on_a), a.half), second)

@@ -7,8 +7,9 @@
 //! along two axes is a segment and has no faces, one without any is a point.
 
 use super::{Block, slack};
+use crate::linalg::singular::negligible;
 use crate::linalg::space::{Triple, cross, multiple, norm};
-use crate::linalg::vector::{difference, dot};
+use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 
 /// A direction with the distance along it.
@@ -60,7 +61,8 @@ pub(super) fn has_face<S: Scalar>(block: &Block<S>, axis: usize) -> bool {
     (0..3).all(|other| other == axis || block.extends(other))
 }
 
-/// The sine of the angle below which edges count as parallel: 10⁻⁶ for `f64`.
+/// The sine of the angle below which edges may touch at both ends of what they share: 10⁻⁶ for
+/// `f64`.
 pub(super) fn parallel<S: Scalar>() -> S {
     S::from_f64(64.0) * S::epsilon().sqrt()
 }
@@ -69,7 +71,13 @@ pub(super) fn parallel<S: Scalar>() -> S {
 fn product<S: Scalar>(a: &Triple<S>, b: &Triple<S>) -> Option<Triple<S>> {
     let across = cross(a, b);
     let length = norm(&across);
-    (length > parallel()).then(|| multiple(S::ONE / length, &across))
+    if length <= negligible() {
+        return None;
+    }
+    // Of edges that are almost parallel, the product is mostly rounding, which is not across them.
+    let along = |edge: &Triple<S>, normal: &Triple<S>| combined(normal, -dot(edge, normal), edge);
+    let normal = along(b, &along(a, &multiple(S::ONE / length, &across)));
+    Some(multiple(S::ONE / norm(&normal), &normal))
 }
 
 /// A direction for parallel segments or points: that of the vector between them, or if they

@@ -101,6 +101,83 @@ fn gaps_are_distances_and_depths() {
     assert!(counts[0] > 3_000 && counts[1] > 3_000, "{counts:?} {worst}");
 }
 
+fn single(block: &Block<f64>) -> Block<f32> {
+    let Block { center, axes, half, radius } = block;
+    let single = |triple: &[f64; 3]| triple.map(|number| number as f32);
+    Block {
+        center: single(center),
+        axes: axes.each_ref().map(single),
+        half: single(half),
+        radius: *radius as f32,
+    }
+}
+
+/// Faces take precedence over edges by 2.2·10⁻⁵ of the size.
+#[test]
+fn gaps_in_single_precision_are_distances_and_depths() {
+    let mut random = Random(1);
+    let (mut worst, mut sum) = (0.0_f64, 0.0);
+    for (number, line) in GAPS.lines().enumerate() {
+        let expected = line.parse::<f64>().expect("a number");
+        let is_aligned = number % 8 == 0;
+        let (first, second) = (random.block(1.6, is_aligned), random.block(0.5, is_aligned));
+        let gap = f64::from(manifold(&single(&first), &single(&second)).gap());
+        let size = first.size() + second.size();
+        if gap + first.radius + second.radius > size {
+            assert!(gap <= expected + 1e-6 * size, "a lower bound");
+            continue;
+        }
+        let error = (gap - expected).abs() / size;
+        assert!(error < 2.4e-5, "{number}: {gap} {expected} {first:?} {second:?}");
+        (worst, sum) = (worst.max(error), sum + error);
+    }
+    assert!(sum / 12_000.0 < 1e-6, "{sum} {worst}");
+}
+
+/// Two edges cross above each other at a small angle, away from their middles.
+#[test]
+fn edges_that_are_almost_parallel_are_apart_where_they_cross() {
+    for exponent in 1..9 {
+        let (sin, cos) = 10.0_f64.powi(-exponent).sin_cos();
+        let turned = [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]];
+        let rod = |center, [along, across, up]: [[f64; 3]; 3]| Block {
+            center,
+            axes: [across, up, along],
+            half: [0.0, 0.0, 1.0],
+            radius: 0.0,
+        };
+        let first = rod([0.5 * cos, 0.5 * sin, 1e-3], turned);
+        let second = rod([0.2, 0.0, 0.0], UPRIGHT);
+        let gap = manifold(&first, &second).gap();
+        assert!((gap - 1e-3).abs() < 1e-9, "{exponent}: {gap}");
+        let gap = manifold(&single(&first), &single(&second)).gap();
+        assert!((gap - 1e-3).abs() < 2.4e-5 * 2.0, "{exponent}: {gap}");
+    }
+}
+
+/// The distance of a ball from a cube, and if its centre is inside of the cube, from its faces.
+#[test]
+fn balls_are_as_far_from_cubes_as_closed_forms() {
+    let mut random = Random(7);
+    for _ in 0..2_000 {
+        let place = [0; 3].map(|_| random.within(-1.6, 1.6));
+        let axes = turned([0; 4].map(|_| random.within(-1.0, 1.0)));
+        let center = [0; 3].map(|_| random.within(-1.0, 1.0));
+        let block = Block { center, axes, half: [1.0, 0.8, 0.6], radius: 0.0 };
+        let ball = Block { center: block.place(&place), axes: UPRIGHT, half: [0.0; 3], radius: 0.25 };
+        let beyond: [f64; 3] = core::array::from_fn(|axis| place[axis].abs() - block.half[axis]);
+        let expected = match beyond.iter().all(|distance| *distance < 0.0) {
+            true => beyond.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            false => norm(&beyond.map(|distance| distance.max(0.0))),
+        };
+        for found in [manifold(&ball, &block), manifold(&block, &ball)] {
+            assert_eq!(found.touches().len(), 1);
+            assert!((found.gap() - (expected - 0.25)).abs() < 1e-9 * 2.65, "{place:?} {}", found.gap());
+        }
+        check(&ball, &block, &manifold(&ball, &block));
+    }
+}
+
 #[test]
 fn a_cube_on_another_has_four_corners_in_their_places() {
     let below = cube([0.0; 3]);

@@ -5,7 +5,7 @@ use std::fmt::{Debug, Formatter};
 use std::sync::Arc;
 use std::vec::Vec;
 
-use crate::contact::{ContactSystem, Mode, Terms};
+use crate::contact::{ContactSystem, Mode};
 use crate::scalar::{Number, Scalar};
 use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::simulate::sampling::Grid;
@@ -179,6 +179,8 @@ where
     M: ControlledSystem + ContactSystem<N, K>,
     F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
 {
+    type Terms = M::Terms;
+
     const REACTIONS: [&'static str; K] = M::REACTIONS;
     const NEEDS_STEPS: Option<&'static str> = M::NEEDS_STEPS;
     const RESTITUTIONS_VARY: [bool; K] = M::RESTITUTIONS_VARY;
@@ -196,7 +198,7 @@ where
         self.plant.check()
     }
 
-    fn terms(&self, t: M::Scalar, q: &M::Coordinates, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
+    fn terms(&self, t: M::Scalar, q: &M::Coordinates, v: &[M::Scalar; N]) -> M::Terms {
         self.present(t, &join::<M>(q, v), |plant| plant.terms(t, q, v))
     }
 
@@ -206,7 +208,7 @@ where
         q: &M::Coordinates,
         v: &[M::Scalar; N],
         h: M::Scalar,
-    ) -> Terms<M::Scalar, N, K> {
+    ) -> M::Terms {
         self.present(t, &join::<M>(q, v), |plant| plant.damped_terms(t, q, v, h))
     }
 

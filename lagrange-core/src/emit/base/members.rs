@@ -24,6 +24,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) are_holonomic: Vec<bool>,
     /// The body of `ContactSystem::terms`, or of `damped_terms` if there are dampers.
     pub(in crate::emit) terms: TokenStream,
+    /// Number of slopes of the limits of friction.
+    pub(in crate::emit) slopes: usize,
     /// Number of clocks.
     pub(in crate::emit) clocks: usize,
     /// The noises, if there are any.
@@ -97,6 +99,7 @@ impl Members {
             switch_times: None,
             restitutions_vary: Vec::new(),
             of_faces: None,
+            slopes: 0,
             limits_reverse: Vec::new(),
             hidden: TokenStream::new(),
             motions: TokenStream::new(),

@@ -38,7 +38,14 @@ pub(in crate::emit) fn too_many_events(most: usize) -> String {
     format!("a system can have at most {most} events")
 }
 
-pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "dry friction also counts as one event, unless it is `smooth`; events that do not affect the system can be passed to a simulation instead";
+pub(in crate::emit) const FEWER_CONTACTS_HELP: &str =
+    "each contact point counts, and so does its friction; remove contacts of bodies that cannot touch";
+
+pub(in crate::emit) fn many_contacts(most: usize) -> String {
+    format!("a system of more than {most} events, contacts and friction needs the method `Stepped`")
+}
+
+pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "contacts and dry friction count as one event if they are many; events that do not affect the system can be passed to a simulation instead";
 
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
     format!(

@@ -5,6 +5,7 @@ mod spelling;
 use proc_macro2::TokenStream;
 
 use super::callees::callees;
+use super::size::shares_event;
 use crate::model::Product;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
@@ -46,6 +47,9 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) is_stabilised: bool,
     /// Contacts and friction.
     pub(in crate::emit) touching: Vec<(&'a Name, Touch)>,
+    /// True if there are too many contacts and friction for an event of each. One event then stands
+    /// for all, and only steps can simulate the system.
+    pub(in crate::emit) shares_event: bool,
     /// Names, in messages, of the switches whose sides are fixed during runs.
     pub(in crate::emit) switches: Vec<String>,
     /// Outputs, declared and derived, with their number of components; one for a scalar.
@@ -94,6 +98,7 @@ impl<'a> Shape<'a> {
             events: Vec::new(),
             is_stabilised: false,
             touching: Vec::new(),
+            shares_event: shares_event(declaration),
             switches: Vec::new(),
             outputs: Vec::new(),
             callees: callees(declaration),
@@ -184,9 +189,12 @@ impl<'a> Shape<'a> {
     }
 
     fn add_event(&mut self, event: &'a Event) {
-        self.events.push(event);
-        if let Action::Impact(_) = event.action {
+        let is_contact = matches!(event.action, Action::Impact(_));
+        if is_contact {
             self.touching.push((&event.name, Touch::Contact));
+        }
+        if !(is_contact && self.shares_event) {
+            self.events.push(event);
         }
     }
 
@@ -197,9 +205,13 @@ impl<'a> Shape<'a> {
             Action::Impact(_) => (&event.name, None),
             _ => (&event.name, Some(event.direction)),
         });
-        let friction =
-            self.touching.iter().filter(|(_, touch)| matches!(touch, Touch::Friction | Touch::Planar));
-        declared.chain(friction.map(|(name, _)| (*name, None))).collect()
+        let has_event = |touch: Touch| match self.shares_event {
+            true => touch != Touch::Smooth,
+            false => matches!(touch, Touch::Friction | Touch::Planar),
+        };
+        let others = self.touching.iter().filter(|(_, touch)| has_event(*touch));
+        let most = if self.shares_event { 1 } else { usize::MAX };
+        declared.chain(others.take(most).map(|(name, _)| (*name, None))).collect()
     }
 
     /// Returns the names of the fields that store modes.
@@ -212,7 +224,10 @@ impl<'a> Shape<'a> {
     /// one.
     pub(in crate::emit) fn events_of_reactions(&self) -> Vec<Option<usize>> {
         let names = self.event_names();
-        let event = |(name, _): &(&Name, Touch)| names.iter().position(|(other, _)| other.text == name.text);
+        let event = |(name, touch): &(&Name, Touch)| match self.shares_event {
+            true => (*touch != Touch::Smooth).then_some(names.len() - 1),
+            false => names.iter().position(|(other, _)| other.text == name.text),
+        };
         self.touching.iter().map(event).collect()
     }
 

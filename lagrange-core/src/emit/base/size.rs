@@ -10,10 +10,10 @@ use crate::model::{Model, Product};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::{
-    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS, MAX_OPERATIONS, MAX_OUTPUTS,
+    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_CONTACTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS, MAX_OPERATIONS, MAX_OUTPUTS,
     MAX_STATES, MAX_VELOCITIES,
 };
-use lagrange_language::syntax::ast::{Declaration, Name, Statement, StatementKind};
+use lagrange_language::syntax::ast::{Action, Declaration, Name, Statement, StatementKind};
 
 /// Seconds that `cargo check` takes for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;
@@ -57,11 +57,12 @@ struct Kind {
     help: &'static str,
 }
 
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 6] = [
     Kind { plural: "velocities", names: velocities, most: MAX_VELOCITIES, help: messages::FEWER_HELP },
     Kind { plural: "states", names: states, most: MAX_STATES, help: messages::FEWER_HELP },
     Kind { plural: "constraints", names: constraints, most: MAX_CONSTRAINTS, help: messages::FEWER_HELP },
     Kind { plural: "outputs", names: outputs, most: MAX_OUTPUTS, help: messages::FEWER_OUTPUTS_HELP },
+    Kind { plural: "contacts", names: contacts, most: MAX_CONTACTS, help: messages::FEWER_CONTACTS_HELP },
     Kind { plural: "events", names: events, most: MAX_EVENTS, help: messages::FEWER_EVENTS_HELP },
 ];
 
@@ -69,11 +70,12 @@ const KINDS: [Kind; 5] = [
 /// further processing.
 pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option<()> {
     for Kind { plural, names, most, help } in KINDS {
+        let most = if plural == "events" { most - usize::from(shares_event(declaration)) } else { most };
         let names = declaration.statements.iter().flat_map(|statement| names(&statement.kind));
         let names = names.collect::<Vec<_>>();
         let Some(first) = names.get(most) else { continue };
         let message = match plural {
-            "events" => messages::too_many_events(most),
+            "events" => messages::too_many_events(MAX_EVENTS),
             _ => messages::too_many(names.len(), plural, most),
         };
         report.error(first.span, message).help(help);
@@ -126,10 +128,27 @@ fn outputs(kind: &StatementKind) -> Vec<&Name> {
     }
 }
 
-/// Returns the names of events; friction that sticks and slips also counts as an event.
+/// True if a run cannot locate an event of each contact and friction.
+pub(in crate::emit) fn shares_event(declaration: &Declaration) -> bool {
+    let count = |names: fn(&StatementKind) -> Vec<&Name>| -> usize {
+        declaration.statements.iter().map(|statement| names(&statement.kind).len()).sum()
+    };
+    let contacts = count(contacts);
+    contacts > 0 && count(events) + contacts > MAX_EVENTS
+}
+
+/// Returns the names of events, except those of contacts.
 fn events(kind: &StatementKind) -> Vec<&Name> {
     match kind {
-        StatementKind::Event(event) => vec![&event.name],
+        StatementKind::Event(event) if !matches!(event.action, Action::Impact(_)) => vec![&event.name],
+        _ => Vec::new(),
+    }
+}
+
+/// Returns the names of contacts, and of friction that sticks and slips.
+fn contacts(kind: &StatementKind) -> Vec<&Name> {
+    match kind {
+        StatementKind::Event(event) if matches!(event.action, Action::Impact(_)) => vec![&event.name],
         StatementKind::Friction(friction) if friction.width.is_none() => vec![&friction.name],
         _ => Vec::new(),
     }

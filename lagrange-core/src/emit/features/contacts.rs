@@ -5,16 +5,17 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::constrained::write_hooks;
+use super::reaction_terms::touching_terms;
 use super::switches::kept_switches;
-use crate::derive::Affine;
 use crate::emit::base::members::Members;
+use crate::emit::base::messages;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, Touch, identifier, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::ReactionKind;
-use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::{Dependencies, ExprId, Node};
+use lagrange_expr::limits::MAX_EVENTS;
 
 const REACTIONS: [&str; 2] = [
     "Forces of contacts and friction in the order of their declaration: normal forces along the gradients of the gaps,",
@@ -120,88 +121,6 @@ fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
     writer.model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
 }
 
-/// Returns the body of `ContactSystem::terms`, or of `damped_terms` if there are dampers without
-/// constraints.
-fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
-    let (n, k) = (writer.model.speeds.len(), writer.model.reactions.len());
-    let zero = writer.model.graph.number(0);
-    let parts = |pick: fn(&ReactionKind) -> Option<ExprId>| {
-        writer.model.reactions.iter().map(|reaction| pick(&reaction.kind).unwrap_or(zero)).collect::<Vec<_>>()
-    };
-    let gaps = parts(|kind| match kind {
-        ReactionKind::Contact { gap, .. } => Some(*gap),
-        _ => None,
-    });
-    let restitutions = parts(|kind| match kind {
-        ReactionKind::Contact { restitution, .. } => Some(*restitution),
-        _ => None,
-    });
-    let rates = writer.model.reactions.iter().map(|reaction| reaction.velocity).collect::<Vec<_>>();
-    let reactions = &writer.equations.reactions;
-    let without = |list: &[Affine]| list.iter().map(|affine| affine.free).collect::<Vec<_>>();
-    let slopes = |list: &[Affine]| list.iter().flat_map(|affine| affine.slopes.clone()).collect::<Vec<_>>();
-    let (vector, matrix, square) = (Returns::Vector(k), Returns::Matrix(k, n), Returns::Matrix(k, k));
-    let responses = reactions.responses.concat();
-    let is_constrained = !writer.model.constraints.is_empty();
-    // Accelerations and responses follow from forces and rows by one factorisation at run time.
-    let (free, responses) = match is_constrained {
-        true => (writer.equations.accelerations.clone(), responses),
-        false => (writer.equations.forcing.clone(), vec![zero; k * n]),
-    };
-    let fields = [
-        ("free", Returns::Vector(n), free),
-        ("responses", matrix, responses),
-        ("rows", matrix, reactions.rows.concat()),
-        ("gaps", vector, gaps),
-        ("rates", vector, rates),
-        ("drifts", vector, reactions.drifts.clone()),
-        ("restitutions", vector, restitutions),
-        ("kinetic", vector, without(&reactions.kinetic)),
-        ("kinetic_slopes", square, slopes(&reactions.kinetic)),
-        ("fixed", vector, without(&reactions.fixed)),
-        ("static_slopes", square, slopes(&reactions.fixed)),
-    ];
-    let mut roots = fields.iter().flat_map(|(_, _, roots)| roots.iter().copied()).collect::<Vec<_>>();
-    let inertia = if is_constrained { Vec::new() } else { inertia(writer) };
-    writer.members.is_damped = inertia.len() > 1;
-    roots.extend(inertia.iter().flatten());
-    let krate = writer.shape.krate;
-    let (body, _) = writer.lowered(&roots, Arguments::State, |mut results| {
-        let fields = fields.iter().map(|(name, returns, roots)| {
-            let (own, others) = results.split_at(roots.len());
-            results = others;
-            let (name, value) = (format_ident!("{name}"), returns.collect(own));
-            quote!(#name: #value)
-        });
-        let fields = fields.collect::<Vec<_>>();
-        let terms = quote!(#krate::contact::Terms { #(#fields),* });
-        let matrices = inertia.iter().map(|roots| {
-            let (own, others) = results.split_at(roots.len());
-            results = others;
-            Returns::Matrix(n, n).collect(own)
-        });
-        let (matrices, step) = (matrices.collect::<Vec<_>>(), local("step"));
-        match &matrices[..] {
-            [] => terms,
-            [mass] => quote!(#krate::contact::Terms::accelerated(#terms, &#mass)),
-            [mass, damping, ..] => quote!(#krate::contact::Terms::damped(#terms, &#mass, &#damping, #step)),
-        }
-    });
-    body
-}
-
-/// Returns the mass matrix and, if there is dissipation, the matrix of its second derivatives.
-fn inertia(writer: &mut MethodWriter<'_>) -> Vec<Vec<ExprId>> {
-    let mass = writer.equations.mass_matrix.concat();
-    let (velocities, dissipation) = (writer.model.velocities(), writer.model.dissipation);
-    let graph = &mut writer.model.graph;
-    let forces = gradient(graph, dissipation, &velocities);
-    let damping = forces.into_iter().flat_map(|force| gradient(graph, force, &velocities));
-    let damping = damping.collect::<Vec<_>>();
-    let zero = graph.number(0);
-    if damping.iter().all(|&entry| entry == zero) { vec![mass] } else { vec![mass, damping] }
-}
-
 /// Writes the declarations of the fields that store modes.
 pub(in crate::emit) fn mode_fields(shape: &Shape<'_>) -> TokenStream {
     let krate = shape.krate;
@@ -247,8 +166,11 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
             }
         }
     });
-    let needs_steps = members.of_faces.as_ref().map(|name| {
-        let message = format!("the contact `{name}` of faces and edges needs the method `Stepped`");
+    let of_faces = members.of_faces.as_ref();
+    let message =
+        of_faces.map(|name| format!("the contact `{name}` of faces and edges needs the method `Stepped`"));
+    let message = message.or_else(|| shape.shares_event.then(|| messages::many_contacts(MAX_EVENTS)));
+    let needs_steps = message.map(|message| {
         quote! {
             const NEEDS_STEPS: ::core::option::Option<&'static ::core::primitive::str> =
                 ::core::option::Option::Some(#message);
@@ -278,12 +200,17 @@ fn terms_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (body, step) = (&members.terms, local("step"));
     let arguments = quote!(#time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
-    let terms = quote!(#krate::contact::Terms<#scalar, #nv, #k>);
+    let slopes = length(members.slopes);
+    let of_system = quote! {
+        type Terms = #krate::contact::Terms<#scalar, #nv, #k, [#krate::contact::LimitSlope<#scalar>; #slopes]>;
+    };
+    let terms = quote!(Self::Terms);
     if !members.is_damped {
-        return quote!(#[inline] fn terms(&self, #arguments) -> #terms { #body });
+        return quote!(#of_system #[inline] fn terms(&self, #arguments) -> #terms { #body });
     }
     let zero = quote!(<#scalar as #krate::Number>::ZERO);
     quote! {
+        #of_system
         #[inline]
         fn terms(&self, #arguments) -> #terms {
             #krate::contact::ContactSystem::damped_terms(self, #time, #positions, #velocities, #zero)

@@ -14,7 +14,11 @@ use lagrange_language::syntax::ast::{self, Direction};
 
 /// Writes the functions of the events, and the states after assignments.
 pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
-    if writer.model.events.is_empty() {
+    let is_left_out = |event: &crate::model::Event| {
+        writer.shape.shares_event && matches!(event.action, Action::Impact(_))
+    };
+    let events = writer.model.events.iter().filter(|event| !is_left_out(event)).cloned().collect::<Vec<_>>();
+    if events.is_empty() {
         return;
     }
     // The function of a contact depends on its mode; run-time code supplies its value.
@@ -23,11 +27,11 @@ pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
         Action::Impact(_) => one,
         _ => event.value,
     };
-    let values = writer.model.events.iter().map(value).collect::<Vec<_>>();
+    let values = events.iter().map(value).collect::<Vec<_>>();
     let returns = Returns::Vector(values.len());
     let (body, _) = writer.lowered(&values, Arguments::State, |results| returns.collect(results));
     writer.push_hidden("event_functions", returns, &body);
-    for (i, event) in writer.model.events.clone().iter().enumerate() {
+    for (i, event) in events.iter().enumerate() {
         if let Action::Assign(assignments) = &event.action {
             write_assignments(writer, &format!("after_event_{i}"), assignments);
         }
@@ -115,8 +119,9 @@ fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident, elapsed: &Toke
         };
         Some(quote!(#index => #answer,))
     });
-    let events = shape.events_of_reactions();
-    let touching = events.iter().flatten().map(|index| {
+    let mut events = shape.events_of_reactions().into_iter().flatten().collect::<Vec<_>>();
+    events.dedup();
+    let touching = events.iter().map(|index| {
         let index = length(*index);
         quote!(#index => #krate::contact::react(self, #index, #time, #elapsed, #state),)
     });

@@ -1,4 +1,4 @@
-//! Contacts of cuboids and rods by their faces and edges.
+//! Contacts of cuboids and rods by their faces and edges, also with balls.
 //!
 //! The run time finds the contact points (`lagrange::manifold`). Each has a place p₁ in the first
 //! block and p₂ in the second, in their axes. It also has a normal n and a number c. The gap is
@@ -21,8 +21,15 @@ use crate::bodies::touching::{Touching, motion_at};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, CONTACT_POINT, CONTACT_POINT_LENGTH, Expression, SurfaceKind};
 
-/// Contact points of two cuboids, and of a rod with a cuboid or another rod.
-const POINTS: [usize; 2] = [8, 2];
+/// Returns the number of contact points of two such blocks.
+fn point_count(shapes: &[Outline; 2]) -> usize {
+    let fewest = shapes.iter().map(|shape| match shape.variant {
+        "Cuboid" => 8,
+        "SlenderRod" => 2,
+        _ => 1,
+    });
+    fewest.min().unwrap_or_default()
+}
 
 /// True if a contact is one of the points in which two blocks touch.
 pub(super) fn is_between_blocks(translation: &Translation<'_>, statement: &ast::Contact) -> bool {
@@ -91,13 +98,13 @@ pub(super) fn between_blocks(
     let (first, second) = (touching.body, surface.carrier?);
     let [_, index] = numbered(translation, statement)?;
     let index = place(translation, index)?;
-    let radius = radius.unwrap_or_else(|| translation.terms().number(0));
     let zero = translation.terms().number(0);
     let shapes = [shape_of(translation, first)?, shape_of(translation, second)?];
-    let is_of_cuboids = shapes.iter().all(|shape| shape.variant == "Cuboid");
-    let count = POINTS[usize::from(!is_of_cuboids)] * CONTACT_POINT_LENGTH;
+    let count = point_count(&shapes) * CONTACT_POINT_LENGTH;
+    let radius = radius.or(radius_of(&shapes[0])).unwrap_or(zero);
+    let other = radius_of(&shapes[1]).unwrap_or(zero);
     let mut blocks = Vec::new();
-    for (link, shape, around) in [(first, &shapes[0], radius), (second, &shapes[1], zero)] {
+    for (link, shape, around) in [(first, &shapes[0], radius), (second, &shapes[1], other)] {
         blocks.extend(numbers_of(translation, name, (link, shape)));
         blocks.push(around);
     }
@@ -148,14 +155,19 @@ fn numbers_of(translation: &mut Translation<'_>, name: &str, (link, shape): (usi
     let mut terms = translation.terms();
     for axis in 0..3 {
         numbers.push(match shape.dimensions.get(axis) {
-            Some(&size) => {
+            Some(&size) if radius_of(shape).is_none() => {
                 let half = terms.half();
                 terms.times(half, size)
             }
-            None => terms.number(0),
+            _ => terms.number(0),
         });
     }
     numbers
+}
+
+/// The radius of a ball.
+fn radius_of(shape: &Outline) -> Option<AstId> {
+    shape.dimensions.first().copied().filter(|_| shape.variant == "Sphere")
 }
 
 /// The place on a link of coordinates of its shape.

@@ -1,5 +1,6 @@
 //! Surfaces named in contacts.
 
+use crate::bodies::corners::corner_count;
 use crate::bodies::expressions::{is_ground, report_early};
 use crate::bodies::messages;
 use crate::bodies::messages::contacts as words;
@@ -39,6 +40,13 @@ pub(super) fn surface_named(translation: &mut Translation<'_>, statement: &ast::
         return None;
     }
     Some(surface)
+}
+
+/// True if this is a link whose shape has corners.
+pub(super) fn is_block(translation: &mut Translation<'_>, name: &str) -> bool {
+    let Some(Object::Link { index, .. }) = translation.names.find(name) else { return false };
+    let shape = translation.space.as_ref().and_then(|space| space.links[*index].shape.clone());
+    corner_count(translation, shape.as_ref()) > 0
 }
 
 /// Returns the line y = 0, or the plane z = 0 in space; other names are reported.

@@ -33,6 +33,10 @@ messages! {
     corners_of_another(contact, name) =
         "the contact `{contact}` is of all corners of `{name}`, which is not declared beside it";
     loop_over_corners(count) = "write a loop: `for k in 0..{count} {{ contact foot[k] = case.corner(k) on ground {{ … }} }}`";
+    edges_on_round(contact, name, surface) =
+        "the contact `{contact}` is of `{name}` on the round body `{surface}`, which it may touch between its corners";
+    EDGES_ON_ROUND_HELP =
+        "write `name.corners` if only its corners can touch, or give the round body the shape of a ball, a rod or a cuboid";
     ground_touches(contact) = "in the contact `{contact}` the ground cannot touch anything";
     GROUND_TOUCHES_HELP = "write the body that moves first: `contact name = wheel on ground;`";
     no_surface(contact, name, found) = "the contact `{contact}` needs a surface, but `{name}` is {found}";

@@ -4,7 +4,6 @@ use core::array;
 
 use super::{Cone, ForcePoint};
 use crate::contact::choice::Choice;
-use crate::linalg::singular::{nearest, regular};
 use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
@@ -52,7 +51,7 @@ pub(super) struct ForceSearch<S, const K: usize> {
     may_leap: bool,
 }
 
-impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
+impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
     /// Finds reactions that equal their targets up to rounding, starting near these or from zero.
     pub(super) fn solve(&self, near: [S; K]) -> Option<[S; K]> {
         let mut search =
@@ -120,7 +119,11 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
     /// Moves each reaction in turn by this fraction of the way to its target. A fraction of one
     /// half ends some cycles.
     fn sweep(&self, at: &mut ForcePoint<S, K>, share: S) {
+        let mut velocities = if D == 0 { self.velocities(&at.forces) } else { [S::ZERO; N] };
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
+            if D == 0 {
+                self.refresh(at, k, &velocities);
+            }
             let targets = self.target(at, k);
             let components = if self.is_planar(k) { 2 } else { 1 };
             for (k, target) in (k..k + components).zip(targets) {
@@ -130,7 +133,13 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
                 for (pull, row) in at.pulls.iter_mut().zip(&self.matrix).take(self.count) {
                     *pull = (-change).multiply_add(row[k], *pull);
                 }
+                if D == 0 {
+                    self.kick(&mut velocities, k, change);
+                }
             }
+        }
+        if D == 0 {
+            *at = self.point(at.forces);
         }
     }
 
@@ -167,15 +176,12 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
     /// Returns the end of the longest part of a step that reduces the error, or of the whole step,
     /// and the error there.
     fn stepped(&self, (at, error): &(ForcePoint<S, K>, S), kind: Step) -> (ForcePoint<S, K>, S) {
-        let (slopes, errors) = (self.slopes(at), self.errors(at));
+        let least = S::from_f64(DAMPING) * S::epsilon().sqrt();
         let step = match kind {
-            Step::Newton => {
-                nearest(&damped(slopes, S::from_f64(DAMPING) * S::epsilon().sqrt()), &errors, self.count)
-            }
-            Step::Short => {
-                let (slopes, errors) = normal(&slopes, &errors, self.count);
-                regular(&damped(slopes, *error / self.scale(&at.forces)), &errors, self.count)
-            }
+            Step::Newton if D == 0 => self.step_of_velocities(at, least),
+            Step::Short if D == 0 => self.step_of_velocities(at, least.max(*error / self.scale(&at.forces))),
+            Step::Newton => self.newton_step(at, least),
+            Step::Short => self.short_step(at, *error / self.scale(&at.forces)),
         };
         let reached = |part: S| {
             let end = self.point(array::from_fn(|k| step[k].multiply_add(part, at.forces[k])));
@@ -196,26 +202,4 @@ fn step_goal<S: Scalar>() -> S {
 fn size<S: Scalar, const K: usize>(vector: &[S; K]) -> S {
     let square = dot(vector, vector);
     if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO }
-}
-
-/// Returns the matrix with this value added to its diagonal.
-fn damped<S: Scalar, const K: usize>(mut a: [[S; K]; K], damping: S) -> [[S; K]; K] {
-    for (k, row) in a.iter_mut().enumerate() {
-        row[k] = row[k] + damping;
-    }
-    a
-}
-
-/// Returns the normal equations of the first `count` equations of A x = b.
-fn normal<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> ([[S; K]; K], [S; K]) {
-    let (mut matrix, mut right) = ([[S::ZERO; K]; K], [S::ZERO; K]);
-    for (row, b) in a.iter().zip(b).take(count) {
-        for k in 0..count {
-            right[k] = row[k].multiply_add(*b, right[k]);
-            for j in 0..count {
-                matrix[k][j] = row[k].multiply_add(row[j], matrix[k][j]);
-            }
-        }
-    }
-    (matrix, right)
 }

@@ -1,6 +1,6 @@
 //! Inequalities of the law of contacts with friction in a plane, on random bodies.
 
-use super::systems::{CLOSED, FREE, OPEN, nothing};
+use super::systems::{CLOSED, FREE, OPEN, TestTerms, nothing, slope};
 use crate::contact::choice::Choice;
 use crate::contact::reaction_forces::Balance;
 use crate::contact::{Friction, Heading, Mode, Pace, Terms, reactions, switch_values};
@@ -38,7 +38,7 @@ fn inner<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 }
 
 /// Draws a body that touches walls, or the floor in the plane of its corners, and its velocities.
-fn body(random: &mut Random, mu: f64, is_flat: bool) -> (Terms<f64, 6, K>, [f64; 6]) {
+fn body(random: &mut Random, mu: f64, is_flat: bool) -> (TestTerms<6, K>, [f64; 6]) {
     let mut terms = nothing::<6, K>();
     let v: [f64; 6] = core::array::from_fn(|_| random.within(-1.0, 1.0));
     for k in (0..K).step_by(3) {
@@ -53,7 +53,7 @@ fn body(random: &mut Random, mu: f64, is_flat: bool) -> (Terms<f64, 6, K>, [f64;
             terms.rows[k + row] = [axis[0], axis[1], axis[2], arm[0], arm[1], arm[2]];
         }
         for row in [k + 1, k + 2] {
-            (terms.kinetic_slopes[row][k], terms.static_slopes[row][k]) = (mu, mu);
+            terms.slopes[row] = slope(row, k, [mu; 2]);
         }
     }
     terms.responses = terms.rows.map(|[x, y, z, a, b, c]| [x, y, z, a / INERTIA, b / INERTIA, c / INERTIA]);
@@ -157,16 +157,14 @@ fn simultaneous_starts_are_decided_together() {
 
 /// Returns a block of 1 kg under a downward force of 10 and a horizontal force of (3, 4), with its
 /// slip velocities.
-fn pushed(mu: f64, slip: [f64; 2]) -> Terms<f64, 3, 3> {
+fn pushed(mu: f64, slip: [f64; 2]) -> TestTerms<3, 3> {
     let unit = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let slopes = [[0.0; 3], [mu, 0.0, 0.0], [mu, 0.0, 0.0]];
     Terms {
         free: [3.0, 4.0, -10.0],
         rows: unit,
         responses: unit,
         rates: [0.0, slip[0], slip[1]],
-        kinetic_slopes: slopes,
-        static_slopes: slopes,
+        slopes: core::array::from_fn(|k| slope(k, 0, if k == 0 { [0.0; 2] } else { [mu; 2] })),
         ..nothing()
     }
 }
@@ -216,7 +214,7 @@ fn headings_keep_all_digits() {
 }
 
 /// Returns a box with these corners on a slope, with x downhill, that slides slowly.
-fn sliding(steepness: f64, speed: f64) -> Terms<f64, 6, K> {
+fn sliding(steepness: f64, speed: f64) -> TestTerms<6, K> {
     let mut terms = nothing::<6, K>();
     for (corner, [x, y]) in [[0.2, 0.15], [0.2, -0.15], [-0.2, 0.15], [-0.2, -0.15]].into_iter().enumerate() {
         for (row, axis) in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into_iter().enumerate() {
@@ -224,10 +222,8 @@ fn sliding(steepness: f64, speed: f64) -> Terms<f64, 6, K> {
             terms.rows[3 * corner + row] = [axis[0], axis[1], axis[2], arm[0], arm[1], arm[2]];
         }
         for row in [1, 2] {
-            (
-                terms.kinetic_slopes[3 * corner + row][3 * corner],
-                terms.static_slopes[3 * corner + row][3 * corner],
-            ) = (0.5, 0.5);
+            let row = 3 * corner + row;
+            terms.slopes[row] = slope(row, 3 * corner, [0.5; 2]);
         }
     }
     terms.responses = terms.rows.map(|[x, y, z, a, b, c]| [x, y, z, 92.3 * a, 60.0 * b, 48.0 * c]);

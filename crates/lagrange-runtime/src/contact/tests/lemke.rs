@@ -1,9 +1,9 @@
 //! Inequalities of the law of contacts and friction, on random bodies.
 
-use super::systems::{BACKWARDS, CLOSED, FORWARDS, FREE, OPEN, STICKS, Stick, nothing};
+use super::systems::{BACKWARDS, CLOSED, FORWARDS, FREE, OPEN, STICKS, Stick, TestTerms, nothing, slope};
 use crate::contact::choice::Choice;
 use crate::contact::reaction_forces::Balance;
-use crate::contact::{ContactSystem, Mode, Terms, begin};
+use crate::contact::{ContactSystem, Mode, begin};
 use crate::system::{Action, OdeSystem};
 
 /// Number of contacts of a body; the friction of each follows its contact.
@@ -22,7 +22,7 @@ impl Random {
 }
 
 /// Draws a plane body that touches four walls at random positions, and its velocities.
-fn body(random: &mut Random) -> (Terms<f64, 3, K>, [f64; 3]) {
+fn body(random: &mut Random) -> (TestTerms<3, K>, [f64; 3]) {
     let mut terms = nothing::<3, K>();
     let v: [f64; 3] = core::array::from_fn(|_| random.within(-1.0, 1.0));
     let mu = random.within(0.0, 3.0);
@@ -31,7 +31,7 @@ fn body(random: &mut Random) -> (Terms<f64, 3, K>, [f64; 3]) {
         let (sin, cos) = random.within(-3.0, 3.0).sin_cos();
         terms.rows[k] = [-sin, cos, x * cos + y * sin];
         terms.rows[k + 1] = [cos, sin, x * sin - y * cos];
-        (terms.kinetic_slopes[k + 1][k], terms.static_slopes[k + 1][k]) = (mu, mu);
+        terms.slopes[k + 1] = slope(k + 1, k, [mu; 2]);
     }
     terms.responses = terms.rows.map(|[x, y, angle]| [x, y, angle / INERTIA]);
     terms.rates = terms.rows.map(|row| inner(&row, &v));
@@ -48,11 +48,11 @@ fn kinetic_energy(v: &[f64; 3]) -> f64 {
 
 /// Computes the error of impulses in the law at velocities after an impact without restitution,
 /// relative to its terms.
-fn violation(terms: &Terms<f64, 3, K>, impulses: &[f64; K], after: &[f64; 3]) -> f64 {
+fn violation(terms: &TestTerms<3, K>, impulses: &[f64; K], after: &[f64; 3]) -> f64 {
     let mut worst = 0.0_f64;
     for k in (0..K).step_by(2) {
         let (normal, friction, limit) =
-            (impulses[k], impulses[k + 1], terms.kinetic_slopes[k + 1][k] * impulses[k]);
+            (impulses[k], impulses[k + 1], terms.slopes[k + 1].kinetic * impulses[k]);
         let (rate, slip) = (inner(&terms.rows[k], after), inner(&terms.rows[k + 1], after));
         let brakes = (friction * slip + limit * slip.abs()).abs();
         worst = [-normal, -rate, (normal * rate).abs(), friction.abs() - limit, brakes]
@@ -112,7 +112,7 @@ fn lemkes_method_ends_at_impulses() {
     let mut random = Random(13);
     for case in 0..500 {
         let (terms, v) = body(&mut random);
-        let balance = Balance::of_impulses(&terms, &[0.0; K]);
+        let balance = Balance::of_impulses(&terms, &terms.rates, &[0.0; K]);
         let settled = balance.complementary(&choices).unwrap_or_else(|| panic!("a ray in case {case}"));
         let mut after = v;
         for (response, impulse) in terms.responses.iter().zip(&settled.reactions) {
@@ -160,13 +160,13 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
 
 /// Returns the example of the documentation: a block of mass 2 on a floor, with friction of a
 /// quarter of the normal force.
-fn block(free: [f64; 2], rates: [f64; 2]) -> Terms<f64, 2, 2> {
+fn block(free: [f64; 2], rates: [f64; 2]) -> TestTerms<2, 2> {
     let mut terms = nothing::<2, 2>();
     terms.free = free;
     terms.rows = [[0.0, 1.0], [1.0, 0.0]];
     terms.responses = [[0.0, 0.5], [0.5, 0.0]];
     terms.rates = rates;
-    (terms.kinetic_slopes[1][0], terms.static_slopes[1][0]) = (0.25, 0.25);
+    terms.slopes[1] = slope(1, 0, [0.25; 2]);
     terms
 }
 
@@ -189,7 +189,7 @@ fn a_block_that_is_pushed_slips_beyond_a_quarter_of_its_weight() {
 #[test]
 fn a_block_that_falls_while_it_slides_loses_a_quarter_of_its_impulse_by_friction() {
     let terms = block([0.0; 2], [-4.0, 3.0]);
-    let balance = Balance::of_impulses(&terms, &[0.5, 0.0]);
+    let balance = Balance::of_impulses(&terms, &terms.rates, &[0.5, 0.0]);
     let settled = balance.settle(&[Choice::Touch, Choice::Rest]).expect("impulses");
     assert_near(settled.reactions, [12.0, -3.0]);
     assert_near(terms.acceleration(&settled.reactions), [-1.5, 6.0]);

@@ -1,7 +1,7 @@
 //! Bounds of the differences that count as rounding: each test fails if a tolerance is 64 times
 //! smaller or larger.
 
-use super::systems::{Ball, nothing};
+use super::systems::{Ball, TestTerms, nothing};
 use crate::contact::choice::{Choice, Rule};
 use crate::contact::initial_modes::Position;
 use crate::contact::project::{close, part};
@@ -71,7 +71,7 @@ fn hops_no_longer_than_rounding_of_time_are_not_resolved() {
 }
 
 /// Returns a contact with this normal force, the difference of two forces of about one.
-fn pressing(force: f64) -> Terms<f64, 1, 1> {
+fn pressing(force: f64) -> TestTerms<1, 1> {
     let (rows, responses) = ([[1.0]], [[1.0]]);
     Terms { free: [-1.0], drifts: [1.0 - force], rows, responses, ..nothing() }
 }
@@ -99,9 +99,9 @@ fn contacts_at_one_place_are_held_together_up_to_what_undetermined_impulses_leav
     let are_held = |power: i32| {
         let difference = 2_f64.powi(power) * EPSILON;
         let rates = [-1.0, -1.0 - difference];
-        let terms: Terms<f64, 1, 2> = Terms { rates, rows: [[1.0]; 2], responses: [[1.0]; 2], ..nothing() };
+        let terms: TestTerms<1, 2> = Terms { rates, rows: [[1.0]; 2], responses: [[1.0]; 2], ..nothing() };
         let choices = [Choice::Only(Rule::Holds); 2];
-        Balance::of_impulses(&terms, &[0.0; 2]).confirmed(&choices, [Rule::Holds; 2]).is_some()
+        Balance::of_impulses(&terms, &terms.rates, &[0.0; 2]).confirmed(&choices, [Rule::Holds; 2]).is_some()
     };
     assert_eq!([17, 25].map(are_held), [true, false]);
 }

@@ -75,6 +75,8 @@ macro_rules! contact_system {
         }
 
         impl crate::contact::ContactSystem<$n, $k> for $name {
+            type Terms = super::systems::TestTerms<$n, $k>;
+
             const REACTIONS: [&'static str; $k] = $reactions;
 
             fn modes(&self) -> [crate::contact::Mode; $k] {
@@ -85,7 +87,7 @@ macro_rules! contact_system {
                 $name { modes, ..*self }
             }
 
-            fn terms(&self, t: f64, q: &[f64; $n], v: &[f64; $n]) -> crate::contact::Terms<f64, $n, $k> {
+            fn terms(&self, t: f64, q: &[f64; $n], v: &[f64; $n]) -> Self::Terms {
                 self.written(t, q, v)
             }
 
@@ -96,7 +98,7 @@ macro_rules! contact_system {
     };
 }
 
-use crate::contact::{Contact, Friction, Mode, Terms};
+use crate::contact::{Contact, Friction, LimitSlope, Mode, Terms};
 
 pub(super) const OPEN: Mode = Mode::Contact(Contact::Open);
 pub(super) const CLOSED: Mode = Mode::Contact(Contact::Closed);
@@ -105,8 +107,11 @@ pub(super) const FORWARDS: Mode = Mode::Friction(Friction::SlipsForwards);
 pub(super) const BACKWARDS: Mode = Mode::Friction(Friction::SlipsBackwards);
 pub(super) const STICKS: Mode = Mode::Friction(Friction::Sticks);
 
+/// Terms in which each limit may depend on one reaction.
+pub(super) type TestTerms<const N: usize, const K: usize> = Terms<f64, N, K, [LimitSlope<f64>; K]>;
+
 /// Returns terms that are all zero.
-pub(super) fn nothing<const N: usize, const K: usize>() -> Terms<f64, N, K> {
+pub(super) fn nothing<const N: usize, const K: usize>() -> TestTerms<N, K> {
     Terms {
         free: [0.0; N],
         responses: [[0.0; N]; K],
@@ -116,10 +121,14 @@ pub(super) fn nothing<const N: usize, const K: usize>() -> Terms<f64, N, K> {
         drifts: [0.0; K],
         restitutions: [0.0; K],
         kinetic: [0.0; K],
-        kinetic_slopes: [[0.0; K]; K],
         fixed: [0.0; K],
-        static_slopes: [[0.0; K]; K],
+        slopes: core::array::from_fn(|limited| slope(limited, 0, [0.0; 2])),
     }
+}
+
+/// Returns the slopes of a kinetic and a static limit.
+pub(super) fn slope(limited: usize, reaction: usize, [kinetic, fixed]: [f64; 2]) -> LimitSlope<f64> {
+    LimitSlope { limited, reaction, kinetic, fixed }
 }
 
 /// A ball of mass m above a floor of height h(t) = rise·t² / 2: m ÿ = −m g + lift(t) + N.
@@ -139,7 +148,7 @@ impl Ball {
         Ball { m: 2.0, g: 9.81, e, lift: 0.0, rise: 0.0, modes: [OPEN] }
     }
 
-    fn written(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> Terms<f64, 1, 1> {
+    fn written(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> TestTerms<1, 1> {
         Terms {
             free: [-self.g + self.lift * t / self.m],
             responses: [[1.0 / self.m]],
@@ -171,7 +180,7 @@ pub(super) struct Block {
 }
 
 impl Block {
-    fn written(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> Terms<f64, 1, 1> {
+    fn written(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> TestTerms<1, 1> {
         Terms {
             free: [(self.drive * t + self.weight - self.stiffness * q[0]) / self.m],
             responses: [[1.0 / self.m]],
@@ -201,7 +210,7 @@ pub(super) struct Slider {
 }
 
 impl Slider {
-    fn written(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> Terms<f64, 2, 2> {
+    fn written(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> TestTerms<2, 2> {
         let w = 1.0 / self.m;
         Terms {
             free: [self.pull * t * w, self.lift * t * w - self.g],
@@ -210,8 +219,7 @@ impl Slider {
             gaps: [q[1], 0.0],
             rates: [v[1], v[0]],
             restitutions: [self.e, 0.0],
-            kinetic_slopes: [[0.0; 2], [self.kinetic, 0.0]],
-            static_slopes: [[0.0; 2], [self.fixed, 0.0]],
+            slopes: [slope(0, 0, [0.0; 2]), slope(1, 0, [self.kinetic, self.fixed])],
             ..nothing()
         }
     }
@@ -228,7 +236,7 @@ pub(super) struct Cradle {
 }
 
 impl Cradle {
-    fn written(&self, _t: f64, q: &[f64; 3], v: &[f64; 3]) -> Terms<f64, 3, 2> {
+    fn written(&self, _t: f64, q: &[f64; 3], v: &[f64; 3]) -> TestTerms<3, 2> {
         let w = self.masses.map(|m| 1.0 / m);
         Terms {
             responses: [[-w[0], w[1], 0.0], [0.0, -w[1], w[2]]],
@@ -263,7 +271,7 @@ impl Rod {
         Rod { m: 3.0, length: 2.0, g, e, places: [-1.0, 1.0], supports: [0.0; 2], modes: [OPEN; 2] }
     }
 
-    fn written(&self, _t: f64, q: &[f64; 2], v: &[f64; 2]) -> Terms<f64, 2, 2> {
+    fn written(&self, _t: f64, q: &[f64; 2], v: &[f64; 2]) -> TestTerms<2, 2> {
         let arms = self.places.map(|place| 0.5 * self.length * place);
         let inertia = self.m * self.length * self.length / 12.0;
         let (sin, cos) = q[1].sin_cos();
@@ -292,7 +300,7 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    fn written(&self, _t: f64, q: &[f64; 2], v: &[f64; 2]) -> Terms<f64, 2, 3> {
+    fn written(&self, _t: f64, q: &[f64; 2], v: &[f64; 2]) -> TestTerms<2, 3> {
         let rows = [[1.0, 0.0], [0.0, 1.0], [0.0, 1.0]];
         Terms {
             free: self.force.map(|f| f / self.m),
@@ -320,7 +328,7 @@ pub(super) struct Stick {
 }
 
 impl Stick {
-    fn written(&self, _t: f64, q: &[f64; 3], v: &[f64; 3]) -> Terms<f64, 3, 2> {
+    fn written(&self, _t: f64, q: &[f64; 3], v: &[f64; 3]) -> TestTerms<3, 2> {
         let half = 0.5 * self.length;
         let inertia = self.m * self.length * self.length / 12.0;
         let (sin, cos) = q[2].sin_cos();
@@ -333,8 +341,7 @@ impl Stick {
             rates: rows.map(|[x, y, angle]| x * v[0] + y * v[1] + angle * v[2]),
             drifts: [half * sin * v[2] * v[2], half * cos * v[2] * v[2]],
             restitutions: [self.e, 0.0],
-            kinetic_slopes: [[0.0; 2], [self.mu, 0.0]],
-            static_slopes: [[0.0; 2], [self.mu, 0.0]],
+            slopes: [slope(0, 0, [0.0; 2]), slope(1, 0, [self.mu; 2])],
             ..nothing()
         }
     }

@@ -2,7 +2,7 @@
 //! others form a unit quaternion.
 
 use super::{Quaternion, Vector, conjugate, cross, dot, length, rates, rotation, times, to_unit, turned};
-use crate::contact::{self, Contact, ContactSystem, EventKind, Mode, Terms};
+use crate::contact::{self, Contact, ContactSystem, EventKind, LimitSlope, Mode, Terms};
 use crate::event::DeclaredEvent;
 use crate::simulate::Simulate;
 use crate::system::{
@@ -102,6 +102,8 @@ impl EnergyFunction for Falling {
 }
 
 impl ContactSystem<6, 1> for Falling {
+    type Terms = Terms<f64, 6, 1, [LimitSlope<f64>; 0]>;
+
     const REACTIONS: [&'static str; 1] = ["floor"];
 
     fn modes(&self) -> [Mode; 1] {
@@ -112,7 +114,7 @@ impl ContactSystem<6, 1> for Falling {
         Falling { modes, ..*self }
     }
 
-    fn terms(&self, _t: f64, q: &[f64; 7], v: &[f64; 6]) -> Terms<f64, 6, 1> {
+    fn terms(&self, _t: f64, q: &[f64; 7], v: &[f64; 6]) -> Self::Terms {
         let (orientation, w) = parts(q, v);
         let up = turned(conjugate(orientation), UP);
         let (lever, spin) = (cross(CORNER, up), cross(times(INERTIA, w), w));
@@ -129,9 +131,8 @@ impl ContactSystem<6, 1> for Falling {
             drifts: [dot(w, cross(CORNER, cross(up, w)))],
             restitutions: [self.restitution],
             kinetic: [0.0],
-            kinetic_slopes: [[0.0]],
             fixed: [0.0],
-            static_slopes: [[0.0]],
+            slopes: [],
         }
     }
 

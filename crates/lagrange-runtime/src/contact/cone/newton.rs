@@ -1,0 +1,97 @@
+//! Steps of Newton's method from the matrix of responses.
+
+use core::array;
+
+use super::{Cone, ForcePoint, TargetPiece};
+use crate::contact::choice::Choice;
+use crate::linalg::singular::{nearest, regular};
+use crate::scalar::Scalar;
+
+impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
+    /// Returns a step of Newton's method with this damping. Undetermined steps are short.
+    pub(super) fn newton_step(&self, at: &ForcePoint<S, K>, damping: S) -> [S; K] {
+        nearest(&damped(self.slopes(at), damping), &self.errors(at), self.count)
+    }
+
+    /// Returns a step of Levenberg's and Marquardt's method with this damping.
+    pub(super) fn short_step(&self, at: &ForcePoint<S, K>, damping: S) -> [S; K] {
+        let (slopes, errors) = normal(&self.slopes(at), &self.errors(at), self.count);
+        regular(&damped(slopes, damping), &errors, self.count)
+    }
+
+    /// Computes the derivatives of the reactions minus the targets.
+    fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
+        let mut slopes = [[S::ZERO; K]; K];
+        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
+            let components = if self.is_planar(k) { 2 } else { 1 };
+            for component in 0..components {
+                let target = self.slope(at, k, component);
+                slopes[k + component] = target.map(|slope| -slope);
+                slopes[k + component][k + component] = slopes[k + component][k + component] + S::ONE;
+            }
+        }
+        slopes
+    }
+
+    /// Computes the derivative of a component of a target.
+    fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; K] {
+        match self.piece(at, k) {
+            TargetPiece::Absent => [S::ZERO; K],
+            TargetPiece::Holds => self.pull_slope(k + component),
+            TargetPiece::Limited { direction, turning, .. } => {
+                let mut slope = self.limit_slope(at, k).map(|slope| direction[component] * slope);
+                for other in (0..2).filter(|_| turning != S::ZERO) {
+                    let own = if other == component { S::ONE } else { S::ZERO };
+                    let share = turning * (own - direction[component] * direction[other]);
+                    let pull = self.pull_slope(k + other);
+                    slope = array::from_fn(|j| share.multiply_add(pull[j], slope[j]));
+                }
+                slope
+            }
+        }
+    }
+
+    /// Computes the derivative of one component of d.
+    fn pull_slope(&self, k: usize) -> [S; K] {
+        let mut slope = self.matrix[k].map(|entry| -entry);
+        slope[k] = slope[k] + S::ONE;
+        slope
+    }
+
+    /// Computes the derivative of the kinetic limit of friction k.
+    fn limit_slope(&self, at: &ForcePoint<S, K>, k: usize) -> [S; K] {
+        let mut total = [S::ZERO; K];
+        for (j, share) in self.shares(at, k) {
+            match self.choices[j] {
+                Choice::Touch => {
+                    let pull = self.pull_slope(j);
+                    total = array::from_fn(|i| share.multiply_add(pull[i], total[i]));
+                }
+                _ => total[j] = total[j] + share,
+            }
+        }
+        total
+    }
+}
+
+/// Returns the matrix with this value added to its diagonal.
+fn damped<S: Scalar, const K: usize>(mut a: [[S; K]; K], damping: S) -> [[S; K]; K] {
+    for (k, row) in a.iter_mut().enumerate() {
+        row[k] = row[k] + damping;
+    }
+    a
+}
+
+/// Returns the normal equations of the first `count` equations of A x = b.
+fn normal<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> ([[S; K]; K], [S; K]) {
+    let (mut matrix, mut right) = ([[S::ZERO; K]; K], [S::ZERO; K]);
+    for (row, b) in a.iter().zip(b).take(count) {
+        for k in 0..count {
+            right[k] = row[k].multiply_add(*b, right[k]);
+            for j in 0..count {
+                matrix[k][j] = row[k].multiply_add(row[j], matrix[k][j]);
+            }
+        }
+    }
+    (matrix, right)
+}
