@@ -4,8 +4,8 @@
 //!     cargo bench -p lagrange-benches --bench portable
 //!
 //! Chains of point masses on massless rods, in equal steps and in steps by a tolerance. All
-//! variants run in turns. Times are minima, in microseconds for a motion, also divided by the time
-//! of `standard`.
+//! variants alternate. Times are minima, in microseconds for a motion, also divided by the time of
+//! `standard`.
 
 use std::hint::black_box;
 use std::time::Instant;

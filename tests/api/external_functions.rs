@@ -4,7 +4,7 @@ use lagrange::integrate::RungeKutta4;
 use lagrange::system::MechanicalSystem;
 use lagrange::{Scalar, Simulate};
 
-/// y = x²/2 + cos x
+/// Returns y = x²/2 + cos x.
 fn road<S: Scalar>(x: S) -> S {
     x * x * S::from_f64(0.5) + x.cos()
 }
@@ -61,7 +61,7 @@ fn lift_by_speed(alpha: f64, speed: f64) -> f64 {
     2.0 * speed * alpha.sin()
 }
 
-/// A function with the name of a variable in emitted code.
+/// Computes a function with the name of a variable in emitted code.
 fn vel_0(x: f64) -> f64 {
     x
 }

@@ -32,7 +32,7 @@ lagrange::system! {
     potential = 1/2 * k * x^2;
 }
 
-/// A trajectory outlives its system, and an error converts to a boxed one.
+/// Returns a trajectory, which outlives its system, or a boxed error.
 fn run() -> Result<Trajectory<Spring>, Box<dyn std::error::Error + Send + Sync>> {
     let start = SpringState { x: 1.0, len: 0.0, x_dot: 0.0, len_dot: 2.0 };
     Ok(Spring::default().simulate(start).until(3.0).every(0.5).tolerance(1e-11).energy().run()?)

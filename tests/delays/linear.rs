@@ -18,7 +18,7 @@ lagrange::system! {
     dot(x) = -delay(x, 1);
 }
 
-/// x(t) = Σ (−k)ʲ (t − j + 1)ʲ / j! over j up to ⌊t⌋ + 1.
+/// Returns x(t) = Σ (−k)ʲ (t − j + 1)ʲ / j! over j up to ⌊t⌋ + 1.
 fn closed_form(k: f64, t: f64) -> f64 {
     let (mut sum, mut factorial) = (1.0, 1.0);
     for j in 1..=t.floor() as i32 + 1 {

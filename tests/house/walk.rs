@@ -157,7 +157,7 @@ impl<'ast> Visit<'ast> for Walk<'_> {
         self.variables.extend(variables);
     }
 
-    /// Any other variable hides those of the same name.
+    /// Hides earlier variables of the same name.
     fn visit_pat_ident(&mut self, variable: &'ast PatIdent) {
         self.variables.push((variable.ident.to_string(), None));
         visit::visit_pat_ident(self, variable);

@@ -44,7 +44,7 @@ pub(crate) trait Precision: DeviceNumber {
     /// The smallest relative error that may be set.
     const LEAST_TOLERANCE: f64;
 
-    /// The equations of motion of a system.
+    /// Returns the equations of motion of a system.
     fn text<M: KernelSystem>() -> &'static str;
 }
 

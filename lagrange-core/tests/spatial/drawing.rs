@@ -215,7 +215,7 @@ fn joints_are_where_both_sides_say() {
     assert!(seen > 200 && pins > 5, "{seen} joints and {pins} pins");
 }
 
-/// For each velocity, returns the virtual power of all forces and moments, and the magnitude of its
+/// Returns the virtual power of all forces and moments for each velocity, and the magnitude of its
 /// summands. The total vanishes, since they do no work on motions that the joints allow.
 ///
 /// Source: Jourdain's principle, in Roberson, Schwertassek, *Dynamics of Multibody Systems*, §6.1.

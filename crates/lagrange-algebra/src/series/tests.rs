@@ -108,8 +108,8 @@ fn solved(matrix: &[f64], residuals: &[f64]) -> Vec<f64> {
     }
 }
 
-/// The coefficient of order k of the rate equals (k + 1) times that of order k + 1 of the state:
-/// compares both sides at points.
+/// Compares both sides at points: the coefficient of order k of the rate equals (k + 1) times that
+/// of order k + 1 of the state.
 fn defect(coefficients: &[Vec<f64>], h: f64, rhs: impl Fn(f64, &[f64]) -> Vec<f64>) -> f64 {
     let size = coefficients[0].len();
     let polynomial = |i: usize| coefficients.iter().rev().fold(0.0, |value, row| value * h + row[i]);

@@ -6,7 +6,7 @@ use super::{
 };
 use lagrange_expr::solids::by_name;
 
-/// A word in two rows would have an arbitrary answer.
+/// Asserts that no word is in two rows, where its answer would be arbitrary.
 fn assert_all_differ<'a>(words: impl Iterator<Item = &'a str>) {
     let mut words = words.collect::<Vec<_>>();
     let count = words.len();

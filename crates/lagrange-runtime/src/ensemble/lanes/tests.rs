@@ -96,7 +96,8 @@ system!(Servo { damping = 1.0 }, 1, ["x"], servo);
 
 impl<S: Scalar> SeparableSystem for Spring<S> {}
 
-/// Two masses on rods of unit length; `ratio` is the second mass as a fraction of both.
+/// Returns accelerations of two masses on rods of unit length; `ratio` is the second mass as a
+/// fraction of both.
 #[inline(always)]
 fn double_pendulum<S: Number>(system: &DoublePendulum<S>, _t: S, [a, b, v, w]: &[S; 4]) -> [S; 4] {
     let (sine, cosine) = (*a - *b).sin_cos();
@@ -108,26 +109,26 @@ fn double_pendulum<S: Number>(system: &DoublePendulum<S>, _t: S, [a, b, v, w]: &
     [*v, *w, (first - part * cosine * second) / determinant, (second - cosine * first) / determinant]
 }
 
-/// ẍ = √(end − t), which is not defined from the end on.
+/// Returns ẍ = √(end − t), which is undefined after the end.
 #[inline(always)]
 fn root<S: Number>(system: &Root<S>, t: S, [_, v]: &[S; 2]) -> [S; 2] {
     [*v, (system.end - t).sqrt()]
 }
 
-/// ẍ = −k x
+/// Returns ẍ = −k x.
 #[inline(always)]
 fn spring<S: Number>(system: &Spring<S>, _t: S, [x, v]: &[S; 2]) -> [S; 2] {
     [*v, -(system.stiffness * *x)]
 }
 
-/// ẍ = exp(−400 (t − time)²), which lasts for about a tenth of a second
+/// Returns ẍ = exp(−400 (t − time)²), which lasts for about a tenth of a second.
 #[inline(always)]
 fn pulse<S: Number>(system: &Pulse<S>, t: S, [_, v]: &[S; 2]) -> [S; 2] {
     let past = S::from_f64(20.0) * (t - system.time);
     [*v, (-(past * past)).exp()]
 }
 
-/// ẍ = sin t − x − c ẋ
+/// Returns ẍ = sin t − x − c ẋ.
 #[inline(always)]
 fn servo<S: Number>(system: &Servo<S>, t: S, [x, v]: &[S; 2]) -> [S; 2] {
     [*v, t.sin() - *x - system.damping * *v]

@@ -2,7 +2,7 @@
 
 use super::Prediction;
 
-/// A cubic, which is determined by three nodes and the end.
+/// Returns a cubic, which three nodes and the end determine.
 fn slope(t: f64) -> [f64; 1] {
     [1.0 - 2.0 * t + 0.5 * t * t + t * t * t]
 }

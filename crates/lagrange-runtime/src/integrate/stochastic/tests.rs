@@ -83,7 +83,7 @@ fn stationary<F: Scheme<Oscillator<f64>>>(h: f64) -> [f64; 3] {
     covariance
 }
 
-/// Equipartition: ⟨v²⟩ = S/2c and ⟨x²⟩ = ⟨v²⟩/k, without correlation.
+/// Returns errors relative to equipartition: ⟨v²⟩ = S/2c and ⟨x²⟩ = ⟨v²⟩/k, without correlation.
 fn errors_of_covariances<F: Scheme<Oscillator<f64>>>(step: f64) -> [f64; 3] {
     [1.0, 2.0, 4.0].map(|halves| {
         let [xx, xv, vv] = stationary::<F>(step / halves);

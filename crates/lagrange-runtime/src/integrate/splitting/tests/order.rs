@@ -25,8 +25,8 @@ fn driven() -> Case<Force<f64, 1, 2>> {
     Case { system: DRIVEN, start: [0.0, 0.0], end, reached, steps: 40 }
 }
 
-/// Eccentricity 0.3 from the nearest point: after half a period the planet is at the farthest
-/// point.
+/// Returns an orbit of eccentricity 0.3 from the nearest point: after half a period the planet is
+/// at the farthest point.
 fn kepler() -> Case<Force<f64, 2, 4>> {
     let (near, far) = (0.7_f64, 1.3_f64);
     let start = [near, 0.0, 0.0, (far / near).sqrt()];

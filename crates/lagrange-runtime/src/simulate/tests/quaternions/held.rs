@@ -31,7 +31,7 @@ struct Hinged;
 impl Hinged {
     const MASS: [[f64; 3]; 3] = [[INERTIA[0], 0.0, 0.0], [0.0, INERTIA[1], 0.0], [0.0, 0.0, INERTIA[2]]];
 
-    /// d/dt (R e₁)·n = (ω × e₁)·m = ω·(e₁ × m) with m = Rᵀ n.
+    /// Returns e₁ × m with m = Rᵀ n, since d/dt (R e₁)·n = (ω × e₁)·m = ω·(e₁ × m).
     fn rows(q: &Quaternion) -> [Vector; 2] {
         ACROSS.map(|n| cross(AXIS, turned(conjugate(*q), n)))
     }
