@@ -126,7 +126,7 @@ pub(in crate::emit) fn mode_fields(shape: &Shape<'_>) -> TokenStream {
     let krate = shape.krate;
     let fields = shape.touching.iter().filter_map(|(name, touch)| {
         let (field, of_type) = (identifier(name), mode_type(*touch)?);
-        let docs = shape.docs(name, &format!("What `{}` does; events change it.", name.text));
+        let docs = shape.docs(name, &format!("Mode of `{}`; events change it.", name.text));
         Some(quote!(#docs pub #field: #krate::contact::#of_type,))
     });
     fields.collect()

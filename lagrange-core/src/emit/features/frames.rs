@@ -26,7 +26,7 @@ pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {
 fn write_frame(writer: &mut MethodWriter<'_>, LinkPose { name, values }: &LinkPose) {
     let lines = [
         format!(
-            "Where the frame of `{}` is in the world: its rotation, in rows, whose columns are the axes of the frame,",
+            "Pose of the frame of `{}` in the world: its rotation, in rows, whose columns are the axes of the frame,",
             name.text
         ),
         "and its origin.".to_owned(),

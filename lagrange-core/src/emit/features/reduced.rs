@@ -279,9 +279,9 @@ fn inherent_impl(
         }
     });
     let system = &full.declaration.name.text;
-    let expand_docs = doc(&format!("The state of [`{system}`] that belongs to a state of this system:"));
+    let expand_docs = doc(&format!("State of [`{system}`] that belongs to a state of this system:"));
     let deviation_docs =
-        doc(&format!("How far a state of [`{system}`] is from those that this system stands for:"));
+        doc(&format!("Deviation of a state of [`{system}`] from those that this system stands for:"));
     quote! {
         #rounded
         impl #bounds #name #generics {

@@ -31,7 +31,7 @@ fn write_motion(writer: &mut MethodWriter<'_>, motion: &BodyMotion) {
     let (krate, dimension) = (writer.shape.krate, dimension(writer));
     let (body, counts) = writer
         .lowered(&motion.values, Arguments::State, |results| Values::new(results, dimension).motion(krate));
-    let line = format!("How the body `{}` moves.", motion.body.text);
+    let line = format!("Motion of the body `{}`.", motion.body.text);
     let docs = docs::with_counts(writer.shape.body_docs(&motion.body, &line), counts);
     writer.members.motions.extend(motion_method(
         writer.shape,

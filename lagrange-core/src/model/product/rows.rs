@@ -121,8 +121,8 @@ pub(super) const ROWS: [ProductRow; 34] = [
             arguments: ProductArguments::State,
             returns: ProductShape::Vector(Extent::Constraints),
             docs: &[
-                "What the constraints hold at zero, in the order of their declaration; the velocities matter to",
-                "nonholonomic ones only.",
+                "Values that the constraints hold at zero, in the order of their declaration; only those of",
+                "nonholonomic constraints depend on the velocities.",
             ],
         }),
     },
@@ -134,8 +134,8 @@ pub(super) const ROWS: [ProductRow; 34] = [
             arguments: ProductArguments::State,
             returns: ProductShape::Vector(Extent::Constraints),
             docs: &[
-                "What the constraints demand of the velocities to be zero: the rate of a holonomic constraint,",
-                "a nonholonomic one itself.",
+                "Conditions on the velocities, which the constraints hold at zero: rates of holonomic constraints,",
+                "nonholonomic constraints themselves.",
             ],
         }),
     },
@@ -147,7 +147,7 @@ pub(super) const ROWS: [ProductRow; 34] = [
             arguments: ProductArguments::Positions,
             returns: ProductShape::Matrix(Extent::Constraints, Extent::Velocities),
             docs: &[
-                "Matrix A of the constraints, in rows: what each demands of the velocities, differentiated by",
+                "Matrix A of the constraints, in rows: the derivatives of their conditions on the velocities by",
                 "them.",
             ],
         }),

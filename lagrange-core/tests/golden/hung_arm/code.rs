@@ -399,8 +399,8 @@ const _: () = {
                 multiply_add(arm_moments_y, q_ddot, -u),
             ]
         }
-        /// What the constraints hold at zero, in the order of their declaration; the velocities matter to
-        /// nonholonomic ones only.
+        /// Values that the constraints hold at zero, in the order of their declaration; only those of
+        /// nonholonomic constraints depend on the velocities.
         ///
         /// Takes 2 additions, 2 multiplications, 1 `sin_cos`.
         #[must_use]
@@ -417,8 +417,8 @@ const _: () = {
             let tip_origin_x = l * arm_x_x;
             [tip_origin_x - x, -y, -multiply_add(l, arm_z_x, z)]
         }
-        /// What the constraints demand of the velocities to be zero: the rate of a holonomic constraint,
-        /// a nonholonomic one itself.
+        /// Conditions on the velocities, which the constraints hold at zero: rates of holonomic constraints,
+        /// nonholonomic constraints themselves.
         ///
         /// Takes 2 additions, 4 multiplications, 1 `sin_cos`.
         #[must_use]
@@ -441,7 +441,7 @@ const _: () = {
                 -multiply_add(l, arm_z_x_dot, z_dot),
             ]
         }
-        /// Matrix A of the constraints, in rows: what each demands of the velocities, differentiated by
+        /// Matrix A of the constraints, in rows: the derivatives of their conditions on the velocities by
         /// them.
         ///
         /// Takes 2 multiplications, 1 `sin_cos`.
