@@ -74,7 +74,9 @@ impl Surroundings<'_> {
             Form::Round(radius) | Form::Cylinder(radius) if *radius > LARGE * self.size.diagonal() => {
                 self.tangent_plane(index, support, *radius)
             }
-            Form::Round(radius) => Some(Patch { mesh: faced(large_sphere(*radius)), at: NONE, colour: GROUND }),
+            Form::Round(radius) => {
+                Some(Patch { mesh: faced(large_sphere(*radius)), at: NONE, colour: GROUND })
+            }
             Form::Cylinder(radius) => {
                 let [low, high] = own.map(|corner| corner[2]);
                 let half = 0.5 * (high - low) + self.margin();
