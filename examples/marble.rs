@@ -12,6 +12,9 @@
 //! it slips on the steep part, and no longer comes back.
 
 mod common;
+#[cfg(feature = "draw")]
+#[path = "common/gallery.rs"]
+mod gallery;
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -19,6 +22,7 @@ use std::f64::consts::TAU;
 use common::compare;
 use lagrange::Simulate;
 use lagrange::contact::{Contact, EventKind, Friction};
+use lagrange::simulate::Trajectory;
 
 lagrange::system! {
     /// A marble in a bowl.
@@ -32,6 +36,7 @@ lagrange::system! {
     free marble;
     start marble_z = r;
     contact touch = marble inside bowl { friction: mu; }
+    emit { drawing }
 }
 
 /// Computes the period of a pendulum.
@@ -43,6 +48,20 @@ fn period(length: f64, amplitude: f64, g: f64) -> f64 {
     TAU * (length / g).sqrt() / mean
 }
 
+/// Draws the marble with the forces of the bowl, and a film.
+#[cfg(feature = "draw")]
+fn draw(marble: &Marble, run: &Trajectory<Marble>) -> Result<(), Box<dyn Error>> {
+    let drawing = lagrange::draw::Drawing::of(marble).title("A marble in a bowl").nameless().forces();
+    drawing.picture(0.05, &run.at(0.05)?)?.save(gallery::picture("marble.png")?)?;
+    drawing.film_at(30.0, run)?.save(gallery::picture("marble.html")?)?;
+    Ok(())
+}
+
+#[cfg(not(feature = "draw"))]
+fn draw(_marble: &Marble, _run: &Trajectory<Marble>) -> Result<(), Box<dyn Error>> {
+    Ok(())
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let marble = Marble::default();
     let &Marble { r, size, g, .. } = &marble;
@@ -50,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (x, z) = (path * amplitude.sin(), size - path * amplitude.cos());
     let begin = MarbleState { marble_x: x, marble_z: z, ..marble.start() };
     let period = period(1.4 * path, amplitude, g);
-    let trajectory = marble.simulate(begin).until(period).tolerance(1e-12).run()?;
+    let trajectory = marble.simulate(begin).until(period).tolerance(1e-12).dense().run()?;
     let end = MarbleState::from(trajectory.last());
     let there = trajectory.system_at_end().ok_or("it touches the bowl")?;
     assert_eq!((there.touch, there.touch_friction), (Contact::Closed, Friction::Sticks));
@@ -61,6 +80,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("spin after a period, rad/s", end.marble_wy, 0.0),
     ];
     compare("a marble in a bowl", 1e-9, &rows);
+    draw(&marble, &trajectory)?;
 
     let smooth = Marble { mu: 0.1, ..marble };
     let trajectory = smooth.simulate(begin).until(period).tolerance(1e-10).run()?;

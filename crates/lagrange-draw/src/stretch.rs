@@ -139,7 +139,7 @@ pub(super) fn curve(support: &Support, stretches: &[[f64; 2]]) -> Vec<Point> {
 }
 
 /// Returns the parts of a surface that must be visible. Those of a line without contacts are the
-/// parts onto which bodies would fall, those of terrain are below bodies, and those of arcs are the
+/// parts onto which bodies would fall. Those of terrain are below bodies, and those of arcs are the
 /// nearest ones.
 pub(super) fn seen(
     support: &Support,

@@ -10,6 +10,10 @@ use lagrange_runtime::scene::Solid;
 const ROUND: usize = 28;
 /// Number of rings of faces from pole to pole of a sphere.
 const RINGS: usize = 12;
+/// Number of corners of a circle on surroundings.
+const LARGE_ROUND: usize = 48;
+/// Number of rings of spheres around a scene.
+const LARGE_RINGS: usize = 22;
 /// Number of corners of a circle of small objects.
 const SMALL_ROUND: usize = 12;
 /// Number of rings of small spheres.
@@ -24,7 +28,7 @@ pub(super) fn solid(solid: Solid<f64>, thickness: f64) -> Mesh {
     match solid {
         Solid::PointMass => ball(1.6 * thickness),
         Solid::SlenderRod(length) => rod_along_x(length, 0.5 * thickness),
-        Solid::Sphere(radius) => sphere(radius),
+        Solid::Sphere(radius) => ellipsoid([radius; 3], ROUND, RINGS),
         Solid::Ellipsoid(a, b, c) => ellipsoid([a, b, c], ROUND, RINGS),
         Solid::Cuboid(a, b, c) => cuboid([a, b, c]),
         Solid::Disk(radius) => cylinder(radius, [-0.25 * thickness, 0.25 * thickness], ROUND),
@@ -135,8 +139,9 @@ fn ellipsoid(axes: Vector, count: usize, rings: usize) -> Mesh {
     mesh
 }
 
-pub(super) fn sphere(radius: f64) -> Mesh {
-    ellipsoid([radius; 3], ROUND, RINGS)
+/// Returns a sphere with smaller faces than those of solids.
+pub(super) fn large_sphere(radius: f64) -> Mesh {
+    ellipsoid([radius; 3], LARGE_ROUND, LARGE_RINGS)
 }
 
 /// Returns a small sphere.

@@ -75,7 +75,8 @@ pub(super) fn back_to_front(
                 // If faces are so thin that rounding moves them off their own planes, none of them
                 // divides the others.
                 if within.is_empty() && count <= near.len().max(far.len()) {
-                    [far, near].into_iter().for_each(|side| painted.extend(by_nearness(side, camera)));
+                    painted.extend(by_nearness(far, camera));
+                    painted.extend(by_nearness(near, camera));
                     continue;
                 }
                 tasks.extend([Task::Sort(near), Task::Paint(within), Task::Sort(far)]);

@@ -1,14 +1,14 @@
 //! The surroundings of bodies in space: surfaces that they touch, floors and fixed lines.
 //!
-//! Planes have no ends. They are drawn as a grid below everything that moves, and only if something
-//! comes near them, so that they hardly change the size of a picture. So are spheres and cylinders
-//! that are far larger than everything else. A closed surface that bodies touch from inside faces
-//! inwards, and its side towards the eye is invisible.
+//! Planes have no ends. They are drawn as a grid below everything that moves. They are left out if
+//! nothing comes near them, so that they hardly change the size of a picture. A sphere or cylinder
+//! that is far larger than everything else is drawn as a plane that touches it. A closed surface
+//! that bodies touch from inside faces inwards, and its side towards the eye is invisible.
 
 use super::mesh::{Corner, Mesh, Placement};
 use super::recording::{Kind, Label, MovingMesh};
 use super::size::{LARGE, Size};
-use super::solids::{cylinder, sphere};
+use super::solids::{cylinder, large_sphere};
 use super::vector::{NONE, Rotation, UPRIGHT, Vector, apply, apply_back, axes_along};
 use crate::colour::{GROUND, HATCHING};
 use crate::geometry::{add, bounds, mix, subtract, times, unit};
@@ -74,7 +74,9 @@ impl Surroundings<'_> {
             Form::Round(radius) | Form::Cylinder(radius) if *radius > LARGE * self.size.diagonal() => {
                 self.tangent_plane(index, support, *radius)
             }
-            Form::Round(radius) => Some(Patch { mesh: faced(sphere(*radius)), at: NONE, colour: GROUND }),
+            Form::Round(radius) => {
+                Some(Patch { mesh: faced(large_sphere(*radius)), at: NONE, colour: GROUND })
+            }
             Form::Cylinder(radius) => {
                 let [low, high] = own.map(|corner| corner[2]);
                 let half = 0.5 * (high - low) + self.margin();
