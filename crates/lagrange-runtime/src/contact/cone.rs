@@ -42,8 +42,8 @@ mod newton;
 mod search;
 mod velocities;
 
-use super::choice::{Choice, Rule, Settled};
 use super::LimitSlope;
+use super::choice::{Choice, Rule, Settled};
 use super::law::Law;
 use super::reaction_forces::{Balance, unit};
 use super::slip::length;
