@@ -3,7 +3,7 @@
 use super::systems::{CLOSED, FREE, OPEN, TestTerms, nothing, slope};
 use crate::contact::choice::{Choice, Rule};
 use crate::contact::cone::MOST_DENSE;
-use crate::contact::law::Law;
+use crate::contact::law::ContactLaw;
 use crate::contact::reaction_forces::Balance;
 use crate::contact::{Friction, Heading, Mode, Pace, Terms, reactions, switch_values};
 
@@ -132,9 +132,9 @@ fn many_reactions_obey_the_law_as_few_do() {
         many.slopes[..K].copy_from_slice(&few.slopes);
         let mut rates = [0.0; MANY];
         rates[..K].copy_from_slice(&few.rates);
-        let law = Law { terms: &few, offsets: few.rates, presence: 0.0 };
+        let law = ContactLaw { terms: &few, offsets: few.rates, presence: 0.0 };
         let of_few = law.near(&core::array::from_fn(choice), &[0.0; K]);
-        let law = Law { terms: &many, offsets: rates, presence: 0.0 };
+        let law = ContactLaw { terms: &many, offsets: rates, presence: 0.0 };
         let choices = core::array::from_fn(|k| if k < K { choice(k) } else { Choice::Only(Rule::Absent) });
         let of_many = law.near(&choices, &[0.0; MANY]);
         let impulses: [f64; K] = core::array::from_fn(|k| of_many.settled.reactions[k]);
