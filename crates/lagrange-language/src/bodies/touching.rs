@@ -59,9 +59,10 @@ fn report_without_radius(translation: &mut Translation<'_>, contact: &Contact) {
     let is_on_round = round_named(translation, &surface.text);
     let (message, help) = match corner_count(translation, Some(&shape)) {
         0 => (words::no_outline(&contact.text, &name), words::NO_OUTLINE_HELP.to_owned()),
-        _ if is_on_round => {
-            (words::edges_on_round(&contact.text, &name, &surface.text), words::EDGES_ON_ROUND_HELP.to_owned())
-        }
+        _ if is_on_round => (
+            words::edges_on_round(&contact.text, &name, &surface.text),
+            words::EDGES_ON_ROUND_HELP.to_owned(),
+        ),
         count => (words::corners_of_another(&contact.text, &name), words::loop_over_corners(count)),
     };
     let origin = translation.expressions.origin(object);

@@ -42,9 +42,9 @@ mod newton;
 mod search;
 mod velocities;
 
-use super::choice::{Choice, Rule, Settled};
 use super::LimitSlope;
-use super::law::Law;
+use super::choice::{Choice, Rule, Settled};
+use super::law::ContactLaw;
 use super::reaction_forces::{Balance, unit};
 use super::slip::length;
 use crate::linalg::vector::dot;
@@ -58,7 +58,7 @@ pub(super) const MOST_DENSE: usize = 64;
 /// reactions that may act; a place is an index among them. D is K if responses are stored as a
 /// matrix. It is zero if they follow from changes of velocities, which suits many reactions.
 pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
-    law: &'a Law<'a, S, N, K>,
+    law: &'a ContactLaw<'a, S, N, K>,
     /// Number of reactions that may act, and their indices.
     count: usize,
     active: [usize; K],
@@ -113,7 +113,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     }
 }
 
-impl<S: Scalar, const N: usize, const K: usize> Law<'_, S, N, K> {
+impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
     /// Finds the reactions that obey the law best, starting from these, such as those of the step
     /// before.
     pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
@@ -129,7 +129,11 @@ impl<S: Scalar, const N: usize, const K: usize> Law<'_, S, N, K> {
 impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, N, K, D> {
     /// Builds the problem. `entry` returns the change of a rate with a reaction, which is
     /// symmetric.
-    fn new(law: &'a Law<'a, S, N, K>, all: &[Choice<S>; K], entry: impl Fn(usize, usize) -> S) -> Self {
+    fn new(
+        law: &'a ContactLaw<'a, S, N, K>,
+        all: &[Choice<S>; K],
+        entry: impl Fn(usize, usize) -> S,
+    ) -> Self {
         let (mut active, mut places, mut count) = ([0; K], [K; K], 0);
         for k in (0..K).filter(|&k| all[k] != Choice::Only(Rule::Absent)) {
             (active[count], places[k], count) = (k, count, count + 1);

@@ -16,7 +16,7 @@ use core::array;
 
 use super::choice::{Choice, Rule};
 use super::cone::MOST_DENSE;
-use super::law::Law;
+use super::law::ContactLaw;
 use super::reaction_forces::Balance;
 use super::rules::Rules;
 use super::slip::{is_planar, length};
@@ -43,7 +43,10 @@ pub fn reactions<S: Scalar, const N: usize, const K: usize>(
 ) -> [S; K] {
     if const { K > MOST_DENSE } {
         let Some(Rules::Known(rules)) = terms.rules(modes) else { return [S::NAN; K] };
-        return Law::of_forces(terms).near(&within_limits(modes, &rules), &[S::ZERO; K]).settled.reactions;
+        return ContactLaw::of_forces(terms)
+            .near(&within_limits(modes, &rules), &[S::ZERO; K])
+            .settled
+            .reactions;
     }
     Forces::under(terms, modes).reactions
 }

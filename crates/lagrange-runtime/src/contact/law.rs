@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 /// All that the law of contacts and friction depends on, except the changes of rates with
 /// reactions.
 #[derive(Clone, Copy)]
-pub(super) struct Law<'a, S, const N: usize, const K: usize> {
+pub(super) struct ContactLaw<'a, S, const N: usize, const K: usize> {
     pub(super) terms: &'a Terms<S, N, K>,
     /// Rates without reactions.
     pub(super) offsets: [S; K],
@@ -17,11 +17,11 @@ pub(super) struct Law<'a, S, const N: usize, const K: usize> {
     pub(super) presence: S,
 }
 
-impl<'a, S: Scalar, const N: usize, const K: usize> Law<'a, S, N, K> {
+impl<'a, S: Scalar, const N: usize, const K: usize> ContactLaw<'a, S, N, K> {
     /// Returns the law for forces and the rates of rates.
     pub(super) fn of_forces(terms: &'a Terms<S, N, K>) -> Self {
         let offsets = core::array::from_fn(|k| dot(&terms.rows[k], &terms.free) + terms.drifts[k]);
-        Law { terms, offsets, presence: S::ONE }
+        ContactLaw { terms, offsets, presence: S::ONE }
     }
 
     /// Returns the kinetic limit of friction k without reactions.

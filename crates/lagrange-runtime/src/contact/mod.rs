@@ -232,12 +232,7 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     }
 
     /// Returns the reaction terms at a state.
-    fn terms(
-        &self,
-        t: Self::Scalar,
-        q: &Self::Coordinates,
-        v: &[Self::Scalar; N],
-    ) -> Self::Terms;
+    fn terms(&self, t: Self::Scalar, q: &Self::Coordinates, v: &[Self::Scalar; N]) -> Self::Terms;
 
     /// Returns the reaction terms for a step of the length `h` by which velocities change. Forces
     /// of the dissipation function are evaluated with the velocities at its end, so free

@@ -12,7 +12,7 @@
 use core::array;
 
 use super::choice::Rule;
-use super::law::Law;
+use super::law::ContactLaw;
 use super::{LimitSlope, Terms};
 use crate::linalg::singular::{is_singular, nearest, solve};
 use crate::linalg::vector::dot;
@@ -21,7 +21,7 @@ use crate::scalar::{Number, Scalar};
 /// Rates without reactions, and their changes with the reactions.
 #[derive(Clone, Copy)]
 pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
-    law: Law<'a, S, N, K>,
+    law: ContactLaw<'a, S, N, K>,
     /// G
     matrix: [[S; K]; K],
     /// Magnitude of the terms in the offsets, the scale for rounding tests.
@@ -53,7 +53,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     fn without_responses(terms: &'a Terms<S, N, K>) -> Self {
         let size = |k: usize| terms.size_of(k, &terms.free) + terms.drifts[k].abs();
         let (sizes, matrix) = (array::from_fn(size), [[S::ZERO; K]; K]);
-        Balance { law: Law::of_forces(terms), matrix, sizes, is_exact: true }
+        Balance { law: ContactLaw::of_forces(terms), matrix, sizes, is_exact: true }
     }
 
     /// Builds the problem for impulses and the post-impact values rate⁺ + e rate⁻, which are zero
@@ -87,7 +87,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     }
 
     fn at_an_instant(terms: &'a Terms<S, N, K>, offsets: [S; K], is_exact: bool) -> Self {
-        let (law, sizes) = (Law { terms, offsets, presence: S::ZERO }, offsets.map(Number::abs));
+        let (law, sizes) = (ContactLaw { terms, offsets, presence: S::ZERO }, offsets.map(Number::abs));
         Balance { law, matrix: terms.matrix(), sizes, is_exact }
     }
 
@@ -133,7 +133,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     }
 
     /// Returns the rates without reactions, and the limits of friction.
-    pub(super) fn law(&self) -> &Law<'a, S, N, K> {
+    pub(super) fn law(&self) -> &ContactLaw<'a, S, N, K> {
         &self.law
     }
 

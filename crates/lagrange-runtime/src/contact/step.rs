@@ -29,8 +29,8 @@ use core::array;
 use super::choice::{Choice, Rule, Settled};
 use super::cone::Approximation;
 use super::heading::Heading;
+use super::law::ContactLaw;
 use super::pace::Pace;
-use super::law::Law;
 use super::slip::{is_planar, length, present_direction};
 use super::{Contact, Friction, Mode, Terms};
 use crate::linalg::vector::dot;
@@ -110,7 +110,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         let choices = array::from_fn(|k| if near(k) { Choice::Touch } else { Choice::Only(Rule::Absent) });
         let share = S::from_f64(SHARE);
         let values = array::from_fn(|k| if near(k) { share * self.terms.gaps[k] } else { S::ZERO });
-        let law = Law { terms: self.terms, offsets: values, presence: S::ZERO };
+        let law = ContactLaw { terms: self.terms, offsets: values, presence: S::ZERO };
         Some(law.near(&choices, &[S::ZERO; K]).settled.reactions)
     }
 
@@ -162,7 +162,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
             false => self.free[k],
         });
         let choices = self.choices(acts);
-        let law = Law { terms: self.terms, offsets, presence: self.h };
+        let law = ContactLaw { terms: self.terms, offsets, presence: self.h };
         law.near(&law.possible(&choices), start)
     }
 

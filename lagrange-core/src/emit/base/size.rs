@@ -10,8 +10,8 @@ use crate::model::{Model, Product};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::{
-    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_CONTACTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS, MAX_OPERATIONS, MAX_OUTPUTS,
-    MAX_STATES, MAX_VELOCITIES,
+    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_CONTACTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS, MAX_OPERATIONS,
+    MAX_OUTPUTS, MAX_STATES, MAX_VELOCITIES,
 };
 use lagrange_language::syntax::ast::{Action, Declaration, Name, Statement, StatementKind};
 

@@ -14,9 +14,8 @@ use lagrange_language::syntax::ast::{self, Direction};
 
 /// Writes the functions of the events, and the states after assignments.
 pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
-    let is_left_out = |event: &crate::model::Event| {
-        writer.shape.shares_event && matches!(event.action, Action::Impact(_))
-    };
+    let is_left_out =
+        |event: &crate::model::Event| writer.shape.shares_event && matches!(event.action, Action::Impact(_));
     let events = writer.model.events.iter().filter(|event| !is_left_out(event)).cloned().collect::<Vec<_>>();
     if events.is_empty() {
         return;

@@ -26,7 +26,7 @@ use core::array;
 use super::{Cone, ForcePoint, TargetPiece};
 use crate::contact::choice::Choice;
 use crate::linalg::singular::regular;
-use crate::linalg::vector::{add, dot};
+use crate::linalg::vector::{add, combined, dot};
 use crate::scalar::Scalar;
 
 /// A step of a reaction as a function of the change x of the velocities: `fixed` − `slope`·x.
@@ -34,6 +34,16 @@ use crate::scalar::Scalar;
 struct Affine<S, const N: usize> {
     fixed: S,
     slope: [S; N],
+}
+
+impl<S: Scalar, const N: usize> Affine<S, N> {
+    fn times(&self, factor: S) -> Self {
+        Affine { fixed: self.fixed * factor, slope: self.slope.map(|entry| entry * factor) }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Affine { fixed: self.fixed + other.fixed, slope: combined(&self.slope, S::ONE, &other.slope) }
+    }
 }
 
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
@@ -100,45 +110,31 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         damping: S,
     ) -> [Affine<S, N>; 2] {
         let places = if self.is_planar(k) { [k, k + 1] } else { [k, k] };
-        let rows = places.map(|k| {
-            let unit = S::ONE / self.units[k];
-            self.law.terms.rows[self.active[k]].map(|entry| entry * unit)
-        });
         let (free, held) = (S::ONE / (S::ONE + damping), S::ONE / damping);
-        let nothing = [S::ZERO; N];
         match self.piece(at, k) {
-            TargetPiece::Absent => {
-                places.map(|k| Affine { fixed: errors[k] * free, slope: nothing })
+            TargetPiece::Absent => places.map(|k| Affine { fixed: errors[k] * free, slope: [S::ZERO; N] }),
+            TargetPiece::Holds => {
+                places.map(|k| Affine { fixed: errors[k], slope: self.scaled_row(k) }.times(held))
             }
-            TargetPiece::Holds => array::from_fn(|c| Affine {
-                fixed: errors[places[c]] * held,
-                slope: rows[c].map(|entry| entry * held),
-            }),
             TargetPiece::Limited { direction, turning, .. } => {
-                let limit = self.limit_step(at, before, k);
                 // The parts of both components along the direction and across it.
                 let across = [-direction[1], direction[0]];
-                let along_error = direction[0] * errors[places[0]] + direction[1] * errors[places[1]];
-                let across_error = across[0] * errors[places[0]] + across[1] * errors[places[1]];
-                let bent = S::ONE / (S::ONE + damping - turning);
-                let along = Affine {
-                    fixed: (along_error + limit.fixed) * free,
-                    slope: limit.slope.map(|entry| entry * free),
-                };
-                let across_row: [S; N] =
-                    array::from_fn(|i| across[0] * rows[0][i] + across[1] * rows[1][i]);
-                let turned = Affine {
-                    fixed: across_error * bent,
-                    slope: across_row.map(|entry| turning * entry * bent),
-                };
-                array::from_fn(|c| Affine {
-                    fixed: direction[c] * along.fixed + across[c] * turned.fixed,
-                    slope: array::from_fn(|i| {
-                        direction[c] * along.slope[i] + across[c] * turned.slope[i]
-                    }),
-                })
+                let errors = places.map(|k| errors[k]);
+                let rows = places.map(|k| self.scaled_row(k));
+                let limit = self.limit_step(at, before, k);
+                let along = Affine { fixed: dot(&direction, &errors) + limit.fixed, ..limit }.times(free);
+                let slope = array::from_fn(|i| turning * dot(&across, &rows.map(|row| row[i])));
+                let turned = Affine { fixed: dot(&across, &errors), slope };
+                let turned = turned.times(S::ONE / (S::ONE + damping - turning));
+                array::from_fn(|c| along.times(direction[c]).plus(&turned.times(across[c])))
             }
         }
+    }
+
+    /// Returns the row of reaction k in the units of the problem.
+    fn scaled_row(&self, k: usize) -> [S; N] {
+        let unit = S::ONE / self.units[k];
+        self.law.terms.rows[self.active[k]].map(|entry| entry * unit)
     }
 
     /// Returns the step of the kinetic limit of friction k.

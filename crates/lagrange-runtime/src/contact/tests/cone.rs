@@ -1,7 +1,9 @@
 //! Inequalities of the law of contacts with friction in a plane, on random bodies.
 
 use super::systems::{CLOSED, FREE, OPEN, TestTerms, nothing, slope};
-use crate::contact::choice::Choice;
+use crate::contact::choice::{Choice, Rule};
+use crate::contact::cone::MOST_DENSE;
+use crate::contact::law::ContactLaw;
 use crate::contact::reaction_forces::Balance;
 use crate::contact::{Friction, Heading, Mode, Pace, Terms, reactions, switch_values};
 
@@ -111,6 +113,44 @@ fn impacts_in_space_obey_the_cone() {
     }
     // The search is bounded, and fails for one of a thousand wedges.
     assert!(unsolved <= 1, "{unsolved}");
+}
+
+/// Impulses of many reactions, which are found in the space of velocities, obey the law as exactly
+/// as those of few, which are found from the matrix of responses.
+#[test]
+fn many_reactions_obey_the_law_as_few_do() {
+    const MANY: usize = MOST_DENSE + 2;
+    let choice = |k: usize| [Choice::Touch, Choice::Rest, Choice::Across][k % 3];
+    let mut random = Random(5);
+    let mut unsolved = [0; 2];
+    for case in 0..300 {
+        let mu = random.within(0.0, 1.2);
+        let (few, _) = body(&mut random, mu, case % 2 == 0);
+        let mut many = nothing::<6, MANY>();
+        many.rows[..K].copy_from_slice(&few.rows);
+        many.responses[..K].copy_from_slice(&few.responses);
+        many.slopes[..K].copy_from_slice(&few.slopes);
+        let mut rates = [0.0; MANY];
+        rates[..K].copy_from_slice(&few.rates);
+        let law = ContactLaw { terms: &few, offsets: few.rates, presence: 0.0 };
+        let of_few = law.near(&core::array::from_fn(choice), &[0.0; K]);
+        let law = ContactLaw { terms: &many, offsets: rates, presence: 0.0 };
+        let choices = core::array::from_fn(|k| if k < K { choice(k) } else { Choice::Only(Rule::Absent) });
+        let of_many = law.near(&choices, &[0.0; MANY]);
+        let impulses: [f64; K] = core::array::from_fn(|k| of_many.settled.reactions[k]);
+        for (place, (is_exact, impulses)) in
+            [(of_few.is_exact, of_few.settled.reactions), (of_many.is_exact, impulses)]
+                .into_iter()
+                .enumerate()
+        {
+            let change = few.change(&impulses);
+            let after = core::array::from_fn(|k| few.rates[k] + inner(&few.rows[k], &change));
+            let (worst, size) = (violation(mu, &impulses, &after), size(&impulses));
+            assert!(!is_exact || worst <= 1e-8 * size * size, "{worst:e} in case {case}, {place}");
+            unsolved[place] += usize::from(!is_exact);
+        }
+    }
+    assert!(unsolved.iter().all(|count| *count <= 3), "{unsolved:?}");
 }
 
 /// Impacts with restitution do not create energy either.
