@@ -370,8 +370,7 @@ def check_live(browser, path, checks, pictures):
     checks.that("finite" in said and browser.evaluate("motion.y.every(Number.isFinite)"), f"stops at the last good state and says so: {said}")
 
     browser.open(path, [("prefers-color-scheme", "dark")])
-    time.sleep(1.0)
-    checks.that(browser.evaluate("motion.t") > 0.2, "plays by itself")
+    browser.wait(lambda: browser.evaluate("motion.t > 0.2"), "the page plays by itself")
     dark = browser.evaluate("getComputedStyle(document.body).backgroundColor")
     checks.that(sum(int(part) for part in dark[4:-1].split(",")) < 150, "is dark where that is preferred")
     if pictures:

@@ -198,7 +198,12 @@ mod tests {
         let drawn = declared(&format!("{body} emit {{ drawing }}"));
         let states = [[0.0, 1.0], [1.0, 1.0], [2.0, 1.0]];
         let film = |system: &DeclaredSystem, count: usize| {
-            DeclaredFilm::new(system, &[0.0, 1.0, 1.0][..count], states[..count].iter().map(|y| &y[..]), false)
+            DeclaredFilm::new(
+                system,
+                &[0.0, 1.0, 1.0][..count],
+                states[..count].iter().map(|y| &y[..]),
+                false,
+            )
         };
         assert!(matches!(film(&declared(body), 3), Err(DrawError::NothingToDraw)));
         assert!(film(&drawn, 0).is_err());

@@ -50,7 +50,7 @@ both_ways! {
         body rod { mass: 2; shape: slender_rod(1); center: (x, y); angle: phi; }
         pin hinge = rod.point(-0.5, 0) to (0, 0);
         damper brake { from: rod.point(0.5, 0); to: (1, 1); damping: 0.5; }
-        force phi = -0.3 * dot(phi);
+        torque -0.3 * dot(phi) on phi;
         force (0.5, sin(t)) at rod.point(0.5, 0);
         emit { drawing }
     }

@@ -63,33 +63,7 @@ fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Show
     let items = drawing.items.iter().map(|item| {
         let first = at;
         at += count(item, 2);
-        match &item.kind {
-            DrawnKind::Body { .. } => {
-                let colour = body_colour(centers.len());
-                // The centre follows the centroid.
-                centers.insert(&*item.body, first + 2);
-                let parts = item.parts.iter().map(part).collect::<Vec<_>>();
-                json!({ "kind": "body", "label": plain(&item.body), "colour": colour, "parts": parts })
-            }
-            DrawnKind::Surface { kind: SurfaceKind::Line, .. } => json!({ "kind": "line" }),
-            DrawnKind::Surface { kind: SurfaceKind::Circle, is_inside, .. } => {
-                json!({ "kind": "circle", "inside": is_inside })
-            }
-            DrawnKind::Surface { .. } => json!({ "kind": "terrain", "points": terrain.next() }),
-            DrawnKind::Connector { name, kind } => {
-                let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
-                json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
-            }
-            DrawnKind::Joint { kind, .. } => json!({ "kind": "joint", "variant": format!("{kind:?}") }),
-            DrawnKind::Force { .. } => json!({ "kind": "force", "label": labels.next() }),
-            DrawnKind::Moment { body, .. } => {
-                let center = body.as_deref().and_then(|body| centers.get(body));
-                json!({ "kind": "moment", "label": labels.next(), "center": center })
-            }
-            DrawnKind::Cone { .. } => json!({ "kind": "cone" }),
-            // Loads that are not drawn have no numbers.
-            _ => json!({ "kind": "omitted" }),
-        }
+        plane_item(item, first, &mut centers, (&mut labels, &mut terrain))
     });
     let items = items.collect::<Vec<_>>();
     let canvas = "<canvas id=\"canvas\" role=\"img\" aria-label=\"Drawing of the motion\"></canvas>";
@@ -99,6 +73,43 @@ fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Show
         scene: json!({ "items": items, "hasLoads": has_loads(drawing), "loadColour": colour }),
         viewer: PLANE.to_owned(),
         ..Shown::default()
+    }
+}
+
+/// Returns the data of an item whose numbers start at `first`. `centers` are the places of the
+/// centres of bodies before it; `labels` and `terrain` belong to the loads and the terrain from it.
+fn plane_item<'d>(
+    item: &'d PlacedItem,
+    first: usize,
+    centers: &mut HashMap<&'d str, usize>,
+    (labels, terrain): (&mut impl Iterator<Item = [String; 2]>, &mut impl Iterator<Item = Vec<[f64; 2]>>),
+) -> Value {
+    match &item.kind {
+        DrawnKind::Body { .. } => {
+            let colour = body_colour(centers.len());
+            // The centre follows the centroid.
+            centers.insert(&item.body, first + 2);
+            let parts = item.parts.iter().map(part).collect::<Vec<_>>();
+            json!({ "kind": "body", "label": plain(&item.body), "colour": colour, "parts": parts })
+        }
+        DrawnKind::Surface { kind: SurfaceKind::Line, .. } => json!({ "kind": "line" }),
+        DrawnKind::Surface { kind: SurfaceKind::Circle, is_inside, .. } => {
+            json!({ "kind": "circle", "inside": is_inside })
+        }
+        DrawnKind::Surface { .. } => json!({ "kind": "terrain", "points": terrain.next() }),
+        DrawnKind::Connector { name, kind } => {
+            let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
+            json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
+        }
+        DrawnKind::Joint { kind, .. } => json!({ "kind": "joint", "variant": format!("{kind:?}") }),
+        DrawnKind::Force { .. } => json!({ "kind": "force", "label": labels.next() }),
+        DrawnKind::Moment { body, .. } => {
+            let center = body.as_deref().and_then(|body| centers.get(body));
+            json!({ "kind": "moment", "label": labels.next(), "center": center })
+        }
+        DrawnKind::Cone { .. } => json!({ "kind": "cone" }),
+        // Loads that are not drawn have no numbers.
+        _ => json!({ "kind": "omitted" }),
     }
 }
 
