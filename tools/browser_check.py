@@ -276,17 +276,32 @@ PIXELS = """(() => {
 APART = """(() => {
   restart();
   const { space } = model.scene;
-  const apart = space.things.map((thing, k) => {
+  // Arrows are hidden at first.
+  const shown = space.things.map((thing, k) => [thing, k]).filter(([, k]) => space.poses[0][k].scale > 0);
+  const apart = shown.map(([thing, k]) => {
     const [live, written] = [space.poses[0][k], placement(thing, 0, 0, space.unit)];
     const pairs = [...live.origin.map((value, i) => [value / live.scale, written.origin[i]]), ...live.turn.map((value, i) => [value, written.turn[i]])];
     return Math.max(...[...pairs, [live.stretch / live.scale, written.stretch]].map(([a, b]) => Math.abs(a - b)));
   });
   return Math.max(...apart);
 })()"""
-# Milliseconds of a frame, on average.
-FRAME = "(() => { const t = performance.now(); for (let k = 0; k < 20; k++) goOn(1 / 60); return (performance.now() - t) / 20; })()"
+# Twenty frames.
+FRAMES = "for (let k = 0; k < 20; k++) goOn(1 / 60)"
 OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
 WIDTHS = [(400, 800), (900, 1000), (1600, 900)]
+
+
+def processor_time(browser, script):
+    """Milliseconds of processor time that the page's thread takes for a script, however busy the machine is."""
+    browser.send("Performance.enable", timeDomain="threadTicks")
+
+    def spent():
+        metrics = browser.send("Performance.getMetrics")["metrics"]
+        return next(metric["value"] for metric in metrics if metric["name"] == "TaskDuration")
+
+    before = spent()
+    browser.evaluate(script)
+    return 1000 * (spent() - before)
 
 
 def check_live(browser, path, checks, pictures):
@@ -319,11 +334,13 @@ def check_live(browser, path, checks, pictures):
     if browser.evaluate("Boolean(model.scene?.space)"):
         checks.that(browser.evaluate(APART) < 1e-3, "in space, things are where a film has them at the start")
 
+    clicked = time.monotonic()
     browser.click("#play")
     time.sleep(0.8)
     browser.click("#play")
-    reached = browser.evaluate("motion.t")
-    checks.that(0.2 < reached < 2, f"plays in real time after a click, until the next: {reached:.2f} s")
+    reached, took = browser.evaluate("motion.t"), time.monotonic() - clicked
+    # A busy machine shows few frames, each of which goes on by a tenth of a second at most.
+    checks.that(0 < reached < took, f"plays no faster than real time after a click: {reached:.2f} s in {took:.2f} s")
     checks.that(browser.evaluate("play.textContent") == "Play" and browser.evaluate("motion.failure") is None, "pauses")
     then = shown()
     checks.that(not has_picture or then["sum"] != first["sum"], "the picture has changed")
@@ -332,8 +349,8 @@ def check_live(browser, path, checks, pictures):
     browser.click("#step")
     checks.that(abs(browser.evaluate("motion.t") - reached - 0.02) < 1e-9, "makes a step")
     checks.that("NaN" not in browser.evaluate("document.body.innerText"), "values are numbers")
-    frame = min(browser.evaluate(FRAME) for _ in range(4))
-    checks.that(frame < 1000 / 60, f"a frame takes {frame:.1f} ms of computing and drawing")
+    frame = min(processor_time(browser, FRAMES) for _ in range(4)) / 20
+    checks.that(frame < 1000 / 60, f"a frame takes {frame:.1f} ms of the processor to compute and draw")
 
     if browser.evaluate("model.quantities.length") > 0:
         before = browser.evaluate("JSON.stringify(fields)")
@@ -353,8 +370,7 @@ def check_live(browser, path, checks, pictures):
     checks.that("finite" in said and browser.evaluate("motion.y.every(Number.isFinite)"), f"stops at the last good state and says so: {said}")
 
     browser.open(path, [("prefers-color-scheme", "dark")])
-    time.sleep(1.0)
-    checks.that(browser.evaluate("motion.t") > 0.2, "plays by itself")
+    browser.wait(lambda: browser.evaluate("motion.t > 0.2"), "the page plays by itself")
     dark = browser.evaluate("getComputedStyle(document.body).backgroundColor")
     checks.that(sum(int(part) for part in dark[4:-1].split(",")) < 150, "is dark where that is preferred")
     if pictures:

@@ -118,11 +118,12 @@ class System:
         the noise. `inputs` returns the inputs at a time and a state. What it raises is raised here.
         Without it, other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
         """
-    def film(self, motion: Trajectory, *, energy: bool = True, height: int = 640) -> Film:
+    def film(self, motion: Trajectory, *, energy: bool = True, forces: bool = False, height: int = 640) -> Film:
         """Returns the film of a motion, with the parameters of this system. Each sample is a picture,
         so `every` should be about 0.04 s. A column of the energy is plotted unless `energy` is false.
-        `height` is that of the frame in a notebook, in pixels. Forces are not drawn. Raises
-        `ValueError` for systems without bodies and for motions of other systems."""
+        With `forces`, forces and moments are drawn, for the constant inputs of this system. `height` is
+        that of the frame in a notebook, in pixels. Raises `ValueError` for systems without bodies and
+        for motions of other systems."""
     def ensemble(
         self,
         starts: Array | Sequence[State] | dict[str, float | Array | Sequence[float]] | None = None,

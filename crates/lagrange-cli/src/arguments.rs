@@ -78,6 +78,7 @@ Options:
       --sources       leave the compilation to the program that imports the unit (fmu)
       --step TIME     length of equal steps (simulate, film, ensemble)
       --energy        add a column for the energy (simulate), or its curve (film)
+      --forces        draw forces and moments (film)
       --events FILE   write the events of the motion to a file, as CSV (simulate, film)
       --name NAME     name the struct (urdf)
       --free          let the base move freely (urdf)
@@ -231,6 +232,8 @@ pub(crate) struct Settings {
     pub(crate) seed: Option<String>,
     /// True to add a column with the energy.
     pub(crate) has_energy: bool,
+    /// True to draw forces.
+    pub(crate) has_forces: bool,
     /// File for the events.
     pub(crate) events: Option<PathBuf>,
 }
@@ -365,6 +368,7 @@ impl Action {
             (Action::Write(Text::Kernel(precision)), "single") => *precision = Precision::Single,
             (Action::Unit { is_source, .. }, "sources") => *is_source = true,
             (Action::Simulate(settings) | Action::Film(settings), "energy") => settings.has_energy = true,
+            (Action::Film(settings), "forces") => settings.has_forces = true,
             (Action::Linearise(point), "equilibrium") => point.is_equilibrium = true,
             (Action::Linearise(point), "json") => point.is_json = true,
             (Action::Urdf(options), "free") => options.is_free = true,

@@ -103,7 +103,7 @@ impl Command {
             return Ended::WithMistakes;
         }
         for motion in &ends.failures {
-            print_error(&format!("motion {}: {}", motion.index, motion.message));
+            print_error(&motion.message);
         }
         if ends.failures.is_empty() { Ended::Well } else { Ended::Early }
     }

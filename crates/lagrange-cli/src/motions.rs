@@ -39,6 +39,8 @@ pub(crate) struct Motion<'a> {
     events: Option<&'a Path>,
     /// System to be filmed, if a film is requested.
     filmed: Option<DeclaredSystem>,
+    /// True to draw forces in the film.
+    has_forces: bool,
 }
 
 impl<'a> Motion<'a> {
@@ -89,7 +91,8 @@ impl<'a> Motion<'a> {
             method: method(settings)?,
             has_energy: settings.has_energy,
         };
-        Ok(Motion { run, output, events: settings.events.as_deref(), filmed: None })
+        let (events, has_forces) = (settings.events.as_deref(), settings.has_forces);
+        Ok(Motion { run, output, events, filmed: None, has_forces })
     }
 }
 
@@ -276,7 +279,8 @@ impl Motion<'_> {
     ) -> Result<(), String> {
         let Some(system) = &self.filmed else { return Ok(()) };
         let states = motion.iter().map(|(_, state)| state).collect::<Vec<_>>();
-        let film = DeclaredFilm::new(system, motion.times(), states.iter().map(AsRef::as_ref));
+        let states = states.iter().map(AsRef::as_ref);
+        let film = DeclaredFilm::new(system, motion.times(), states, self.has_forces);
         let film = film.and_then(|film| match motion.column("energy") {
             Some(energy) => film.with_column("energy", energy),
             None => Ok(film),

@@ -327,6 +327,29 @@ fn delays_are_refused_by_all_that_knows_no_past() {
 }
 
 #[test]
+fn contacts_of_boxes_are_refused_once_by_all_but_checks() {
+    let folder = temporary("stack");
+    let file = folder.to_str().expect("UTF-8");
+    let text = "struct Stack; gravity = (0, 0, -9.81); body floor { mass: 9; shape: cuboid(2, 2, 1); }
+        weld ground to floor; body block { mass: 1; shape: cuboid(0.2, 0.2, 0.2); } free block;
+        contact touch = block on floor { friction: 0.5; }";
+    let commands = [
+        &["simulate", "-", "--until", "1"][..],
+        &["film", "-", "--until", "1"],
+        &["ensemble", "-", "--until", "1", "--motions", "2"],
+        &["c", "-", "-o", file],
+        &["fmu", "-", "-o", file],
+        &["page", "-", "-o", file],
+    ];
+    for error in refusals(text, &commands) {
+        assert!(error.starts_with("error: ") && error.matches("error").count() == 1, "{error}");
+        assert!(error.contains("rigid contacts and friction run in compiled"), "{error}");
+        assert!(error.contains("`touch[0]`"), "{error}");
+    }
+    assert_eq!(output(&run_on(text, &["check", "-"])), "");
+}
+
+#[test]
 fn noise_is_refused_by_all_that_integrates_none() {
     let folder = temporary("noisy");
     let file = folder.to_str().expect("UTF-8");

@@ -63,6 +63,8 @@ fn settings_are_those_of_motions() {
     let plain = page(&[]);
     assert!(plain.contains("<title>Rod pendulum</title>") && !plain.contains("energy"));
     assert!(page(&["--energy"]).contains("energy"));
+    // The weight of the rod, and the force of its pin, which is known to no coordinate.
+    assert!(page(&["--forces"]).contains(">G<") && !plain.contains(">G<"));
     assert_eq!(page(&["--every", "40 ms"]), plain);
     for setting in [&["--every", "0.1"][..], &["--set", "l=2"], &["--start", "a=0.1"]] {
         assert_ne!(page(setting), plain, "{setting:?}");

@@ -57,7 +57,11 @@ pub(super) fn body(index: usize) -> Colour {
 
 /// Returns the colour of the body with this index in pictures of the plane, in CSS notation.
 pub fn body_colour(index: usize) -> String {
-    let Colour([red, green, blue, _]) = body(index);
+    css(body(index))
+}
+
+/// Returns an opaque colour in CSS notation.
+pub(super) fn css(Colour([red, green, blue, _]): Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 

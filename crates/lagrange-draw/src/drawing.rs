@@ -4,6 +4,7 @@ use std::fmt::{Debug, Formatter};
 use std::rc::Rc;
 
 use crate::error::DrawError;
+use crate::load_label::omitted_loads;
 use crate::look::{Direction, Look, Wanted};
 use crate::moment::Moment;
 use crate::picture::Picture;
@@ -11,8 +12,6 @@ use crate::recorded::Recorded;
 use crate::sketch::Sketch;
 use crate::snapshot::Snapshot;
 use crate::snapshot::Stored;
-use lagrange_plot::label::Label;
-use lagrange_plot::notation::formula;
 use lagrange_runtime::scene::Plane;
 use lagrange_runtime::scene::Scene;
 use lagrange_runtime::scene::Space;
@@ -305,23 +304,7 @@ where
 
     /// Returns the note about loads that act but cannot be drawn, if loads are drawn.
     pub(super) fn note(&self, snapshots: &[Snapshot<M::Space>]) -> String {
-        let mut omitted: Vec<&String> = Vec::new();
-        for name in snapshots.iter().flat_map(|snapshot| &snapshot.omitted) {
-            if !omitted.contains(&name) {
-                omitted.push(name);
-            }
-        }
-        if omitted.is_empty() || !self.wanted.forces {
-            return String::new();
-        }
-        let of = |name: &String| match name.split_once(" on `") {
-            Some((load, angle)) => {
-                format!("{load} on {}", Label::parse(&formula(angle.trim_end_matches('`'))).plain())
-            }
-            None if name.contains(' ') => name.clone(),
-            None => format!("force of {}", name.replace('_', " ")),
-        };
-        format!("not drawn: {}", omitted.into_iter().map(of).collect::<Vec<_>>().join(", "))
+        if self.wanted.forces { omitted_loads(snapshots) } else { String::new() }
     }
 }
 

@@ -79,6 +79,7 @@ pub use error::DrawError;
 pub use film::Film;
 pub use film::page::STYLE as PAGE_STYLE;
 pub use film::trajectory::last_at_each;
+pub use load_label::LiveLoads;
 pub use moment::Moment;
 pub use picture::Picture;
 pub use sketch::Sketch;

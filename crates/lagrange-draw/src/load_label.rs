@@ -5,10 +5,40 @@
 
 use std::collections::BTreeSet;
 
+use crate::colour::{FORCE, css};
 use crate::load::{Load, Value};
-use crate::snapshot::Snapshot;
+use crate::snapshot::{Snapshot, Stored};
+use lagrange_plot::label::Label;
 use lagrange_plot::notation::{formula, symbol};
-use lagrange_runtime::scene::{Joint, LoadOrigin};
+use lagrange_runtime::scene::{Item, Joint, LoadOrigin, Plane};
+
+/// Forces and moments of a scene in the plane, for a page that draws its items.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LiveLoads {
+    /// Letter and subscript of each force or moment, in the order of the items.
+    pub labels: Vec<[String; 2]>,
+    /// Note on loads that act but are not drawn; empty if there are none.
+    pub note: String,
+    /// Colour of arrows in CSS notation.
+    pub colour: String,
+}
+
+impl LiveLoads {
+    /// Collects the loads of the scene visited by `visit`.
+    pub fn new(visit: impl FnOnce(&mut dyn FnMut(Item<'_, f64, Plane>))) -> LiveLoads {
+        let snapshot = Snapshot::collected(visit);
+        let label = |load: &Load| {
+            let label = load_label(load, &snapshot);
+            let (letter, subscript) = label.split_once("_{").unwrap_or((&label, ""));
+            [letter, subscript.trim_end_matches('}')].map(|part| Label::parse(part).plain())
+        };
+        LiveLoads {
+            labels: snapshot.loads.iter().map(label).collect(),
+            note: omitted_loads(std::slice::from_ref(&snapshot)),
+            colour: css(FORCE),
+        }
+    }
+}
 
 /// Returns the label of a force or moment.
 pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
@@ -53,6 +83,27 @@ fn of_joint(load: &Load, snapshot: &Snapshot) -> Option<String> {
 /// Returns the name of the joint or contact, the part before a dot.
 fn owner(name: &str) -> &str {
     name.split_once('.').map_or(name, |(owner, _)| owner)
+}
+
+/// Returns the note about loads that act but cannot be drawn; empty if there are none.
+pub(super) fn omitted_loads<D: Stored>(snapshots: &[Snapshot<D>]) -> String {
+    let mut omitted: Vec<&String> = Vec::new();
+    for name in snapshots.iter().flat_map(|snapshot| &snapshot.omitted) {
+        if !omitted.contains(&name) {
+            omitted.push(name);
+        }
+    }
+    if omitted.is_empty() {
+        return String::new();
+    }
+    let of = |name: &String| match name.split_once(" on `") {
+        Some((load, angle)) => {
+            format!("{load} on {}", Label::parse(&formula(angle.trim_end_matches('`'))).plain())
+        }
+        None if name.contains(' ') => name.clone(),
+        None => format!("force of {}", name.replace('_', " ")),
+    };
+    format!("not drawn: {}", omitted.into_iter().map(of).collect::<Vec<_>>().join(", "))
 }
 
 #[cfg(test)]

@@ -55,7 +55,7 @@ pub struct FailedMotion {
     pub time: f64,
     /// Last valid state.
     pub state: Vec<f64>,
-    /// Reason and place of the failure.
+    /// Index of the motion, and reason and place of the failure.
     pub message: String,
 }
 

@@ -29,8 +29,8 @@ enum Kind {
 
 impl DeclaredFilm {
     /// Creates the film of a system at times, with a state `[q…, v…]` for each. If impacts leave
-    /// several samples at one time, it shows the last one. Bodies, connectors and joints are drawn
-    /// without forces.
+    /// several samples at one time, it shows the last one. With `has_forces` it shows the loads of
+    /// [`Drawing::forces`], for constant inputs.
     ///
     /// # Errors
     /// If the system was read without its [drawing](crate::Source::system_with), or there is no
@@ -42,16 +42,16 @@ impl DeclaredFilm {
         system: &DeclaredSystem,
         times: &[f64],
         states: impl IntoIterator<Item = &'s [f64]>,
+        has_forces: bool,
     ) -> Result<DeclaredFilm, DrawError> {
         let Some(scene) = &system.programs().drawing else { return Err(DrawError::NothingToDraw) };
         let dynamic = system.dynamic::<LARGEST>();
         let states = states.into_iter().map(|state| dynamic.state(state)).collect::<Vec<_>>();
         let shown = last_at_each(times);
         let samples = shown.iter().map(|&index| (times[index], states[index]));
-        let title = title(&system.programs().name);
         let kind = match scene.is_in_space {
-            true => Kind::Spatial(Box::new(filmed(&dynamic, scene, &title, samples)?)),
-            false => Kind::Plane(filmed(&dynamic, scene, &title, samples)?),
+            true => Kind::Spatial(Box::new(filmed(&dynamic, scene, has_forces, samples)?)),
+            false => Kind::Plane(filmed(&dynamic, scene, has_forces, samples)?),
         };
         Ok(DeclaredFilm { kind, shown })
     }
@@ -92,11 +92,12 @@ impl DeclaredFilm {
 fn filmed<D: NumberedSpace + DrawnSpace>(
     system: &DynamicSystem<LARGEST>,
     scene: &DrawnScene,
-    title: &str,
+    has_forces: bool,
     samples: impl IntoIterator<Item = (f64, Inline<LARGEST>)>,
 ) -> Result<Film<D>, DrawError> {
     let drawn = Drawn { system, scene, space: PhantomData };
-    Drawing::of(&drawn).title(title).film_of(samples)
+    let drawing = Drawing::of(&drawn).title(&title(&system.numeric.programs().name));
+    if has_forces { drawing.forces() } else { drawing }.film_of(samples)
 }
 
 /// Returns the name of a struct as words: `Double pendulum` for `DoublePendulum`.
@@ -198,7 +199,12 @@ mod tests {
         let drawn = declared(&format!("{body} emit {{ drawing }}"));
         let states = [[0.0, 1.0], [1.0, 1.0], [2.0, 1.0]];
         let film = |system: &DeclaredSystem, count: usize| {
-            DeclaredFilm::new(system, &[0.0, 1.0, 1.0][..count], states[..count].iter().map(|y| &y[..]))
+            DeclaredFilm::new(
+                system,
+                &[0.0, 1.0, 1.0][..count],
+                states[..count].iter().map(|y| &y[..]),
+                false,
+            )
         };
         assert!(matches!(film(&declared(body), 3), Err(DrawError::NothingToDraw)));
         assert!(film(&drawn, 0).is_err());

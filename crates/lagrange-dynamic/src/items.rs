@@ -1,19 +1,23 @@
 //! Drawn items from their numbers.
 
-use lagrange_core::bodies::{DrawnKind, JointForm, SpatialJointForm};
+use lagrange_core::bodies::{self, DrawnKind, JointForm, SpatialJointForm};
 use lagrange_core::pipeline::{PlacedItem, PlacedPart};
 use lagrange_core::syntax::ast::{ConnectorKind, MobilizerKind};
 use lagrange_runtime::body::{Motion, SpatialMotion};
 use lagrange_runtime::scene::{
-    Connector, Frame, Item, Joint, Line, Outline, Part, Plane, Solid, Space, Spatial, SpatialJoint,
-    SpatialJointKind,
+    Connector, Frame, Item, Joint, Line, LoadOrigin, Outline, Part, Plane, Solid, Space, Spatial,
+    SpatialJoint, SpatialJointKind,
 };
 
 /// A space whose items are constructed from their numbers. Bodies have no rates, which are only
 /// needed for arrows.
 pub trait NumberedSpace: Space {
-    /// Visits an item whose numbers come first, and leaves the numbers of other items.
+    /// Visits a body, frame, line or joint, whose numbers come first.
     fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Self>));
+    /// Takes a vector.
+    fn vector(numbers: &mut Numbers<'_>) -> Self::Vector<f64>;
+    /// Takes a moment.
+    fn moment(numbers: &mut Numbers<'_>) -> Self::Moment<f64>;
 }
 
 /// Visits items with the numbers returned by their program.
@@ -23,7 +27,34 @@ pub fn visit_items<D: NumberedSpace>(
     visit: &mut dyn FnMut(Item<'_, f64, D>),
 ) {
     let mut numbers = Numbers(numbers);
-    items.iter().for_each(|item| D::item(item, &mut numbers, visit));
+    items.iter().for_each(|item| visit_item(item, &mut numbers, visit));
+}
+
+/// Visits an item whose numbers come first, and leaves the numbers of other items.
+fn visit_item<D: NumberedSpace>(
+    item: &PlacedItem,
+    numbers: &mut Numbers<'_>,
+    visit: &mut dyn FnMut(Item<'_, f64, D>),
+) {
+    match &item.kind {
+        DrawnKind::Connector { name, kind } => {
+            let (from, to, tension) = (D::vector(numbers), D::vector(numbers), numbers.one());
+            visit(Item::Connector { name, kind: connector(*kind), from, to, tension });
+        }
+        DrawnKind::Force { name, cause, body } => {
+            let (cause, body) = (origin(*cause), body.as_deref());
+            let (at, force) = (D::vector(numbers), D::vector(numbers));
+            visit(Item::Force { name, cause, body, at, force });
+        }
+        DrawnKind::Moment { name, cause, body } => {
+            let (cause, body) = (origin(*cause), body.as_deref());
+            let (at, moment) = (D::vector(numbers), D::moment(numbers));
+            visit(Item::Moment { name, cause, body, at, moment });
+        }
+        // Torques have already become moments.
+        DrawnKind::Omitted { name } | DrawnKind::Torque { name } => visit(Item::Omitted { name }),
+        _ => D::item(item, numbers, visit),
+    }
 }
 
 /// Numbers that are consumed in order; NaN after the last.
@@ -123,10 +154,6 @@ impl NumberedSpace for Plane {
                 let (through, angle) = (numbers.take(), numbers.one());
                 visit(Item::Line(Line { name, body: body.as_deref(), through, angle }));
             }
-            DrawnKind::Connector { name, kind } => {
-                let (from, to, tension) = (numbers.take(), numbers.take(), numbers.one());
-                visit(Item::Connector { name, kind: connector(*kind), from, to, tension });
-            }
             DrawnKind::Joint { name, kind } => {
                 let kind = match kind {
                     JointForm::Pin => Joint::Pin,
@@ -136,9 +163,17 @@ impl NumberedSpace for Plane {
                 };
                 visit(Item::Joint { name, kind, at: numbers.take() });
             }
-            // Items of space, and loads, which have no numbers here.
+            // Items of space.
             _ => {}
         }
+    }
+
+    fn vector(numbers: &mut Numbers<'_>) -> [f64; 2] {
+        numbers.take()
+    }
+
+    fn moment(numbers: &mut Numbers<'_>) -> f64 {
+        numbers.one()
     }
 }
 
@@ -165,19 +200,23 @@ impl NumberedSpace for Spatial {
             DrawnKind::Frame { name } => {
                 visit(Item::Frame(Frame { name, rotation: numbers.rows(), origin: numbers.take() }));
             }
-            DrawnKind::Connector { name, kind } => {
-                let (from, to, tension) = (numbers.take(), numbers.take(), numbers.one());
-                visit(Item::Connector { name, kind: connector(*kind), from, to, tension });
-            }
             DrawnKind::SpatialJoint { name, kind, links } => {
                 let (at, axis) = (numbers.take(), numbers.take());
                 let kind =
                     SpatialJoint { kind: joint(*kind), axis, bodies: links.each_ref().map(Option::as_deref) };
                 visit(Item::Joint { name, kind, at });
             }
-            // Items of the plane, and loads, which have no numbers here.
+            // Items of the plane.
             _ => {}
         }
+    }
+
+    fn vector(numbers: &mut Numbers<'_>) -> [f64; 3] {
+        numbers.take()
+    }
+
+    fn moment(numbers: &mut Numbers<'_>) -> [f64; 3] {
+        numbers.take()
     }
 }
 
@@ -188,6 +227,16 @@ pub fn connector(kind: ConnectorKind) -> Connector {
         ConnectorKind::Damper => Connector::Damper,
         ConnectorKind::TorsionSpring => Connector::TorsionSpring,
         ConnectorKind::TorsionDamper => Connector::TorsionDamper,
+    }
+}
+
+fn origin(of: bodies::LoadOrigin) -> LoadOrigin {
+    match of {
+        bodies::LoadOrigin::Applied => LoadOrigin::Applied,
+        bodies::LoadOrigin::Gravity => LoadOrigin::Gravity,
+        bodies::LoadOrigin::Connector => LoadOrigin::Connector,
+        bodies::LoadOrigin::Joint => LoadOrigin::Joint,
+        bodies::LoadOrigin::Contact => LoadOrigin::Contact,
     }
 }
 
@@ -216,7 +265,7 @@ mod tests {
     use lagrange_core::pipeline::{NumericSystem, Programs, parse};
     use lagrange_runtime::scene::{Item, Outline, Plane, Solid, Spatial};
 
-    use super::{NumberedSpace, Numbers, visit_items};
+    use super::{NumberedSpace, Numbers, visit_item, visit_items};
 
     /// Every shape in space, with its solid.
     const SHAPES: [(&str, Solid<f64>); 11] = [
@@ -259,7 +308,7 @@ mod tests {
         let at = system.evaluate(&drawing.program, 0.0, &[0.5], &[0.0]);
         visit_items(&drawing.items, &at, visit);
         let mut numbers = Numbers(&at);
-        drawing.items.iter().for_each(|item| D::item(item, &mut numbers, &mut |_| {}));
+        drawing.items.iter().for_each(|item| visit_item::<D>(item, &mut numbers, &mut |_| {}));
         assert!(numbers.0.is_empty(), "{text}: {:?}", numbers.0);
     }
 

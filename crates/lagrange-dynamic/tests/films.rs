@@ -42,6 +42,20 @@ both_ways! {
     }
 }
 
+// A force of a constraint, a torque, a damper, and a force at a point.
+both_ways! {
+    PinnedRod = PINNED_ROD {
+        gravity = (0, -9.81);
+        coord x, y, phi;
+        body rod { mass: 2; shape: slender_rod(1); center: (x, y); angle: phi; }
+        pin hinge = rod.point(-0.5, 0) to (0, 0);
+        damper brake { from: rod.point(0.5, 0); to: (1, 1); damping: 0.5; }
+        torque -0.3 * dot(phi) on phi;
+        force (0.5, sin(t)) at rod.point(0.5, 0);
+        emit { drawing }
+    }
+}
+
 both_ways! {
     SpinningTop = SPINNING_TOP {
         gravity = (0, 0, -9.81);
@@ -50,11 +64,13 @@ both_ways! {
         ball tip = ground to rotor;
         revolute hinge = rotor to bob { at: (0.05, 0, 0.1); axis: (0, 1, 0); }
         spring string { from: bob.origin; to: (0.2, 0, 0.3); stiffness: 2; rest: 0.1; }
+        force hinge = -0.01 * dot(hinge);
         emit { drawing }
     }
 }
 
-/// Compares the pages of a motion; the state at the start are its entries in order.
+/// Compares the pages of a motion, without and with forces; the state at the start are its entries
+/// in order.
 fn compare<M: Scene<Scalar = f64, Space: DrawnSpace>>(
     text: &str,
     compiled: &M,
@@ -66,15 +82,26 @@ fn compare<M: Scene<Scalar = f64, Space: DrawnSpace>>(
     let system = DeclaredSystem::new(programs).unwrap_or_else(|refusal| panic!("{refusal}"));
     let motion = compiled.simulate(start).until(0.5).every(0.05).run().expect("a motion");
     let states = motion.iter().map(|(_, state)| state).collect::<Vec<_>>();
-    let film = DeclaredFilm::new(&system, motion.times(), states.iter().map(AsRef::as_ref)).expect("a film");
-    let wanted = Drawing::of(compiled).title(title).film(&motion).expect("a film").html();
-    assert!(wanted.len() > 10_000, "a page of {} bytes", wanted.len());
-    assert!(film.html() == wanted, "the pages of `{title}` differ");
+    let drawing = || Drawing::of(compiled).title(title);
+    let pages = [(drawing(), false), (drawing().forces(), true)].map(|(drawing, has_forces)| {
+        let states = states.iter().map(AsRef::as_ref);
+        let film = DeclaredFilm::new(&system, motion.times(), states, has_forces).expect("a film").html();
+        let wanted = drawing.film(&motion).expect("a film").html();
+        assert!(wanted.len() > 10_000, "a page of {} bytes", wanted.len());
+        assert!(film == wanted, "the pages of `{title}` differ, with forces: {has_forces}");
+        film
+    });
+    assert!(pages[0] != pages[1], "no force of `{title}` is drawn");
 }
 
 #[test]
 fn films_in_the_plane_are_those_of_compiled_types() {
     compare(SWING_ON_WHEELS, &SwingOnWheels::default(), [0.0, 0.5, 0.3, 0.0], "Swing on wheels");
+}
+
+#[test]
+fn forces_of_constraints_are_those_of_compiled_types() {
+    compare(PINNED_ROD, &PinnedRod, [0.5, 0.0, 0.0, 0.0, 0.0, 0.0], "Pinned rod");
 }
 
 #[test]

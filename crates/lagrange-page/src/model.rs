@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, Programs, Reaction};
 use lagrange_core::syntax::ast::Direction;
-use lagrange_plot::notation::Columns;
+use lagrange_plot::notation::{self, Columns};
 use serde_json::{Value, json};
 
 /// Returns all data of a system for the page, apart from its functions and its scene.
@@ -34,7 +34,7 @@ pub(crate) fn model(system: &NumericSystem, start: &[f64]) -> Value {
 
 /// Returns a name with its label and unit.
 fn named(programs: &Programs, labels: &Columns, name: &str) -> Value {
-    let unit = programs.variables.unit(name).unwrap_or_default();
+    let unit = notation::unit(programs.variables.unit(name).unwrap_or_default());
     json!({ "name": name, "label": labels.label(name).html(), "unit": unit })
 }
 

@@ -131,6 +131,11 @@ function ticks(low, high, count) {
   return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, k) => (first + k) * step);
 }
 
+function setForces(isToDraw) {
+  picture.draws(isToDraw);
+  document.querySelectorAll("#picture .note").forEach((note) => { note.hidden = !isToDraw; });
+  draw();
+}
 function setPlaying(isToPlay) {
   if (isToPlay && motion.failure) restart();
   isPlaying = isToPlay && !motion.failure;
@@ -213,6 +218,9 @@ document.addEventListener("visibilitychange", () => { lastTick = null; });
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
 new ResizeObserver(() => draw()).observe(document.querySelector("main"));
 
+element("with-forces").hidden = !model.scene?.hasLoads;
+element("forces").addEventListener("change", (event) => setForces(event.target.checked));
+document.querySelectorAll("#picture .note").forEach((note) => { note.hidden = true; });
 element("controls").hidden = false;
 element("keys").hidden = false;
 restart();

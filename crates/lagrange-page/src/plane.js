@@ -1,9 +1,15 @@
-// Draws bodies, lines, connectors and joints of the plane on a canvas. `scene` has the items in order; their numbers stand one after the
+// Draws bodies, lines, connectors, joints and loads of the plane on a canvas. `scene` has the items in order; their numbers stand one after the
 // other. Sizes that no item has are pixels. Shapes are those of films.
 function showsScene(scene) {
   const canvas = document.getElementById("canvas");
   const paper = canvas.getContext("2d");
   const [INK, PALE, HATCHING, MARGIN] = ["#282828", "#828282", "#969696", 34];
+  const LOAD = scene.loadColour;
+  const FONT = "'STIX Two Text', Cambria, 'Times New Roman', serif";
+  // The length of the longest arrow as a part of the picture; length and half width of heads, and their largest part of an arrow.
+  const [LONGEST, HEAD, HALF, SHARE] = [0.25, 9, 3.2, 0.6];
+  // The largest force seen so far, and the arcs of moments about each body.
+  let [hasForces, largest, rings] = [false, 0, {}];
   let [numbers, window_, next] = [[], null, 0];
   const take = (count) => numbers.slice(next, (next += count));
 
@@ -55,6 +61,10 @@ function showsScene(scene) {
     paper.strokeStyle = HATCHING;
     paper.lineWidth = 1;
     paper.stroke();
+  }
+  function arrowhead(tip, back) {
+    const [x, y] = add(back, tip.map((part) => -part)).map((part) => HALF / HEAD * part);
+    line([[tip, add(back, [-y, x]), add(back, [y, -x])]], { isClosed: true, fill: LOAD, colour: LOAD });
   }
   const circle = (at, radius, fill, colour = INK) => line([round(radius).map((p) => add(at, p))], { isClosed: true, fill, colour });
 
@@ -140,9 +150,49 @@ function showsScene(scene) {
       };
       return { draw, seen: [place] };
     },
+    force({ label }) {
+      const [x, y, ...force] = take(4);
+      const size = Math.hypot(...force);
+      if (Number.isFinite(size)) largest = Math.max(largest, size);
+      const arrow = () => force.map((part) => LONGEST * Math.min(width() - 2 * MARGIN, height() - 2 * MARGIN) / largest * part);
+      const draw = () => {
+        const [from, [along, up]] = [pixel([x, y]), arrow()];
+        const length = Math.hypot(along, up);
+        if (!hasForces || !(length >= 1)) return null;
+        const tip = add(from, [along, -up]);
+        const head = Math.min(HEAD, SHARE * length);
+        const back = add(tip, [-along, up].map((part) => part * head / length));
+        line([from, back], { colour: LOAD });
+        arrowhead(tip, back);
+        // Labels of short arrows would lie on each other.
+        return { label: length > 2 * HEAD && label, at: add(tip, [along, -up].map((part) => 14 * part / length)), colour: LOAD };
+      };
+      const tip = () => (hasForces && size > 0 ? [add([x, y], arrow().map((part) => part / scale()))] : []);
+      return { draw, seen: [], tip };
+    },
+    moment({ label, center }) {
+      const place = take(2);
+      const [moment] = take(1);
+      const about = center === null ? place : numbers.slice(center, center + 2);
+      const ring = rings[about] ?? 0;
+      rings[about] = ring + 1;
+      const draw = () => {
+        if (!hasForces || !(Math.abs(moment) > 0)) return null;
+        const [radius, sweep, sign] = [20 + 8 * ring, 1.5 * Math.PI, Math.sign(moment)];
+        const from = 0.5 * Math.PI - 0.5 * sign * sweep;
+        const to = from + sign * sweep;
+        const at = ([px, py]) => add(pixel(about), [px, -py]);
+        const points = arc(radius, from, to - sign * HEAD / radius).map(at);
+        line(points, { colour: LOAD });
+        arrowhead(at([radius * Math.cos(to), radius * Math.sin(to)]), points[points.length - 1]);
+        return { label, at: add(pixel(about), [0, -radius - 10]), colour: LOAD };
+      };
+      return { draw, seen: [] };
+    },
+    omitted: () => ({ draw: () => null, seen: [] }),
   };
   function items(values) {
-    [numbers, next] = [values, 0];
+    [numbers, next, rings] = [values, 0, {}];
     return scene.items.map((item) => kinds[item.kind](item));
   }
   const finite = (places) => places.filter((place) => place.every(Number.isFinite));
@@ -157,12 +207,14 @@ function showsScene(scene) {
   return {
     // The window in which all of these moments can be seen; it grows with what leaves it.
     fit(moments) {
-      window_ = null;
+      [window_, largest] = [null, 0];
       cover(moments.flatMap((values) => items(values).flatMap(({ seen }) => seen)));
     },
+    draws(forces) { hasForces = forces; },
     show(values) {
       const drawn = items(values);
       cover(drawn.flatMap(({ seen }) => seen));
+      cover(drawn.flatMap(({ tip }) => tip?.() ?? []));
       const ratio = devicePixelRatio;
       const [wide, high] = [width(), height()].map((side) => Math.round(side * ratio));
       if (canvas.width !== wide || canvas.height !== high) [canvas.width, canvas.height] = [wide, high];
@@ -170,14 +222,23 @@ function showsScene(scene) {
       paper.clearRect(0, 0, width(), height());
       paper.lineJoin = paper.lineCap = "round";
       const labels = drawn.map(({ draw }) => draw()).filter((mark) => mark?.label);
-      paper.font = "italic 15px 'STIX Two Text', Cambria, 'Times New Roman', serif";
-      paper.textAlign = "center";
+      paper.textAlign = "left";
       paper.lineWidth = 4;
       paper.strokeStyle = "#fff";
-      paper.fillStyle = INK;
-      for (const { label, at } of labels) {
-        paper.strokeText(label, at[0], at[1] + 5);
-        paper.fillText(label, at[0], at[1] + 5);
+      for (const { label, at, colour = INK } of labels) {
+        // A text, or a letter with its subscript.
+        const parts = [label].flat().map((text, k) => ({ text, font: `italic ${k ? 11 : 15}px ${FONT}`, down: k ? 8 : 5 }));
+        for (const part of parts) {
+          paper.font = part.font;
+          part.width = paper.measureText(part.text).width;
+        }
+        let x = at[0] - parts.reduce((sum, { width }) => sum + width, 0) / 2;
+        for (const { text, font, down, width } of parts) {
+          Object.assign(paper, { font, fillStyle: colour });
+          paper.strokeText(text, x, at[1] + down);
+          paper.fillText(text, x, at[1] + down);
+          x += width;
+        }
       }
     },
   };

@@ -1,9 +1,12 @@
 //! The picture of a page, and the script that animates it.
 
+use std::collections::HashMap;
+
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
-use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour, is_made_up};
+use lagrange_draw::{DrawError, LiveLoads, LiveMesh, LiveScene, body_colour, is_made_up};
 use lagrange_dynamic::{connector, visit_items};
+use lagrange_plot::characters::escaped;
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
 use serde_json::{Value, json};
@@ -31,20 +34,59 @@ pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Shown, Draw
     match &system.programs().drawing {
         None => Ok(Shown::default()),
         Some(drawing) if drawing.is_in_space => in_space(system, drawing, start),
-        Some(drawing) => Ok(in_plane(drawing)),
+        Some(drawing) => Ok(in_plane(drawing, &numbers(system, drawing, start))),
     }
+}
+
+/// Returns the numbers of all items at the start.
+fn numbers(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Vec<f64> {
+    let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
+    system.evaluate(&drawing.program, 0.0, q, v)
+}
+
+/// True if forces or moments can be drawn.
+fn has_loads(drawing: &DrawnScene) -> bool {
+    drawing.items.iter().any(|item| matches!(item.kind, DrawnKind::Force { .. } | DrawnKind::Moment { .. }))
 }
 
 fn figure(elements: &str) -> String {
     format!("<figure id=\"picture\">{elements}</figure>")
 }
 
-fn in_plane(drawing: &DrawnScene) -> Shown {
-    let mut bodies = 0;
-    let mut item = |item: &PlacedItem| match &item.kind {
+fn in_plane(drawing: &DrawnScene, numbers: &[f64]) -> Shown {
+    let LiveLoads { labels, note, colour } =
+        LiveLoads::new(|visit| visit_items(&drawing.items, numbers, visit));
+    let (mut labels, mut centers, mut at) = (labels.into_iter(), HashMap::new(), 0);
+    let items = drawing.items.iter().map(|item| {
+        let first = at;
+        at += count(item, 2);
+        plane_item(item, first, &mut labels, &mut centers)
+    });
+    let items = items.collect::<Vec<_>>();
+    let canvas = "<canvas id=\"canvas\" role=\"img\" aria-label=\"Drawing of the motion\"></canvas>";
+    let note = if note.is_empty() { note } else { format!("<p class=\"note\">{}</p>", escaped(&note)) };
+    Shown {
+        elements: figure(&[canvas, &note].concat()),
+        scene: json!({ "items": items, "hasLoads": has_loads(drawing), "loadColour": colour }),
+        viewer: PLANE.to_owned(),
+        ..Shown::default()
+    }
+}
+
+/// Returns the data of an item whose numbers start at `first`. `labels` are those of loads, and
+/// `centers` the places of the centres of bodies before it.
+fn plane_item<'d>(
+    item: &'d PlacedItem,
+    first: usize,
+    labels: &mut impl Iterator<Item = [String; 2]>,
+    centers: &mut HashMap<&'d str, usize>,
+) -> Value {
+    match &item.kind {
         DrawnKind::Body { .. } => {
-            bodies += 1;
-            let (colour, parts) = (body_colour(bodies - 1), item.parts.iter().map(part).collect::<Vec<_>>());
+            let colour = body_colour(centers.len());
+            // The centre follows the centroid.
+            centers.insert(&item.body, first + 2);
+            let parts = item.parts.iter().map(part).collect::<Vec<_>>();
             json!({ "kind": "body", "label": plain(&item.body), "colour": colour, "parts": parts })
         }
         DrawnKind::Line { .. } => json!({ "kind": "line" }),
@@ -53,14 +95,13 @@ fn in_plane(drawing: &DrawnScene) -> Shown {
             json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
         }
         DrawnKind::Joint { kind, .. } => json!({ "kind": "joint", "variant": format!("{kind:?}") }),
-        kind => unreachable!("{kind:?} is not of the plane"),
-    };
-    let items = drawing.items.iter().map(&mut item).collect::<Vec<_>>();
-    Shown {
-        elements: figure("<canvas id=\"canvas\" role=\"img\" aria-label=\"Drawing of the motion\"></canvas>"),
-        scene: json!({ "items": items }),
-        viewer: PLANE.to_owned(),
-        ..Shown::default()
+        DrawnKind::Force { .. } => json!({ "kind": "force", "label": labels.next() }),
+        DrawnKind::Moment { body, .. } => {
+            let center = body.as_deref().and_then(|body| centers.get(body));
+            json!({ "kind": "moment", "label": labels.next(), "center": center })
+        }
+        // Loads that are not drawn have no numbers.
+        _ => json!({ "kind": "omitted" }),
     }
 }
 
@@ -73,19 +114,38 @@ fn plain(name: &str) -> String {
 }
 
 fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Result<Shown, DrawError> {
-    let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
-    let values = system.evaluate(&drawing.program, 0.0, q, v);
+    let values = numbers(system, drawing, start);
     let live = LiveScene::new(|visit| visit_items(&drawing.items, &values, visit))?;
     let places = Places::of(drawing);
     let things = live.meshes.iter().map(|mesh| places.thing(*mesh)).collect::<Vec<_>>();
     let space = serde_json::from_str::<Value>(&live.space).unwrap_or_default();
     Ok(Shown {
-        scene: json!({ "space": space, "things": things, "middle": live.middle, "radius": live.radius }),
+        scene: json!({
+            "space": space, "things": things, "middle": live.middle, "radius": live.radius,
+            "hasLoads": has_loads(drawing), "longest": live.longest_arrow, "shortest": live.shortest_arrow,
+        }),
         elements: figure(&live.elements),
         viewer: [LiveScene::VIEWER, SPACE].concat(),
         style: LiveScene::STYLE,
         keys: LiveScene::KEYS,
     })
+}
+
+/// Returns the number of numbers of an item, where vectors have `dimension` components.
+fn count(item: &PlacedItem, dimension: usize) -> usize {
+    let (turn, moment) = if dimension == 2 { (1, 1) } else { (9, 3) };
+    match item.kind {
+        DrawnKind::Body { .. } => {
+            let parts = item.parts.iter().map(|part| part.dimension_count + dimension + turn);
+            2 * dimension + turn + parts.sum::<usize>()
+        }
+        DrawnKind::Line { .. } | DrawnKind::Frame { .. } => dimension + turn,
+        DrawnKind::Connector { .. } => 2 * dimension + 1,
+        DrawnKind::Joint { .. } => dimension,
+        DrawnKind::SpatialJoint { .. } | DrawnKind::Force { .. } => 2 * dimension,
+        DrawnKind::Moment { .. } => dimension + moment,
+        DrawnKind::Omitted { .. } | DrawnKind::Torque { .. } => 0,
+    }
 }
 
 /// Indices of the first numbers of items, by kind.
@@ -95,6 +155,8 @@ struct Places {
     bodies: Vec<(usize, bool)>,
     connectors: Vec<usize>,
     joints: Vec<usize>,
+    /// Forces and moments, and true for a moment.
+    loads: Vec<(usize, bool)>,
 }
 
 impl Places {
@@ -102,24 +164,16 @@ impl Places {
         let mut places = Places::default();
         let mut at = 0;
         for item in &drawing.items {
-            at += match item.kind {
-                DrawnKind::Body { .. } => {
-                    places.bodies.push((at, false));
-                    15 + item.parts.iter().map(|part| part.dimension_count + 12).sum::<usize>()
-                }
-                DrawnKind::Frame { .. } => {
-                    places.bodies.push((at, true));
-                    12
-                }
-                DrawnKind::Connector { .. } => {
-                    places.connectors.push(at);
-                    7
-                }
-                _ => {
-                    places.joints.push(at);
-                    6
-                }
-            };
+            match item.kind {
+                DrawnKind::Body { .. } => places.bodies.push((at, false)),
+                DrawnKind::Frame { .. } => places.bodies.push((at, true)),
+                DrawnKind::Connector { .. } => places.connectors.push(at),
+                DrawnKind::Force { .. } => places.loads.push((at, false)),
+                DrawnKind::Moment { .. } => places.loads.push((at, true)),
+                DrawnKind::Omitted { .. } | DrawnKind::Torque { .. } => {}
+                _ => places.joints.push(at),
+            }
+            at += count(item, 3);
         }
         places
     }
@@ -134,6 +188,10 @@ impl Places {
             LiveMesh::Rod(index, outer) => {
                 let outer = outer.map(|body| self.body(body));
                 json!({ "kind": "rod", "at": self.joints[index], "outer": outer })
+            }
+            LiveMesh::Load(index) => {
+                let (at, is_moment) = self.loads[index];
+                json!({ "kind": "load", "at": at, "isMoment": is_moment })
             }
         }
     }

@@ -5,6 +5,9 @@ function showsScene(scene) {
   // The viewer of films knows them as one.
   Object.assign(film, { space });
   let [ball, show] = [null, null];
+  // Forces and moments have a scale of their own each, so that the largest seen so far has the longest arrow.
+  const largest = { force: 0, moment: 0 };
+  let hasForces = false;
   const subtract = (a, b) => a.map((value, k) => value - b[k]);
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const unit = (a) => { const size = Math.hypot(...a); return size > 0 ? a.map((value) => value / size) : null; };
@@ -45,16 +48,25 @@ function showsScene(scene) {
       return spanned(k, from, outer ? poses[outer.kind](all.slice(outer.at)).origin : from);
     },
   };
+  poses.load = (numbers, k, { isMoment }) => {
+    const [from, vector, kind] = [numbers.slice(0, 3), numbers.slice(3, 6), isMoment ? "moment" : "force"];
+    const size = Math.hypot(...vector);
+    if (Number.isFinite(size)) largest[kind] = Math.max(largest[kind], size);
+    const pose = spanned(k, from, from.map((value, i) => value + scene.longest / largest[kind] * vector[i]));
+    const part = pose.stretch / scene.shortest;
+    return { ...pose, part: hasForces && part >= 0.05 ? Math.min(part, 1) : 0 };
+  };
   const posesOf = (values) => things.map((thing, k) => poses[thing.kind](values.slice(thing.at), k, thing, values));
   // In the page's own lengths, which are those of the first radius over that of the ball.
-  const inBall = ({ origin, turn, stretch }) => ({
-    origin: subtract(origin, ball.middle).map((value) => value / ball.radius), turn, stretch: stretch / ball.radius, scale: scene.radius / ball.radius,
+  const inBall = ({ origin, turn, stretch, part = 1 }) => ({
+    origin: subtract(origin, ball.middle).map((value) => value / ball.radius), turn, stretch: stretch / ball.radius, scale: part * scene.radius / ball.radius,
   });
   const corners = space.meshes.map(cornersOf);
   const reach = space.things.map(({ mesh }) => Math.max(0, ...corners[mesh].map((corner) => Math.hypot(...corner.slice(0, 3)))) * scene.radius);
   function grow(all) {
     for (const pose of all) {
-      pose.forEach(({ origin, turn, stretch }, k) => {
+      pose.forEach(({ origin, turn, stretch, part }, k) => {
+        if (part === 0) return;
         const ends = [origin, origin.map((value, row) => value + stretch * turn[6 + row])];
         for (const end of ends.filter((place) => place.every(Number.isFinite))) {
           ball.radius = Math.max(ball.radius, Math.hypot(...subtract(end, ball.middle)) + reach[k]);
@@ -65,6 +77,8 @@ function showsScene(scene) {
   return {
     fit(moments) {
       ball = { middle: about, radius: 1e-9 };
+      Object.assign(largest, { force: 0, moment: 0 });
+      moments.forEach(posesOf);
       last.fill(null);
       const all = moments.map(posesOf);
       last.fill(null);
@@ -75,6 +89,7 @@ function showsScene(scene) {
       film.times = space.poses.map((_, k) => k);
       show = viewer();
     },
+    draws(forces) { hasForces = forces; },
     show(values) {
       const pose = posesOf(values);
       grow([pose]);

@@ -206,12 +206,13 @@ impl PySystem {
     }
 
     /// Returns the film of a motion with the parameters of this system.
-    #[pyo3(signature = (motion, *, energy=true, height=640))]
+    #[pyo3(signature = (motion, *, energy=true, forces=false, height=640))]
     fn film(
         &self,
         py: Python<'_>,
         motion: PyRef<'_, PyTrajectory>,
         energy: bool,
+        forces: bool,
         height: u32,
     ) -> PyResult<PyFilm> {
         let columns = motion.as_super();
@@ -223,7 +224,7 @@ impl PySystem {
         });
         let (states, system) =
             (states.collect::<Vec<_>>(), self.derivatives.drawn(py, &self.source, &self.declared)?);
-        let film = DeclaredFilm::new(&system, columns.times(), states.iter().map(Vec::as_slice));
+        let film = DeclaredFilm::new(&system, columns.times(), states.iter().map(Vec::as_slice), forces);
         let film = film.and_then(|film| match columns.place("energy") {
             Ok(place) if energy => film.with_column("energy", &columns.columns[place]),
             _ => Ok(film),

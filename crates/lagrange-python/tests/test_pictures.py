@@ -98,6 +98,8 @@ def test_films_are_pages_in_frames(tmp_path, text, own):
     film = system.film(motion, height=300)
     assert film.html.startswith("<!DOCTYPE html>") and "energy" in film.html
     assert "energy" not in system.film(motion, energy=False).html
+    # A weight is labelled with G.
+    assert ">G<" in system.film(motion, forces=True).html and ">G<" not in film.html
     frame = film._repr_html_()
     page = re.fullmatch(r'<iframe srcdoc="([^"]*)" sandbox="allow-scripts" .* height="300" .*></iframe>', frame)
     assert page.group(1).replace("&quot;", '"').replace("&amp;", "&") == film.html

@@ -1,11 +1,11 @@
 //! Items to draw as plain data, and the expressions that place them.
 
-use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Scene};
+use crate::model::{BodyMotion, OutlinedPart, Scene};
 use lagrange_algebra::program::Program;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies::DrawnKind;
 
-/// All items to draw except loads: bodies, frames, lines, connectors and joints.
+/// All items to draw, loads included.
 #[derive(Clone, Debug)]
 pub struct DrawnScene {
     /// True if vectors have three components.
@@ -25,7 +25,7 @@ pub struct DrawnScene {
 pub struct PlacedItem {
     /// Kind of the item.
     pub kind: DrawnKind,
-    /// Name of a body; empty for other items, whose kinds contain the name.
+    /// Name of a body; empty for other items, whose kinds have the name.
     pub body: String,
     /// Parts of a body's shape.
     pub parts: Vec<PlacedPart>,
@@ -44,14 +44,10 @@ pub struct PlacedPart {
     pub is_hole: bool,
 }
 
-/// Returns the items of a scene that are not loads, and their expressions.
+/// Returns the items of a scene, and their expressions.
 pub(super) fn placed_items(scene: &Scene, is_in_space: bool) -> (Vec<PlacedItem>, Vec<ExprId>) {
-    let is_load = |item: &&DrawnItem| {
-        use DrawnKind::{Force, Moment, Omitted, Torque};
-        matches!(item.kind, Force { .. } | Moment { .. } | Torque { .. } | Omitted { .. })
-    };
     let (mut items, mut roots) = (Vec::new(), Vec::new());
-    for item in scene.drawing.iter().filter(|item| !is_load(item)) {
+    for item in &scene.drawing {
         let motion = match item.kind {
             DrawnKind::Body { body, .. } => scene.motions.get(body),
             _ => None,

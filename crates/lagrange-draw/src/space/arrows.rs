@@ -18,7 +18,7 @@ use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scene::{LoadOrigin, Spatial};
 
 /// Length of the longest arrows of a kind, relative to the diagonal of the motion.
-const LONGEST: f64 = 0.3;
+pub(super) const LONGEST: f64 = 0.3;
 /// Length of axes, relative to the diagonal of the motion.
 const AXIS: f64 = 0.12;
 

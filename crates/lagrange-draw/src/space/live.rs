@@ -1,14 +1,18 @@
 //! Scenes in space for pages that compute motions themselves: the meshes at one moment, and the
 //! viewer of films.
 
+use super::arrows::LONGEST;
+use super::mesh::Placement;
 use super::page;
 use super::projector::Projector;
 use super::recording::{Kind, MovingMesh, Recording};
 use super::size::Size;
+use super::solids::SHORTEST_ARROW;
 use super::stage;
-use super::vector::Vector;
+use super::vector::{NONE, UPRIGHT, Vector};
 use crate::error::DrawError;
 use crate::geometry::{dot, subtract};
+use crate::load_label::omitted_loads;
 use crate::look::{Direction, Look, Wanted};
 use crate::snapshot::Snapshot;
 use lagrange_runtime::scene::{Item, Spatial};
@@ -26,6 +30,10 @@ pub struct LiveScene {
     pub middle: [f64; 3],
     /// Radius of the visible scene about its middle, the viewer's unit of length.
     pub radius: f64,
+    /// Length of the longest arrow.
+    pub longest_arrow: f64,
+    /// Length below which an arrow is scaled down as a whole.
+    pub shortest_arrow: f64,
 }
 
 /// The item to which a mesh belongs, by its index among items of its kind.
@@ -39,6 +47,8 @@ pub enum LiveMesh {
     Joint(usize),
     /// The rod of a joint, which leads to the origin of this body.
     Rod(usize, Option<usize>),
+    /// A force or moment, by its index among both. It is hidden.
+    Load(usize),
 }
 
 impl LiveScene {
@@ -56,20 +66,29 @@ impl LiveScene {
     /// If a number is not finite, or there is nothing to draw.
     pub fn new(visit: impl FnOnce(&mut dyn FnMut(Item<'_, f64, Spatial>))) -> Result<LiveScene, DrawError> {
         let snapshot = [Snapshot::collected(visit)];
-        let wanted = Wanted { names: true, ..Wanted::default() };
-        let things = stage::things(&snapshot, wanted, &Size::of(&snapshot));
+        let wanted = Wanted { names: true, forces: true, ..Wanted::default() };
+        let size = Size::of(&snapshot);
+        let mut things = stage::things(&snapshot, wanted, &size);
+        for thing in things.iter_mut().filter(|thing| thing.kind == Kind::Arrow) {
+            thing.track = vec![Placement { scale: 0.0, ..Placement::rigid(NONE, UPRIGHT) }];
+        }
         let meshes = meshes(&snapshot[0], &things);
-        let recording = Recording { times: vec![0.0], things, traces: Vec::new(), note: String::new() };
+        let note = omitted_loads(&snapshot);
+        let recording = Recording { times: vec![0.0], things, traces: Vec::new(), note };
         let (middle, radius) = recording.ball();
         let look = Look { size: [640.0, 480.0], title: String::new(), direction: Direction::default() };
         let projector = Projector::new(recording.checked()?, look)?;
         let (elements, space) = page::parts(&projector);
-        Ok(LiveScene { elements, space, meshes, middle, radius })
+        let (longest_arrow, shortest_arrow) = (LONGEST * size.diagonal(), SHORTEST_ARROW * size.thin());
+        Ok(LiveScene { elements, space, meshes, middle, radius, longest_arrow, shortest_arrow })
     }
 }
 
 fn meshes(scene: &Snapshot<Spatial>, things: &[MovingMesh]) -> Vec<LiveMesh> {
-    let of = |(number, thing): (usize, &MovingMesh)| {
+    // Arrows of moments follow those of forces.
+    let loads = (0..scene.loads.len()).filter(|&load| !scene.loads[load].is_moment());
+    let mut loads = loads.chain((0..scene.loads.len()).filter(|&load| scene.loads[load].is_moment()));
+    let mut of = |(number, thing): (usize, &MovingMesh)| {
         let is_second =
             number > 0 && things[number - 1].kind == Kind::Joint && things[number - 1].name == thing.name;
         let place = |mut names: Box<dyn Iterator<Item = &str> + '_>| {
@@ -86,10 +105,11 @@ fn meshes(scene: &Snapshot<Spatial>, things: &[MovingMesh]) -> Vec<LiveMesh> {
                 let body = scene.bodies.iter().position(|link| outer.as_ref() == Some(&link.name));
                 if is_second { LiveMesh::Rod(index, body) } else { LiveMesh::Joint(index) }
             }
+            Kind::Arrow => LiveMesh::Load(loads.next().unwrap_or_default()),
             _ => LiveMesh::Body(place(Box::new(scene.bodies.iter().map(|link| &*link.name)))),
         }
     };
-    things.iter().enumerate().map(of).collect()
+    things.iter().enumerate().map(&mut of).collect()
 }
 
 /// Returns the distance of a connector from the line between its ends.

@@ -8,7 +8,7 @@ use super::projector::{DARK, EDGE, LINE, Projector};
 use super::recording::{Kind, MovingMesh, Recording, Trace};
 use super::surface::Surface;
 use super::vector::Vector;
-use crate::colour::{INK, PALE, mixed};
+use crate::colour::{INK, PALE, css, mixed};
 use crate::film::page::{Page, exact, list};
 use crate::geometry::{subtract, times};
 use crate::look::Look;
@@ -95,7 +95,7 @@ impl Scene<'_> {
         let element = |(index, (text, colour)): (usize, (String, Colour))| {
             format!(
                 "<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>",
-                hex(colour),
+                css(colour),
                 Label::parse(&text).html()
             )
         };
@@ -252,8 +252,4 @@ fn whole(values: &[f64]) -> String {
 /// Returns a colour with channels from zero to one.
 fn colour(Colour([red, green, blue, _]): Colour) -> String {
     list([red, green, blue].map(|part| number(f64::from(part) / 255.0)))
-}
-
-fn hex(Colour([red, green, blue, _]): Colour) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
 }
