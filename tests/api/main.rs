@@ -56,6 +56,7 @@ mod solve;
 mod spatial_axiom;
 mod start;
 mod state_equations;
+mod state_ranges;
 mod states;
 mod switches;
 mod tables;

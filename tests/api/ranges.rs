@@ -139,7 +139,12 @@ fn prepared_systems_are_checked_like_the_system() {
 #[test]
 fn the_first_parameter_outside_is_reported_as_a_value() {
     let ball = Ball { g: -1.0, bounce: 2.0, ..Ball::of(1.0) };
-    let expected =
-        OutOfRange { parameter: "g", value: -1.0, range: (Bound::Excluded(0.0), Bound::Unbounded), unit: "" };
+    let expected = OutOfRange {
+        kind: "parameter",
+        name: "g",
+        value: -1.0,
+        range: (Bound::Excluded(0.0), Bound::Unbounded),
+        unit: "",
+    };
     assert_eq!(ball.check_parameters(), Err(expected));
 }

@@ -1,5 +1,6 @@
 //! Names, units and defaults as arrays.
 
+use lagrange_core::model::EntryLimits;
 use lagrange_core::pipeline::Programs;
 use lagrange_core::syntax::ast::Direction;
 
@@ -34,6 +35,16 @@ pub(crate) fn arrays(programs: &Programs) -> Vec<Array> {
     let texts = |names: &[String]| names.iter().map(|name| text(name)).collect();
     let units = |names: &[String]| names.iter().map(|name| text(unit(variables, name))).collect();
     let (states, outputs) = (variables.state_names(), variables.outputs.concat());
+    let limits = &variables.limits;
+    let has_nominal = limits.iter().any(|limits| limits.nominal.is_some());
+    let nominal = limits.iter().filter(|_| has_nominal);
+    let bounds = |side: usize, open: &str| {
+        let is_bounded = limits.iter().any(|limits| limits.bounds.iter().any(Option::is_some));
+        let bound = |limits: &EntryLimits| {
+            limits.bounds[side].map_or_else(|| open.to_owned(), |(bound, _)| number(bound))
+        };
+        limits.iter().filter(|_| is_bounded).map(bound).collect()
+    };
     let events = variables.events.iter();
     let direction = |direction| match direction {
         Direction::Rising => "1",
@@ -44,6 +55,19 @@ pub(crate) fn arrays(programs: &Programs) -> Vec<Array> {
     let mut arrays = vec![
         array(TEXT, "state_names", "Names of the entries of y.", texts(&states)),
         array(TEXT, "state_units", "Units of the entries of y; empty if unknown.", units(&states)),
+        array(
+            "double ",
+            "state_nominal",
+            "Magnitudes that count as one for the entries of y, for tolerances.",
+            nominal.map(|limits| number(limits.nominal.unwrap_or(1.0))).collect(),
+        ),
+        array(
+            "double ",
+            "state_min",
+            "Lower bounds of the entries of y, for checks.",
+            bounds(0, "-INFINITY"),
+        ),
+        array("double ", "state_max", "Upper bounds of the entries of y, for checks.", bounds(1, "INFINITY")),
         array(TEXT, "parameter_names", "Names of the entries of p.", texts(&variables.fields)),
         array(
             TEXT,

@@ -31,7 +31,8 @@ impl Display for Refusal {
                 write!(f, "rigid contacts and friction run in compiled Rust only: {}", quoted(names))
             }
             Refusal::Delays(names) => {
-                write!(f, "delayed signals run in compiled Rust only: {}", quoted(names))
+                let runs = "compiled Rust, the command `lagrange simulate` and Python keep it";
+                write!(f, "delayed signals need a past, which is not kept here ({runs}): {}", quoted(names))
             }
             Refusal::Functions(names) => {
                 write!(f, "functions of a crate are known to compiled Rust only: {}", quoted(names))

@@ -276,6 +276,24 @@ fn nothing_is_plausible_where_elimination_fails() {
 }
 
 #[test]
+fn ranges_and_nominal_values_are_arrays() {
+    let text = "struct Mirror; coord tilt in -2..=2 nominal 0.5, free; kinetic = dot(tilt)^2 + dot(free)^2;";
+    let Module { header, source, .. } = Module::new(&programs(text), None).expect("a module");
+    let arrays = [
+        ("nominal", "0.5, 1.0, 0.5, 1.0"),
+        ("min", "-2.0, -INFINITY, -INFINITY, -INFINITY"),
+        ("max", "2.0, INFINITY, INFINITY, INFINITY"),
+    ];
+    for (name, values) in arrays {
+        let array = format!("const double mirror_state_{name}[4]");
+        assert!(header.contains(&format!("extern {array};")), "{header}");
+        assert!(source.contains(&format!("{array} = {{ {values} }};")), "{source}");
+    }
+    let plain = Module::new(&programs("coord x; kinetic = dot(x)^2;"), None).expect("a module");
+    assert!(!plain.header.contains("state_m") && !plain.header.contains("state_nominal"));
+}
+
+#[test]
 fn systems_that_c_cannot_compute_are_refused_by_name() {
     let base = "coord x; kinetic = 1/2 * dot(x)^2;";
     let functions = refusal(&format!("function road(x); {base} potential = road(x);"));

@@ -237,7 +237,7 @@ impl Visitor for Motion<'_> {
 
     /// Computes and writes the motion.
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Result<(), Failure> {
-        match self.run.method.run(self.run.simulation(system)) {
+        match self.run.run(system) {
             Ok(motion) => self.write(&motion).map_err(Failure::File),
             Err(failure) if matches!(failure.cause, StepFailure::Setting(_)) => {
                 Err(Failure::Usage(failure.cause.to_string()))

@@ -13,6 +13,9 @@ use crate::values::value;
 const LONGEST: f64 = 0.2;
 /// Motions with noise have no method with a tolerance as their reference.
 const NOISE: &str = "methods are measured without noise only: compare ends of `lagrange ensemble --method stochastic` with other steps";
+/// Runs of trades keep no past.
+const DELAYS: &str =
+    "methods are measured without delays only: delayed signals need a past, which is not kept here";
 
 /// Measures methods, sets the parameters of the system, and returns the best option for one or
 /// several error goals. All measurements are saved to a folder, if one is given.
@@ -37,6 +40,9 @@ pub(crate) fn text(
     let start = start("start", &options.values, system)?;
     if !system.programs().noises.is_empty() {
         return Err(Failure::Ended(NOISE.to_owned()));
+    }
+    if !system.programs().delayed_inputs.is_empty() {
+        return Err(Failure::Ended(DELAYS.to_owned()));
     }
     let report = trade(system, &start, until, longest.unwrap_or(LONGEST));
     if report.rows().is_empty() {

@@ -148,6 +148,33 @@ fn missing_starts_and_parameters_are_named() {
     assert!((rows.last().expect("an end")[1] + 1.0).abs() < 1e-12, "x = −k t²/2");
 }
 
+/// x = 1 − t up to 1, and 1 − t + (t − 1)²/2 up to 2.
+#[test]
+fn delayed_signals_follow_the_method_of_steps() {
+    let path = declaration("late.lag", "state x = 1; let past = delay(x, 1); dot(x) = -past;");
+    for method in [&["--method", "radau"][..], &["--method", "rk4", "--step", "0.1"], &[]] {
+        let (names, rows) = rows(&[&[path.as_str(), "--until", "2", "--every", "0.5"], method].concat());
+        assert_eq!(names, "t,x,past");
+        let expected = [[1.0, 1.0], [0.5, 1.0], [0.0, 1.0], [-0.375, 0.5], [-0.5, 0.0]];
+        for (row, expected) in rows.iter().zip(expected) {
+            let [x, past] = expected;
+            assert!((row[1] - x).abs() < 1e-9 && (row[2] - past).abs() < 1e-9, "{row:?}, not {expected:?}");
+        }
+        assert_eq!(rows.len(), 5);
+    }
+}
+
+#[test]
+fn ranges_end_motions_with_the_name_and_the_value() {
+    let path = declaration("range.lag", "coord x in ..=1; start dot(x) = 1; kinetic = 1/2 * dot(x)^2;");
+    let result = simulate(&[&path, "--until", "5"]);
+    assert_eq!(result.status.code(), Some(3));
+    assert!(text(&result.stderr).contains("the coordinate `x` is"), "{}", text(&result.stderr));
+    let result = simulate(&[&path, "--until", "5", "--start", "x=2"]);
+    let message = "the coordinate `x` is 2.0, but it must be at most 1.0";
+    assert!(text(&result.stderr).contains(message), "{}", text(&result.stderr));
+}
+
 #[test]
 fn a_motion_that_fails_is_written_up_to_its_last_good_state() {
     let path = declaration(
@@ -172,10 +199,6 @@ fn systems_that_need_a_compiler_are_refused_by_name() {
     let result = simulate(&[&path, "--until", "1"]);
     assert_eq!(result.status.code(), Some(1));
     assert!(text(&result.stderr).contains("rigid contacts and friction run in compiled code only: `floor`"));
-    let late = declaration("late.lag", "state x = 1; dot(x) = -delay(x, 1);");
-    let result = simulate(&[&late, "--until", "1"]);
-    assert_eq!(result.status.code(), Some(1));
-    assert!(text(&result.stderr).contains("delayed signals run in compiled code only: `delayed_1`"));
     let mistake = simulate(&[&declaration("mistake.lag", "coord x; kinetic = dot(y)^2;"), "--until", "1"]);
     assert_eq!(mistake.status.code(), Some(1));
     assert!(text(&mistake.stderr).contains("mistake.lag:1:"), "{}", text(&mistake.stderr));

@@ -146,10 +146,6 @@ fn check(programs: &Programs) -> Result<(), Refusal> {
     if !touching.is_empty() {
         return Err(Refusal::Touching(touching.clone()));
     }
-    let delayed = &programs.variables.delayed;
-    if !delayed.is_empty() {
-        return Err(Refusal::Delays(delayed.clone()));
-    }
     let functions = programs.functions();
     if !functions.is_empty() {
         return Err(Refusal::Functions(functions.iter().map(Opaque::rust_name).collect()));

@@ -5,8 +5,11 @@ use std::fmt::{self, Display, Formatter};
 
 use lagrange_runtime::ensemble::{self, Ends, Ensemble, Ensembles, Failure};
 use lagrange_runtime::integrate::{
-    EulerMaruyama, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Verner98, WienerPath,
+    EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Verner98,
+    WienerPath,
 };
+use lagrange_runtime::simulate::Drive;
+use lagrange_runtime::system::OdeSystem;
 
 use crate::declared::{DeclaredSystem, Visitor};
 use crate::method::MethodChoice;
@@ -175,7 +178,10 @@ impl Visitor for Motions<'_> {
         if let Some(threads) = threads {
             ensemble = ensemble.threads(*threads);
         }
-        let ends = ends_by(*method, ensemble);
+        let ends = match system.has_delays() {
+            true => ends_by(*method, ensemble.with_history()),
+            false => ends_by(*method, ensemble),
+        };
         let ends = ends.map_err(|error| EnsembleError::Setting(error.to_string()))?;
         Ok(EnsembleEnds::of(&ends).with(&self.settings.varied))
     }
@@ -183,10 +189,19 @@ impl Visitor for Motions<'_> {
 
 type Found<const CAPACITY: usize> = Result<Ends<DynamicSystem<CAPACITY>>, ensemble::EnsembleError>;
 
-fn ends_by<const CAPACITY: usize>(
+fn ends_by<const CAPACITY: usize, D>(
     method: MethodChoice,
-    ensemble: Ensemble<'_, DynamicSystem<CAPACITY>, Verner98<f64>>,
-) -> Found<CAPACITY> {
+    ensemble: Ensemble<'_, DynamicSystem<CAPACITY>, Verner98<f64>, D>,
+) -> Found<CAPACITY>
+where
+    D: Drive<DynamicSystem<CAPACITY>> + Sync,
+    Verner98<f64>: Method<D::Closed>,
+    Radau5<f64>: Method<D::Closed>,
+    RungeKutta4<f64>: Method<D::Closed>,
+    PlainGaussLegendre<f64, 3>: Method<D::Closed>,
+    EulerMaruyama<f64>: Method<D::Closed>,
+    StochasticRungeKutta4<f64>: Method<D::Closed>,
+{
     match method {
         MethodChoice::Verner { tolerance } => ensemble.tolerance(tolerance).run(),
         MethodChoice::Radau { tolerance } => ensemble.method(Radau5::tolerance(tolerance)).run(),

@@ -2,8 +2,8 @@
 
 use lagrange_runtime::event::{Action, DeclaredEvent, Response};
 use lagrange_runtime::system::{
-    Description, MechanicalSystem, OdeSystem, ParametricSystem, Reacted, StepFailure, Undefined, Unnamed,
-    WhiteNoise,
+    Description, Domain, MechanicalSystem, OdeSystem, ParametricSystem, Reacted, StepFailure, Undefined,
+    Unnamed, WhiteNoise,
 };
 
 use crate::inline::Inline;
@@ -53,6 +53,14 @@ impl<const N: usize> OdeSystem for FixedSystem<N> {
 
     fn undefined(&self, t: f64, y: &[f64; N], rates: &[f64; N]) -> Option<Undefined<f64>> {
         self.0.undefined(t, &self.own(y), &self.own(rates))
+    }
+
+    fn domain(&self) -> &'static Domain {
+        self.0.domain()
+    }
+
+    fn has_delays(&self) -> bool {
+        self.0.has_delays()
     }
 
     fn noise(&self) -> WhiteNoise {

@@ -2,8 +2,8 @@
 
 use lagrange_core::model::Product;
 use lagrange_runtime::system::{
-    ControlledSystem, Description, EnergyFunction, LagrangianSystem, MechanicalSystem, NamedSystem,
-    OutputSystem, StateVector, Unnamed, quaternion,
+    ControlledSystem, DelayedSystem, Description, EnergyFunction, LagrangianSystem, MechanicalSystem,
+    NamedSystem, OutputSystem, StateVector, Unnamed, quaternion,
 };
 
 use crate::inline::Inline;
@@ -101,6 +101,27 @@ impl<const CAPACITY: usize> ControlledSystem for DynamicSystem<CAPACITY> {
         for index in 0..layout.inputs {
             let value = given.get(index).filter(|_| given.len() <= layout.inputs);
             system.numeric.set_field(layout.parameters + index, value.copied().unwrap_or(f64::NAN));
+        }
+        system
+    }
+}
+
+impl<const CAPACITY: usize> DelayedSystem for DynamicSystem<CAPACITY> {
+    type Signals = Inline<CAPACITY>;
+
+    fn lags(&self) -> Inline<CAPACITY> {
+        Inline::of(&self.numeric.evaluate(&self.programs().lags, 0.0, &[], &[]))
+    }
+
+    fn signals(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
+        let signals = self.numeric.evaluate(&self.programs().delayed_signals, t, q.as_ref(), v.as_ref());
+        Inline::of(&signals)
+    }
+
+    fn with_delayed(&self, values: &Inline<CAPACITY>) -> Self {
+        let (programs, mut system) = (self.programs(), self.clone());
+        for (input, value) in programs.delayed_inputs.iter().zip(values.as_ref()) {
+            system.numeric.set_field(programs.layout.parameters + input, *value);
         }
         system
     }

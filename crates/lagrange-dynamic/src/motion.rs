@@ -1,7 +1,5 @@
 //! Interpreted systems as systems of differential equations, with events.
 
-use std::ops::Bound;
-
 use lagrange_core::derive::DiffusionKind;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Range, Reaction, TickingClock};
@@ -11,10 +9,11 @@ use lagrange_runtime::event::{
 };
 use lagrange_runtime::integrate::undefined;
 use lagrange_runtime::system::{
-    NoiseKind, OdeSystem, OutOfRange, Reacted, StateVector, StepFailure, Undefined, WhiteNoise,
+    Domain, NoiseKind, OdeSystem, OutOfRange, Reacted, StateVector, StepFailure, Undefined, WhiteNoise,
 };
 
 use crate::inline::{Inline, Rows};
+use crate::names::bound;
 use crate::system::DynamicSystem;
 
 /// Maximum number of velocities for which the mass matrix is tested for singularity, as in emitted
@@ -30,13 +29,9 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
             let units = self.names.description.units.iter();
             let known = |(known, _): &&(&str, &str)| *known == name.split('[').next().unwrap_or(name);
             let unit = units.clone().find(known).map_or("", |(_, unit)| unit);
-            let bounds = bounds.map(|bound| match bound {
-                None => Bound::Unbounded,
-                Some((value, true)) => Bound::Included(value),
-                Some((value, false)) => Bound::Excluded(value),
-            });
+            let bounds = bounds.map(bound);
             let unit = if unit == "1" { "" } else { unit };
-            OutOfRange::check(name, self.numeric.fields()[*parameter], bounds.into(), unit)
+            OutOfRange::check("parameter", name, self.numeric.fields()[*parameter], bounds.into(), unit)
         })
     }
 
@@ -77,6 +72,14 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
         let inputs = fields.skip(parameters).collect::<Vec<_>>();
         let found = undefined(self, (t, y, rates), &inputs, |q, v| self.mass_matrix(t, q, v))?;
         Some(found.with_unknowns(t, &self.unknowns(t, y)))
+    }
+
+    fn domain(&self) -> &'static Domain {
+        &self.names.domain
+    }
+
+    fn has_delays(&self) -> bool {
+        !self.programs().delayed_inputs.is_empty()
     }
 
     fn noise(&self) -> WhiteNoise {

@@ -4,14 +4,17 @@
 //! therefore leaked, once for all systems with the same names.
 
 use std::collections::HashMap;
+use std::ops::Bound;
 #[cfg(feature = "fit")]
 use std::sync::OnceLock;
 use std::sync::{Mutex, PoisonError};
 
+use lagrange_core::emit::Variables;
+use lagrange_core::model::EntryLimits;
 use lagrange_core::pipeline::Programs;
 use lagrange_core::syntax::ast;
 use lagrange_runtime::event::{DeclaredEvent, Direction};
-use lagrange_runtime::system::{Description, MatrixLayout};
+use lagrange_runtime::system::{Description, Domain, EntryRange, MatrixLayout};
 
 type Texts = &'static [&'static str];
 
@@ -20,6 +23,8 @@ type Texts = &'static [&'static str];
 pub(crate) struct Names {
     /// Names and units of the variables.
     pub(crate) description: Description,
+    /// Ranges and nominal values of the entries of the state.
+    pub(crate) domain: Domain,
     /// Names of parameters, then inputs.
     pub(crate) fields: Texts,
     /// Names of inputs, columns of outputs, and constraints.
@@ -88,6 +93,7 @@ fn kept(programs: &Programs) -> &'static Names {
     };
     Box::leak(Box::new(Names {
         description,
+        domain: domain(variables),
         fields,
         layout,
         events: Vec::leak(declared.chain(sides).collect()),
@@ -97,6 +103,40 @@ fn kept(programs: &Programs) -> &'static Names {
         #[cfg(feature = "fit")]
         filled: OnceLock::new(),
     }))
+}
+
+/// Returns the ranges and the nominal values of the entries of the state.
+fn domain(variables: &Variables) -> Domain {
+    let (names, limits) = (variables.state_names(), &variables.limits);
+    let (positions, states) = (variables.positions.len(), variables.first_order_states);
+    let range = |(entry, EntryLimits { bounds, .. }): (usize, &EntryLimits)| EntryRange {
+        entry,
+        kind: match entry {
+            _ if entry >= positions => "velocity",
+            _ if entry + states >= positions => "state",
+            _ => "coordinate",
+        },
+        name: text(&names[entry]),
+        unit: text(variables.unit(&names[entry]).filter(|unit| *unit != "1").unwrap_or_default()),
+        bounds: bounds.map(bound).into(),
+    };
+    let limited = limits.iter().enumerate();
+    let limited = limited.filter(|(_, limits)| limits.bounds.iter().any(Option::is_some));
+    let has_nominal = limits.iter().any(|limits| limits.nominal.is_some());
+    let nominal = limits.iter().filter(|_| has_nominal);
+    Domain {
+        ranges: Vec::leak(limited.map(range).collect()),
+        nominal: Vec::leak(nominal.map(|limits| limits.nominal.unwrap_or(1.0)).collect()),
+    }
+}
+
+/// Returns a bound, given with true if it is included.
+pub(crate) fn bound(bound: Option<(f64, bool)>) -> Bound<f64> {
+    match bound {
+        None => Bound::Unbounded,
+        Some((value, true)) => Bound::Included(value),
+        Some((value, false)) => Bound::Excluded(value),
+    }
 }
 
 fn texts(names: &[String]) -> Texts {

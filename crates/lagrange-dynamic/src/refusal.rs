@@ -9,8 +9,6 @@ use std::fmt::{self, Display, Formatter};
 pub enum Refusal {
     /// The system declares rigid contacts or friction with these names.
     Touching(Vec<String>),
-    /// The system delays signals, the inputs with these names.
-    Delays(Vec<String>),
     /// The system calls these functions of the user's crate.
     Functions(Vec<String>),
     /// The system exceeds the supported size.
@@ -27,9 +25,6 @@ impl Display for Refusal {
         match self {
             Refusal::Touching(names) => {
                 write!(f, "rigid contacts and friction run in compiled code only: {}", quoted(names))
-            }
-            Refusal::Delays(names) => {
-                write!(f, "delayed signals run in compiled code only: {}", quoted(names))
             }
             Refusal::Functions(names) => {
                 write!(f, "functions of a crate are known to compiled code only: {}", quoted(names))

@@ -1,7 +1,8 @@
 //! Runs with settings specified at run time.
 
 use lagrange_runtime::integrate::Verner98;
-use lagrange_runtime::simulate::{Simulate, Simulation};
+use lagrange_runtime::simulate::{Simulate, Simulation, SimulationError, Trajectory};
+use lagrange_runtime::system::OdeSystem;
 
 use crate::method::MethodChoice;
 use crate::system::DynamicSystem;
@@ -24,6 +25,21 @@ pub struct RunSettings {
 }
 
 impl RunSettings {
+    /// Runs a system. Its delayed signals are those of its past.
+    ///
+    /// # Errors
+    /// If the run fails, as in [`Simulation::run`].
+    pub fn run<const CAPACITY: usize>(
+        &self,
+        system: &DynamicSystem<CAPACITY>,
+    ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>> {
+        let simulation = self.simulation(system);
+        match system.has_delays() {
+            true => self.method.run(simulation.with_history()),
+            false => self.method.run(simulation),
+        }
+    }
+
     /// Returns the simulation of a system with these settings except the method. Declared outputs
     /// are columns.
     pub fn simulation<'a, const CAPACITY: usize>(

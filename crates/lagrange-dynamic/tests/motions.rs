@@ -10,10 +10,10 @@ use lagrange::integrate::{
     EulerMaruyama, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, WienerPath,
 };
 use lagrange::simulate::{SimulationError, Trajectory};
-use lagrange::system::{Description, MechanicalSystem};
+use lagrange::system::{Description, Domain, MechanicalSystem, OdeSystem};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
-use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Visitor};
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, MethodChoice, RunSettings, Visitor};
 
 use systems::*;
 
@@ -132,6 +132,61 @@ fn noise_events_and_clocks_go_together_with_the_same_bits() {
     assert_same_bits!(Shaken, SHAKEN, start, 3.0, StochasticRungeKutta4 { step: 0.02, path });
     assert_same_bits!(Shaken, SHAKEN, start, 3.0, adaptive(), "Failed");
     assert_same_bits!(Shaken, SHAKEN, start, -1.0, EulerMaruyama { step: 0.01, path }, "Failed");
+}
+
+#[test]
+fn nominal_values_and_ranges_act_with_the_same_bits() {
+    let start = [1e-6, 250.0, 0.0];
+    assert_same_bits!(Mirror, MIRROR, start, 2.0, adaptive());
+    assert_same_bits!(Mirror, MIRROR, start, 2.0, Radau5::tolerance(1e-8));
+    assert_same_bits!(Mirror, MIRROR, [3e-6, 250.0, 0.0], 2.0, adaptive(), "Failed");
+    assert_same_bits!(Mirror, MIRROR, [1e-6, 250.0, 4e-6], 2.0, adaptive(), "Failed");
+    let domain = declared(MIRROR).visit(DomainOf);
+    assert_eq!(domain, *Mirror::default().domain());
+    assert_eq!((domain.ranges.len(), domain.nominal), (2, &[1e-6, 300.0, 1e-6][..]));
+}
+
+/// The ranges and nominal values of a system.
+struct DomainOf;
+
+impl Visitor for DomainOf {
+    type Output = Domain;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Domain {
+        *system.domain()
+    }
+}
+
+/// The motion of a system with delays, as settings of the command describe it.
+struct Remembered(RunSettings);
+
+impl Visitor for Remembered {
+    type Output = Record;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Record {
+        record(self.0.run(system))
+    }
+}
+
+#[test]
+fn delayed_signals_take_their_past_with_the_same_bits() {
+    let late = Late::default();
+    let method = MethodChoice::Verner { tolerance: 1e-9 };
+    let methods = [method, MethodChoice::RungeKutta4 { step: 0.014 }];
+    for (method, is_adaptive) in methods.into_iter().zip([true, false]) {
+        let start: [f64; 3] = late.start().into();
+        let compiled = late.simulate(start).until(2.0).every(0.05).outputs().with_history();
+        let expected = match is_adaptive {
+            true => record(compiled.method(adaptive()).run()),
+            false => record(compiled.method(RungeKutta4 { step: 0.014 }).run()),
+        };
+        let every = Some(0.05);
+        let settings =
+            RunSettings { start: start.to_vec(), from: 0.0, until: 2.0, every, method, has_energy: false };
+        let found = declared(LATE).visit(Remembered(settings));
+        assert!(found.0[0].starts_with("Reached"), "{}", found.0[0]);
+        assert_eq!(found, expected);
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use lagrange_core::model::EntryLimits;
 use lagrange_core::pipeline::{Programs, Reaction};
 
 use crate::dependencies::Dependencies;
@@ -124,23 +125,23 @@ fn has_jumps(programs: &Programs) -> bool {
 
 /// Returns the element of a variable. Importers reinitialise states only if the state `jumps`.
 fn written((version, jumps): (Version, bool), reference: usize, variable: &Variable) -> String {
-    let state = |value| format!("{}{}", start(value), if jumps { " reinit=\"true\"" } else { "" });
+    let state = |value, EntryLimits { bounds, nominal }: EntryLimits| {
+        let least_and_most = attributes(bounds.map(|bound| Some(bound?.0)));
+        let nominal = nominal.map(|nominal| format!(" nominal=\"{nominal:?}\"")).unwrap_or_default();
+        let reinit = if jumps { " reinit=\"true\"" } else { "" };
+        format!("{least_and_most}{nominal}{}{reinit}", start(value))
+    };
     let (role, value) = match variable.kind {
-        Kind::State(value, false) => ("causality=\"local\" initial=\"exact\"", state(value)),
-        Kind::State(value, true) => ("causality=\"local\" initial=\"approx\"", state(value)),
+        Kind::State(value, false, limits) => ("causality=\"local\" initial=\"exact\"", state(value, limits)),
+        Kind::State(value, true, limits) => ("causality=\"local\" initial=\"approx\"", state(value, limits)),
         Kind::Rate(state) => (
             "causality=\"local\" initial=\"calculated\"",
             format!(" derivative=\"{}\"", number(version, state)),
         ),
-        Kind::Parameter(value, bounds) => {
-            let bounds =
-                bounds.iter().zip(["min", "max"]).filter_map(|(bound, name)| Some((name, (*bound)?)));
-            let bounds = bounds.map(|(name, bound)| format!(" {name}=\"{bound:?}\"")).collect::<String>();
-            (
-                "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"",
-                format!("{bounds}{}", start(value)),
-            )
-        }
+        Kind::Parameter(value, bounds) => (
+            "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"",
+            format!("{}{}", attributes(bounds), start(value)),
+        ),
         Kind::Input(value) => ("causality=\"input\"", start(value)),
         Kind::Output => ("causality=\"output\" initial=\"calculated\"", String::new()),
         Kind::Indicator => ("causality=\"local\" initial=\"calculated\"", String::new()),
@@ -155,6 +156,12 @@ fn written((version, jumps): (Version, bool), reference: usize, variable: &Varia
         ),
         Version::Three => format!("    <Float64 {head}\n      {}/>\n", format!("{unit}{value}").trim_start()),
     }
+}
+
+/// Returns attributes with the bounds of a variable.
+fn attributes(bounds: [Option<f64>; 2]) -> String {
+    let bounds = bounds.into_iter().zip(["min", "max"]);
+    bounds.filter_map(|(bound, name)| Some(format!(" {name}=\"{:?}\"", bound?))).collect()
 }
 
 fn start(value: f64) -> String {
@@ -187,7 +194,7 @@ fn structure(version: Version, dependencies: &Dependencies<'_>, variables: &[Var
     let outputs = of_kind(|kind| kind == Kind::Output).zip(dependencies.of_outputs().into_iter().map(known));
     let rates = of_kind(|kind| matches!(kind, Kind::Rate(_))).enumerate();
     let rates = rates.map(|(rate, reference)| (reference, known(dependencies.of_rate(rate))));
-    let initial = of_kind(|kind| matches!(kind, Kind::State(_, true) | Kind::Rate(_) | Kind::Output));
+    let initial = of_kind(|kind| matches!(kind, Kind::State(_, true, _) | Kind::Rate(_) | Kind::Output));
     let indicators = of_kind(|kind| kind == Kind::Indicator);
     let lists = [
         ("Outputs", "Output", outputs.collect::<Unknowns>()),

@@ -1,5 +1,6 @@
 //! The variables of a unit, in the order of their value references.
 
+use lagrange_core::model::EntryLimits;
 use lagrange_core::pipeline::Programs;
 
 use crate::error::ExportError;
@@ -27,8 +28,9 @@ pub(crate) struct Variable {
 /// The role of a variable.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Kind {
-    /// An entry of the state with its initial value; true if this depends on parameters.
-    State(f64, bool),
+    /// An entry of the state with its initial value, true if this depends on parameters, and its
+    /// range and nominal value.
+    State(f64, bool, EntryLimits),
     /// The rate of the state entry with this index.
     Rate(usize),
     /// A parameter with its value and its bounds.
@@ -59,7 +61,8 @@ pub(crate) fn variables(
         Variable { name: name.to_owned(), unit, kind }
     };
     let states = names.state_names();
-    let kinds = start.state.iter().zip(follows).map(|(value, follows)| Kind::State(*value, *follows));
+    let kinds = start.state.iter().zip(follows).zip(&names.limits);
+    let kinds = kinds.map(|((value, follows), limits)| Kind::State(*value, *follows, *limits));
     let mut all = states.iter().zip(kinds).map(|(name, kind)| variable(name, kind)).collect::<Vec<_>>();
     let fields = names.fields.iter().zip(&start.fields).enumerate().map(|(index, (name, value))| {
         let is_parameter = index < programs.layout.parameters;

@@ -187,6 +187,24 @@ fn dependencies_and_units_are_those_of_the_formulas() {
 }
 
 #[test]
+fn ranges_and_nominal_values_are_attributes_of_states() {
+    let text = "struct Mirror; coord tilt: mm in -2..=2 nominal 0.1 = 1; state heat: K > 0 = 3;
+        kinetic = 1/2 * (1 kg) * dot(tilt)^2; dot(heat) = -0.1 [1/s] * heat;";
+    for version in VERSIONS {
+        let unit = unit(text, version);
+        let of = |name: &str| {
+            let named = format!("name=\"{name}\" valueReference");
+            let (_, element) = unit.description.split_once(&named).expect("a variable");
+            element.split_once(if version == Version::Two { "</Scalar" } else { "/>" }).expect("an end").0
+        };
+        let limits = "min=\"-0.002\" max=\"0.002\" nominal=\"0.0001\" start=\"0.001\"";
+        assert!(of("tilt").contains(limits), "{}", of("tilt"));
+        assert!(of("heat").contains("min=\"0.0\" start=\"3.0\""), "{}", of("heat"));
+        assert!(of("tilt_dot").contains("nominal=\"0.0001\" start=\"0.0\""), "{}", of("tilt_dot"));
+    }
+}
+
+#[test]
 fn balls_bounce_in_closed_form() {
     let ([status, time, h, speed], messages) = stepped("bounce", BOUNCE, &["0.25", "12", "5", "0.9"]);
     let (g, mut t) = (9.81_f64, (2.0_f64 / 9.81).sqrt());

@@ -79,7 +79,7 @@ impl Visitor for FreeRun {
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
         let FreeRun(settings) = self;
-        ended(settings.method.run(settings.simulation(system)))
+        ended(settings.run(system))
     }
 }
 

@@ -1,7 +1,8 @@
 //! Entries of the state that have been assigned values.
 
-use crate::model::{Assignment, Bound};
+use crate::model::{Assignment, Bound, EntryLimits};
 use lagrange_expr::diagnostics::Origin;
+use lagrange_language::syntax::ast::AllowedRange;
 
 /// Entries by their indices in [q…, v…], with the places of their assignments.
 #[derive(Default)]
@@ -23,6 +24,16 @@ impl Assigned {
 
 /// The lower and the upper bound of a parameter.
 pub(super) type Bounds = [Option<Bound>; 2];
+
+/// The range and the nominal value of an entry of the state, as declared.
+#[derive(Clone, Debug)]
+pub(super) struct DeclaredLimits {
+    /// Index in [q…, v…].
+    pub(super) index: usize,
+    pub(super) origin: Origin,
+    pub(super) range: AllowedRange,
+    pub(super) limits: EntryLimits,
+}
 
 /// Initial values declared so far.
 #[derive(Default)]

@@ -7,6 +7,7 @@ use super::elaborator::{Elaborator, SourceTerm};
 use super::events::check_reduced_events;
 use super::gibbs::total_gibbs;
 use super::ignored::Terms;
+use super::limits::store_limits;
 use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
 use super::noise::{check_noise, separate_noises};
@@ -359,14 +360,17 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
     let rates = elaborator.evaluator.named_rates.iter().map(|(velocity, position)| (*velocity, *position));
     let rates = rates.collect();
     let coordinates = elaborator.coordinates.into_iter().map(|(coordinate, _)| coordinate);
+    let mut coordinates = coordinates.chain(states).collect::<Vec<_>>();
+    let mut speeds = elaborator.speeds.into_iter().map(|(speed, _)| speed).collect::<Vec<_>>();
+    store_limits(elaborator.limits, &mut coordinates, &mut speeds);
     Model {
         graph: elaborator.evaluator.graph,
         parameters: elaborator.parameters,
         inputs: elaborator.inputs,
         noises,
         delays: elaborator.delays.into_iter().map(|(delay, _)| delay).collect(),
-        coordinates: coordinates.chain(states).collect(),
-        speeds: elaborator.speeds.into_iter().map(|(speed, _)| speed).collect(),
+        coordinates,
+        speeds,
         orientations: elaborator.orientations,
         start,
         energies,

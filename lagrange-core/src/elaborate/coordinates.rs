@@ -5,7 +5,7 @@ use super::expression::value_of;
 use super::messages::{self, names};
 use super::operand::Operand;
 use super::scope::NameKind;
-use crate::model::{Coordinate, Orientation, Speed};
+use crate::model::{Coordinate, EntryLimits, Orientation, Speed};
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
@@ -74,9 +74,9 @@ fn is_declared_before(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) 
 /// Adds a position, whose symbol already exists, with its rate.
 fn define_position(elaborator: &mut Elaborator<'_>, name: &Name, position: ExprId, rate: ExprId) {
     elaborator.evaluator.graph.set_rate(position, rate);
-    elaborator
-        .coordinates
-        .push((Coordinate { name: name.text.clone(), position, rate, is_state: false }, name.span));
+    let limits = EntryLimits::default();
+    let coordinate = Coordinate { name: name.text.clone(), position, rate, is_state: false, limits };
+    elaborator.coordinates.push((coordinate, name.span));
     elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
 }
 
@@ -92,7 +92,8 @@ fn define_speed(
     let velocity = graph.dotted_symbol(&name, Role::Velocity(index), dots);
     let acceleration = graph.dotted_symbol(&name, Role::Acceleration(index), dots + 1);
     let name = if dots == 0 { name } else { format!("{name}_dot") };
-    elaborator.speeds.push((Speed { name, coordinate, velocity, acceleration }, place.span));
+    let limits = EntryLimits::default();
+    elaborator.speeds.push((Speed { name, coordinate, velocity, acceleration, limits }, place.span));
     velocity
 }
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::assigned::{Bounds, Start};
+use super::assigned::{Bounds, DeclaredLimits, Start};
 use super::evaluator::Evaluator;
 use super::expression::value_of;
 use super::messages;
@@ -90,6 +90,8 @@ pub(super) struct Elaborator<'a> {
     /// Ranges of parameters so far, keyed by their bounds in the syntax tree.
     pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
+    /// Ranges and nominal values of entries of the state.
+    pub(super) limits: Vec<DeclaredLimits>,
     pub(super) states: Vec<DeclaredState>,
     /// Equations that do not yet determine rates of states.
     pub(super) rate_equations: Vec<RateEquation>,
@@ -150,6 +152,7 @@ impl<'a> Elaborator<'a> {
             delays: Vec::new(),
             ranges: Vec::new(),
             coordinates: Vec::new(),
+            limits: Vec::new(),
             states: Vec::new(),
             rate_equations: Vec::new(),
             named_velocities: declaration.named_velocities(),

@@ -23,6 +23,7 @@ mod function_names;
 mod gibbs;
 mod ignored;
 mod inertia;
+mod limits;
 mod loads;
 mod magnitudes;
 mod messages;

@@ -31,7 +31,8 @@ pub(super) fn range_of(
     bounds
 }
 
-fn bounds(elaborator: &mut Elaborator<'_>, range: &AllowedRange) -> Bounds {
+/// Returns the bounds of a range.
+pub(super) fn bounds(elaborator: &mut Elaborator<'_>, range: &AllowedRange) -> Bounds {
     let mut bound = |limit: Limit| {
         let value = elaborator.constant_scalar(limit.value, messages::BOUND)?;
         Some(Bound { value, is_included: limit.is_included })

@@ -1,14 +1,17 @@
 //! Initial values of the state: in declarations of coordinates and states, and of any entry in
 //! `start` statements.
 
+use super::assigned::DeclaredLimits;
 use super::elaborator::Elaborator;
 use super::entries::{assigned_index, spelling_of};
+use super::limits::set_limits;
 use super::messages::start as messages;
 use super::states::state_named;
 use crate::model::Assignment;
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::{Dependencies, ExprId, evaluate};
 use lagrange_language::syntax::ast::{self, AstId, Definition};
+use lagrange_language::syntax::print;
 
 /// Adds `start x = e;` or `start dot(x) = e;`.
 pub(super) fn add_start(elaborator: &mut Elaborator<'_>, assignment: &ast::Assignment) {
@@ -17,13 +20,19 @@ pub(super) fn add_start(elaborator: &mut Elaborator<'_>, assignment: &ast::Assig
     set_start(elaborator, index, origin, assignment.value);
 }
 
-/// Adds the value of `coord x = e;` or `state a = e;` after the name has been declared.
-pub(super) fn add_declared_start(elaborator: &mut Elaborator<'_>, definition: &Definition) {
-    let Some(value) = definition.value else { return };
+/// Adds the value, the range and the nominal value of `coord x in 0..1 = e;` or `state a = e;`
+/// after the name has been declared.
+pub(super) fn add_declared_entry(elaborator: &mut Elaborator<'_>, definition: &Definition) {
     let name = definition.name.text.as_str();
     let position = elaborator.coordinates.iter().position(|(known, _)| known.name == name);
     let index = position.or_else(|| state_named(elaborator, name));
-    set_start(elaborator, index, definition.name.span.into(), value);
+    let origin = definition.name.span.into();
+    if definition.is_limited() {
+        set_limits(elaborator, index, origin, (definition.range, definition.nominal));
+    }
+    if let Some(value) = definition.value {
+        set_start(elaborator, index, origin, value);
+    }
 }
 
 fn set_start(elaborator: &mut Elaborator<'_>, index: Option<usize>, origin: Origin, syntax: AstId) {
@@ -49,6 +58,33 @@ pub(super) fn check_starts(elaborator: &mut Elaborator<'_>) {
         let name = |part: usize| elaborator.coordinates[first_part + part].0.name.as_str();
         let help = messages::whole_quaternion([0, 1, 2, 3].map(name));
         elaborator.evaluator.report.error(first, messages::PART_OF_QUATERNION).help(help);
+    }
+    if elaborator.declaration.has_start() {
+        check_ranges(elaborator);
+    }
+}
+
+/// Checks that initial values that are known are in the ranges of their entries.
+fn check_ranges(elaborator: &mut Elaborator<'_>) {
+    let state = initial_state(elaborator);
+    for DeclaredLimits { index, origin, range, limits } in elaborator.limits.clone() {
+        let Some(&start) = state.get(index) else { continue };
+        if elaborator.evaluator.graph.dependencies(start) != Dependencies::NONE {
+            continue;
+        }
+        let value = evaluate(&elaborator.evaluator.graph, &[start], |_| f64::NAN)[0];
+        if limits.contains(value) {
+            continue;
+        }
+        let range = print::range(&elaborator.declaration.expressions, &range);
+        let name = spelling_of(elaborator, index);
+        let assigned = elaborator.start.assigned.first(index);
+        let message = match assigned {
+            Some(_) => messages::start_outside(name, range),
+            None => messages::zero_outside(name, range),
+        };
+        let error = elaborator.evaluator.report.error(assigned.unwrap_or(origin), message);
+        error.help(messages::START_OUTSIDE_HELP);
     }
 }
 

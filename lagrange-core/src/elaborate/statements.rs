@@ -8,6 +8,7 @@ use super::elaborator::Elaborator;
 use super::events::{add_clock, add_event};
 use super::expression::value_of;
 use super::gibbs::add_gibbs;
+use super::limits::add_limits;
 use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
 use super::messages;
 use super::noise::define_noise;
@@ -18,7 +19,7 @@ use super::reductions::add_reduction;
 use super::scope::NameKind;
 use super::solve::define_unknowns;
 use super::stabilisation::set_stabilisation;
-use super::start::{add_declared_start, add_start};
+use super::start::{add_declared_entry, add_start};
 use super::states::{add_state_rate, define_mode, define_state};
 use super::tables::define_table;
 use crate::model::{Output, Product};
@@ -54,17 +55,18 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Coordinates(list) => {
             for definition in list {
                 define_coordinate(elaborator, &definition.name);
-                add_declared_start(elaborator, definition);
+                add_declared_entry(elaborator, definition);
             }
         }
         StatementKind::States(kind, list) => {
             for definition in list {
                 define_state(elaborator, &definition.name, *kind);
-                add_declared_start(elaborator, definition);
+                add_declared_entry(elaborator, definition);
             }
         }
         StatementKind::Mode(mode) => define_mode(elaborator, mode),
         StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, assignment)),
+        StatementKind::Ranges(list) => list.iter().for_each(|entry| add_limits(elaborator, entry)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::RateEquation(difference) => add_rate_equation(elaborator, *difference),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),

@@ -7,7 +7,7 @@ use super::operand::Operand;
 use super::rate_equations::{report_frozen_coupled_states, report_undetermined_rates, set_rate};
 use super::scope::NameKind;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
-use crate::model::{Action, Coordinate};
+use crate::model::{Action, Coordinate, EntryLimits};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
@@ -169,7 +169,13 @@ pub(super) fn positions_of_states(elaborator: &Elaborator<'_>) -> Vec<Coordinate
     let graph = &elaborator.evaluator.graph;
     let positions = elaborator.states.iter().map(|DeclaredState { name, position, .. }| {
         let rate = graph.rate_of_position(*position).unwrap_or(*position);
-        Coordinate { name: name.text.clone(), position: *position, rate, is_state: true }
+        Coordinate {
+            name: name.text.clone(),
+            position: *position,
+            rate,
+            is_state: true,
+            limits: EntryLimits::default(),
+        }
     });
     positions.collect()
 }

@@ -21,6 +21,7 @@ use super::features::noise::noise_members;
 use super::features::orientations::{orientation_members, position_rates};
 use super::features::parametric::parametric_impl;
 use super::features::ports::units_of_outputs;
+use super::features::ranges::domain_member;
 use super::features::regressor::regressor_impl;
 use super::features::scene::scene_impl;
 use super::features::switches::{switched_impl, timed_members};
@@ -87,7 +88,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (constrained, events) = (correct_members(shape, members), event_members(shape, members));
     let timed = timed_members(shape, members, next_tick(shape, members));
     let (clocks, noise) = (clock_members(shape, members), noise_members(shape, members));
-    let delays = delay_member(shape);
+    let (delays, domain) = (delay_member(shape), domain_member(shape, members));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -105,6 +106,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #clocks
             #noise
             #delays
+            #domain
         }
     }
 }

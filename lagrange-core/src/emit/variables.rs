@@ -8,7 +8,7 @@ use super::features::regressor::regressor_names;
 use super::features::switches::derived_shape;
 use super::features::units::units_by_name;
 use crate::derive::Equations;
-use crate::model::{Model, Product};
+use crate::model::{EntryLimits, Model, Product};
 use lagrange_language::syntax::ast::{Declaration, Direction};
 
 /// Names and units of a system's variables, as in the constants of its emitted type.
@@ -22,6 +22,8 @@ pub struct Variables {
     pub velocities: Vec<String>,
     /// Coordinates whose rates the named velocities are; empty names for other velocities.
     pub rates_of: Vec<String>,
+    /// Ranges and nominal values of the entries of the state.
+    pub limits: Vec<EntryLimits>,
     /// Number of first-order states, the last positions.
     pub first_order_states: usize,
     /// Indices of positions at which unit quaternions begin.
@@ -104,6 +106,7 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
         positions: shape.coordinates.iter().map(|name| text(shape.written(name))).collect(),
         velocities: named.clone().map(|velocity| written_velocity(&shape, velocity)).collect(),
         rates_of: named.map(|velocity| velocity.coordinate.map_or_else(String::new, rates_of)).collect(),
+        limits: model.entry_limits(),
         first_order_states: shape.states,
         quaternions: shape.quaternions.clone(),
         positions_of_velocities: shape.velocities.iter().map(|v| shape.position_of(v)).collect(),

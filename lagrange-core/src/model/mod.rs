@@ -172,6 +172,26 @@ pub struct Coordinate {
     pub rate: ExprId,
     /// True if it is a state, which displacements do not change.
     pub is_state: bool,
+    /// Its range and nominal value.
+    pub limits: EntryLimits,
+}
+
+/// The range and the nominal value of an entry of the state.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct EntryLimits {
+    /// Lower and upper bound, each with true if it is included.
+    pub bounds: [Option<(f64, bool)>; 2],
+    /// The magnitude that counts as one, if it is declared.
+    pub nominal: Option<f64>,
+}
+
+impl EntryLimits {
+    /// True if a value is in the range.
+    pub(crate) fn contains(&self, value: f64) -> bool {
+        let [lower, upper] = self.bounds;
+        let is_above = lower.is_none_or(|(bound, included)| value > bound || included && value == bound);
+        is_above && upper.is_none_or(|(bound, included)| value < bound || included && value == bound)
+    }
 }
 
 /// A generalised velocity, called generalised speed by Kane: the rate of a coordinate, or a
@@ -186,6 +206,8 @@ pub struct Speed {
     pub velocity: ExprId,
     /// v̇
     pub acceleration: ExprId,
+    /// Its range and nominal value.
+    pub limits: EntryLimits,
 }
 
 /// An orientation as a unit quaternion among the positions, with the angular velocity in the
@@ -397,6 +419,17 @@ impl ReactionKind {
 }
 
 impl Model {
+    /// Returns the ranges and nominal values of the entries of the state. A velocity has the
+    /// nominal value of its coordinate unless it has its own.
+    pub fn entry_limits(&self) -> Vec<EntryLimits> {
+        let positions = self.coordinates.iter().map(|coordinate| coordinate.limits);
+        let velocities = self.speeds.iter().map(|speed| {
+            let of_coordinate = speed.coordinate.and_then(|index| self.coordinates[index].limits.nominal);
+            EntryLimits { nominal: speed.limits.nominal.or(of_coordinate), ..speed.limits }
+        });
+        positions.chain(velocities).collect()
+    }
+
     /// Returns the generalised velocities in state order.
     pub fn velocities(&self) -> Vec<ExprId> {
         self.speeds.iter().map(|speed| speed.velocity).collect()

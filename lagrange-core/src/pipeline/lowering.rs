@@ -71,6 +71,10 @@ impl<'a> Lowering<'a> {
             position_rates: self.on_sides(&rates),
             accelerations: self
                 .on_sides(&[&equations.accelerations[..], &beside(equations), &growth].concat()),
+            delayed_inputs: self.model.delays.iter().map(|delay| delay.input).collect(),
+            delayed_signals: self
+                .on_sides(&self.model.delays.iter().map(|delay| delay.signal).collect::<Vec<_>>()),
+            lags: self.as_declared(&self.model.delays.iter().map(|delay| delay.lag).collect::<Vec<_>>()),
             noises: self.model.noises.iter().map(|noise| noise.name.clone()).collect(),
             diffusion: self.on_sides(&equations.diffusion.columns.concat()),
             diffusion_kind: equations.diffusion.kind,

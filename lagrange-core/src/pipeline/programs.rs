@@ -35,6 +35,12 @@ pub struct Programs {
     /// Accelerations, possibly followed by values that emitted code computes with them, and finally
     /// the growth of their rounding errors.
     pub accelerations: Program,
+    /// Inputs that are delayed signals, by index.
+    pub delayed_inputs: Vec<usize>,
+    /// Delayed signals at the time of their causes.
+    pub delayed_signals: Program,
+    /// Delays of these signals, functions of parameters alone.
+    pub lags: Program,
     /// Names of the noises.
     pub noises: Vec<String>,
     /// Diffusions of the noises, in rows.
@@ -190,6 +196,7 @@ impl Programs {
         let of_constraints =
             [&self.position_residuals, &self.correction, &self.mass_times, &self.regressor_parameters];
         let of_events = [&self.switches, &self.event_functions, &self.unknown_values, &self.diffusion];
+        let of_delays = [&self.delayed_signals, &self.lags];
         let replaced = self.reactions.iter().filter_map(|reaction| match reaction {
             Reaction::Replace(program) => Some(program),
             _ => None,
@@ -206,7 +213,7 @@ impl Programs {
             .chain(&self.system_matrix)
             .chain(self.drawing.iter().flat_map(DrawnScene::programs))
             .chain(self.switch_times.iter().flatten());
-        let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events);
+        let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events).chain(of_delays);
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
     }
 

@@ -72,6 +72,28 @@ both_ways! {
         every 3 * period => { held = held + 0.01; }
     }
 
+    Mirror = MIRROR {
+        emit { jacobian }
+        coord tilt in -2e-6..=2e-6 nominal 1e-6;
+        state heat > 0 nominal 300;
+        kinetic = 1/2 * dot(tilt)^2;
+        potential = 1/2 * tilt^2;
+        dot(heat) = 290 - heat;
+    }
+
+    Late = LATE {
+        param m: kg = 1, l: m = 1, g: m/s^2 = 9.81, p: N*m = 30, d: N*m*s = 6, lag: s = 0.05;
+        coord theta: rad = 0.3;
+        state mean = 0.1;
+        let seen = delay(theta, lag);
+        kinetic = 1/2 * m * (l * dot(theta))^2;
+        potential = m * g * l * cos(theta);
+        force theta = -p * seen - d * delay(dot(theta), lag);
+        dot(mean) = (delay(seen, 2 * lag) - mean) / (1 [s]);
+        event low = seen - 0.1, falling => { dot(theta) = dot(theta) + 0.5 [1/s]; }
+        output behind: rad = theta - seen;
+    }
+
     Landing = LANDING {
         param m: kg = 2, k: N/m = 5000, d: s/m = 0.3, mu = 0.4, v: m/s = 0.01, g: m/s^2 = 9.81;
         coord x: m, y: m, phi: rad;

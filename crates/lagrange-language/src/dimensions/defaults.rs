@@ -85,8 +85,10 @@ impl UnitWriter<'_> {
             }
             StatementKind::Table(table) => self.table(table),
             StatementKind::Output(name, value) => self.output(name, value),
-            StatementKind::Parameters(list) => {
-                list.iter_mut().for_each(|definition| self.parameter(definition));
+            StatementKind::Parameters(list)
+            | StatementKind::Coordinates(list)
+            | StatementKind::States(_, list) => {
+                list.iter_mut().for_each(|definition| self.limited(definition));
             }
             kind => {
                 for (name, value) in kind.declarations_mut() {
@@ -144,13 +146,15 @@ impl UnitWriter<'_> {
         }
     }
 
-    /// Converts a parameter, whose bounds are also in its unit.
-    fn parameter(&mut self, Definition { name, range, value }: &mut Definition) {
-        let has_bounds = range.limits().next().is_some();
-        range.limits_mut().for_each(|limit| limit.value = self.number(name, limit.value));
+    /// Converts a definition, whose bounds and nominal value are also in its unit.
+    fn limited(&mut self, definition: &mut Definition) {
+        let is_limited = definition.is_limited();
+        let Definition { name, range, nominal, value } = definition;
+        let limits = range.limits_mut().map(|limit| &mut limit.value);
+        limits.chain(nominal).for_each(|limit| *limit = self.number(name, *limit));
         match value {
             Some(value) => *value = self.definition(name, *value),
-            None if has_bounds => self.name(name, None),
+            None if is_limited => self.name(name, None),
             None => self.value(name),
         }
     }

@@ -98,9 +98,12 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             list.iter().for_each(|definition| demand_of_noise(checker, definition));
         }
         (StatementKind::Coordinates(list) | StatementKind::States(_, list), DimensionPass::Require) => {
-            for Definition { name, value, .. } in list {
+            for Definition { name, range, nominal, value } in list {
                 let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-                require_start(checker, *value, &known, &value_of(name));
+                let limits = range.limits().map(|limit| limit.value);
+                for value in limits.chain(*nominal).chain(*value) {
+                    require_start(checker, value, &known, &value_of(name));
+                }
             }
         }
         (StatementKind::Start(assignments), DimensionPass::Require) => {
@@ -108,7 +111,15 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
                 let target = checker.value(assignment.target);
                 let place = checker.expressions.origin(assignment.target);
                 let reason = Grounds { words: messages::STARTS.to_owned(), place };
-                require_start(checker, Some(assignment.value), &target, &reason);
+                require_start(checker, assignment.value, &target, &reason);
+            }
+        }
+        (StatementKind::Ranges(entries), DimensionPass::Require) => {
+            for entry in entries {
+                let target = checker.value(entry.target);
+                let place = checker.expressions.origin(entry.target);
+                let reason = Grounds { words: messages::RANGES.to_owned(), place };
+                entry.values().for_each(|value| require_start(checker, value, &target, &reason));
             }
         }
         (StatementKind::Quaternion(quaternion), DimensionPass::Declare) => {
@@ -271,7 +282,10 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             DimensionPass::Abbreviate,
         )
         | (StatementKind::Mode(_), DimensionPass::Abbreviate | DimensionPass::Require)
-        | (StatementKind::Start(_), DimensionPass::Declare | DimensionPass::Abbreviate)
+        | (
+            StatementKind::Start(_) | StatementKind::Ranges(_),
+            DimensionPass::Declare | DimensionPass::Abbreviate,
+        )
         | (StatementKind::Friction(_) | StatementKind::Delay { .. }, DimensionPass::Declare)
         | (
             StatementKind::Function(_)
@@ -312,7 +326,7 @@ fn demand_of_noise(checker: &mut Checker<'_>, Definition { name, value, .. }: &D
     let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
     let density = known.map(|form| form.times(form).times(&self::form(TIME)));
     let reason = Grounds { words: messages::density_of(&name.text), place: Origin::from(name.span) };
-    require_start(checker, *value, &density, &reason);
+    value.iter().for_each(|value| require_start(checker, *value, &density, &reason));
 }
 
 fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {

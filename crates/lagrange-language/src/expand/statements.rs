@@ -251,15 +251,16 @@ fn element(of: &Name, text: String) -> Name {
 
 fn definitions(copier: &mut Copier<'_>, list: &[Definition], scope: ScopeId) -> Vec<Definition> {
     let mut written = Vec::new();
-    for Definition { name, mut range, value } in list.iter().cloned() {
+    for Definition { name, mut range, nominal, value } in list.iter().cloned() {
         range.limits_mut().for_each(|limit| limit.value = copier.copied(limit.value, scope));
+        let nominal = nominal.map(|nominal| copier.copied(nominal, scope));
         let sizes = copier.sizes(&name, scope).unwrap_or_default();
         let value = value.filter(|value| fits(copier.expressions, *value, &sizes, &mut copier.complaints));
         let mut copies: HashMap<AstId, AstId> = HashMap::default();
         for (position, name) in elements(copier, &name, scope) {
             let value = value.and_then(|value| element_of(copier.expressions, value, &position));
             let value = value.map(|id| *copies.get_or_insert_with(id, || copier.copied(id, scope)));
-            written.push(Definition { name, range, value });
+            written.push(Definition { name, range, nominal, value });
         }
     }
     written

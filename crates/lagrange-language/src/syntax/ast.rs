@@ -27,7 +27,7 @@ pub use callables::{
     UnknownDefinition,
 };
 pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
-pub use definitions::{AllowedRange, Definition, EmitItem, Limit, Mode, StateKind};
+pub use definitions::{AllowedRange, Definition, EmitItem, Limit, LimitedEntry, Mode, StateKind};
 pub use expressions::{
     ArrayExpression, BinaryOperator, CONTACT_POINT, CONTACT_POINT_LENGTH, Condition, Expression, Expressions,
     Fold, IN_AXES, Range,

@@ -34,9 +34,9 @@ impl Parser<'_> {
                 parser.declared_names.insert(name.text.clone(), Declared::Parameter);
                 parser.annotation(name, "param", cursor);
             }
-            let range = parser.range_behind(&name, keyword, cursor);
+            let (range, nominal) = parser.limits_behind(&name, keyword, cursor);
             let value = parser.value_behind(&mut name, help, cursor);
-            Ok(Definition { name: name?, range, value })
+            Ok(Definition { name: name?, range, nominal, value })
         })
     }
 
@@ -133,9 +133,9 @@ impl Parser<'_> {
                 }
             });
             let mut name = Ok(name);
-            let range = parser.range_behind(&name, keyword, cursor);
+            let (range, nominal) = parser.limits_behind(&name, keyword, cursor);
             let value = parser.value_behind(&mut name, form(keyword), cursor);
-            Ok(Definition { name: name?, range, value })
+            Ok(Definition { name: name?, range, nominal, value })
         })
     }
 
@@ -235,6 +235,10 @@ impl Parser<'_> {
         match self.expression(cursor) {
             Ok(id) if at_item_end(cursor) || is_definition(cursor) => return id,
             Ok(_) if at_relation(cursor) || cursor.at_pair('.', '.') => self.range_behind_value(cursor),
+            Ok(_) if cursor.at_word("nominal") => {
+                let help = ranges::NOMINAL_BEHIND_VALUE_HELP;
+                self.fail_with_help(cursor.here(), ranges::NOMINAL_BEHIND_VALUE, help)
+            }
             Ok(_) => self.no_operator(cursor, "`,` or `;`"),
             Err(reported) => reported,
         };

@@ -92,6 +92,14 @@ impl Printer<'_> {
                 });
                 self.text(";");
             }
+            StatementKind::Ranges(entries) => {
+                self.text("range ");
+                self.list(entries, |printer, entry| {
+                    printer.expression(entry.target);
+                    printer.limited(&entry.range, entry.nominal);
+                });
+                self.text(";");
+            }
             StatementKind::StateRate(name, value) => {
                 self.text("dot(");
                 self.name(name);
@@ -191,7 +199,7 @@ impl Printer<'_> {
         self.text(keyword);
         self.list(definitions, |printer, definition| {
             printer.name(&definition.name);
-            printer.range(&definition.range);
+            printer.limited(&definition.range, definition.nominal);
             printer.assigned(definition.value);
         });
         self.text(";");
@@ -205,6 +213,12 @@ impl Printer<'_> {
             value.iter().for_each(|density| self.labelled(", density: ", *density));
             self.text(";");
         }
+    }
+
+    /// Prints ` in 0..=1 nominal 0.1`.
+    fn limited(&mut self, range: &AllowedRange, nominal: Option<AstId>) {
+        self.range(range);
+        nominal.iter().for_each(|nominal| self.labelled(" nominal ", *nominal));
     }
 
     /// Prints ` in 0..=1` or ` > 0`.

@@ -1,9 +1,10 @@
-//! Ranges of parameters.
+//! Ranges of parameters, and ranges and nominal values of entries of the state.
 
 use proc_macro2::{Delimiter, Punct, Spacing, TokenTree};
 
-use super::ast::{AllowedRange, Limit, Name};
+use super::ast::{AllowedRange, AstId, Limit, LimitedEntry, Name};
 use super::cursor::Cursor;
+use super::messages::forms::form;
 use super::messages::ranges as words;
 use super::parser::{Parsed, Parser, Reported};
 use lagrange_expr::units::meaning;
@@ -12,19 +13,55 @@ use lagrange_expr::units::meaning;
 type Comparison = (bool, Limit);
 
 impl Parser<'_> {
-    /// Reads `in 0..=1`, `> 0` or `> 0 <= 1` after the name of a parameter; no bounds if no range
-    /// follows. Other names have no range.
-    pub(super) fn range_behind(
+    /// Reads `in 0..=1 nominal 0.1` after the name that this keyword declares; nothing if none of
+    /// both follows. Inputs and constants have neither, and parameters no nominal values.
+    pub(super) fn limits_behind(
         &mut self,
         name: &Parsed<Name>,
         keyword: &str,
         cursor: &mut Cursor,
-    ) -> AllowedRange {
+    ) -> (AllowedRange, Option<AstId>) {
         let name = name.as_ref().map_or("x", |name| name.text.as_str());
-        self.range(name, keyword, cursor).unwrap_or_else(|Reported| {
+        self.range_and_nominal(name, keyword, cursor).unwrap_or_else(|Reported| {
             cursor.skip_to(|cursor| cursor.at(',') || cursor.equals_past(0) || cursor.at_statement_end());
-            AllowedRange::default()
+            (AllowedRange::default(), None)
         })
+    }
+
+    /// Reads `x in 0..=1 nominal 0.1, dot(x) nominal 10`.
+    pub(super) fn ranges(&mut self, cursor: &mut Cursor) -> Vec<LimitedEntry> {
+        let help = form("range");
+        self.items(help, cursor, |parser, cursor| {
+            let (target, start) = (parser.before_range(cursor)?, cursor.position());
+            let (range, nominal) = parser.range_and_nominal("x", "coord", cursor)?;
+            if cursor.position() == start {
+                return Err(parser.fail_with_help(cursor.here(), words::NO_RANGE, help));
+            }
+            if cursor.equals_past(0) {
+                return Err(parser.fail_with_help(cursor.here(), words::VALUE_BEHIND_RANGE, help));
+            }
+            Ok(LimitedEntry { target, range, nominal })
+        })
+    }
+
+    fn range_and_nominal(
+        &mut self,
+        name: &str,
+        keyword: &str,
+        cursor: &mut Cursor,
+    ) -> Parsed<(AllowedRange, Option<AstId>)> {
+        let range = self.range(name, keyword, cursor)?;
+        let Some(origin) = cursor.eat_word("nominal") else { return Ok((range, None)) };
+        let value = self.before_default(Self::before_range, cursor)?;
+        if cursor.at_word("in") || cursor.at('>') || cursor.at('<') {
+            let help = words::RANGE_BEHIND_NOMINAL_HELP;
+            return Err(self.fail_with_help(cursor.here(), words::RANGE_BEHIND_NOMINAL, help));
+        }
+        if !matches!(keyword, "coord" | "state" | "discrete") {
+            self.fail_with_help(origin, words::not_in_state(keyword), words::NOT_IN_STATE_HELP);
+            return Ok((range, None));
+        }
+        Ok((range, Some(value)))
     }
 
     fn range(&mut self, name: &str, keyword: &str, cursor: &mut Cursor) -> Parsed<AllowedRange> {
@@ -36,17 +73,14 @@ impl Parser<'_> {
         if cursor.position() > start && cursor.at(':') {
             return Err(self.fail_with_help(cursor.here(), words::UNIT_BEHIND, words::UNIT_BEHIND_HELP));
         }
-        if keyword == "param" && (cursor.at_pair('=', '>') || cursor.at_pair('=', '<')) {
+        let is_limited = !matches!(keyword, "input" | "const");
+        if is_limited && (cursor.at_pair('=', '>') || cursor.at_pair('=', '<')) {
             return Err(self.fail_with_help(cursor.here_to_pair(), words::NO_SIGN, words::RANGE_HELP));
         }
-        if keyword == "param" || cursor.position() == start {
+        if is_limited || cursor.position() == start {
             return Ok(range);
         }
-        self.fail_with_help(
-            cursor.since(start),
-            words::not_a_parameter(keyword),
-            words::limit(keyword, name),
-        );
+        self.fail_with_help(cursor.since(start), words::without_range(keyword), words::limit(keyword, name));
         Ok(AllowedRange::default())
     }
 
@@ -117,10 +151,19 @@ impl Parser<'_> {
     }
 
     fn limit(&mut self, is_included: bool, cursor: &mut Cursor) -> Parsed<Limit> {
+        Ok(Limit { value: self.before_default(Self::expression, cursor)?, is_included })
+    }
+
+    /// Reads an expression that may be followed by a default.
+    fn before_default(
+        &mut self,
+        read: fn(&mut Self, &mut Cursor) -> Parsed<AstId>,
+        cursor: &mut Cursor,
+    ) -> Parsed<AstId> {
         self.precedes_default = true;
-        let value = self.expression(cursor);
+        let value = read(self, cursor);
         self.precedes_default = false;
-        Ok(Limit { value: value?, is_included })
+        value
     }
 }
 

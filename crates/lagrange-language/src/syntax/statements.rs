@@ -99,6 +99,7 @@ impl Parser<'_> {
                 Ok(StatementKind::States(StateKind::Discrete, self.coordinates("discrete", cursor)))
             }
             "mode" => Ok(StatementKind::Mode(self.mode(cursor)?)),
+            "range" if !cursor.equals_past(0) => Ok(StatementKind::Ranges(self.ranges(cursor))),
             "start" => Ok(StatementKind::Start(self.starts(cursor))),
             "dot" if at_state_rate(cursor) => self.state_rate(cursor),
             "quaternion" => {

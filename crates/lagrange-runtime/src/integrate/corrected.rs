@@ -42,7 +42,7 @@ pub(super) fn admitted_with_noise<M: OdeSystem + ?Sized>(
     t: M::Scalar,
     y: &M::State,
 ) -> Result<M::State, StepFailure<M::Scalar>> {
-    check_delays::<M>()?;
+    check_delays(system)?;
     check_finite(t, y)?;
     let mut admitted = *y;
     system.admit(t, &mut admitted)?;

@@ -4,7 +4,7 @@ use crate::integrate::method::Work;
 use crate::integrate::newton::finite;
 use crate::linalg::pivoted::Matrix;
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, StateVector};
+use crate::system::{Domain, OdeSystem, StateVector};
 
 /// The source of the Jacobian for methods of equal steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,7 +34,8 @@ impl Source {
         }
         let rate = system.rhs(t, y);
         work.evaluations += 1;
-        let jacobian = differences(system, (t, y), &rate, &sizes(y, h, &rate, Number::ONE), work);
+        let jacobian =
+            differences(system, (t, y), &rate, &sizes(y, h, &rate, Number::ONE, system.domain()), work);
         finite(jacobian.0.as_ref()).then_some(jacobian)
     }
 }
@@ -105,10 +106,11 @@ where
 }
 
 /// Returns the sizes of the components of a state that changes at this rate over a step of length
-/// `h`, with a minimum size.
-pub(super) fn sizes<S: Scalar, Y: StateVector<S>>(y: &Y, h: S, rate: &Y, least: S) -> Y {
+/// `h`, with a minimum size in nominal values.
+pub(super) fn sizes<S: Scalar, Y: StateVector<S>>(y: &Y, h: S, rate: &Y, least: S, domain: &Domain) -> Y {
     let mut sizes = *y;
-    for (size, rate) in sizes.as_mut().iter_mut().zip(rate.as_ref()) {
+    for (component, (size, rate)) in sizes.as_mut().iter_mut().zip(rate.as_ref()).enumerate() {
+        let least = least * S::from_f64(domain.nominal(component));
         *size = size.abs().max((h * *rate).abs()).max(least);
     }
     sizes

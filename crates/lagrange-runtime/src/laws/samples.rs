@@ -47,14 +47,15 @@ impl<S: Scalar + Display + LowerExp> Display for Broken<S> {
 impl<S: Scalar + Display + LowerExp> core::error::Error for Broken<S> {}
 
 /// Checks the laws in 24 states around `start`, the same in every run. Each entry deviates by up to
-/// its magnitude, or one if that is larger. States are moved onto the constraints.
+/// its magnitude, or its nominal value if that is larger, within its range. States are moved onto
+/// the constraints.
 ///
 /// # Errors
 /// If a law is broken, with the first such state, or if no state can be judged.
 pub fn verify<M: LagrangianSystem>(system: &M, start: &M::State) -> Result<(), Broken<M::Scalar>> {
     let mut judged = 0;
     for index in 0..MOST_DRAWN {
-        let (time, mut state) = (spread::<M::Scalar>(index, 0), sample::<M>(start, index));
+        let (time, mut state) = (spread::<M::Scalar>(index, 0), sample(system, start, index));
         let is_found = system.restore(time, &mut state).is_ok() && is_finite(system, time, &state);
         if !is_found {
             continue;
@@ -76,11 +77,14 @@ fn is_finite<M: LagrangianSystem>(system: &M, t: M::Scalar, y: &M::State) -> boo
     y.as_ref().iter().chain(rates.as_ref()).all(|entry| entry.is_finite())
 }
 
-fn sample<M: LagrangianSystem>(start: &M::State, index: usize) -> M::State {
-    let mut state = *start;
+fn sample<M: LagrangianSystem>(system: &M, start: &M::State, index: usize) -> M::State {
+    let (mut state, domain) = (*start, system.domain());
     for (place, entry) in state.as_mut().iter_mut().enumerate() {
-        let reach = entry.abs().max(M::Scalar::ONE);
-        *entry = reach.multiply_add(spread(index, place + 1), *entry);
+        let middle = domain.nearest(place, *entry);
+        let reach = middle.abs().max(M::Scalar::from_f64(domain.nominal(place)));
+        let part = spread::<M::Scalar>(index, place + 1);
+        let end = domain.nearest(place, middle + reach * part.sign());
+        *entry = (end - middle).multiply_add(part.abs(), middle);
     }
     state
 }

@@ -28,12 +28,13 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         end: M::Scalar,
         act: impl FnOnce(&M) -> Result<Option<M>, StepFailure<M::Scalar>>,
     ) -> Result<(), StepFailure<M::Scalar>> {
-        check_delays::<M>()?;
+        check_delays(self.system())?;
         check_direction(self.system(), [t, end])?;
         check_clocks(self.system(), t, end)?;
         let acted = act(self.system())?;
         let system = acted.as_ref().unwrap_or(self.system());
         let begun = if T::FINDS_MODES { system.on_sides(t, y) } else { system.begin(t, y)? };
+        check_ranges::<M, T>(system, y)?;
         self.switch(begun.or(acted));
         Ok(())
     }
@@ -61,6 +62,19 @@ impl<'a, M: OdeSystem> Current<'a, M> {
             self.switched = system;
         }
     }
+}
+
+/// Checks that a state is in the declared ranges. Methods that find modes keep limits up to errors
+/// of steps, and are not checked.
+///
+/// # Errors
+/// If an entry is out of its range.
+#[inline]
+pub(super) fn check_ranges<M: OdeSystem, T: Stepper<M>>(
+    system: &M,
+    y: &M::State,
+) -> Result<(), StepFailure<M::Scalar>> {
+    if T::FINDS_MODES { Ok(()) } else { Ok(system.domain().check(y.as_ref())?) }
 }
 
 /// Checks that ticks of clocks are distinct in time, and that the run is not backwards.

@@ -5,7 +5,7 @@
 //! [`Sink`] receives everything visible. The same loop therefore serves runs that keep nothing and
 //! simulations, which keep the requested data.
 
-use super::current::Current;
+use super::current::{Current, check_ranges};
 use super::events::{Events, Found, Origin, Replacement};
 use super::outcome::EventOutcome;
 use super::restarts::Restarts;
@@ -141,6 +141,9 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
                 return self.resume(sink, (time, state), reaction);
             }
         }
+        if let Err(cause) = check_ranges::<M, T>(self.current.system(), self.stepper.state()) {
+            return Err(self.before_step(cause));
+        }
         let time = self.time();
         let goes_on = sink.reach_end(self.current.system(), &mut self.stepper, time);
         Ok(if goes_on { Turn::GoesOn } else { Turn::Cancelled })
@@ -211,11 +214,15 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         let (end, system) = (self.last_instant(), self.current.system());
         match self.events.look(system, &mut self.stepper, end) {
             Ok(next) => Ok(next.and_then(|(origin, _)| Some((origin, self.events.take(origin)?)))),
-            Err(cause) => {
-                let time = self.stepper.last_time();
-                Err(IntegrationError { cause, time, state: self.stepper.interpolate(system, time) })
-            }
+            Err(cause) => Err(self.before_step(cause)),
         }
+    }
+
+    /// Returns an error for the last step, with the state before it.
+    #[cold]
+    fn before_step(&mut self, cause: StepFailure<M::Scalar>) -> IntegrationError<M::Scalar, M::State> {
+        let time = self.stepper.last_time();
+        IntegrationError { cause, time, state: self.stepper.interpolate(self.current.system(), time) }
     }
 
     /// Returns the outcome of simultaneous events, each starting from the state that the previous

@@ -34,8 +34,8 @@ pub trait DelayedSystem: ControlledSystem + MechanicalSystem {
 ///
 /// # Errors
 /// If it has delays.
-pub fn check_delays<M: OdeSystem + ?Sized>() -> Result<(), SettingError<M::Scalar>> {
-    match M::HAS_DELAYS {
+pub fn check_delays<M: OdeSystem + ?Sized>(system: &M) -> Result<(), SettingError<M::Scalar>> {
+    match system.has_delays() {
         true => Err(SettingError::Invalid(
             "delayed signals need a past, which is not kept here: use `.simulate(…)` and `.with_history()`",
         )),

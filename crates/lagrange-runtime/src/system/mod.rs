@@ -7,6 +7,7 @@ mod canonical;
 mod constraint_values;
 mod delayed;
 mod description;
+mod domain;
 mod event;
 mod kernel;
 mod lagrangian;
@@ -33,6 +34,7 @@ pub use self::canonical::{CanonicalSystem, LeapfrogSystem, SeparableSystem};
 pub use self::constraint_values::ConstraintValues;
 pub use self::delayed::{DelayedSystem, check_delays};
 pub use self::description::Description;
+pub use self::domain::{Domain, EntryRange};
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
 pub(crate) use self::event::{MOST_LOCATED, have_modes};
 pub use self::kernel::KernelSystem;
@@ -141,6 +143,14 @@ pub trait OdeSystem {
         Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)
     }
 
+    /// Returns the declared ranges and nominal values of the entries of the state. Runs end where
+    /// an entry leaves its range. Adaptive methods scale the absolute tolerance of an entry by its
+    /// nominal value.
+    #[inline]
+    fn domain(&self) -> &'static Domain {
+        &Domain::EVERYWHERE
+    }
+
     /// Returns the number of white noises that act on the system, and the kind of their action.
     /// Without noise, the default, every method of integration accepts it. With noise, only
     /// [stochastic methods](crate::integrate::EulerMaruyama) do.
@@ -206,6 +216,13 @@ pub trait OdeSystem {
     /// True if inputs are delayed signals, whose values only [`DelayedSystem`] provides. Runs
     /// without a history reject such a system.
     const HAS_DELAYS: bool = false;
+
+    /// True if inputs of this system are delayed signals. The default is
+    /// [`HAS_DELAYS`](Self::HAS_DELAYS); systems that were read at run time may differ.
+    #[inline]
+    fn has_delays(&self) -> bool {
+        Self::HAS_DELAYS
+    }
 
     /// True if states must satisfy conditions in addition to the equations, which
     /// [`correct`](Self::correct) enforces: constraints, or the unit length of quaternions.

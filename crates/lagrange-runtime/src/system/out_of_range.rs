@@ -1,13 +1,15 @@
-//! Parameters outside of their declared ranges.
+//! Parameters and entries of the state outside of their declared ranges.
 
 use core::fmt::{Debug, Display, Formatter, Result as Written};
 use core::ops::{Bound, RangeBounds};
 
-/// A parameter with a value outside of its declared range, or NaN.
+/// A parameter, or an entry of the state, with a value outside of its declared range, or NaN.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OutOfRange<S> {
-    /// Name of the parameter; `m[2]` for an element of an array.
-    pub parameter: &'static str,
+    /// Its kind: a parameter, a coordinate, a velocity or a state.
+    pub kind: &'static str,
+    /// Its name; `m[2]` for an element of an array.
+    pub name: &'static str,
     /// Its value.
     pub value: S,
     /// The bounds of the range.
@@ -17,26 +19,27 @@ pub struct OutOfRange<S> {
 }
 
 impl<S: PartialOrd + Copy> OutOfRange<S> {
-    /// Checks the value of a parameter.
+    /// Checks the value of a quantity of this kind and name.
     ///
     /// # Errors
     ///
     /// If the range does not contain it; no range contains NaN.
     pub fn check(
-        parameter: &'static str,
+        kind: &'static str,
+        name: &'static str,
         value: S,
         range: (Bound<S>, Bound<S>),
         unit: &'static str,
     ) -> Result<(), Self> {
-        if range.contains(&value) { Ok(()) } else { Err(OutOfRange { parameter, value, range, unit }) }
+        if range.contains(&value) { Ok(()) } else { Err(OutOfRange { kind, name, value, range, unit }) }
     }
 }
 
 impl<S: Debug> Display for OutOfRange<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        let OutOfRange { parameter, value, range, unit } = self;
+        let OutOfRange { kind, name, value, range, unit } = self;
         let space = if unit.is_empty() { "" } else { " " };
-        write!(f, "the parameter `{parameter}` is {value:?}{space}{unit}, but it must be ")?;
+        write!(f, "the {kind} `{name}` is {value:?}{space}{unit}, but it must be ")?;
         match range {
             (Bound::Included(lower), Bound::Included(upper)) => write!(f, "from {lower:?} to {upper:?}")?,
             (lower, upper) => {
@@ -74,7 +77,7 @@ mod tests {
 
     /// The message for NaN, which no range contains.
     fn message(lower: Bound<f64>, upper: Bound<f64>, unit: &'static str) -> String {
-        OutOfRange::check("m", f64::NAN, (lower, upper), unit).expect_err("NaN").to_string()
+        OutOfRange::check("parameter", "m", f64::NAN, (lower, upper), unit).expect_err("NaN").to_string()
     }
 
     #[test]
@@ -94,7 +97,8 @@ mod tests {
     #[test]
     fn bounds_belong_to_ranges_as_declared() {
         use Bound::{Excluded, Included, Unbounded};
-        let is_inside = |value, lower, upper| OutOfRange::check("m", value, (lower, upper), "").is_ok();
+        let is_inside =
+            |value, lower, upper| OutOfRange::check("parameter", "m", value, (lower, upper), "").is_ok();
         assert!(is_inside(0.0, Included(0.0), Unbounded) && !is_inside(0.0, Excluded(0.0), Unbounded));
         assert!(is_inside(-0.0, Included(0.0), Unbounded));
         assert!(is_inside(1.0, Unbounded, Included(1.0)) && !is_inside(1.0, Unbounded, Excluded(1.0)));

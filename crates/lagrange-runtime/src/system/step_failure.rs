@@ -73,7 +73,7 @@ pub enum StepFailure<S> {
     },
     /// A state violates a constraint and cannot be brought onto it.
     Violated(Violation<S>),
-    /// A parameter is outside of its declared range.
+    /// A parameter, or an entry of the state, is outside of its declared range.
     OutOfRange(OutOfRange<S>),
     /// A coefficient of restitution is not between 0 and 1.
     Restitution {

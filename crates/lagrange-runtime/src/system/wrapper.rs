@@ -1,8 +1,8 @@
 //! Systems that contain another system and change its equations.
 
 use super::{
-    Component, Description, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted, StateMatrix,
-    StateVector, Undefined, WhiteNoise, join, split,
+    Component, Description, Domain, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted,
+    StateMatrix, StateVector, Undefined, WhiteNoise, join, split,
 };
 use crate::scalar::Number;
 use crate::system::{Action, DeclaredEvent, Response, StepFailure};
@@ -153,6 +153,11 @@ impl<W: Wrapper> OdeSystem for W {
     }
 
     #[inline]
+    fn domain(&self) -> &'static Domain {
+        self.inner().domain()
+    }
+
+    #[inline]
     fn noise(&self) -> WhiteNoise {
         self.inner().noise()
     }
@@ -220,6 +225,11 @@ impl<W: Wrapper> OdeSystem for W {
     }
 
     const HAS_DELAYS: bool = W::Inner::HAS_DELAYS && !W::KEEPS_HISTORY;
+
+    #[inline]
+    fn has_delays(&self) -> bool {
+        !W::KEEPS_HISTORY && self.inner().has_delays()
+    }
 
     const EVENTS: &'static [DeclaredEvent] = W::Inner::EVENTS;
 

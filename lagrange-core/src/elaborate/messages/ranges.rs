@@ -1,4 +1,4 @@
-//! Diagnostics for ranges of parameters.
+//! Diagnostics for ranges and nominal values.
 
 use lagrange_expr::diagnostics::messages;
 
@@ -10,4 +10,12 @@ messages! {
     EMPTY_RANGE_HELP = "write the smaller bound first: `in 0..=1`";
     default_outside(name, range) = "this default of `{name}` is outside of its range, `{range}`";
     DEFAULT_OUTSIDE_HELP = "change the default or the range";
+    NOMINAL = "a nominal value";
+    not_positive(value) = "a nominal value must be positive and finite, but this is {value}";
+    NOT_POSITIVE_HELP = "write the typical magnitude, such as `nominal 1e-3`";
+    limited_twice(target) = "`{target}` has two ranges or nominal values";
+    LIMITED_HERE = "the other one is here";
+    LIMITED_TWICE_HELP = "write both in one place: `coord x in 0..=1 nominal 0.1;`";
+    ENTRY_HELP =
+        "write `range x in 0..=1;` or `range dot(x) nominal 10;` with a coordinate or a state `x`";
 }

@@ -15,6 +15,9 @@ messages! {
         "declare it before this line, with `coord {name};`, `state {name};` or `discrete {name};`";
     whole_orientation(name) =
         "the orientation `{name}` is assigned by the components of its unit quaternion";
+    start_outside(name, range) = "this start of `{name}` is outside of its range, `{range}`";
+    zero_outside(name, range) = "`{name}` starts at zero, which is outside of its range, `{range}`";
+    START_OUTSIDE_HELP = "change the range, or give an initial value within it: `start x = 1;`";
     PART_OF_QUATERNION = "an initial orientation needs all components of its unit quaternion";
 }
 

@@ -6,6 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::method::{ArgumentNames, Method};
 use crate::derive::DiffusionKind;
+use crate::model::EntryLimits;
 use lagrange_algebra::code::Names;
 use lagrange_expr::opaque::Opaque;
 
@@ -44,6 +45,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) hidden: TokenStream,
     /// Methods for the motion of bodies.
     pub(in crate::emit) motions: TokenStream,
+    /// Ranges and nominal values of the entries of the state.
+    pub(in crate::emit) limits: Vec<EntryLimits>,
     /// The body of `check_parameters`, if any parameter has a range.
     pub(in crate::emit) ranges: Option<TokenStream>,
     /// The body of `start`, if initial values are declared.
@@ -103,6 +106,7 @@ impl Members {
             limits_reverse: Vec::new(),
             hidden: TokenStream::new(),
             motions: TokenStream::new(),
+            limits: Vec::new(),
             ranges: None,
             start: None,
             items: None,

@@ -142,6 +142,7 @@ impl<'a> Shape<'a> {
                 | StatementKind::Quaternion(_)
                 | StatementKind::Velocity(..)
                 | StatementKind::Start(_)
+                | StatementKind::Ranges(_)
                 | StatementKind::Constants(_)
                 | StatementKind::Let(..)
                 | StatementKind::LetTuple(..)
@@ -300,6 +301,12 @@ impl<'a> Shape<'a> {
     /// Returns a name as written by the user: `theta[2]` for an element of an array.
     pub(in crate::emit) fn written<'n>(&'n self, name: &'n Name) -> &'n str {
         self.written.get(&name.text.as_str()).copied().unwrap_or(&name.text)
+    }
+
+    /// Returns the unit of a variable for messages; empty for plain numbers and unknown units.
+    pub(in crate::emit) fn shown_unit(&self, name: &str) -> &str {
+        let unit = self.units.get(name).map(|unit| unit.unit.as_str());
+        unit.filter(|unit| *unit != "1").unwrap_or_default()
     }
 
     /// True if the struct needs a field only to mention its type parameter.

@@ -1,16 +1,19 @@
-//! Check that parameters are in their declared ranges.
+//! Check that parameters are in their declared ranges, and the domain of the state.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::orientations::written_velocity;
 use crate::emit::base::fields::places;
 use crate::emit::base::members::Members;
-use crate::emit::base::shape::{Shape, doc};
+use crate::emit::base::shape::{Shape, doc, length};
 use crate::emit::base::writer::MethodWriter;
-use crate::model::Bound;
+use crate::model::{Bound, EntryLimits};
+use lagrange_algebra::code::float;
 
-/// Writes the body of `check_parameters`, if any parameter has a range.
+/// Writes the limits of the state, and the body of `check_parameters` if any parameter has a range.
 pub(in crate::emit) fn write_ranges(writer: &mut MethodWriter<'_>) {
+    writer.members.limits = writer.model.entry_limits();
     let parameters = writer.model.parameters.clone();
     let limits = parameters.iter().flat_map(|parameter| &parameter.range).flatten();
     let values = limits.map(|limit| limit.value).collect::<Vec<_>>();
@@ -36,9 +39,8 @@ pub(in crate::emit) fn write_ranges(writer: &mut MethodWriter<'_>) {
         lower.as_ref().or(upper.as_ref())?;
         let range = [bound(lower), bound(upper)];
         let written = shape.written(name);
-        let unit = shape.units.get(&name.text).map_or("", |unit| unit.unit.as_str());
-        let unit = if unit == "1" { "" } else { unit };
-        Some(quote!(#krate::system::OutOfRange::check(#written, self.#place, (#(#range),*), #unit)?;))
+        let (kind, unit) = ("parameter", shape.shown_unit(&name.text));
+        Some(quote!(#krate::system::OutOfRange::check(#kind, #written, self.#place, (#(#range),*), #unit)?;))
     });
     let (checks, statements) = (checks.collect::<TokenStream>(), &body.statements);
     writer.members.ranges = Some(quote!(#statements #checks ::core::result::Result::Ok(())));
@@ -61,4 +63,61 @@ pub(in crate::emit) fn check_method(shape: &Shape<'_>, members: &Members) -> Opt
             #body
         }
     })
+}
+
+/// Returns the member of `OdeSystem` with the declared ranges and nominal values of the state, if
+/// there are any.
+pub(in crate::emit) fn domain_member(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    if members.limits.iter().all(|limits| *limits == EntryLimits::default()) {
+        return None;
+    }
+    let krate = shape.krate;
+    let entries = entries(shape).into_iter().zip(&members.limits).enumerate();
+    let ranges = entries.filter_map(|(entry, ((kind, name, unit), limits))| {
+        let [lower, upper] = limits.bounds.map(constant_bound);
+        limits.bounds.iter().any(Option::is_some).then(|| {
+            let entry = length(entry);
+            quote! {
+                #krate::system::EntryRange {
+                    entry: #entry,
+                    kind: #kind,
+                    name: #name,
+                    unit: #unit,
+                    bounds: (#lower, #upper),
+                }
+            }
+        })
+    });
+    let nominal = members.limits.iter().any(|limits| limits.nominal.is_some());
+    let nominal = members.limits.iter().filter(|_| nominal);
+    let nominal = nominal.map(|limits| float(limits.nominal.unwrap_or(1.0)));
+    Some(quote! {
+        #[inline]
+        fn domain(&self) -> &'static #krate::system::Domain {
+            const DOMAIN: #krate::system::Domain =
+                #krate::system::Domain { ranges: &[#(#ranges),*], nominal: &[#(#nominal),*] };
+            &DOMAIN
+        }
+    })
+}
+
+/// Returns the kind, the name and the unit of each entry of the state.
+fn entries<'s>(shape: &'s Shape<'_>) -> Vec<(&'static str, String, &'s str)> {
+    let positions = shape.coordinates.iter().enumerate().map(|(index, name)| {
+        let kind = if shape.is_state(index) { "state" } else { "coordinate" };
+        (kind, shape.written(name).to_owned(), shape.shown_unit(&name.text))
+    });
+    let velocities = shape.velocities.iter().map(|velocity| {
+        ("velocity", written_velocity(shape, velocity), shape.shown_unit(&velocity.name.text))
+    });
+    positions.chain(velocities).collect()
+}
+
+fn constant_bound(bound: Option<(f64, bool)>) -> TokenStream {
+    let value = bound.map(|(value, _)| float(value));
+    match bound {
+        None => quote!(::core::ops::Bound::Unbounded),
+        Some((_, true)) => quote!(::core::ops::Bound::Included(#value)),
+        Some((_, false)) => quote!(::core::ops::Bound::Excluded(#value)),
+    }
 }

@@ -86,12 +86,14 @@ const _: () = {
             &self,
         ) -> ::core::result::Result<(), ::lagrange::system::OutOfRange<S>> {
             ::lagrange::system::OutOfRange::check(
+                "parameter",
                 "m",
                 self.m,
                 (::core::ops::Bound::Excluded(S::ZERO), ::core::ops::Bound::Unbounded),
                 "",
             )?;
             ::lagrange::system::OutOfRange::check(
+                "parameter",
                 "l",
                 self.l,
                 (
@@ -305,6 +307,25 @@ const _: () = {
             self.check_parameters()?;
             ::core::result::Result::Ok(::core::option::Option::None)
         }
+        #[inline]
+        fn domain(&self) -> &'static ::lagrange::system::Domain {
+            const DOMAIN: ::lagrange::system::Domain = ::lagrange::system::Domain {
+                ranges: &[
+                    ::lagrange::system::EntryRange {
+                        entry: 0,
+                        kind: "coordinate",
+                        name: "theta",
+                        unit: "",
+                        bounds: (
+                            ::core::ops::Bound::Included(-3.0),
+                            ::core::ops::Bound::Excluded(3.0),
+                        ),
+                    },
+                ],
+                nominal: &[0.5, 0.5],
+            };
+            &DOMAIN
+        }
     }
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::MechanicalSystem for Rod<S> {
@@ -312,7 +333,7 @@ const _: () = {
         type Velocities = [S; 1];
         type Columns<C> = RodColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
-        const FINGERPRINT: ::core::primitive::u64 = 10657994456912527666;
+        const FINGERPRINT: ::core::primitive::u64 = 2645187919563327573;
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 1], v: &[S; 1]) -> [S; 1] {
             self.acceleration(t, q, v)

@@ -23,7 +23,7 @@ pub(super) fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
 }
 
 pub(super) fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
-    let Definition { name, range, value } = definition;
+    let Definition { name, range, value, .. } = definition;
     let form = declared(checker, name);
     let values = range.limits().map(|limit| limit.value).chain(*value);
     for value in values.filter(|value| !is_of_numbers(checker.expressions, *value)).collect::<Vec<_>>() {
@@ -33,14 +33,9 @@ pub(super) fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
     checker.scope.insert(name.text.clone(), Measure::known(form));
 }
 
-/// Requires the dimension of an initial value; a plain number is in coherent units.
-pub(super) fn require_start(
-    checker: &mut Checker<'_>,
-    value: Option<AstId>,
-    target: &Measure,
-    reason: &Grounds,
-) {
-    if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
+/// Requires the dimension of an initial value or a bound; a plain number is in coherent units.
+pub(super) fn require_start(checker: &mut Checker<'_>, value: AstId, target: &Measure, reason: &Grounds) {
+    if !is_of_numbers(checker.expressions, value) {
         checker.require(value, target, reason);
     }
 }
@@ -61,7 +56,7 @@ pub(super) fn define_unknowns(checker: &mut Checker<'_>, unknowns: &UnknownDefin
     }
     unknowns.residuals.iter().for_each(|&residual| drop(checker.value(residual)));
     for ((name, form), &start) in unknowns.names.iter().zip(&forms).zip(&unknowns.starts) {
-        require_start(checker, Some(start), form, &value_of(name));
+        require_start(checker, start, form, &value_of(name));
     }
 }
 

@@ -47,8 +47,10 @@ impl Mode {
 pub struct Definition {
     /// The declared name.
     pub name: Name,
-    /// The values that a parameter may have.
+    /// The values that a parameter, a coordinate or a state may have.
     pub range: AllowedRange,
+    /// The magnitude that counts as one, of a coordinate or a state.
+    pub nominal: Option<AstId>,
     /// The value after `=`, if there is one.
     pub value: Option<AstId>,
 }
@@ -74,11 +76,40 @@ pub struct Limit {
 impl Definition {
     /// Creates a definition with only a name.
     pub fn of(name: Name) -> Definition {
-        Definition { name, range: AllowedRange::default(), value: None }
+        Definition { name, range: AllowedRange::default(), nominal: None, value: None }
     }
 
     pub(super) fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
-        self.range.limits_mut().map(|limit| &mut limit.value).chain(&mut self.value)
+        let limits = self.range.limits_mut().map(|limit| &mut limit.value);
+        limits.chain(&mut self.nominal).chain(&mut self.value)
+    }
+
+    /// True if it has a range or a nominal value.
+    pub fn is_limited(&self) -> bool {
+        self.nominal.is_some() || self.range.limits().next().is_some()
+    }
+}
+
+/// One `x in 0..=1 nominal 0.1` of a `range` statement.
+#[derive(Clone, Debug)]
+pub struct LimitedEntry {
+    /// Quantity: it should be `x` or `dot(x)` of a coordinate.
+    pub target: AstId,
+    /// Its values.
+    pub range: AllowedRange,
+    /// The magnitude that counts as one.
+    pub nominal: Option<AstId>,
+}
+
+impl LimitedEntry {
+    /// Returns the bounds and the nominal value.
+    pub fn values(&self) -> impl Iterator<Item = AstId> {
+        self.range.limits().map(|limit| limit.value).chain(self.nominal)
+    }
+
+    pub(super) fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
+        let limits = self.range.limits_mut().map(|limit| &mut limit.value);
+        limits.chain(&mut self.nominal).chain([&mut self.target])
     }
 }
 

@@ -18,7 +18,7 @@ use super::bodies::SceneStatement;
 use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
-use super::definitions::{Definition, EmitItem, Mode, StateKind};
+use super::definitions::{Definition, EmitItem, LimitedEntry, Mode, StateKind};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 pub use enclosures::{Enclosed, Enclosure};
@@ -47,9 +47,10 @@ pub struct Statement {
 ///           | "input" named [ "=" sum ] { "," named [ "=" sum ] } ";"
 ///           | "noise" named "," "density" ":" sum ";"
 ///           | "const" named "=" sum { "," named "=" sum } ";"
-///           | ( "coord" | "state" | "discrete" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | ( "coord" | "state" | "discrete" ) named limited [ "=" sum ] { "," named limited [ "=" sum ] } ";"
 ///           | "mode" NAME "=" NAME "|" NAME { "|" NAME } ";"
 ///           | "start" sum "=" sum { "," sum "=" sum } ";"
+///           | "range" sum limited { "," sum limited } ";"
 ///           | "dot" "(" NAME ")" "=" sum ";"
 ///           | "quaternion" NAME ";"
 ///           | "velocity" named "=" sum ";"
@@ -74,6 +75,7 @@ pub struct Statement {
 ///           | loop | choice | part | placement | include | scene
 /// named     = NAME [ ":" unit ]
 /// allowed   = "in" [ sum ] ".." [ [ "=" ] sum ] | ( ">" | ">=" | "<" | "<=" ) sum
+/// limited   = [ allowed ] [ "nominal" sum ]
 /// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
 /// point     = "(" sum "," sum [ "," sum ] ")"
 /// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
@@ -125,6 +127,8 @@ pub enum StatementKind {
     Mode(Mode),
     /// `start dot(theta) = 2, x = 1;`: initial values of entries of the state
     Start(Vec<Assignment>),
+    /// `range x in 0..=1, dot(x) nominal 10;`
+    Ranges(Vec<LimitedEntry>),
     /// `dot(current) = e;`
     StateRate(Name, AstId),
     /// `l * dot(current) = e;`, as the difference of both sides
@@ -227,6 +231,9 @@ impl StatementKind {
                 list.iter_mut().flat_map(Definition::expressions_mut).collect()
             }
             StatementKind::Start(assignments) => assignments.iter_mut().flat_map(Assignment::parts).collect(),
+            StatementKind::Ranges(entries) => {
+                entries.iter_mut().flat_map(LimitedEntry::expressions_mut).collect()
+            }
             StatementKind::Velocity(_, value)
             | StatementKind::Let(_, value)
             | StatementKind::LetTuple(_, value)

@@ -53,6 +53,11 @@ impl Parser<'_> {
         }
     }
 
+    /// Reads an expression that `in` and a range may follow.
+    pub(super) fn before_range(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
+        Ok(self.operators(cursor)?.id)
+    }
+
     /// Reads `in body` after a whole expression.
     fn in_axes(&mut self, vector: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let word = Name::new(IN_AXES, cursor.skip_one().start);

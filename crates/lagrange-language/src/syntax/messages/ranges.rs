@@ -1,4 +1,4 @@
-//! Diagnostics for ranges of parameters.
+//! Diagnostics for ranges and nominal values.
 
 use super::shortened;
 use lagrange_expr::diagnostics::messages;
@@ -21,26 +21,31 @@ messages! {
         "write `in {0}..={1}`, or `> {0} < {1}` without the bounds", shortened(lower), shortened(upper);
     BEHIND_VALUE = "a range cannot follow a value";
     BEHIND_VALUE_HELP = "the range of a parameter stands before its default: `param mu in 0..=1 = 0.5;`";
-    not_a_parameter(keyword) = "only parameters have ranges, but this belongs to {}", described(&keyword.to_string());
+    without_range(keyword) =
+        "only parameters, coordinates and states have ranges, but this belongs to {}", described(&keyword.to_string());
+    NO_RANGE = "a range or a nominal value is missing here";
+    VALUE_BEHIND_RANGE = "a value cannot follow here: `range` states only ranges and nominal values";
+    RANGE_BEHIND_NOMINAL = "a range cannot follow a nominal value";
+    RANGE_BEHIND_NOMINAL_HELP = "the range stands first: `coord x in -1..=1 nominal 0.1 = 0.5;`";
+    NOMINAL_BEHIND_VALUE = "a nominal value cannot follow a value";
+    NOMINAL_BEHIND_VALUE_HELP = "it stands before the initial value: `coord x nominal 0.1 = 0.5;`";
+    not_in_state(keyword) =
+        "only coordinates, velocities and states have nominal values, but this belongs to {}", described(&keyword.to_string());
+    NOT_IN_STATE_HELP = "remove it: nominal values scale the tolerances of the state";
 }
 
 fn described(keyword: &str) -> &'static str {
     match keyword {
         "input" => "an input",
         "const" => "a constant",
-        "state" | "discrete" => "a state",
-        _ => "a coordinate",
+        _ => "a parameter",
     }
 }
 
-/// Returns advice for a range of something that is not a parameter.
+/// Returns advice for the range of an input or a constant.
 pub(in crate::syntax) fn limit(keyword: &str, name: &str) -> String {
-    let name = shortened(name);
     match keyword {
-        "input" => format!("limit it where it is used: `min(max({name}, -1), 1)`"),
-        "const" => "remove the range: the value is known".to_owned(),
-        _ => format!(
-            "stop the motion at a bound, `event end = {name} - 1, rising => stop;`, or let it bounce with `=> impact(0.5);`"
-        ),
+        "input" => format!("limit it where it is used: `min(max({}, -1), 1)`", shortened(name)),
+        _ => "remove the range: the value is known".to_owned(),
     }
 }

@@ -167,7 +167,8 @@ where
         let [from, end] = self.batch.span();
         let is_plain = |motion: &usize| {
             let (system, state) = (starts[*motion].system(self.batch.system), &starts[*motion].state);
-            system.next_restart(from, end).is_none() && matches!(system.begin(from, state), Ok(None))
+            let is_free = system.domain().is_everywhere() && system.next_restart(from, end).is_none();
+            is_free && matches!(system.begin(from, state), Ok(None))
         };
         let has_length = (end - from).is_finite() && end != from;
         let motions: Vec<_> = (0..starts.len()).filter(|motion| has_length && is_plain(motion)).collect();

@@ -23,7 +23,7 @@ mod tableau;
 use crate::integrate::method::Method;
 use crate::integrate::verner::tolerance::{Tolerated, check_settings};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, SettingError, StepFailure};
+use crate::system::{Domain, OdeSystem, SettingError, StepFailure};
 
 pub use self::stepper::RadauStepper;
 
@@ -91,17 +91,17 @@ impl<S: Scalar> Radau5<S> {
     }
 
     /// Returns the tolerance, with rounding as the minimum.
-    fn tolerated(&self) -> Tolerated<S> {
-        Tolerated::new(self.relative, self.absolute)
+    fn tolerated(&self, domain: &'static Domain) -> Tolerated<S> {
+        Tolerated::new(self.relative, self.absolute, domain)
     }
 
     /// Returns the tolerance of estimates.
-    fn estimated(&self) -> Tolerated<S> {
-        let Tolerated { relative, absolute } = self.tolerated();
+    fn estimated(&self, domain: &'static Domain) -> Tolerated<S> {
+        let Tolerated { relative, absolute, domain } = self.tolerated(domain);
         let loosest = relative.max(absolute);
         let coarse = S::from_f64(COARSE);
         let factor = if loosest < coarse { (coarse / loosest).powf(S::from_f64(0.2)) } else { S::ONE };
-        Tolerated { relative: relative * factor, absolute: absolute * factor }
+        Tolerated { relative: relative * factor, absolute: absolute * factor, domain }
     }
 }
 

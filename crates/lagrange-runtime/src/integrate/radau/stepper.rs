@@ -68,7 +68,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
     ) -> Result<Self, StepFailure<M::Scalar>> {
         check_finite(end, y)?;
         let (clock, state) = (Clock::new(t, M::Scalar::ZERO), Compensated::new(*y));
-        let estimated = settings.estimated();
+        let estimated = settings.estimated(system.domain());
         let mut stepper = RadauStepper {
             settings,
             estimated,

@@ -6,7 +6,7 @@ use crate::integrate::clock::least_step;
 use crate::integrate::verner::tolerance::{Tolerated, longest_step};
 use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
-use crate::system::{MAX_ORDER, StateVector};
+use crate::system::{Domain, MAX_ORDER, StateVector};
 use crate::tolerance::LEAST_TOLERANCE;
 
 /// Largest size of the last terms of a series relative to the tolerance, as later terms and the
@@ -72,13 +72,13 @@ impl<S: Scalar> LastOrders<S> {
 
 impl<S: Scalar> StepRule<S> {
     /// Returns the rule of steps over a time of this length.
-    pub(super) fn new(settings: &Taylor<S>, span: S) -> StepRule<S> {
+    pub(super) fn new(settings: &Taylor<S>, span: S, domain: &'static Domain) -> StepRule<S> {
         let order = settings.chosen_order();
         let orders: [S; MAX_ORDER] = core::array::from_fn(|index| S::from_f64((index + 1) as f64));
         let tolerance = settings.loosest().max(LEAST_TOLERANCE.part::<S>());
         StepRule {
             order,
-            tolerated: Tolerated::new(settings.relative, settings.absolute),
+            tolerated: Tolerated::new(settings.relative, settings.absolute, domain),
             tolerance,
             last_orders: LastOrders::new(order, tolerance),
             longest: [false, true].map(|is_at_rest| longest_step(settings.longest_step, span, is_at_rest)),
@@ -86,15 +86,9 @@ impl<S: Scalar> StepRule<S> {
         }
     }
 
-    /// Returns the tolerated error of a component of this size.
-    #[inline(always)]
-    fn tolerated(&self, component: S) -> S {
-        self.tolerated.relative.multiply_add(component.abs(), self.tolerated.absolute)
-    }
-
-    /// True if a component of this size may be led to zero.
-    fn is_near_zero(&self, component: S) -> bool {
-        component.abs() <= S::from_f64(NEAR_ZERO) * self.tolerated(component)
+    /// True if a component with this value may be led to zero.
+    fn is_near_zero(&self, component: usize, value: S) -> bool {
+        value.abs() <= S::from_f64(NEAR_ZERO) * self.tolerated.of(component, value.abs())
     }
 }
 
@@ -146,10 +140,10 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         let rates = slope.as_ref().iter().zip(ahead.coefficients[0].as_ref());
         let sizes = self.y.as_ref().iter().zip(ahead.y.as_ref());
         let (least, h) = (LEAST_TOLERANCE.part::<S>(), h.abs());
-        rates.zip(sizes).fold(true, |fits, ((slope, rate), (before, after))| {
+        rates.zip(sizes).enumerate().fold(true, |fits, (component, ((slope, rate), (before, after)))| {
             let rounding = least * rate.abs().max(slope.abs());
-            let tolerated = S::from_f64(LARGEST_DEFECT) * rule.tolerated(before.abs().max(after.abs()));
-            fits & (((*slope - *rate).abs() - rounding) * h <= tolerated)
+            let tolerated = rule.tolerated.of(component, before.abs().max(after.abs()));
+            fits & (((*slope - *rate).abs() - rounding) * h <= S::from_f64(LARGEST_DEFECT) * tolerated)
         })
     }
 
@@ -162,8 +156,9 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     pub(super) fn landing(&self, rule: &StepRule<S>, h: S, slope: &Y, ahead: &Self) -> Option<S> {
         let starts = self.y.as_ref().iter().zip(self.coefficients[0].as_ref());
         let ends = ahead.y.as_ref().iter().zip(ahead.coefficients[0].as_ref()).zip(slope.as_ref());
-        let lengths = starts.zip(ends).filter_map(|((y, rate), ((after, rate_after), slope))| {
-            let is_near = rule.is_near_zero(*y) && rule.is_near_zero(*after);
+        let lengths = starts.zip(ends).enumerate().filter_map(|(component, (start, end))| {
+            let ((y, rate), ((after, rate_after), slope)) = (start, end);
+            let is_near = [*y, *after].into_iter().all(|value| rule.is_near_zero(component, value));
             let turns = || leads_to_zero(*y, *rate, h) && leads_to_zero(*after, -*slope, h);
             let is_wrong = is_near && turns() && leads_to_zero(*after, *rate_after, h);
             is_wrong.then(|| (*y / *rate).abs())
@@ -176,9 +171,10 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     pub(super) fn straighten(&mut self, rule: &StepRule<S>, h: S, ahead: &Y) {
         let [rates, bends, ..] = &mut self.coefficients;
         let coefficients = rates.as_mut().iter_mut().zip(bends.as_mut());
-        for (((rate, bend), ahead), y) in coefficients.zip(ahead.as_ref()).zip(self.y.as_ref()) {
+        let ends = ahead.as_ref().iter().zip(self.y.as_ref()).enumerate();
+        for ((rate, bend), (component, (ahead, y))) in coefficients.zip(ends) {
             *bend = (*ahead - *rate) / (h + h);
-            if rule.is_near_zero(*y) {
+            if rule.is_near_zero(component, *y) {
                 *bend = S::ZERO;
                 let is_far = (*rate * (h + h)).abs() < y.abs();
                 *rate = if is_far || !leads_to_zero(*y, *rate, h) { *rate } else { -*y / h };
@@ -198,7 +194,9 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     #[inline(always)]
     fn accurate_length(&self, rule: &StepRule<S>) -> S {
         let mut scales = self.y;
-        scales.as_mut().iter_mut().for_each(|scale| *scale = rule.tolerance / rule.tolerated(*scale));
+        for (component, scale) in scales.as_mut().iter_mut().enumerate() {
+            *scale = rule.tolerance / rule.tolerated.of(component, scale.abs());
+        }
         let LastOrders { last_terms, reciprocals } = match self.order == rule.order {
             true => rule.last_orders,
             false => LastOrders::new(self.order, rule.tolerance),

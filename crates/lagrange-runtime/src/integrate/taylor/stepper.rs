@@ -80,7 +80,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let (order, length) = (settings.chosen_order(), M::Scalar::ZERO);
         let expansion = Expansion { t, y: *y, order, length, coefficients: [M::State::ZERO; MAX_ORDER] };
         let mut stepper = TaylorStepper {
-            rule: StepRule::new(settings, end - t),
+            rule: StepRule::new(settings, end - t, system.domain()),
             max_steps: settings.max_steps,
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),

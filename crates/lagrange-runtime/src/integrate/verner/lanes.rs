@@ -22,7 +22,7 @@ use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
 use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, Work};
 use crate::linalg::vector::combined;
 use crate::scalar::{Mask, Number, Scalar};
-use crate::system::{Equations, SideBySide, StateVector};
+use crate::system::{Domain, Equations, SideBySide, StateVector};
 use crate::tolerance::SAME_STATE;
 
 /// Number of rates needed for the choice of a first step.
@@ -64,9 +64,10 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
         S: SideBySide<Element = T>,
         E: Equations<S>,
     {
-        let Tolerated { relative, absolute } = self.tolerated();
+        // Lanes run motions without a declared domain only.
+        let Tolerated { relative, absolute, domain } = self.tolerated(&Domain::EVERYWHERE);
         let settings = Settings {
-            tolerated: Tolerated { relative: S::splat(relative), absolute: S::splat(absolute) },
+            tolerated: Tolerated { relative: S::splat(relative), absolute: S::splat(absolute), domain },
             end: S::splat(end),
             longest: [false, true].map(|is_at_rest| S::splat(self.longest(end - t, is_at_rest))),
             most_steps: self.max_steps,

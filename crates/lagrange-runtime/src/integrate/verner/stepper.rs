@@ -154,7 +154,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
     /// is accurate enough.
     fn excess(&self, system: &M) -> M::Scalar {
         let Span { y, h, .. } = &self.last;
-        let norm = |error: &M::State| self.settings.norm(*h, error, y, self.state.value());
+        let tolerated = self.settings.tolerated(system.domain());
+        let norm = |error: &M::State| tolerated.norm(*h, error, y, self.state.value());
         let rounding = DEFECT.part::<M::Scalar>() * norm(&self.rates[0]);
         let mut largest = M::Scalar::ZERO;
         for s in CHECKED {
@@ -180,7 +181,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
         let mut state = self.advanced(h);
-        let error = self.settings.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
+        let tolerated = self.settings.tolerated(system.domain());
+        let error = tolerated.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
         let is_finite = check_finite(clock.time(), state.value()).is_ok();
         if !(error <= M::Scalar::ONE && is_finite) {
             return Ok(self.reject(h, if is_finite { error } else { M::Scalar::NAN }));
@@ -198,7 +200,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.work.steps += 1;
         self.control.accept(h.abs(), error);
         self.last = Span { t: self.clock.time(), y, h };
-        self.is_at_rest = self.settings.is_at_rest(h, &ADVANCE.weighted(&self.rates), &y);
+        self.is_at_rest = tolerated.is_at_rest(h, &ADVANCE.weighted(&self.rates), &y);
         self.before = (self.clock, self.state);
         (self.clock, self.state, self.known) = (clock, state, Known::Stages);
         Ok(Judgement::Taken)
@@ -328,14 +330,15 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
         let rate = system.rhs(t, y);
         self.work.evaluations += 1;
         check_finite(t, &rate)?;
-        self.is_at_rest = self.settings.is_at_rest(self.settings.longest(self.span, true), &rate, y);
+        let tolerated = self.settings.tolerated(system.domain());
+        self.is_at_rest = tolerated.is_at_rest(self.settings.longest(self.span, true), &rate, y);
         let step = match self.settings.first_step {
             Some(first) => first,
             None if self.span == M::Scalar::ZERO => M::Scalar::ZERO,
             None => {
                 self.work.evaluations += 1;
                 let bounds = (self.settings.longest(self.span, self.is_at_rest), self.span < M::Scalar::ZERO);
-                self.settings.tolerated().first_step_of(system, (t, y), &rate, bounds, POWER)?
+                tolerated.first_step_of(system, (t, y), &rate, bounds, POWER)?
             }
         };
         self.control = Control::new(step);

@@ -4,26 +4,41 @@ use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
 use crate::integrate::corrected::is_finite;
 use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, SettingError, StateVector, StepFailure};
+use crate::system::{Domain, OdeSystem, SettingError, StateVector, StepFailure};
 use crate::tolerance::LEAST_TOLERANCE;
 
-/// The tolerated error of a component: a fraction of its size, plus a constant.
+/// The tolerated error of a component: a fraction of its size, plus a part of its nominal value.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Tolerated<S> {
     pub(in crate::integrate) relative: S,
     pub(in crate::integrate) absolute: S,
+    pub(in crate::integrate) domain: &'static Domain,
 }
 
 impl<S: Number> Tolerated<S> {
+    /// Returns the tolerated error of the component of this index and size.
+    #[inline(always)]
+    pub(in crate::integrate) fn of(&self, component: usize, size: S) -> S {
+        self.relative.multiply_add(size, self.of_nominal(component, self.absolute))
+    }
+
+    /// Returns a number times the nominal value of a component.
+    #[inline(always)]
+    pub(in crate::integrate) fn of_nominal(&self, component: usize, number: S) -> S {
+        match self.domain.nominal.get(component) {
+            Some(nominal) => number * S::from_f64(*nominal),
+            None => number,
+        }
+    }
+
     /// Computes the root mean square of `h · error` relative to the tolerance between the states
     /// `from` and `to`.
     #[inline(always)]
     pub(in crate::integrate) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
-        let ends = from.as_ref().iter().zip(to.as_ref());
+        let ends = from.as_ref().iter().zip(to.as_ref()).enumerate();
         let mut sum = S::ZERO;
-        for (error, (from, to)) in error.as_ref().iter().zip(ends) {
-            let size = from.abs().max(to.abs());
-            let part = h * *error / self.relative.multiply_add(size, self.absolute);
+        for (error, (component, (from, to))) in error.as_ref().iter().zip(ends) {
+            let part = h * *error / self.of(component, from.abs().max(to.abs()));
             // Zero divided by zero if nothing moves and nothing is tolerated.
             let is_zero = error.less_equal(S::ZERO) & S::ZERO.less_equal(*error);
             sum = S::select(is_zero, sum, part.multiply_add(part, sum));
@@ -73,9 +88,10 @@ impl<S: Number> Tolerated<S> {
 }
 
 impl<S: Scalar> Tolerated<S> {
-    /// Creates the tolerance, with rounding as the minimum.
-    pub(in crate::integrate) fn new(relative: S, absolute: S) -> Self {
-        Tolerated { relative: relative.max(LEAST_TOLERANCE.part::<S>()), absolute }
+    /// Creates the tolerance in a domain, with rounding as the minimum.
+    #[inline(always)]
+    pub(in crate::integrate) fn new(relative: S, absolute: S, domain: &'static Domain) -> Self {
+        Tolerated { relative: relative.max(LEAST_TOLERANCE.part::<S>()), absolute, domain }
     }
 
     /// Estimates a first step with a small error, at most as long as `longest`, from a state with
@@ -131,25 +147,15 @@ pub(in crate::integrate) fn longest_step<S: Scalar>(setting: Option<S>, span: S,
 }
 
 impl<S: Scalar> Verner98<S> {
-    /// Returns the tolerance, with rounding as the minimum.
-    pub(super) fn tolerated(&self) -> Tolerated<S> {
-        Tolerated::new(self.relative, self.absolute)
-    }
-
-    /// Computes the root mean square of `h · error` relative to the tolerance between the states
-    /// `from` and `to`.
-    pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
-        self.tolerated().norm(h, error, from, to)
+    /// Returns the tolerance in a domain, with rounding as the minimum.
+    #[inline(always)]
+    pub(super) fn tolerated(&self, domain: &'static Domain) -> Tolerated<S> {
+        Tolerated::new(self.relative, self.absolute, domain)
     }
 
     /// Returns the maximum step length in an interval of this length, for a moving state or one at
     /// rest.
     pub(super) fn longest(&self, span: S, is_at_rest: bool) -> S {
         longest_step(self.longest_step, span, is_at_rest)
-    }
-
-    /// True if a step of length `h` at this rate changes the state negligibly.
-    pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> bool {
-        self.tolerated().is_at_rest(h, rate, y)
     }
 }

@@ -20,8 +20,8 @@ use super::stacked::Stacked;
 use crate::scalar::{Number, Scalar};
 use crate::simulate::closed_loop::ClosedLoop;
 use crate::system::{
-    Action, Component, DeclaredEvent, EventSource, MOST_LOCATED, OdeSystem, ParametricSystem, Reacted,
-    Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
+    Action, Component, DeclaredEvent, Domain, EventSource, MOST_LOCATED, OdeSystem, ParametricSystem,
+    Reacted, Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
 };
 
 /// A parameter, input or initial value by which a motion is differentiated.
@@ -252,6 +252,10 @@ where
         rates
     }
 
+    fn domain(&self) -> &'static Domain {
+        self.closed.domain()
+    }
+
     fn undefined(&self, t: M::Scalar, y: &Self::State, rates: &Self::State) -> Option<Undefined<M::Scalar>> {
         let own = || Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index);
         self.closed.undefined(t, &y.rows[0], &rates.rows[0]).or_else(own)
@@ -296,7 +300,9 @@ where
     }
 
     /// Derivatives of the past are not kept.
-    const HAS_DELAYS: bool = L::HAS_DELAYS || L::HAS_HISTORY;
+    fn has_delays(&self) -> bool {
+        L::HAS_HISTORY || self.closed.has_delays()
+    }
 
     const IS_CONSTRAINED: bool = L::IS_CONSTRAINED;
 

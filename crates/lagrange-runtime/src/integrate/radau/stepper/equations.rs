@@ -35,8 +35,8 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
     fn linearise(&mut self, system: &M, h: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
         let (t, y, rate) = (self.clock.time(), self.state.value(), &self.last.rates[self.end]);
         let jacobian = known(system, t, y, &mut self.work).unwrap_or_else(|| {
-            let Tolerated { relative, absolute } = self.settings.tolerated();
-            let sizes = sizes(y, h, rate, (absolute / relative).min(M::Scalar::ONE));
+            let Tolerated { relative, absolute, domain } = self.settings.tolerated(system.domain());
+            let sizes = sizes(y, h, rate, (absolute / relative).min(M::Scalar::ONE), domain);
             differences(system, (t, y), rate, &sizes, &mut self.work)
         });
         if !finite(jacobian.0.as_ref()) {
@@ -120,7 +120,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         let (Some(linearised), Some(factors)) = (&self.linearised, &self.factors) else {
             return M::Scalar::NAN;
         };
-        let (tolerated, positions) = (self.settings.tolerated(), linearised.positions());
+        let (tolerated, positions) = (self.settings.tolerated(system.domain()), linearised.positions());
         let mut most = M::Scalar::ZERO;
         for s in CHECKED.map(M::Scalar::from_f64) {
             let rate = system.rhs(s.multiply_add(span.h, span.t), &span.state(positions, s));
@@ -144,9 +144,9 @@ pub(super) fn goal<S: Scalar>(tolerated: &Tolerated<S>) -> S {
 /// this change.
 fn weights<S: Scalar, Y: StateVector<S>>(tolerated: &Tolerated<S>, y: &Y, change: &Y) -> Y {
     let mut weights = *y;
-    for (weight, change) in weights.as_mut().iter_mut().zip(change.as_ref()) {
+    for (component, (weight, change)) in weights.as_mut().iter_mut().zip(change.as_ref()).enumerate() {
         let size = weight.abs().max((*weight + *change).abs());
-        *weight = S::ONE / tolerated.relative.multiply_add(size, tolerated.absolute);
+        *weight = S::ONE / tolerated.of(component, size);
     }
     weights
 }

@@ -1,0 +1,102 @@
+//! Declared ranges and nominal values of the entries of a state.
+
+use core::ops::Bound;
+
+use super::OutOfRange;
+use crate::scalar::Scalar;
+use crate::tolerance::BOUNDARY;
+
+/// The declared ranges and nominal values of the entries of a state.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Domain {
+    /// Ranges of entries that have one.
+    pub ranges: &'static [EntryRange],
+    /// The size that counts as one for each entry; empty if no nominal value is declared. Entries
+    /// after the last one have the size one.
+    pub nominal: &'static [f64],
+}
+
+/// The range of an entry of the state.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct EntryRange {
+    /// Index in the state.
+    pub entry: usize,
+    /// Its kind: a coordinate, a velocity or a state.
+    pub kind: &'static str,
+    /// Its name in columns.
+    pub name: &'static str,
+    /// Unit of the bounds; empty if it is unknown.
+    pub unit: &'static str,
+    /// The lower and the upper bound.
+    pub bounds: (Bound<f64>, Bound<f64>),
+}
+
+impl Domain {
+    /// The domain of systems that declare neither ranges nor nominal values.
+    pub const EVERYWHERE: Domain = Domain { ranges: &[], nominal: &[] };
+
+    /// True if the system declares neither ranges nor nominal values.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn is_everywhere(&self) -> bool {
+        self.ranges.is_empty() && self.nominal.is_empty()
+    }
+
+    /// Returns the size that counts as one for an entry.
+    #[inline(always)]
+    pub fn nominal(&self, entry: usize) -> f64 {
+        self.nominal.get(entry).copied().unwrap_or(1.0)
+    }
+
+    /// Checks a state. Entries may exceed included bounds by rounding, since bodies come to rest
+    /// there.
+    ///
+    /// # Errors
+    /// If an entry is out of its range, or NaN.
+    #[inline]
+    pub fn check<S: Scalar>(&self, state: &[S]) -> Result<(), OutOfRange<S>> {
+        self.ranges.iter().try_for_each(|range| {
+            let Some(value) = state.get(range.entry) else { return Ok(()) };
+            let slack =
+                |bound: S| BOUNDARY.part::<S>() * bound.abs().max(S::from_f64(self.nominal(range.entry)));
+            let (lower, upper) = range.numbers();
+            let inner = [
+                map_included(lower, |bound| bound - slack(bound)),
+                map_included(upper, |bound| bound + slack(bound)),
+            ];
+            let outside = OutOfRange::check(range.kind, range.name, *value, inner.into(), range.unit);
+            outside.map_err(|outside| OutOfRange { range: (lower, upper), ..outside })
+        })
+    }
+
+    /// Returns the value of an entry that is nearest to another one, bounds included.
+    #[cfg(feature = "std")]
+    pub(crate) fn nearest<S: Scalar>(&self, entry: usize, value: S) -> S {
+        let Some(range) = self.ranges.iter().find(|range| range.entry == entry) else { return value };
+        let (lower, upper) = range.numbers();
+        let above = end(lower).map_or(value, |lower| value.max(lower));
+        end(upper).map_or(above, |upper| above.min(upper))
+    }
+}
+
+impl EntryRange {
+    /// Returns the bounds as numbers of a system.
+    fn numbers<S: Scalar>(&self) -> (Bound<S>, Bound<S>) {
+        (self.bounds.0.map(S::from_f64), self.bounds.1.map(S::from_f64))
+    }
+}
+
+/// Changes a bound that belongs to its range.
+fn map_included<S>(bound: Bound<S>, change: impl FnOnce(S) -> S) -> Bound<S> {
+    match bound {
+        Bound::Included(bound) => Bound::Included(change(bound)),
+        other => other,
+    }
+}
+
+#[cfg(feature = "std")]
+fn end<S>(bound: Bound<S>) -> Option<S> {
+    match bound {
+        Bound::Included(bound) | Bound::Excluded(bound) => Some(bound),
+        Bound::Unbounded => None,
+    }
+}

@@ -1,0 +1,66 @@
+//! Ranges and nominal values of entries of the state: in declarations of coordinates and states,
+//! and of any entry in `range` statements.
+
+use super::assigned::DeclaredLimits;
+use super::elaborator::Elaborator;
+use super::entries::{assigned_index, spelling_of};
+use super::messages::ranges as messages;
+use super::ranges::bounds;
+use crate::model::{Coordinate, EntryLimits, Speed};
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::evaluate;
+use lagrange_language::syntax::ast::{AllowedRange, AstId, LimitedEntry};
+
+/// Adds `range x in 0..=1 nominal 0.1;`.
+pub(super) fn add_limits(elaborator: &mut Elaborator<'_>, entry: &LimitedEntry) {
+    let index = assigned_index(elaborator, entry.target, messages::ENTRY_HELP);
+    let origin = elaborator.evaluator.origin(entry.target);
+    set_limits(elaborator, index, origin, (entry.range, entry.nominal));
+}
+
+pub(super) fn set_limits(
+    elaborator: &mut Elaborator<'_>,
+    index: Option<usize>,
+    origin: Origin,
+    (range, nominal): (AllowedRange, Option<AstId>),
+) {
+    let bounds = bounds(elaborator, &range);
+    let nominal = nominal.and_then(|nominal| magnitude(elaborator, nominal));
+    let Some(index) = index else { return };
+    if let Some(first) = elaborator.limits.iter().find(|other| other.index == index) {
+        let (first, message) = (first.origin, messages::limited_twice(spelling_of(elaborator, index)));
+        let error = elaborator.evaluator.report.error(origin, message);
+        error.related(first, messages::LIMITED_HERE).help(messages::LIMITED_TWICE_HELP);
+        return;
+    }
+    let graph = &elaborator.evaluator.graph;
+    let bounds = bounds.map(|bound| {
+        let bound = bound?;
+        Some((evaluate(graph, &[bound.value], |_| f64::NAN)[0], bound.is_included))
+    });
+    elaborator.limits.push(DeclaredLimits { index, origin, range, limits: EntryLimits { bounds, nominal } });
+}
+
+/// Evaluates a nominal value.
+fn magnitude(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
+    let value = elaborator.constant_scalar(syntax, messages::NOMINAL)?;
+    let value = evaluate(&elaborator.evaluator.graph, &[value], |_| f64::NAN)[0];
+    if value > 0.0 && value.is_finite() {
+        return Some(value);
+    }
+    elaborator.evaluator.refuse(syntax, messages::not_positive(value), messages::NOT_POSITIVE_HELP)
+}
+
+/// Stores declared limits with the coordinates and the velocities.
+pub(super) fn store_limits(
+    declared: Vec<DeclaredLimits>,
+    coordinates: &mut [Coordinate],
+    speeds: &mut [Speed],
+) {
+    for DeclaredLimits { index, limits, .. } in declared {
+        match index.checked_sub(coordinates.len()) {
+            None => coordinates[index].limits = limits,
+            Some(velocity) => speeds[velocity].limits = limits,
+        }
+    }
+}
