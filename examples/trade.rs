@@ -5,7 +5,7 @@
 //!
 //! rewrites `docs/trade.md` and the tables and diagrams in `docs/trade/`. If a directory is given,
 //! it writes there instead. Look for the fastest method for each accuracy, and for upward bends in
-//! the curves, where rounding begins. The table of drift is that of `examples/energy_drift.rs`.
+//! the curves, where rounding begins.
 
 #[path = "../tests/references/mod.rs"]
 mod references;
@@ -259,7 +259,6 @@ fn main() -> Result<(), Box<dyn Error>> {
          it and print that line.\n",
         which_to_take(&cases)
     );
-    text += &drift(&docs)?;
     for Case { motion, report, .. } in &cases {
         report.save(docs.join("trade"))?;
         let (title, file) = (report.title(), report.file_name());
@@ -273,19 +272,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::write(docs.join("trade.md"), &text)?;
     println!("{text}");
     Ok(())
-}
-
-/// Returns the section about drift, if another example has measured its table.
-fn drift(docs: &Path) -> Result<String, Box<dyn Error>> {
-    let path = docs.join("trade").join("drift.md");
-    if !path.exists() {
-        return Ok(String::new());
-    }
-    Ok(format!(
-        "\n## Drift\n\nThe largest relative errors of energy and angular momentum of Kepler's ellipse, e = 0.6, by \
-         `cargo\nrun --release --example energy_drift -- 100000000`.\n\n{}",
-        fs::read_to_string(path)?
-    ))
 }
 
 /// Returns the name of the processor, if the operating system reports it.

@@ -83,8 +83,8 @@ fn row(contestant: &Contestant<'_>, setting: f64, outcome: Result<Measurement, S
     }
 }
 
-/// Returns settings from coarse to fine. Tolerances have two digits, so that what is printed is what
-/// was run; they end where the number type does.
+/// Returns settings from coarse to fine. Tolerances have two digits, so that what is printed is
+/// what was run; they end where the number type does.
 fn settings(contestant: &Contestant<'_>, end: f64) -> Vec<f64> {
     match contestant.knob {
         Knob::Tolerance => {
