@@ -7,7 +7,8 @@ Taylor's method: the coefficients of the solution are computed to a high order b
 quotients, powers, sines and cosines. The last of them determine the step (Jorba and Zou, *A software package
 for the numerical integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005).
 Each trajectory is computed twice, with different order, working precision and hence step count, and written only if
-both agree to DIGITS + 1 digits relative to the largest component. Kepler's problem and the pendulum are solved in closed form.
+both agree to DIGITS + 1 digits relative to the largest component. Kepler's problem and single
+pendulums are solved in closed form.
 
 The column `numbers` gives the meaning of the decimals in a declaration: `decimal` for the exact values, `binary` for the nearest
 numbers of 53 bits, which a program in `f64` uses. The two trajectories differ by the rounding errors of the
@@ -129,21 +130,53 @@ def pendulum(of, start, times):
         yield [2 * mp.asin(s), 2 * omega * -k * (1 - k * k) * sn / dn**2 / half_cos]
 
 
-def kepler(of, start, times):
-    """Closed form by Kepler's equation; mu = 1, from the pericentre."""
-    r0, rate = start[0], start[3]
-    momentum = r0 * r0 * rate
-    a = 1 / (2 / r0 - (r0 * rate) ** 2)
-    e = 1 - r0 / a
-    motion = a ** mpf("-1.5")
+def bouncing(of, start, times):
+    """Closed form of a pendulum that a wall at theta = 0 throws back: sin(theta/2) = k sn(omega t, k); m = l = 1, e = 0.8."""
+    omega, e = sqrt(of("9.81")), of("0.8")
     for t in times:
-        turns = floor(motion * t / (2 * pi) + mpf(1) / 2)
-        mean = motion * t - 2 * pi * turns
-        anomaly = mp.findroot(lambda x: x - e * sin(x) - mean, mean + e * sin(mean), tol=mpf(10) ** (-2 * mp.dps + 8))
+        k, impact = sin(start[0] / 2), 0
+        after = ellipk(k * k) / omega
+        while after < t:
+            k, impact = e * k, after
+            after += 2 * ellipk(k * k) / omega
+        # Before the first impact it falls from rest, a quarter of a period after the bottom.
+        u = omega * (t - impact) if impact else ellipk(k * k) + omega * t
+        sn, cn = (ellipfun(kind, u, m=k * k) for kind in ("sn", "cn"))
+        yield [2 * mp.asin(k * sn), 2 * omega * k * cn]
+
+
+def ellipse(mu, r0, speed, t):
+    """Closed form of an orbit that starts at the pericentre: half axis, eccentricity, mean motion, anomaly, turns."""
+    a = 1 / (2 / r0 - speed**2 / mu)
+    e = 1 - r0 / a
+    motion = sqrt(mu / a**3)
+    turns = floor(motion * t / (2 * pi) + mpf(1) / 2)
+    mean = motion * t - 2 * pi * turns
+    anomaly = mp.findroot(lambda x: x - e * sin(x) - mean, mean + e * sin(mean), tol=mpf(10) ** (-2 * mp.dps + 8))
+    return a, e, motion, anomaly, turns
+
+
+def kepler(of, start, times):
+    """Polar coordinates; mu = 1."""
+    r0, rate = start[0], start[3]
+    for t in times:
+        a, e, motion, anomaly, turns = ellipse(1, r0, r0 * rate, t)
         r = a * (1 - e * cos(anomaly))
         phi = 2 * atan2(sqrt(1 + e) * sin(anomaly / 2), sqrt(1 - e) * cos(anomaly / 2)) + 2 * pi * turns
         r_rate = e * sin(anomaly) * motion * a / (1 - e * cos(anomaly))
-        yield [r, phi, r_rate, momentum / r**2]
+        yield [r, phi, r_rate, r0 * r0 * rate / r**2]
+
+
+def planet(mass, force):
+    """Cartesian coordinates, started at the pericentre on the x-axis; a mass in the field -force/r."""
+
+    def solution(of, start, times):
+        for t in times:
+            a, e, motion, anomaly, _ = ellipse(of(force) / of(mass), start[0], start[3], t)
+            b, rate = a * sqrt(1 - e * e), motion / (1 - e * cos(anomaly))
+            yield [a * (cos(anomaly) - e), b * sin(anomaly), -a * sin(anomaly) * rate, b * cos(anomaly) * rate]
+
+    return solution
 
 
 def double_pendulum(of):
@@ -180,14 +213,14 @@ def heavy_top(of):
     return build
 
 
-def elastic_pendulum(of):
-    """r theta; m = l = 1, k = 10^6."""
-    g, k = of("9.81"), mpf(10) ** 6
+def elastic_pendulum(of, k=10**6, damping=0):
+    """r theta; m = l = 1."""
+    g = of("9.81")
 
     def build(x):
         s, c = x.sin_cos(1)
         swing = x.product(3, 3)
-        r_ddot = x.linear((1, x.product(0, swing)), (-k, 0), (g, c), constant=k)
+        r_ddot = x.linear((1, x.product(0, swing)), (-k, 0), (-damping, 2), (g, c), constant=k)
         theta_ddot = x.quotient(x.linear((-g, s), (-2, x.product(2, 3))), 0)
         return [2, 3, r_ddot, theta_ddot]
 
@@ -250,6 +283,44 @@ def pleiades(of):
     return build
 
 
+def damped_pendulum(of):
+    return elastic_pendulum(of, 10**8, 2 * 10**4)
+
+
+def rods(of, start, times, order):
+    """x1 y1 x2 y2 of the double pendulum, from its angles."""
+    x1, y1, x2, y2 = start[:4]
+    angles = [atan2(x1, -y1), atan2(x2 - x1, y1 - y2), mpf(0), mpf(0)]
+    states, steps = taylor(double_pendulum(of), angles, times, order)
+    unrolled = []
+    for a, b, a_dot, b_dot in states:
+        arms = [(sin(a), -cos(a)), (sin(b), -cos(b))]
+        speeds = [(a_dot * cos(a), a_dot * sin(a)), (b_dot * cos(b), b_dot * sin(b))]
+        both = [tuple(p + q for p, q in zip(*pair)) for pair in (arms, speeds)]
+        unrolled.append([*arms[0], *both[0], *speeds[0], *both[1]])
+    return unrolled, steps
+
+
+def free_body(of):
+    """Quaternion, scalar part first, and angular velocity along the body's axes; moments of inertia 1, 2, 3."""
+
+    def build(x):
+        half = mpf(1) / 2
+        q, w = (0, 1, 2, 3), (4, 5, 6)
+        turn = lambda *terms: x.linear(*((sign * half, x.product(q[i], w[j])) for sign, i, j in terms))
+        return [
+            turn((-1, 1, 0), (-1, 2, 1), (-1, 3, 2)),
+            turn((1, 0, 0), (1, 2, 2), (-1, 3, 1)),
+            turn((1, 0, 1), (1, 3, 0), (-1, 1, 2)),
+            turn((1, 0, 2), (1, 1, 1), (-1, 2, 0)),
+            x.linear((-1, x.product(5, 6))),
+            x.product(6, 4),
+            x.linear((-mpf(1) / 3, x.product(4, 5))),
+        ]
+
+    return build
+
+
 def names(*coordinates):
     return list(coordinates) + [c + "_dot" for c in coordinates]
 
@@ -271,7 +342,15 @@ CASES = [
     ("cart_pole", names("x", "theta"), ["0", "3", "0", "0"], ["5"], cart_pole),
     ("henon_heiles", names("q1", "q2"), ["0.1", "0", "0", "0.5"], ["100"], henon_heiles),
     ("pleiades", names(*BODIES), PLEIADES, ["3"], pleiades),
+    ("bouncing", names("theta"), ["2", "0"], ["10"], bouncing),
+    ("planet", names("x", "y"), ["0.4", "0", "0", "2"], [HUNDRED_PERIODS], planet("1", "1")),
+    ("electron", names("x", "y"), ["2.1e-11", "0", "0", "4.4e6"], ["1.5e-15"], planet("9.1093837e-31", "2.3070776e-28")),
+    ("rods", names("x1", "y1", "x2", "y2"), ["1", "0", "2", "0", "0", "0", "0", "0"], ["10"], rods),
+    ("free_body", ["qw", "qx", "qy", "qz", "wx", "wy", "wz"], ["1", "0", "0", "0", "0.01", "5", "0.01"], ["10"], free_body),
+    ("damped_pendulum", names("r", "theta"), ["1", "1", "0", "0"], ["1"], damped_pendulum),
 ]
+# Systems whose states are formulas, not steps.
+CLOSED = ("pendulum", "kepler", "bouncing", "planet", "electron")
 
 # Components from the literature: case, time, component, value.
 PUBLISHED = [
@@ -288,11 +367,13 @@ PUBLISHED = [
 
 
 def states_of(case, numbers, order):
-    _, _, start, times, system = case
+    name, _, start, times, system = case
     of = converter(numbers)
     start, times = [of(value) for value in start], [of(value) for value in times]
-    if system in (pendulum, kepler):
+    if name in CLOSED:
         return list(system(of, start, times)), 0
+    if system is rods:
+        return rods(of, start, times, order)
     return taylor(system(of), start, times, order)
 
 

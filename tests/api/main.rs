@@ -62,6 +62,8 @@ mod switches;
 mod tables;
 mod time_spans;
 mod torques;
+#[cfg(feature = "trade")]
+mod trade;
 mod traits;
 mod units;
 mod wrappers;

@@ -1,6 +1,8 @@
 //! Reference trajectories of 30 digits, computed by `tools/references.py` and
 //! `tools/mechanisms.py`, and of 20 digits by `tools/control.py` and `tools/spatial_mechanisms.py`.
 
+use std::str::FromStr;
+
 const TABLES: [&str; 4] = [
     include_str!("states.csv"),
     include_str!("mechanisms.csv"),
@@ -22,7 +24,17 @@ pub(crate) enum Numbers {
 ///
 /// # Panics
 /// Panics if the table has no such state, or one of another length.
+#[allow(dead_code, reason = "each target that includes this module needs some of it")]
 pub(crate) fn state<const N: usize>(case: &str, numbers: Numbers, time: f64) -> [f64; N] {
+    let values = entries(case, numbers, time);
+    values.try_into().unwrap_or_else(|found| panic!("{case} at {time}: {found:?} in the references"))
+}
+
+/// Returns the entries of such a state, as numbers that keep more of their digits.
+///
+/// # Panics
+/// Panics if one cannot be read.
+pub(crate) fn entries<T: FromStr>(case: &str, numbers: Numbers, time: f64) -> Vec<T> {
     let numbers = match numbers {
         Numbers::Decimal => "decimal",
         Numbers::Binary => "binary",
@@ -34,6 +46,5 @@ pub(crate) fn state<const N: usize>(case: &str, numbers: Numbers, time: f64) -> 
             && columns.next().and_then(|text| text.parse().ok()) == Some(time);
         here.then(|| columns.nth(1).and_then(|text| text.parse().ok()).expect("a value in every row"))
     });
-    let values = values.collect::<Vec<f64>>();
-    values.try_into().unwrap_or_else(|found| panic!("{case} at {time}: {found:?} in the references"))
+    values.collect()
 }

@@ -79,7 +79,11 @@ fn proposal(report: &Report, error: f64) -> Result<String, Failure> {
     };
     let Measurement { error, seconds, work } = found;
     let (milliseconds, evaluations) = (1e3 * seconds, work.evaluations);
-    Ok(format!("{}\nerror {error:.1e}, {evaluations} evaluations, {milliseconds:.2} ms\n", options_of(row)))
+    Ok(format!(
+        "{}\nerror {error:.1e}, {evaluations} evaluations, {milliseconds:.2} ms\nin Rust: {}\n",
+        options_of(row),
+        row.line
+    ))
 }
 
 /// Returns a remark on errors if finer runs were omitted.
@@ -94,11 +98,11 @@ fn cut(report: &Report) -> &'static str {
 /// Returns the options of the fastest run for each error.
 fn table(report: &Report) -> String {
     let mut text =
-        format!("{:<14}{:<38}{:>8}{:>14}{:>10}\n", "error wanted", "options", "error", "evaluations", "ms");
+        format!("{:<14}{:<44}{:>8}{:>14}{:>10}\n", "error wanted", "options", "error", "evaluations", "ms");
     for (goal, choice) in report.choices() {
         text += &match choice {
             Some((row, Measurement { error, seconds, work })) => format!(
-                "{:<14}{:<38}{error:>8.1e}{:>14}{:>10.2}\n",
+                "{:<14}{:<44}{error:>8.1e}{:>14}{:>10.2}\n",
                 format!("{goal:.0e}"),
                 options_of(row),
                 work.evaluations,
@@ -110,37 +114,7 @@ fn table(report: &Report) -> String {
     text + "errors are differences to the finest run\n"
 }
 
-/// Returns the options of `lagrange simulate` for a run. Settings are rounded down, so that errors
-/// are not larger than measured.
+/// Returns the options of `lagrange simulate` for a run, with the setting in full.
 fn options_of(row: &MeasuredRun) -> String {
-    let exponent = row.setting.log10().floor();
-    // Rounding must not reduce the digit of 9.99….
-    let digits = (row.setting / 10_f64.powf(exponent) * 10.0 + 1e-9).floor() / 10.0;
-    format!("--method {} --{} {digits}e{exponent}", row.variant, row.knob())
-}
-
-#[cfg(test)]
-mod tests {
-    use lagrange_runtime::trade::MeasuredRun;
-
-    use super::options_of;
-
-    #[test]
-    fn settings_are_rounded_down() {
-        let options = |is_tolerance, setting| {
-            let (method, variant) = (String::new(), "rk4".to_owned());
-            options_of(&MeasuredRun {
-                method,
-                scalar: "f64",
-                variant,
-                is_tolerance,
-                setting,
-                outcome: Err(String::new()),
-            })
-        };
-        assert_eq!(options(true, 10_f64.powf(-7.5)), "--method rk4 --tolerance 3.1e-8");
-        assert_eq!(options(true, 10_f64.powf(-15.0)), "--method rk4 --tolerance 1e-15");
-        assert_eq!(options(false, 1.25), "--method rk4 --step 1.2e0");
-        assert_eq!(options(false, 0.078_125), "--method rk4 --step 7.8e-2");
-    }
+    format!("--method {} --{} {:e}", row.variant, row.knob(), row.setting)
 }

@@ -44,7 +44,14 @@ fn try_proposal(file: &str, until: &str, error: f64, reference: &[&str]) -> Stri
     let wanted = error.to_string();
     let result = run(&["trade", file, "--until", until, "--error", &wanted, "--longest", "0.01"]);
     assert_eq!(result.status.code(), Some(0), "{}", text(&result.stderr));
-    let proposal = text(&result.stdout).lines().next().expect("options").to_owned();
+    let lines = text(&result.stdout).lines().collect::<Vec<_>>();
+    let [proposal, _, in_rust] = lines[..] else { panic!("{lines:?}") };
+    let setting = proposal.rsplit(' ').next().and_then(|text| text.parse::<f64>().ok()).expect("a number");
+    assert!(
+        in_rust.starts_with("in Rust: .method(") && in_rust.contains(&format!("{setting:?}")),
+        "{in_rust}"
+    );
+    let proposal = proposal.to_owned();
     let found = end(file, until, &proposal.split(' ').collect::<Vec<_>>());
     for (found, exact) in found.iter().zip(end(file, until, reference)) {
         assert!((found - exact).abs() <= error, "{proposal}: {found} instead of {exact}");

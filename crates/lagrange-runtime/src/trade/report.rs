@@ -9,13 +9,17 @@ use crate::integrate::Work;
 use lagrange_files::csv_cell;
 
 /// Accuracies for which a choice is recommended.
-const GOALS: [f64; 7] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+const GOALS: [f64; 11] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16, 1e-20, 1e-24];
+/// Smallest goal, in units of the finest number type.
+const ROUNDING: f64 = 1e3;
 
 /// All runs of a [`Trade`](super::Trade).
 #[derive(Clone, Debug)]
 pub struct Report {
     pub(super) title: String,
     pub(super) has_own_reference: bool,
+    /// Resolution of the finest number type.
+    pub(super) epsilon: f64,
     pub(super) rows: Vec<MeasuredRun>,
     pub(super) is_cut: bool,
 }
@@ -32,15 +36,35 @@ impl Report {
         &self.rows
     }
 
-    /// Returns the fastest run with at most this error.
+    /// Returns the fastest run of a single motion with at most this error.
     pub fn fastest(&self, error: f64) -> Option<(&MeasuredRun, Measurement)> {
-        let good = self.measured().filter(|(_, found)| found.error <= error);
+        self.fastest_of(error, |row| row.motions == 1)
+    }
+
+    /// Returns the fastest run in lanes with at most this error.
+    pub fn fastest_in_lanes(&self, error: f64) -> Option<(&MeasuredRun, Measurement)> {
+        self.fastest_of(error, |row| row.motions > 1)
+    }
+
+    fn fastest_of(
+        &self,
+        error: f64,
+        of: impl Fn(&MeasuredRun) -> bool,
+    ) -> Option<(&MeasuredRun, Measurement)> {
+        let good = self.measured().filter(|(row, found)| of(row) && found.error <= error);
         good.min_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds))
     }
 
-    /// Returns accuracies, each with the fastest run that reaches it, if there is one.
+    /// Returns accuracies, each with the fastest run of a single motion that reaches it, if there
+    /// is one.
     pub fn choices(&self) -> impl Iterator<Item = (f64, Option<(&MeasuredRun, Measurement)>)> {
-        GOALS.into_iter().map(|goal| (goal, self.fastest(goal)))
+        self.goals().map(|goal| (goal, self.fastest(goal)))
+    }
+
+    /// Returns the accuracies that the finest number type allows.
+    fn goals(&self) -> impl Iterator<Item = f64> + use<> {
+        let finest = ROUNDING * self.epsilon;
+        GOALS.into_iter().filter(move |goal| *goal >= finest)
     }
 
     /// True if finer settings of a method were skipped because a run took longer than
@@ -49,27 +73,14 @@ impl Report {
         self.is_cut
     }
 
-    /// Returns the fastest choice for each accuracy as a table in Markdown.
+    /// Returns the fastest choice for each accuracy as a table in Markdown, with the line to write.
+    /// A second table is for ensembles, if any ran in lanes.
     pub fn recommendation(&self) -> String {
-        let mut text = String::from(
-            "| error wanted | method | numbers | variant | setting | error | µs | evaluations |\n|---|---|---|---|---|---|---|---|\n",
-        );
-        for (goal, choice) in self.choices() {
-            let Some((row, found)) = choice else {
-                text += &format!("| {goal:.0e} | not reached | | | | | | |\n");
-                continue;
-            };
-            let knob = row.knob();
-            text += &format!(
-                "| {goal:.0e} | {} | {} | {} | {knob} {:.1e} | {:.1e} | {:.0} | {} |\n",
-                row.method,
-                row.scalar,
-                row.variant,
-                row.setting,
-                found.error,
-                1e6 * found.seconds,
-                found.work.evaluations
-            );
+        let mut text = table(self.choices());
+        if self.rows.iter().any(|row| row.motions > 1) {
+            let choices = self.goals().map(|goal| (goal, self.fastest_in_lanes(goal)));
+            let reached = choices.filter(|(_, choice)| choice.is_some());
+            text += &format!("\nIn an ensemble in lanes, for each motion:\n\n{}", table(reached));
         }
         if self.has_own_reference {
             text += "\nErrors are differences to the finest run.\n";
@@ -80,12 +91,13 @@ impl Report {
     /// Returns all runs as comma-separated values, failed ones with their reason.
     pub fn csv(&self) -> String {
         let mut text = String::from(
-            "method,numbers,variant,knob,setting,error,microseconds,steps,rejections,evaluations,jacobians,iterations,failure\n",
+            "method,numbers,variant,motions,knob,setting,error,microseconds,steps,rejections,evaluations,jacobians,iterations,failure\n",
         );
         for row in &self.rows {
             let knob = row.knob();
-            let MeasuredRun { method, scalar, setting, .. } = row;
-            text += &format!("{},{scalar},{},{knob},{setting:e},", csv_cell(method), csv_cell(&row.variant));
+            let MeasuredRun { method, scalar, motions, setting, .. } = row;
+            let variant = csv_cell(&row.variant);
+            text += &format!("{},{scalar},{variant},{motions},{knob},{setting:e},", csv_cell(method));
             text += &match &row.outcome {
                 Ok(Measurement { error, seconds, work }) => {
                     let Work { steps, rejections, evaluations, jacobians, iterations, .. } = work;
@@ -111,4 +123,25 @@ impl Report {
     pub(super) fn measured(&self) -> impl Iterator<Item = (&MeasuredRun, Measurement)> {
         self.rows.iter().filter_map(|row| Some((row, *row.outcome.as_ref().ok()?)))
     }
+}
+
+/// Returns rows of choices in Markdown.
+fn table<'a>(choices: impl Iterator<Item = (f64, Option<(&'a MeasuredRun, Measurement)>)>) -> String {
+    let mut text = String::from(
+        "| error wanted | line | numbers | variant | error | µs | evaluations |\n|---|---|---|---|---|---|---|\n",
+    );
+    for (goal, choice) in choices {
+        text += &match choice {
+            None => format!("| {goal:.0e} | not reached | | | | | |\n"),
+            Some((row, Measurement { error, seconds, work })) => format!(
+                "| {goal:.0e} | `{}` | {} | {} | {error:.1e} | {:.1} | {} |\n",
+                row.line,
+                row.scalar,
+                row.variant,
+                1e6 * seconds,
+                work.evaluations
+            ),
+        };
+    }
+    text
 }

@@ -42,11 +42,11 @@ pub struct Taylor<S> {
     pub max_steps: u64,
 }
 
-/// The order for the tightest tolerance; higher orders cost more than they save in double
-/// precision.
-const HIGHEST_CHOSEN: f64 = 32.0;
+/// The order for the tightest tolerance in double precision, where higher orders cost more than
+/// they save.
+const HIGHEST_CHOSEN: usize = 32;
 /// The order for the loosest tolerance.
-const LOWEST_CHOSEN: f64 = 8.0;
+const LOWEST_CHOSEN: usize = 8;
 /// The lowest permitted order: the length of steps depends on four coefficients.
 const LOWEST: usize = 4;
 
@@ -73,8 +73,10 @@ impl<S: Scalar> Taylor<S> {
     fn chosen_order(&self) -> usize {
         self.order.unwrap_or_else(|| {
             let wanted = S::from_f64(3.0) - self.loosest().ln();
-            let mut order = LOWEST_CHOSEN as usize;
-            while S::from_f64(order as f64) < wanted && order < HIGHEST_CHOSEN as usize {
+            let is_wide = S::epsilon() < S::from_f64(f64::EPSILON);
+            let highest = if is_wide { MAX_ORDER } else { HIGHEST_CHOSEN };
+            let mut order = LOWEST_CHOSEN;
+            while S::from_f64(order as f64) < wanted && order < highest {
                 order += 1;
             }
             order
