@@ -12,8 +12,8 @@ use lagrange_runtime::scene::{
 /// A space whose items are constructed from their numbers. Bodies have no rates, which are only
 /// needed for arrows.
 pub trait NumberedSpace: Space {
-    /// Visits a body, frame, surface or joint, whose numbers come first. `height` returns the height
-    /// of terrain over a place.
+    /// Visits a body, frame, surface or joint, whose numbers come first. `height` returns the
+    /// height of terrain over a place.
     fn item(
         item: &PlacedItem,
         numbers: &mut Numbers<'_>,

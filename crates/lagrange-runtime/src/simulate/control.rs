@@ -202,13 +202,7 @@ where
         self.present(t, &join::<M>(q, v), |plant| plant.terms(t, q, v))
     }
 
-    fn damped_terms(
-        &self,
-        t: M::Scalar,
-        q: &M::Coordinates,
-        v: &[M::Scalar; N],
-        h: M::Scalar,
-    ) -> M::Terms {
+    fn damped_terms(&self, t: M::Scalar, q: &M::Coordinates, v: &[M::Scalar; N], h: M::Scalar) -> M::Terms {
         self.present(t, &join::<M>(q, v), |plant| plant.damped_terms(t, q, v, h))
     }
 
