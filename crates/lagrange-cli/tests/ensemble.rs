@@ -115,7 +115,7 @@ fn motions_that_fail_are_rows_of_nan_and_named() {
     let failed = text(&result.stdout).lines().filter(|line| line.contains("NaN")).count();
     assert!((1..20).contains(&failed), "{}", text(&result.stdout));
     let messages = text(&result.stderr);
-    assert!(messages.lines().all(|line| line.matches("motion ").count() == 1), "{messages}");
+    assert!(messages.lines().all(|line| line.matches(": motion ").count() == 1), "{messages}");
     assert_eq!(
         messages.lines().filter(|line| line.starts_with("error: motion ")).count(),
         failed,
