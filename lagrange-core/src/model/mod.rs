@@ -1,8 +1,10 @@
 //! A checked model: with resolved names and expressions of the right kind.
 
+mod events;
 mod product;
 mod samples;
 mod scene;
+mod state;
 
 use proc_macro2::Span;
 
@@ -10,13 +12,15 @@ use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 use lagrange_expr::units::NamedUnits;
-use lagrange_language::syntax::ast::{Direction, Name};
+use lagrange_language::syntax::ast::Name;
 
+pub use events::{Action, Assignment, Clock, Event, Reaction, ReactionKind};
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
 pub(crate) use samples::{Entry, default_values, entries, may_be_flat, sample_values};
 pub use scene::{
     BodyMotion, DrawnItem, InertialBody, LinkPose, LinkTwist, OutlinedPart, SampledHeight, Scene,
 };
+pub use state::{Bound, Coordinate, EntryLimits, Orientation, Speed};
 
 /// Meaning of a declaration, as expressions of one graph.
 #[derive(Clone, Debug)]
@@ -150,77 +154,6 @@ pub struct Delay {
     pub lag: ExprId,
 }
 
-/// A bound of the values of a parameter.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Bound {
-    /// Value of the bound, free of symbols.
-    pub value: ExprId,
-    /// True if a parameter may have this value.
-    pub is_included: bool,
-}
-
-/// A position: a generalised coordinate, a component of a unit quaternion, or a first-order or
-/// discrete state.
-#[derive(Clone, Debug)]
-pub struct Coordinate {
-    /// Name of the position.
-    pub name: String,
-    /// q
-    pub position: ExprId,
-    /// q̇, a function of positions and generalised velocities, linear in the velocities; for a
-    /// first-order state, any function of time, positions, velocities and inputs
-    pub rate: ExprId,
-    /// True if it is a state, which displacements do not change.
-    pub is_state: bool,
-    /// Its range and nominal value.
-    pub limits: EntryLimits,
-}
-
-/// The range and the nominal value of an entry of the state.
-#[derive(Clone, Copy, PartialEq, Default, Debug)]
-pub struct EntryLimits {
-    /// Lower and upper bound, each with true if it is included.
-    pub bounds: [Option<(f64, bool)>; 2],
-    /// The magnitude that counts as one, if it is declared.
-    pub nominal: Option<f64>,
-}
-
-impl EntryLimits {
-    /// True if a value is in the range.
-    pub(crate) fn contains(&self, value: f64) -> bool {
-        let [lower, upper] = self.bounds;
-        let is_above = lower.is_none_or(|(bound, included)| value > bound || included && value == bound);
-        is_above && upper.is_none_or(|(bound, included)| value < bound || included && value == bound)
-    }
-}
-
-/// A generalised velocity, called generalised speed by Kane: the rate of a coordinate, or a
-/// component of an angular velocity.
-#[derive(Clone, Debug)]
-pub struct Speed {
-    /// Name in the state.
-    pub name: String,
-    /// Index of the coordinate whose rate it is; `None` for an angular velocity.
-    pub coordinate: Option<usize>,
-    /// v
-    pub velocity: ExprId,
-    /// v̇
-    pub acceleration: ExprId,
-    /// Its range and nominal value.
-    pub limits: EntryLimits,
-}
-
-/// An orientation as a unit quaternion among the positions, with the angular velocity in the
-/// rotated axes among the velocities.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Orientation {
-    /// Index of the scalar part among the positions; the vector part follows.
-    pub position: usize,
-    /// Index of the first component of the angular velocity among the velocities; the others
-    /// follow.
-    pub velocity: usize,
-}
-
 /// The energies of a system.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Energies {
@@ -296,98 +229,6 @@ pub struct Output {
     pub description: Option<String>,
 }
 
-/// A zero to be found during a motion, and the action at it.
-#[derive(Clone, Debug)]
-pub struct Event {
-    /// Name of the event.
-    pub name: String,
-    /// Function of t, q and v, accelerations and multipliers, whose zeros are the event.
-    pub value: ExprId,
-    /// Direction of relevant zeros.
-    pub direction: Direction,
-    /// Action at the event.
-    pub action: Action,
-}
-
-/// Assignments at the multiples of a period.
-#[derive(Clone, Debug)]
-pub struct Clock {
-    /// Period, a function of parameters.
-    pub period: ExprId,
-    /// Simultaneous assignments at each tick.
-    pub assignments: Vec<Assignment>,
-}
-
-/// Action at an event.
-#[derive(Clone, Debug)]
-pub enum Action {
-    /// The motion ends.
-    Stop,
-    /// The run continues.
-    Record,
-    /// Bodies touch: the contact with this index among [`Model::reactions`].
-    Impact(u32),
-    /// Entries of the state are assigned new values simultaneously.
-    Assign(Vec<Assignment>),
-}
-
-/// An entry of the state and its value after an event.
-#[derive(Clone, Copy, Debug)]
-pub struct Assignment {
-    /// Index in [q…, v…], where q has one entry for each position.
-    pub index: usize,
-    /// New value, a function of t, q and v before the event.
-    pub value: ExprId,
-}
-
-/// A contact or dry friction, with a force along the gradient of a velocity.
-#[derive(Clone, Debug)]
-pub struct Reaction {
-    /// Name of the reaction.
-    pub name: String,
-    /// Symbol of the force.
-    pub symbol: ExprId,
-    /// Rate of the gap, or the slip velocity, affine in q̇.
-    pub velocity: ExprId,
-    /// Law of the force.
-    pub kind: ReactionKind,
-}
-
-/// Law of the force of a contact or of friction.
-#[derive(Clone, Copy, Debug)]
-pub enum ReactionKind {
-    /// A unilateral contact.
-    Contact {
-        /// Function of t and q, positive if bodies are apart.
-        gap: ExprId,
-        /// Coefficient of restitution, a function of t, q and v.
-        restitution: ExprId,
-    },
-    /// Dry friction that sticks and slips. Limits are functions of t, q and v, affine in
-    /// multipliers and in the forces of previously declared reactions.
-    Friction {
-        /// Magnitude of the force while slipping.
-        kinetic: ExprId,
-        /// Maximum magnitude of the force while sticking.
-        fixed: ExprId,
-    },
-    /// The second component of friction in a plane, with the limits of the previous reaction. They
-    /// bound the magnitude of the vector.
-    Across {
-        /// Magnitude while slipping.
-        kinetic: ExprId,
-        /// Maximum magnitude while sticking.
-        fixed: ExprId,
-    },
-    /// Friction that only slips: the force is −limit · tanh(velocity / width).
-    Smooth {
-        /// Magnitude of the force far from velocity zero, a limit like those above.
-        limit: ExprId,
-        /// Velocity, constant in motion.
-        width: ExprId,
-    },
-}
-
 impl Energies {
     /// Returns T and V, if the energies are known separately.
     pub fn parts(self) -> Option<[ExprId; 2]> {
@@ -408,13 +249,6 @@ impl Energies {
             Energies::Lagrangian => None,
         };
         parts.into_iter().flatten()
-    }
-}
-
-impl ReactionKind {
-    /// True if the reaction has its own mode, switched by events.
-    pub fn has_mode(self) -> bool {
-        !matches!(self, ReactionKind::Smooth { .. } | ReactionKind::Across { .. })
     }
 }
 
