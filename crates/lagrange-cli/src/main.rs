@@ -12,6 +12,7 @@ mod analyses;
 mod arguments;
 mod commands;
 mod ensembles;
+mod help;
 mod mistakes;
 mod motions;
 mod source;
@@ -21,8 +22,9 @@ mod watch;
 
 use std::process::ExitCode;
 
-use arguments::{HELP, Request, read_arguments};
+use arguments::{Request, read_arguments};
 use commands::Ended;
+use help::HELP;
 use watch::watch;
 
 /// Exit code if files have errors.
