@@ -214,7 +214,10 @@ const FMI: &[Layer] = &[
 ];
 
 const CLI: &[Layer] = &[
-    Layer { modules: &["arguments", "help"], purpose: "the command line, read into a command; its description" },
+    Layer {
+        modules: &["arguments", "help"],
+        purpose: "the command line, read into a command; its description",
+    },
     Layer { modules: &["source"], purpose: "files with declarations, and the standard input" },
     Layer {
         modules: &["mistakes", "values"],

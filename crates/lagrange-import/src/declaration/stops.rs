@@ -89,10 +89,7 @@ impl Writer<'_> {
         for (joint, coordinate) in simple.clone().filter(|(joint, _)| followings[*joint].leader == *joint) {
             match ranges[joint].is_empty() {
                 true => self.declared.rangeless.push(joint),
-                false => {
-                    self.range_of(coordinate, &ranges[joint]);
-                    self.stops_of(coordinate, &ranges[joint]);
-                }
+                false => self.stops_of(coordinate, &ranges[joint]),
             }
         }
         for (joint, coordinate) in simple {
@@ -119,15 +116,6 @@ impl Writer<'_> {
             let name = self.identifiers.take(&format!("{coordinate}_{end}"), "limit", &[]);
             self.page.line(&format!("event {name} = {gap}, falling => impact(0);"));
             self.declared.event_count += 1;
-        }
-    }
-
-    /// Writes the range of a coordinate.
-    fn range_of(&mut self, coordinate: &str, Range { lower, upper }: &Range) {
-        let text = |bound: &Option<Decimal>| bound.as_ref().map(Decimal::to_string).unwrap_or_default();
-        let dots = if upper.is_some() { "..=" } else { ".." };
-        if lower.is_some() || upper.is_some() {
-            self.page.line(&format!("range {coordinate} in {}{dots}{};", text(lower), text(upper)));
         }
     }
 }

@@ -49,7 +49,7 @@
 //! | `fixed` | `weld` |
 //! | orientations, as `rpy` or as `quat_xyzw` of any length | `turned`; angles within 1e-9 of quarter turns are fractions of `pi`. Entries of rotations within 1e-9 of 0, 1 and −1 are rounded to these numbers if this applies to their whole row or column |
 //! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate. `lower` and `upper` default to zero if only the other one is specified; continuous joints have none |
-//! | `lower` and `upper`, with [`Options::has_limits`] | `range q in lower..=upper;`, `event NAME_lower = q - lower, falling => impact(0);`, and a `start` between them if they exclude zero. Stops of joints that mimic others act on the other joint if they are tighter |
+//! | `lower` and `upper`, with [`Options::has_limits`] | `event NAME_lower = q - lower, falling => impact(0);`, and a `start` between them if they exclude zero. Stops of joints that mimic others act on the other joint if they are tighter |
 //! | `effort`, with [`Options::has_limits`] and [`Options::has_inputs`] | bounds on the input in the expression of the force |
 //! | friction of `<dynamics>`, with [`Options::has_friction`] | `friction NAME_friction = dot(q), value;` |
 //! | spheres of `<collision>`, with [`Options::has_contacts`] | `contact LINK_touch = link.point(x, y, z) on ground { friction: mu; radius: r; }`, with a parameter for the coefficient of friction |

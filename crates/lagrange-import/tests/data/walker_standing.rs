@@ -46,19 +46,14 @@ lagrange::system! {
     force rr_hip = max(-6, min(6, u_rr_hip));
     force lift = max(-20, min(20, u_lift));
 
-    range fl_hip in -0.3..=0.25;
     event fl_hip_lower = fl_hip + 0.3, falling => impact(0);
     event fl_hip_upper = 0.25 - fl_hip, falling => impact(0);
-    range fr_hip in -0.3..=0.25;
     event fr_hip_lower = fr_hip + 0.3, falling => impact(0);
     event fr_hip_upper = 0.25 - fr_hip, falling => impact(0);
-    range rl_hip in 0.1..=0.35;
     event rl_hip_lower = rl_hip - 0.1, falling => impact(0);
     event rl_hip_upper = 0.35 - rl_hip, falling => impact(0);
-    range rr_hip in 0.1..=0.35;
     event rr_hip_lower = rr_hip - 0.1, falling => impact(0);
     event rr_hip_upper = 0.35 - rr_hip, falling => impact(0);
-    range lift in -0.05..=0.08;
     event lift_lower = lift + 0.05, falling => impact(0);
     event lift_upper = 0.08 - lift, falling => impact(0);
     start rl_hip = 0.225;

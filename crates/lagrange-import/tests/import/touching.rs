@@ -32,7 +32,6 @@ fn stops_friction_and_contacts_are_written_if_they_are_wanted() {
     input u_q;
     force q = max(-20, min(20, u_q));
 
-    range q in -2.5..=-0.5;
     event q_lower = q + 2.5, falling => impact(0);
     event q_upper = -0.5 - q, falling => impact(0);
     start q = -1.5;

@@ -2,7 +2,7 @@
 //!
 //! A [`Trade`] runs each method from coarse to fine settings, and measures the error at the end and
 //! the computing time. It reports the fastest method for each accuracy, as the line to write.
-//! `cargo run --release --features trade --example trade` does this for eight known systems. For
+//! `cargo run --release --features trade --example trade` does this for nine known systems. For
 //! your own system, write:
 //!
 //! ```no_run

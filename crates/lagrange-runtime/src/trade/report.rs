@@ -1,7 +1,7 @@
 //! The report of a trade, and recommendations.
 
 use std::format;
-use std::string::String;
+use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::measurement::{MeasuredRun, Measurement};
@@ -139,7 +139,8 @@ fn table<'a>(choices: impl Iterator<Item = (f64, Option<(&'a MeasuredRun, Measur
                 row.scalar,
                 row.variant,
                 1e6 * seconds,
-                work.evaluations
+                // Lanes do not count their work.
+                if row.motions > 1 { "–".into() } else { work.evaluations.to_string() }
             ),
         };
     }
