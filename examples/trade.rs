@@ -7,6 +7,8 @@
 //! it writes there instead. Look for the fastest method for each accuracy, and for upward bends in
 //! the curves, where rounding begins.
 
+#![allow(clippy::needless_update, reason = "for some systems, a case states all fields")]
+
 #[path = "../tests/references/mod.rs"]
 mod references;
 

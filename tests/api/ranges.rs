@@ -3,7 +3,7 @@
 use std::ops::Bound;
 
 use lagrange::Simulate;
-use lagrange::system::{OutOfRange, StepFailure};
+use lagrange::system::{OutOfRange, RangedKind, StepFailure};
 
 lagrange::system! {
     /// A mass on a spring, with every kind of range.
@@ -140,7 +140,7 @@ fn prepared_systems_are_checked_like_the_system() {
 fn the_first_parameter_outside_is_reported_as_a_value() {
     let ball = Ball { g: -1.0, bounce: 2.0, ..Ball::of(1.0) };
     let expected = OutOfRange {
-        kind: "parameter",
+        kind: RangedKind::Parameter,
         name: "g",
         value: -1.0,
         range: (Bound::Excluded(0.0), Bound::Unbounded),

@@ -4,7 +4,7 @@ use std::ops::Bound;
 
 use lagrange::Simulate;
 use lagrange::integrate::{Method, Radau5, Taylor, Verner98, integrate};
-use lagrange::system::{OdeSystem, OutOfRange, StepFailure};
+use lagrange::system::{OdeSystem, OutOfRange, RangedKind, StepFailure};
 
 lagrange::system! {
     /// A mass on a spring between two bounds, with a heated spring.
@@ -40,7 +40,8 @@ fn outside(slider: &Slider, start: [f64; 5]) -> OutOfRange<f64> {
 fn starts_outside_of_their_ranges_are_refused() {
     let slider = Slider::default();
     let (lower, upper) = (Bound::Included(-0.1), Bound::Included(0.2));
-    let expected = OutOfRange { kind: "coordinate", name: "x", value: 0.3, range: (lower, upper), unit: "m" };
+    let expected =
+        OutOfRange { kind: RangedKind::Coordinate, name: "x", value: 0.3, range: (lower, upper), unit: "m" };
     assert_eq!(outside(&slider, [0.3, 0.0, 1.0, 0.0, 0.0]), expected);
     let heat = outside(&slider, [0.0, 0.0, -1e-6, 0.0, 0.0]).to_string();
     assert_eq!(heat, "the state `heat` is -1e-6 K, but it must be at least 0.0 K");

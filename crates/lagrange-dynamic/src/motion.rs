@@ -9,7 +9,8 @@ use lagrange_runtime::event::{
 };
 use lagrange_runtime::integrate::undefined;
 use lagrange_runtime::system::{
-    Domain, NoiseKind, OdeSystem, OutOfRange, Reacted, StateVector, StepFailure, Undefined, WhiteNoise,
+    Domain, NoiseKind, OdeSystem, OutOfRange, RangedKind, Reacted, StateVector, StepFailure, Undefined,
+    WhiteNoise,
 };
 
 use crate::inline::{Inline, Rows};
@@ -31,7 +32,13 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
             let unit = units.clone().find(known).map_or("", |(_, unit)| unit);
             let bounds = bounds.map(bound);
             let unit = if unit == "1" { "" } else { unit };
-            OutOfRange::check("parameter", name, self.numeric.fields()[*parameter], bounds.into(), unit)
+            OutOfRange::check(
+                RangedKind::Parameter,
+                name,
+                self.numeric.fields()[*parameter],
+                bounds.into(),
+                unit,
+            )
         })
     }
 

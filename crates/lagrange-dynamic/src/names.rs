@@ -14,7 +14,7 @@ use lagrange_core::model::EntryLimits;
 use lagrange_core::pipeline::Programs;
 use lagrange_core::syntax::ast;
 use lagrange_runtime::event::{DeclaredEvent, Direction};
-use lagrange_runtime::system::{Description, Domain, EntryRange, MatrixLayout};
+use lagrange_runtime::system::{Description, Domain, EntryRange, MatrixLayout, RangedKind};
 
 type Texts = &'static [&'static str];
 
@@ -112,9 +112,9 @@ fn domain(variables: &Variables) -> Domain {
     let range = |(entry, EntryLimits { bounds, .. }): (usize, &EntryLimits)| EntryRange {
         entry,
         kind: match entry {
-            _ if entry >= positions => "velocity",
-            _ if entry + states >= positions => "state",
-            _ => "coordinate",
+            _ if entry >= positions => RangedKind::Velocity,
+            _ if entry + states >= positions => RangedKind::State,
+            _ => RangedKind::Coordinate,
         },
         name: text(&names[entry]),
         unit: text(variables.unit(&names[entry]).filter(|unit| *unit != "1").unwrap_or_default()),

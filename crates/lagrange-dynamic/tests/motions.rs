@@ -142,7 +142,7 @@ fn nominal_values_and_ranges_act_with_the_same_bits() {
     assert_same_bits!(Mirror, MIRROR, [3e-6, 250.0, 0.0], 2.0, adaptive(), "Failed");
     assert_same_bits!(Mirror, MIRROR, [1e-6, 250.0, 4e-6], 2.0, adaptive(), "Failed");
     let domain = declared(MIRROR).visit(DomainOf);
-    assert_eq!(domain, *Mirror::default().domain());
+    assert_eq!(domain, *Mirror.domain());
     assert_eq!((domain.ranges.len(), domain.nominal), (2, &[1e-6, 300.0, 1e-6][..]));
 }
 

@@ -106,6 +106,15 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             let shown = assignments.iter().map(|a| format!(" ({} {})", show(&a.target), show(&a.value)));
             format!("start{}", shown.collect::<String>())
         }
+        StatementKind::Ranges(entries) => {
+            let shown = entries.iter().map(|entry| {
+                format!(
+                    " ({})",
+                    entry.values().chain([entry.target]).map(|id| show(&id)).collect::<Vec<_>>().join(" ")
+                )
+            });
+            format!("range{}", shown.collect::<String>())
+        }
         StatementKind::RateEquation(difference) => format!("0 = {}", show(difference)),
         StatementKind::StateRate(name, value) => format!("dot({}) {}", name.text, show(value)),
         StatementKind::Quaternion(quaternion) => format!("quaternion {}", quaternion.name.text),

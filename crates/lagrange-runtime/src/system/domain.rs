@@ -2,7 +2,7 @@
 
 use core::ops::Bound;
 
-use super::OutOfRange;
+use super::{OutOfRange, RangedKind};
 use crate::scalar::Scalar;
 use crate::tolerance::BOUNDARY;
 
@@ -22,7 +22,7 @@ pub struct EntryRange {
     /// Index in the state.
     pub entry: usize,
     /// Its kind: a coordinate, a velocity or a state.
-    pub kind: &'static str,
+    pub kind: RangedKind,
     /// Its name in columns.
     pub name: &'static str,
     /// Unit of the bounds; empty if it is unknown.

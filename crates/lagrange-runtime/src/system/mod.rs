@@ -48,7 +48,7 @@ pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSyste
 #[cfg(feature = "std")]
 pub(crate) use self::message::{EventName, explain};
 pub use self::noise::{MOST_NOISES, NoiseKind, WhiteNoise};
-pub use self::out_of_range::OutOfRange;
+pub use self::out_of_range::{OutOfRange, RangedKind};
 pub use self::parametric::{ParametricSystem, pick_columns};
 pub use self::ports::{ControlledSystem, OutputSystem};
 #[cfg(feature = "std")]

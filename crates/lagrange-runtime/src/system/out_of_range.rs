@@ -3,11 +3,35 @@
 use core::fmt::{Debug, Display, Formatter, Result as Written};
 use core::ops::{Bound, RangeBounds};
 
+/// The kind of a quantity with a declared range.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum RangedKind {
+    /// A parameter of the system.
+    Parameter,
+    /// A coordinate or a component of a quaternion.
+    Coordinate,
+    /// A generalised velocity.
+    Velocity,
+    /// A first-order or a discrete state.
+    State,
+}
+
+impl Display for RangedKind {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        f.write_str(match self {
+            RangedKind::Parameter => "parameter",
+            RangedKind::Coordinate => "coordinate",
+            RangedKind::Velocity => "velocity",
+            RangedKind::State => "state",
+        })
+    }
+}
+
 /// A parameter, or an entry of the state, with a value outside of its declared range, or NaN.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OutOfRange<S> {
-    /// Its kind: a parameter, a coordinate, a velocity or a state.
-    pub kind: &'static str,
+    /// Its kind.
+    pub kind: RangedKind,
     /// Its name; `m[2]` for an element of an array.
     pub name: &'static str,
     /// Its value.
@@ -25,7 +49,7 @@ impl<S: PartialOrd + Copy> OutOfRange<S> {
     ///
     /// If the range does not contain it; no range contains NaN.
     pub fn check(
-        kind: &'static str,
+        kind: RangedKind,
         name: &'static str,
         value: S,
         range: (Bound<S>, Bound<S>),
@@ -77,7 +101,9 @@ mod tests {
 
     /// The message for NaN, which no range contains.
     fn message(lower: Bound<f64>, upper: Bound<f64>, unit: &'static str) -> String {
-        OutOfRange::check("parameter", "m", f64::NAN, (lower, upper), unit).expect_err("NaN").to_string()
+        OutOfRange::check(RangedKind::Parameter, "m", f64::NAN, (lower, upper), unit)
+            .expect_err("NaN")
+            .to_string()
     }
 
     #[test]
@@ -97,8 +123,9 @@ mod tests {
     #[test]
     fn bounds_belong_to_ranges_as_declared() {
         use Bound::{Excluded, Included, Unbounded};
-        let is_inside =
-            |value, lower, upper| OutOfRange::check("parameter", "m", value, (lower, upper), "").is_ok();
+        let is_inside = |value, lower, upper| {
+            OutOfRange::check(RangedKind::Parameter, "m", value, (lower, upper), "").is_ok()
+        };
         assert!(is_inside(0.0, Included(0.0), Unbounded) && !is_inside(0.0, Excluded(0.0), Unbounded));
         assert!(is_inside(-0.0, Included(0.0), Unbounded));
         assert!(is_inside(1.0, Unbounded, Included(1.0)) && !is_inside(1.0, Unbounded, Excluded(1.0)));

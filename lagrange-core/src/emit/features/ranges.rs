@@ -6,7 +6,7 @@ use quote::quote;
 use super::orientations::written_velocity;
 use crate::emit::base::fields::places;
 use crate::emit::base::members::Members;
-use crate::emit::base::shape::{Shape, doc, length};
+use crate::emit::base::shape::{Shape, doc, identifier, length};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::{Bound, EntryLimits};
 use lagrange_algebra::code::float;
@@ -39,8 +39,12 @@ pub(in crate::emit) fn write_ranges(writer: &mut MethodWriter<'_>) {
         lower.as_ref().or(upper.as_ref())?;
         let range = [bound(lower), bound(upper)];
         let written = shape.written(name);
-        let (kind, unit) = ("parameter", shape.shown_unit(&name.text));
-        Some(quote!(#krate::system::OutOfRange::check(#kind, #written, self.#place, (#(#range),*), #unit)?;))
+        let unit = shape.shown_unit(&name.text);
+        Some(quote! {
+            #krate::system::OutOfRange::check(
+                #krate::system::RangedKind::Parameter, #written, self.#place, (#(#range),*), #unit
+            )?;
+        })
     });
     let (checks, statements) = (checks.collect::<TokenStream>(), &body.statements);
     writer.members.ranges = Some(quote!(#statements #checks ::core::result::Result::Ok(())));
@@ -74,13 +78,14 @@ pub(in crate::emit) fn domain_member(shape: &Shape<'_>, members: &Members) -> Op
     let krate = shape.krate;
     let entries = entries(shape).into_iter().zip(&members.limits).enumerate();
     let ranges = entries.filter_map(|(entry, ((kind, name, unit), limits))| {
+        let kind = identifier(kind);
         let [lower, upper] = limits.bounds.map(constant_bound);
         limits.bounds.iter().any(Option::is_some).then(|| {
             let entry = length(entry);
             quote! {
                 #krate::system::EntryRange {
                     entry: #entry,
-                    kind: #kind,
+                    kind: #krate::system::RangedKind::#kind,
                     name: #name,
                     unit: #unit,
                     bounds: (#lower, #upper),
@@ -104,11 +109,11 @@ pub(in crate::emit) fn domain_member(shape: &Shape<'_>, members: &Members) -> Op
 /// Returns the kind, the name and the unit of each entry of the state.
 fn entries<'s>(shape: &'s Shape<'_>) -> Vec<(&'static str, String, &'s str)> {
     let positions = shape.coordinates.iter().enumerate().map(|(index, name)| {
-        let kind = if shape.is_state(index) { "state" } else { "coordinate" };
+        let kind = if shape.is_state(index) { "State" } else { "Coordinate" };
         (kind, shape.written(name).to_owned(), shape.shown_unit(&name.text))
     });
     let velocities = shape.velocities.iter().map(|velocity| {
-        ("velocity", written_velocity(shape, velocity), shape.shown_unit(&velocity.name.text))
+        ("Velocity", written_velocity(shape, velocity), shape.shown_unit(&velocity.name.text))
     });
     positions.chain(velocities).collect()
 }
