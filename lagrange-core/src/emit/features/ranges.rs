@@ -1,12 +1,12 @@
 //! Check that parameters are in their declared ranges, and the domain of the state.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::orientations::written_velocity;
 use crate::emit::base::fields::places;
 use crate::emit::base::members::Members;
-use crate::emit::base::shape::{Shape, doc, identifier, length};
+use crate::emit::base::shape::{Shape, doc, length};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::{Bound, EntryLimits};
 use lagrange_algebra::code::float;
@@ -78,7 +78,7 @@ pub(in crate::emit) fn domain_member(shape: &Shape<'_>, members: &Members) -> Op
     let krate = shape.krate;
     let entries = entries(shape).into_iter().zip(&members.limits).enumerate();
     let ranges = entries.filter_map(|(entry, ((kind, name, unit), limits))| {
-        let kind = identifier(kind);
+        let kind = format_ident!("{kind}");
         let [lower, upper] = limits.bounds.map(constant_bound);
         limits.bounds.iter().any(Option::is_some).then(|| {
             let entry = length(entry);
