@@ -7,7 +7,7 @@ use super::callables::{Callables, calls};
 use super::drawn::PlacedHeight;
 use super::phases::DerivedPart;
 use super::programs::{Place, Programs};
-use super::routines::{Backend, Numbers, Routines};
+use super::routines::{Backend, Found, Numbers, Routines};
 use super::second_way::{correction, is_regular, motion};
 use super::system::Derived;
 use crate::model::Product;
@@ -136,36 +136,40 @@ impl NumericSystem {
     /// Runs one of the programs of the system.
     fn run(&self, program: &Program, at: Numbers<'_>) -> Vec<f64> {
         let mut outputs = vec![f64::NAN; program.outputs().len()];
-        self.run_into(program, at, &mut outputs);
+        self.run_into(program, &at, &mut outputs);
         outputs
     }
 
     /// Runs a program of the system whose number of outputs matches `outputs`.
-    fn run_into(&self, program: &Program, at: Numbers<'_>, outputs: &mut [f64]) {
-        let sides = if self.routines.taken(program).sides { self.sides(at) } else { Vec::new() };
-        self.run_on(program, Numbers { sides: &sides, ..at }, outputs);
+    fn run_into(&self, program: &Program, at: &Numbers<'_>, outputs: &mut [f64]) {
+        let found = self.routines.find(program);
+        if found.taken().sides {
+            self.run_on(found, &Numbers { sides: &self.sides(at), ..*at }, outputs);
+        } else {
+            self.run_on(found, at, outputs);
+        }
     }
 
     /// Returns the sides of the switches, determined by the state unless fixed.
-    fn sides(&self, at: Numbers<'_>) -> Vec<f64> {
+    fn sides(&self, at: &Numbers<'_>) -> Vec<f64> {
         if let Some(fixed) = self.sides.iter().copied().collect::<Option<_>>() {
             return fixed;
         }
         let (sign, mut values) = (row(Function::Sign).value, vec![f64::NAN; self.sides.len()]);
-        self.run_on(&self.programs.switches, at, &mut values);
+        self.run_on(self.routines.find(&self.programs.switches), at, &mut values);
         self.sides.iter().zip(values).map(|(side, value)| side.unwrap_or_else(|| sign(&[value]))).collect()
     }
 
-    fn run_on(&self, program: &Program, at: Numbers<'_>, outputs: &mut [f64]) {
+    fn run_on(&self, found: Found<'_>, at: &Numbers<'_>, outputs: &mut [f64]) {
         if outputs.is_empty() {
             return;
         }
         let layout = &self.programs.layout;
-        let code = self.routines.code(program, layout, &self.callables);
-        if code.is_some_and(|code| code.run(&at, outputs)) {
+        let code = self.routines.code(found, layout, &self.callables);
+        if code.is_some_and(|code| code.run(at, outputs)) {
             return;
         }
-        outputs.copy_from_slice(&self.interpreted(program, at, |_| None));
+        outputs.copy_from_slice(&self.interpreted(found.program, *at, |_| None));
     }
 
     /// Interprets a program. `given` returns values of roles that have no place in the layout.
@@ -228,7 +232,12 @@ impl NumericSystem {
     /// accurate enough.
     fn straight_way(&self, at: Numbers<'_>, accelerations: &mut [f64]) -> bool {
         let program = &self.programs.accelerations;
-        let (count, mut small, mut large) = (program.outputs().len(), [f64::NAN; SMALL], Vec::new());
+        let count = program.outputs().len();
+        if count == accelerations.len() {
+            self.run_into(program, &at, accelerations);
+            return self.are_trusted(accelerations) && !self.programs.is_redundant;
+        }
+        let (mut small, mut large) = ([f64::NAN; SMALL], Vec::new());
         let found = match small.get_mut(..count) {
             Some(found) => found,
             None => {
@@ -236,7 +245,7 @@ impl NumericSystem {
                 &mut large[..]
             }
         };
-        self.run_into(program, at, found);
+        self.run_into(program, &at, found);
         accelerations.copy_from_slice(&found[..accelerations.len()]);
         self.are_trusted(found) && !self.programs.is_redundant
     }
@@ -303,7 +312,7 @@ impl NumericSystem {
     pub fn rates(&self, t: f64, q: &[f64], v: &[f64], rates: &mut [f64]) {
         let (at, positions) = (self.at(t, q, v), self.programs.layout.positions);
         let (of_positions, accelerations) = rates.split_at_mut(positions);
-        self.run_into(&self.programs.position_rates, at, of_positions);
+        self.run_into(&self.programs.position_rates, &at, of_positions);
         self.accelerate(at, accelerations);
     }
 
@@ -350,7 +359,7 @@ impl NumericSystem {
     /// Runs a program of the system at a state, with the accelerations and multipliers of the
     /// motion.
     pub fn evaluate(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        let taken = self.routines.taken(program);
+        let taken = self.routines.find(program).taken();
         let accelerations = if taken.accelerations { self.acceleration(t, q, v) } else { Vec::new() };
         let multipliers = if taken.multipliers { self.multipliers(t, q, v) } else { Vec::new() };
         let (accelerations, multipliers) = (&accelerations[..], &multipliers[..]);

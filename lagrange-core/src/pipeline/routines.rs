@@ -10,7 +10,6 @@ use std::sync::{Arc, OnceLock};
 use super::callables::Callables;
 use super::programs::{Layout, Place, Programs, takes};
 use lagrange_algebra::program::{Op, Program};
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
@@ -109,11 +108,25 @@ struct Routine {
     code: OnceLock<Option<Box<dyn Code>>>,
 }
 
+/// A program with its routine; there is none for programs of no system.
+#[derive(Clone, Copy)]
+pub(super) struct Found<'a> {
+    pub(super) program: &'a Program,
+    routine: Option<&'a Routine>,
+}
+
+impl Found<'_> {
+    pub(super) fn taken(self) -> Taken {
+        self.routine.map_or_else(|| Taken::by(self.program), |routine| routine.taken)
+    }
+}
+
 /// All programs of a system.
 #[derive(Debug)]
 pub(super) struct Routines {
-    /// Routines by the addresses of the programs, which are stable while the programs are shared.
-    routines: HashMap<usize, Routine>,
+    /// Routines with the addresses of the programs, which are stable while the programs are shared.
+    /// The programs of the rates come first, since each step of a motion searches for them.
+    routines: Vec<(usize, Routine)>,
     /// True if no program calls functions of the user's crate, directly or to solve equations.
     is_closed: bool,
     pub(super) backend: Option<Arc<dyn Backend>>,
@@ -128,19 +141,22 @@ impl Routines {
         Routines { routines, is_closed: programs.functions().is_empty(), backend }
     }
 
-    pub(super) fn taken(&self, program: &Program) -> Taken {
-        self.routines.get(&address(program)).map_or_else(|| Taken::by(program), |routine| routine.taken)
+    /// Searches for the routine of a program.
+    pub(super) fn find<'a>(&'a self, program: &'a Program) -> Found<'a> {
+        let address = address(program);
+        let found = self.routines.iter().find(|(known, _)| *known == address);
+        Found { program, routine: found.map(|(_, routine)| routine) }
     }
 
     /// Returns the code of a program of the system. There is none if it calls functions that may be
     /// defined later.
-    pub(super) fn code(
+    pub(super) fn code<'a>(
         &self,
-        program: &Program,
+        Found { program, routine }: Found<'a>,
         layout: &Layout,
         callables: &Callables,
-    ) -> Option<&dyn Code> {
-        let (backend, routine) = (self.backend.as_ref()?, self.routines.get(&address(program))?);
+    ) -> Option<&'a dyn Code> {
+        let (backend, routine) = (self.backend.as_ref()?, routine?);
         let compiled = routine.code.get_or_init(|| {
             let callables = callables.clone();
             let call: Call = Arc::new(move |function, arguments| callables.call(function, arguments));
