@@ -67,6 +67,10 @@ pub const MAX_EVENTS: usize = 64;
 /// Contacts and friction. Steps store several numbers for each pair of one and a velocity.
 pub const MAX_CONTACTS: usize = 1_000;
 
+/// Product of the numbers of contacts and velocities if contacts have no events of their own. Steps
+/// store about ten numbers for each pair on the stack.
+pub const MAX_CONTACT_PAIRS: usize = 16_384;
+
 /// Total number of events and switches located by runs; further switches are stepped across.
 pub const MAX_LOCATED: usize = 64;
 

@@ -7,11 +7,11 @@ use std::time::Duration;
 
 use lagrange_core::diagnostics::Report;
 use lagrange_core::limits::{
-    MANY_OPERATIONS, MAX_BRANCHES, MAX_CONSTRAINTS, MAX_CONTACTS, MAX_COUPLED, MAX_DECIMAL_EXPONENT,
-    MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS, MAX_EVENTS, MAX_EXPANDED_NESTING, MAX_FILE_BYTES, MAX_INDICES,
-    MAX_INLINED, MAX_ITERATIONS, MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_NOISES, MAX_NUMBER_BITS,
-    MAX_OPERATIONS, MAX_OUTPUTS, MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED, MAX_POINTS, MAX_STATES,
-    MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
+    MANY_OPERATIONS, MAX_BRANCHES, MAX_CONSTRAINTS, MAX_CONTACT_PAIRS, MAX_CONTACTS, MAX_COUPLED,
+    MAX_DECIMAL_EXPONENT, MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS, MAX_EVENTS, MAX_EXPANDED_NESTING,
+    MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS, MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING,
+    MAX_NOISES, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS, MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED,
+    MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
 };
 use lagrange_core::pipeline::{expand, parse_with};
 use lagrange_core::tables::{FileText, decoded};
@@ -118,6 +118,11 @@ fn excesses() -> Vec<Excess> {
         excess!(MAX_NOISES, format!("{coordinate} noise w[{}], density: 1; force x = w[0];", MAX_NOISES + 1)),
         excess!(MAX_EVENTS, each(MAX_EVENTS + 1, "event e[i] = x - i, rising => stop;")),
         excess!(MAX_CONTACTS, each(MAX_CONTACTS + 1, "event e[i] = x - i, falling => impact(0);")),
+        excess!(
+            MAX_CONTACT_PAIRS,
+            "coord x[129]; kinetic = 1/2 * sum(i in 0..129, dot(x[i])^2); for i in 0..128 { event e[i] = x[i], falling => impact(0); }"
+                .to_owned()
+        ),
         excess!(MAX_VELOCITIES, format!("coord x[{}];", MAX_VELOCITIES + 1)),
         excess!(MAX_STATES, format!("{coordinate} state z[{}];", MAX_STATES + 1)),
         excess!(MAX_CONSTRAINTS, each(MAX_CONSTRAINTS + 1, "constraint c[i] = x - i;")),

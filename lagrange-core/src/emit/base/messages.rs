@@ -41,6 +41,16 @@ pub(in crate::emit) fn too_many_events(most: usize) -> String {
 pub(in crate::emit) const FEWER_CONTACTS_HELP: &str =
     "each contact point counts, and so does its friction; remove contacts of bodies that cannot touch";
 
+pub(in crate::emit) fn too_many_pairs(contacts: usize, velocities: usize) -> String {
+    format!("steps of {contacts} contacts and {velocities} velocities take too much memory")
+}
+
+pub(in crate::emit) fn fewer_pairs_help(most: usize) -> String {
+    format!(
+        "the product of both numbers can be at most {most}; declare bodies that never meet as separate systems"
+    )
+}
+
 pub(in crate::emit) fn many_contacts(most: usize) -> String {
     format!("a system of more than {most} events, contacts and friction needs the method `Stepped`")
 }

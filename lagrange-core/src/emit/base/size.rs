@@ -10,8 +10,8 @@ use crate::model::{Model, Product};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::{
-    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_CONTACTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS, MAX_OPERATIONS,
-    MAX_OUTPUTS, MAX_STATES, MAX_VELOCITIES,
+    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_CONTACT_PAIRS, MAX_CONTACTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS,
+    MAX_OPERATIONS, MAX_OUTPUTS, MAX_STATES, MAX_VELOCITIES,
 };
 use lagrange_language::syntax::ast::{Action, Declaration, Name, Statement, StatementKind};
 
@@ -81,7 +81,21 @@ pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option
         report.error(first.span, message).help(help);
         return None;
     }
-    Some(())
+    report_too_many_pairs(declaration, report)
+}
+
+/// Reports a system whose steps would take too much memory.
+fn report_too_many_pairs(declaration: &Declaration, report: &mut Report) -> Option<()> {
+    let all = |names: fn(&StatementKind) -> Vec<&Name>| -> Vec<_> {
+        declaration.statements.iter().flat_map(|statement| names(&statement.kind)).collect()
+    };
+    let (contacts, velocities) = (all(contacts), all(velocities));
+    if !shares_event(declaration) || contacts.len() * velocities.len() <= MAX_CONTACT_PAIRS {
+        return Some(());
+    }
+    let message = messages::too_many_pairs(contacts.len(), velocities.len());
+    report.error(contacts[0].span, message).help(messages::fewer_pairs_help(MAX_CONTACT_PAIRS));
+    None
 }
 
 /// Drops statements beyond the limits. A rejected declaration may have many more names, and its
