@@ -169,7 +169,9 @@ pub(super) fn seen(
         _ if stretches == [[0.0, TAU]] => curve.concat(),
         _ => {
             let away = |at: Point, point: &Point| length(subtract(*point, at));
-            let near = |at: Point| curve.iter().flatten().copied().min_by(|a, b| away(at, a).total_cmp(&away(at, b)));
+            let near = |at: Point| {
+                curve.iter().flatten().copied().min_by(|a, b| away(at, a).total_cmp(&away(at, b)))
+            };
             snapshot.bodies.iter().filter_map(|body| near(body.motion.center)).collect()
         }
     }
@@ -308,7 +310,14 @@ mod tests {
             live_terrain(|visit: &mut dyn FnMut(Item<'_, f64>)| {
                 let shape = SurfaceShape::Terrain(Height(height));
                 let (at, rotation) = ([0.0, 0.0], 0.0);
-                visit(Item::Surface(Surface { name: "hills", body: None, shape, at, rotation, is_inside: false }));
+                visit(Item::Surface(Surface {
+                    name: "hills",
+                    body: None,
+                    shape,
+                    at,
+                    rotation,
+                    is_inside: false,
+                }));
             })
         };
         let [pieces] = &live(&|[x, _]| (x * x - 0.25).sqrt())[..] else { panic!("one terrain") };

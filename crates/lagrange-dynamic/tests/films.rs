@@ -90,7 +90,7 @@ both_ways! {
         gravity = (0, 0, -9.81);
         coord x, y, z;
         terrain dish { height(s, r): 1 - sqrt(1 - s^2 - r^2); }
-        body ball { mass: 1; shape: ball(0.1); center: (x, y, z); }
+        body ball { mass: 1; shape: solid_sphere(0.1); center: (x, y, z); }
         contact touch = ball on dish { stiffness: 1000; }
         emit { drawing }
     }
@@ -144,5 +144,5 @@ fn films_show_terrain_with_a_limited_domain() {
     assert!(Drawing::of(&BallInBowl::default()).picture(0.0, &start).is_ok());
     let beyond = Drawing::of(&BallInBowl::default()).picture(0.0, &[9.0, 0.5, 0.0, 0.0]);
     assert!(matches!(beyond, Err(DrawError::NotFinite { item, .. }) if item == "bowl"));
-    compare(BALL_IN_DISH, &BallInDish, [0.3, 0.0, 0.5, 0.0, 0.0, 0.0], "Ball in dish");
+    compare(BALL_IN_DISH, &BallInDish::default(), [0.3, 0.0, 0.5, 0.0, 0.0, 0.0], "Ball in dish");
 }
