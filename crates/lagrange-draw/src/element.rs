@@ -37,8 +37,9 @@ pub(super) enum Shape {
     /// A line with hatching on its right, drawn along `stretches` from a point on it, whose ends
     /// may be infinite. The points `seen` must be visible.
     Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
-    /// A curve through points with hatching on its right. The points `seen` must be visible.
-    Curve { points: Vec<Point>, seen: Vec<Point> },
+    /// A curve with hatching on its right, as lines through the points of each piece. The points
+    /// `seen` must be visible.
+    Curve { pieces: Vec<Vec<Point>>, seen: Vec<Point> },
     /// A friction cone: its apex, the force along its axis, and the coefficient of friction.
     Cone { at: Point, normal: Point, coefficient: f64 },
     /// A spring or damper, `lane` lanes to the left of the line between its ends; a torsional one
@@ -121,7 +122,7 @@ impl Element {
             self.reaches(&|_| 1.0).iter().flat_map(|r| [r.at, r.offset].concat()).collect();
         match &self.shape {
             Shape::Ground { place, .. } => numbers.extend([place.at[0], place.at[1], place.angle]),
-            Shape::Curve { points, .. } => numbers.extend(points.as_flattened()),
+            Shape::Curve { pieces, .. } => numbers.extend(pieces.iter().flatten().flatten()),
             Shape::Turn { moment, .. } => numbers.push(*moment),
             Shape::Ray { to, .. } => numbers.extend(to),
             Shape::Through { points } => numbers.extend(points.as_flattened()),

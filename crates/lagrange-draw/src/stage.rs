@@ -67,11 +67,11 @@ fn element(name: &str, label: String, colour: Colour, layer: Layer, shape: Shape
 fn surfaces(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
     let of = |support: &Support| {
         let stretches = stretches.get(&support.name).cloned().unwrap_or_default();
-        let points = stretch::curve(support, &stretches);
-        let seen = stretch::seen(support, snapshot, &stretches, &points);
+        let pieces = stretch::curve(support, &stretches);
+        let seen = stretch::seen(support, snapshot, &stretches, &pieces);
         let shape = match support.form {
             Form::Flat => Shape::Ground { place: support.place(), stretches, seen },
-            _ => Shape::Curve { points, seen },
+            _ => Shape::Curve { pieces, seen },
         };
         element(&support.name, String::new(), INK, Layer::Ground, shape)
     };

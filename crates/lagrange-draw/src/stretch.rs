@@ -107,35 +107,46 @@ pub(super) fn samples(stretches: &[[f64; 2]]) -> Vec<Point> {
     stretches.iter().flat_map(along).collect()
 }
 
-/// Returns points of each terrain in its own coordinates, for pages that compute motions
-/// themselves. They extend far beyond the bodies of the visited scene.
-pub fn live_terrain(visit: impl Fn(&mut dyn FnMut(Item<'_, f64>))) -> Vec<Vec<[f64; 2]>> {
+/// Returns the pieces of each terrain in its own coordinates, for pages that compute motions
+/// themselves. They extend far beyond the bodies of the visited scene. Each piece is a line through
+/// points.
+pub fn live_terrain(visit: impl Fn(&mut dyn FnMut(Item<'_, f64>))) -> Vec<Vec<Vec<[f64; 2]>>> {
     let snapshot = Snapshot::collected(&visit);
     let size = extent(places(&snapshot));
-    let points = |support: &Support| {
+    let of = |support: &Support| {
         let [low, high] = of_terrain(support, std::slice::from_ref(&snapshot), LIVE * size);
         match sampled(&visit, &support.name, samples(&[[low, high]])) {
-            Form::Terrain(heights) => heights.into_iter().map(|([x, _], height)| [x, height]).collect(),
+            Form::Terrain(heights) => pieces(&heights),
             _ => Vec::new(),
         }
     };
     let is_terrain = |support: &&Support| matches!(support.form, Form::Terrain(_));
-    snapshot.supports.iter().filter(is_terrain).map(points).collect()
+    snapshot.supports.iter().filter(is_terrain).map(of).collect()
 }
 
-/// Returns the points of a circle or of terrain in the world. The solid side is on their right.
-pub(super) fn curve(support: &Support, stretches: &[[f64; 2]]) -> Vec<Point> {
-    let own: Vec<Point> = match &support.form {
-        Form::Terrain(heights) => heights.iter().map(|([x, _], height)| [*x, *height]).collect(),
+/// Splits terrain where its height is not finite.
+fn pieces(heights: &[([f64; 2], f64)]) -> Vec<Vec<Point>> {
+    let pieces = heights.split(|(_, height)| !height.is_finite()).filter(|piece| !piece.is_empty());
+    pieces.map(|piece| piece.iter().map(|([x, _], height)| [*x, *height]).collect()).collect()
+}
+
+/// Returns the pieces of a circle or of terrain in the world, as lines through points. The solid
+/// side is on their right. Terrain without any finite height is a point that is not finite.
+pub(super) fn curve(support: &Support, stretches: &[[f64; 2]]) -> Vec<Vec<Point>> {
+    let own = match &support.form {
+        Form::Terrain(heights) => Some(pieces(heights))
+            .filter(|pieces| !pieces.is_empty())
+            .unwrap_or_else(|| vec![vec![[f64::NAN; 2]]]),
         Form::Round(radius) | Form::Cylinder(radius) => {
             let [from, to] = stretches.first().copied().unwrap_or([0.0, TAU]);
             let [from, to] = if support.is_inside { [from, to] } else { [to, from] };
             let step = (to - from) / ROUND as f64;
-            (0..=ROUND).map(|k| times(*radius, direction(from + step * k as f64))).collect()
+            vec![(0..=ROUND).map(|k| times(*radius, direction(from + step * k as f64))).collect()]
         }
         Form::Flat => Vec::new(),
     };
-    own.into_iter().map(|p| support.place().of(p)).collect()
+    let placed = |piece: Vec<Point>| piece.into_iter().map(|p| support.place().of(p)).collect();
+    own.into_iter().map(placed).collect()
 }
 
 /// Returns the parts of a surface that must be visible. Those of a line without contacts are the
@@ -145,19 +156,22 @@ pub(super) fn seen(
     support: &Support,
     snapshot: &Snapshot,
     stretches: &[[f64; 2]],
-    curve: &[Point],
+    curve: &[Vec<Point>],
 ) -> Vec<Point> {
     match &support.form {
         Form::Flat => seen_line(support, snapshot, stretches),
         Form::Terrain(heights) => {
             let [low, high] = bounds(own_places(support, std::slice::from_ref(snapshot)));
-            let is_below = |&(([x, _], _), _): &(&([f64; 2], f64), &Point)| (low[0]..=high[0]).contains(x);
-            heights.iter().zip(curve).filter(is_below).map(|(_, point)| *point).collect()
+            let drawn = heights.iter().filter(|(_, height)| height.is_finite()).zip(curve.iter().flatten());
+            let below = drawn.filter(|(([x, _], _), _)| (low[0]..=high[0]).contains(x));
+            below.map(|(_, point)| *point).collect()
         }
-        _ if stretches == [[0.0, TAU]] => curve.to_vec(),
+        _ if stretches == [[0.0, TAU]] => curve.concat(),
         _ => {
             let away = |at: Point, point: &Point| length(subtract(*point, at));
-            let near = |at: Point| curve.iter().copied().min_by(|a, b| away(at, a).total_cmp(&away(at, b)));
+            let near = |at: Point| {
+                curve.iter().flatten().copied().min_by(|a, b| away(at, a).total_cmp(&away(at, b)))
+            };
             snapshot.bodies.iter().filter_map(|body| near(body.motion.center)).collect()
         }
     }
@@ -241,9 +255,9 @@ fn crossings(line: &Support, film: &[Snapshot]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
 
-    use super::{ENDLESS, stretches};
+    use super::{ENDLESS, curve, live_terrain, stretches};
     use crate::snapshot::{Form, Joint, Snapshot, Support};
-    use lagrange_runtime::scene;
+    use lagrange_runtime::scene::{self, Height, Item, Surface, SurfaceShape};
 
     fn line(name: &str, rotation: f64) -> Support {
         let (name, body, at) = (name.to_string(), None, [0.0, 0.0]);
@@ -273,5 +287,43 @@ mod tests {
         let found = stretches(&[Snapshot { supports, joints, ..Snapshot::default() }]);
         assert_eq!(found["floor"].len(), 2);
         assert_eq!(found["other"], [ENDLESS], "nothing is known about it");
+    }
+
+    #[test]
+    fn terrain_breaks_where_its_height_is_not_finite() {
+        let over = |heights: [f64; 7]| {
+            let samples = heights.iter().enumerate().map(|(x, height)| ([x as f64, 0.0], *height));
+            let form = Form::Terrain(samples.collect());
+            curve(&Support { form, at: [10.0, 0.0], ..line("hills", 0.0) }, &[])
+        };
+        let (nan, infinite) = (f64::NAN, f64::INFINITY);
+        let pieces = over([nan, 1.0, 2.0, infinite, nan, 3.0, 4.0]);
+        assert_eq!(pieces, [[[11.0, 1.0], [12.0, 2.0]], [[15.0, 3.0], [16.0, 4.0]]]);
+        assert_eq!(over([0.0; 7])[0].len(), 7);
+        let nowhere = over([nan; 7]).concat();
+        assert!(!nowhere.is_empty() && nowhere.as_flattened().iter().all(|part| part.is_nan()));
+    }
+
+    #[test]
+    fn live_terrain_has_finite_points_only() {
+        let live = |height: &dyn Fn([f64; 2]) -> f64| {
+            live_terrain(|visit: &mut dyn FnMut(Item<'_, f64>)| {
+                let shape = SurfaceShape::Terrain(Height(height));
+                let (at, rotation) = ([0.0, 0.0], 0.0);
+                visit(Item::Surface(Surface {
+                    name: "hills",
+                    body: None,
+                    shape,
+                    at,
+                    rotation,
+                    is_inside: false,
+                }));
+            })
+        };
+        let [pieces] = &live(&|[x, _]| (x * x - 0.25).sqrt())[..] else { panic!("one terrain") };
+        let [left, right] = &pieces[..] else { panic!("a gap: {pieces:?}") };
+        assert!(left.iter().all(|[x, height]| *x <= -0.5 && height.is_finite()));
+        assert!(right.iter().all(|[x, height]| *x >= 0.5 && height.is_finite()));
+        assert_eq!(live(&|_| f64::NAN), [Vec::<Vec<[f64; 2]>>::new()], "it is not drawn");
     }
 }

@@ -2,7 +2,7 @@
 //! identical, byte by byte.
 
 use lagrange::Simulate;
-use lagrange::draw::{Drawing, DrawnSpace};
+use lagrange::draw::{DrawError, Drawing, DrawnSpace};
 use lagrange::scene::Scene;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
@@ -69,6 +69,30 @@ both_ways! {
     }
 }
 
+// Terrain with a limited domain, by a function and by a table, whose samples beyond are not finite.
+both_ways! {
+    BallInBowl = BALL_IN_BOWL {
+        param m = 1.0;
+        coord x, y;
+        gravity = (0, -9.81);
+        table ramp(s) = [(-1, 0), (0, 0.1), (1, 0)], interpolation: natural, outside: error;
+        terrain bowl { height(s): 1 - sqrt(1 - s^2); }
+        terrain ridge { height(s): ramp(s) - 1; }
+        body ball { mass: m; shape: disk(0.1); center: (x, y); }
+        emit { drawing }
+    }
+}
+
+lagrange::system! {
+    #[derive(Clone, Debug)]
+    struct BallInDish;
+    gravity = (0, 0, -9.81);
+    coord x, y, z;
+    terrain dish { height(s, r): 1 - sqrt(1 - s^2 - r^2); }
+    body ball { mass: 1; shape: solid_sphere(0.1); center: (x, y, z); }
+    emit { drawing }
+}
+
 /// Compares the pages of a motion, without and with forces. Its initial state lists the entries in
 /// order.
 fn compare<M: Scene<Scalar = f64, Space: DrawnSpace>>(
@@ -108,4 +132,16 @@ fn forces_of_constraints_are_those_of_compiled_types() {
 fn films_in_space_are_those_of_compiled_types() {
     let start = [1.0, 0.2, 0.0, 0.0, 0.3, 0.0, 0.0, 20.0, 0.0];
     compare(SPINNING_TOP, &SpinningTop, start, "Spinning top");
+}
+
+#[test]
+fn films_show_terrain_with_a_limited_domain() {
+    let start = [0.3, 0.5, 0.0, 0.0];
+    compare(BALL_IN_BOWL, &BallInBowl::default(), start, "Ball in bowl");
+    assert!(Drawing::of(&BallInBowl::default()).picture(0.0, &start).is_ok());
+    let beyond = Drawing::of(&BallInBowl::default()).picture(0.0, &[9.0, 0.5, 0.0, 0.0]);
+    assert!(matches!(beyond, Err(DrawError::NotFinite { item, .. }) if item == "bowl"));
+    let dish = |x: f64| Drawing::of(&BallInDish).picture(0.0, &[x, 0.0, 0.5, 0.0, 0.0, 0.0]);
+    assert!(dish(1.05).is_ok());
+    assert!(matches!(dish(9.0), Err(DrawError::NotFinite { item, .. }) if item == "dish"));
 }

@@ -131,9 +131,10 @@ function showsScene(scene) {
       const points = round(radius).map((p) => add([x, y], p));
       return { draw: () => hatched((inside ? points : points.toReversed()).map(pixel)), seen: points };
     },
-    terrain({ points }) {
+    terrain({ pieces }) {
       const [x, y, angle] = take(3);
-      return { draw: () => hatched(points.map((p) => pixel(add([x, y], turned(p, angle))))), seen: [] };
+      const at = (p) => pixel(add([x, y], turned(p, angle)));
+      return { draw: () => pieces.forEach((piece) => hatched(piece.map(at))), seen: [] };
     },
     connector({ variant, label }) {
       const [x0, y0, x1, y1] = take(5);

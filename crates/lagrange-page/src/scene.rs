@@ -82,7 +82,10 @@ fn plane_item<'d>(
     item: &'d PlacedItem,
     first: usize,
     centers: &mut HashMap<&'d str, usize>,
-    (labels, terrain): (&mut impl Iterator<Item = [String; 2]>, &mut impl Iterator<Item = Vec<[f64; 2]>>),
+    (labels, terrain): (
+        &mut impl Iterator<Item = [String; 2]>,
+        &mut impl Iterator<Item = Vec<Vec<[f64; 2]>>>,
+    ),
 ) -> Value {
     match &item.kind {
         DrawnKind::Body { .. } => {
@@ -96,7 +99,7 @@ fn plane_item<'d>(
         DrawnKind::Surface { kind: SurfaceKind::Circle, is_inside, .. } => {
             json!({ "kind": "circle", "inside": is_inside })
         }
-        DrawnKind::Surface { .. } => json!({ "kind": "terrain", "points": terrain.next() }),
+        DrawnKind::Surface { .. } => json!({ "kind": "terrain", "pieces": terrain.next() }),
         DrawnKind::Connector { name, kind } => {
             let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
             json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
@@ -213,5 +216,39 @@ impl Places {
     fn body(&self, index: usize) -> Value {
         let (at, is_frame) = self.bodies[index];
         json!({ "kind": if is_frame { "frame" } else { "body" }, "at": at })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{json, shown};
+    use lagrange_core::derive::StrategyChoice;
+    use lagrange_core::pipeline::{NumericSystem, Programs, parse};
+    use std::sync::Arc;
+
+    #[test]
+    fn terrain_beyond_its_domain_is_left_out() {
+        let text = "struct Bowl; coord x, y; gravity = (0, -9.81);
+            terrain bowl { height(s): 1 - sqrt(1 - s^2); }
+            body ball { mass: 1; shape: disk(0.1); center: (x, y); }
+            contact touch = ball on bowl { stiffness: 1000; }
+            emit { drawing }";
+        let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+        let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+        let system = NumericSystem::of(Arc::new(programs));
+        let terrain = |x: f64| {
+            let scene = shown(&system, &[x, 0.5, 0.0, 0.0]).expect("is drawn").scene;
+            let items = scene["items"].as_array().cloned().unwrap_or_default();
+            items.into_iter().find(|item| item["kind"] == "terrain").expect("a terrain")
+        };
+        let near = terrain(0.3);
+        let [piece] = &near["pieces"].as_array().expect("pieces")[..] else { panic!("one piece: {near}") };
+        let points = piece.as_array().expect("points");
+        assert!(points.len() > 90);
+        for point in points {
+            let [x, height] = [0, 1].map(|part| point[part].as_f64().expect("a number"));
+            assert!((height - 1.0 + (1.0 - x * x).sqrt()).abs() < 1e-12, "{x} {height}");
+        }
+        assert_eq!(terrain(90.0)["pieces"], json!([]));
     }
 }

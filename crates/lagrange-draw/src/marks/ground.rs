@@ -33,10 +33,10 @@ pub(super) fn marks(place: Place, stretches: &[[f64; 2]], view: &View) -> Vec<Ma
     hatched(stretches.iter().map(piece), view)
 }
 
-/// Draws a curve through points with hatching on its right.
-pub(super) fn curve(points: &[Point], view: &View) -> Vec<Mark> {
-    let points = points.iter().map(|point| view.point(*point)).collect();
-    hatched([(points, 0.0, 0.0)], view)
+/// Draws the pieces of a curve, through their points, with hatching on the right.
+pub(super) fn curve(pieces: &[Vec<Point>], view: &View) -> Vec<Mark> {
+    let on_paper = |piece: &Vec<Point>| piece.iter().map(|point| view.point(*point)).collect();
+    hatched(pieces.iter().map(|piece| (on_paper(piece), 0.0, 0.0)), view)
 }
 
 /// Draws lines through points with hatching on their right. Each has the length along it at its

@@ -33,7 +33,7 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
     match &element.shape {
         Shape::Body { place, center, pieces } => body::marks(place, *center, pieces, colour, view),
         Shape::Ground { place, stretches, .. } => ground::marks(*place, stretches, view),
-        Shape::Curve { points, .. } => ground::curve(points, view),
+        Shape::Curve { pieces, .. } => ground::curve(pieces, view),
         Shape::Cone { at, normal, coefficient } => {
             let rim = cone_rim(view.vector(*normal, Measure::Force), *coefficient);
             let [left, right] = rim.map(|end| add(view.point(*at), end));

@@ -181,20 +181,23 @@ pub(super) fn sample_terrain<S: Scalar + Into<f64>>(
     }
 }
 
-/// Returns terrain through heights over places in rows.
+/// Returns terrain through heights over places in rows. Faces at heights that are not finite are
+/// left out. Without any finite height, the place of the terrain is not finite.
 fn terrain(heights: &[([f64; 2], f64)]) -> Patch {
-    let middle = heights.get(heights.len() / 2).map_or(NONE, |([x, y], height)| [*x, *y, *height]);
-    let corner =
-        |([x, y], height): &([f64; 2], f64)| Corner { at: subtract([*x, *y, *height], middle), share: 0.0 };
-    let mut mesh = Mesh { corners: heights.iter().map(corner).collect(), ..Mesh::default() };
+    let finite = heights.iter().filter(|(_, height)| height.is_finite());
+    let places: Vec<Vector> = finite.map(|([x, y], height)| [*x, *y, *height]).collect();
+    let middle = places.get(places.len() / 2).copied().unwrap_or([f64::NAN; 3]);
+    let corners = places.iter().map(|place| Corner { at: subtract(*place, middle), share: 0.0 }).collect();
+    let mut mesh = Mesh { corners, ..Mesh::default() };
+    let mut next = 0..;
+    let corners: Vec<Option<usize>> =
+        heights.iter().map(|(_, height)| height.is_finite().then(|| next.next()).flatten()).collect();
     let row = PIECES + 1;
     for start in (0..PIECES).flat_map(|y| (0..PIECES).map(move |x| row * y + x)) {
         // Halves of a field are plane.
-        mesh.faces.push(vec![start, start + 1, start + row + 1]);
-        mesh.faces.push(vec![start, start + row + 1, start + row]);
-    }
-    if heights.len() < row * row {
-        mesh.faces.clear();
+        let halves = [[start, start + 1, start + row + 1], [start, start + row + 1, start + row]];
+        let face = |half: [usize; 3]| half.iter().map(|&k| corners.get(k).copied().flatten()).collect();
+        mesh.faces.extend(halves.into_iter().filter_map(face));
     }
     Patch { mesh, at: middle, colour: GROUND }
 }

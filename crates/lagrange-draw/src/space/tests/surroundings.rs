@@ -113,30 +113,55 @@ fn a_bowl_is_seen_from_inside_and_a_huge_sphere_is_a_plane_below_the_motion() {
     }
 }
 
-#[test]
-fn terrain_has_its_height_over_every_corner() {
-    let height = |[x, y]: [f64; 2]| 0.2 * x * x - 0.1 * y;
+/// Terrain of a height below a cube.
+fn terrain(height: &dyn Fn([f64; 2]) -> f64) -> MovingMesh {
     let mut film = [scene([1.0, 2.0, 0.5], 1.0, Form::Terrain(Vec::new()), UPRIGHT)];
     let size = Size::of(&film);
     sample_terrain(&mut film, &size, false, |visit: &mut dyn FnMut(Item<'_, f64, Spatial>)| {
         visit(Item::Surface(Surface {
             name: "surface",
             body: None,
-            shape: SurfaceShape::Terrain(Height(&height)),
+            shape: SurfaceShape::Terrain(Height(height)),
             at: [0.0; 3],
             rotation: UPRIGHT,
             is_inside: false,
         }));
     });
-    let thing = drawn(&film).expect("it is drawn");
-    let places = corners(&thing);
+    drawn(&film).expect("it is drawn")
+}
+
+/// Requires that corners have a height and faces point upwards.
+fn check_terrain(thing: &MovingMesh, height: impl Fn([f64; 2]) -> f64) {
+    let places = corners(thing);
     assert!(places.iter().all(|&[x, y, z]| (z - height([x, y])).abs() < 1e-12));
-    let [low, high] = crate::geometry::bounds(places.iter().copied());
-    assert!(low[0] < 0.5 && high[0] > 1.5 && low[1] < 1.5 && high[1] > 2.5, "{low:?} {high:?}");
     for face in &thing.mesh.faces {
         let points: Vec<Vector> = face.iter().map(|&corner| places[corner]).collect();
         assert!(normal(&points).is_some_and(|normal| normal[2] > 0.0), "upwards");
     }
+}
+
+#[test]
+fn terrain_has_its_height_over_every_corner() {
+    let height = |[x, y]: [f64; 2]| 0.2 * x * x - 0.1 * y;
+    let thing = terrain(&height);
+    check_terrain(&thing, height);
+    let [low, high] = crate::geometry::bounds(corners(&thing));
+    assert!(low[0] < 0.5 && high[0] > 1.5 && low[1] < 1.5 && high[1] > 2.5, "{low:?} {high:?}");
+}
+
+#[test]
+fn terrain_ends_where_its_height_is_not_finite() {
+    let bowl = |[x, y]: [f64; 2]| 0.6 - (0.36 - (x - 1.0).powi(2) - (y - 2.0).powi(2)).sqrt();
+    let (whole, thing) = (terrain(&|_| 0.0), terrain(&bowl));
+    check_terrain(&thing, bowl);
+    // The faces cover the disc but for a border of one field.
+    let area = |thing: &MovingMesh| thing.mesh.faces.len() as f64;
+    let [low, high] = crate::geometry::bounds(corners(&whole));
+    let share = std::f64::consts::PI * 0.36 / ((high[0] - low[0]) * (high[1] - low[1]));
+    let found = area(&thing) / area(&whole);
+    assert!(found < share && found > 0.75 * share, "{found} of {share}");
+    assert!(corners(&terrain(&|_| f64::NAN)).is_empty());
+    assert!(!terrain(&|_| f64::NAN).track[0].is_finite(), "it is an error");
 }
 
 #[test]
