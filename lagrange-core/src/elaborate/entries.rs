@@ -43,7 +43,7 @@ pub(super) fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId, hel
         return elaborator.evaluator.refuse(syntax, events::NOT_ASSIGNABLE, help);
     };
     if elaborator.evaluator.scope.resolve(text).is_none() {
-        return refuse_unknown(elaborator, coordinate, text);
+        return refuse_unknown(elaborator, coordinate, text, help);
     }
     let found = entry_of_state(elaborator, text, is_velocity);
     if is_velocity && state_named(elaborator, text).is_some() {
@@ -57,27 +57,30 @@ pub(super) fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId, hel
     found
 }
 
-/// Reports an unknown name. The name of an orientation also counts as unknown, since only its
-/// components have values.
-fn refuse_unknown<T>(elaborator: &mut Elaborator<'_>, syntax: AstId, text: &str) -> Option<T> {
+/// Reports a name that is not declared, with this help if it is predefined. The name of an
+/// orientation also counts as not declared, since only its components have values.
+fn refuse_unknown<T>(elaborator: &mut Elaborator<'_>, syntax: AstId, text: &str, help: &str) -> Option<T> {
     let span = elaborator.evaluator.origin(syntax).start;
     let components = Quaternion::named(Name::new(text, span)).positions.map(|component| component.text);
     if !elaborator.coordinates.iter().any(|(known, _)| known.name == components[0]) {
-        report_undeclared(&mut elaborator.evaluator, syntax, text);
-        return None;
+        return report_undeclared(&mut elaborator.evaluator, syntax, text, help);
     }
     let help = start::whole_quaternion(components.each_ref().map(String::as_str));
     elaborator.evaluator.refuse(syntax, start::whole_orientation(text), &help)
 }
 
 /// Reports an unknown name where an entry of the state is assigned, unless it was reported before.
-fn report_undeclared(evaluator: &mut Evaluator<'_>, syntax: AstId, text: &str) {
+/// A predefined name, such as that of time, has a value but is not assigned.
+fn report_undeclared<T>(evaluator: &mut Evaluator<'_>, syntax: AstId, text: &str, help: &str) -> Option<T> {
     let mistake = evaluator.report.diagnostics().len();
-    value_of(evaluator, syntax);
+    if value_of(evaluator, syntax).is_some() {
+        return evaluator.refuse(syntax, events::NOT_ASSIGNABLE, help);
+    }
     let reported = evaluator.report.diagnostic_mut(mistake);
     if let Some(general) = reported.filter(|one| one.help.as_deref() == Some(names::DECLARE_FIRST)) {
         general.help(start::declare_entry(text));
     }
+    None
 }
 
 /// Returns the index in [q…, v…] of a position or velocity, or of the rate of a coordinate.

@@ -136,14 +136,14 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         }
         while let Some((origin, event)) = self.next_event()? {
             let (time, state) = (event.time, event.state);
+            self.check_reached(&state)?;
             let reaction = self.react(sink, origin, event);
             if !reaction.as_ref().is_ok_and(|(outcome, _)| outcome.goes_on()) {
                 return self.resume(sink, (time, state), reaction);
             }
         }
-        if let Err(cause) = check_ranges::<M, T>(self.current.system(), self.stepper.state()) {
-            return Err(self.before_step(cause));
-        }
+        let reached = *self.stepper.state();
+        self.check_reached(&reached)?;
         let time = self.time();
         let goes_on = sink.reach_end(self.current.system(), &mut self.stepper, time);
         Ok(if goes_on { Turn::GoesOn } else { Turn::Cancelled })
@@ -176,6 +176,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         if self.ticked.replace(time) == Some(time) {
             return Ok(());
         }
+        check_ranges::<M, T>(system, &state)?;
         self.stepper.restart(system, self.beyond(), &state)?;
         // The stepper may have brought the state nearer to the constraints.
         let admitted = *self.stepper.state();
@@ -216,6 +217,11 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
             Ok(next) => Ok(next.and_then(|(origin, _)| Some((origin, self.events.take(origin)?)))),
             Err(cause) => Err(self.before_step(cause)),
         }
+    }
+
+    /// Checks the ranges at a state of the last step.
+    fn check_reached(&mut self, state: &M::State) -> Result<(), IntegrationError<M::Scalar, M::State>> {
+        check_ranges::<M, T>(self.current.system(), state).map_err(|cause| self.before_step(cause))
     }
 
     /// Returns an error for the last step, with the state before it.
@@ -307,6 +313,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
             sink.switch(self.current.system());
         }
         let system = self.current.system();
+        check_ranges::<M, T>(system, &other).map_err(failed)?;
         let restarted = self.stepper.restart(system, time, &other);
         restarted.map_err(|cause| failed(explained(cause, system, (time, &other), self.end)))?;
         // The stepper may have brought the state nearer to the constraints.

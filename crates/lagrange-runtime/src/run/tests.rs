@@ -343,4 +343,5 @@ fn motions_continue_from_the_state_observed_after_an_event() {
     assert!(seen[replaced..].windows(2).all(|pair| pair[1] == pair[0] / 2.0), "{seen:?}");
 }
 
+mod ranges;
 mod simultaneous;

@@ -56,8 +56,10 @@ impl Domain {
     pub fn check<S: Scalar>(&self, state: &[S]) -> Result<(), OutOfRange<S>> {
         self.ranges.iter().try_for_each(|range| {
             let Some(value) = state.get(range.entry) else { return Ok(()) };
-            let slack =
-                |bound: S| BOUNDARY.part::<S>() * bound.abs().max(S::from_f64(self.nominal(range.entry)));
+            // One also stands for nominal values that are not declared.
+            let nominal = self.nominal.get(range.entry).copied().filter(|nominal| *nominal != 1.0);
+            let size = nominal.unwrap_or_else(|| range.size());
+            let slack = |bound: S| BOUNDARY.part::<S>() * bound.abs().max(S::from_f64(size));
             let (lower, upper) = range.numbers();
             let inner = [
                 map_included(lower, |bound| bound - slack(bound)),
@@ -79,6 +81,16 @@ impl Domain {
 }
 
 impl EntryRange {
+    /// Returns the size of the larger bound, or one if no bound differs from zero.
+    fn size(&self) -> f64 {
+        let size_of = |bound: Bound<f64>| match bound {
+            Bound::Included(bound) | Bound::Excluded(bound) => bound.max(-bound),
+            Bound::Unbounded => 0.0,
+        };
+        let largest = size_of(self.bounds.0).max(size_of(self.bounds.1));
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+
     /// Returns the bounds as numbers of a system.
     fn numbers<S: Scalar>(&self) -> (Bound<S>, Bound<S>) {
         (self.bounds.0.map(S::from_f64), self.bounds.1.map(S::from_f64))

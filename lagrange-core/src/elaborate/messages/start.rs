@@ -17,7 +17,7 @@ messages! {
         "the orientation `{name}` is assigned by the components of its unit quaternion";
     start_outside(name, range) = "this start of `{name}` is outside of its range, `{range}`";
     zero_outside(name, range) = "`{name}` starts at zero, which is outside of its range, `{range}`";
-    START_OUTSIDE_HELP = "change the range, or give an initial value within it: `start x = 1;`";
+    START_OUTSIDE_HELP = "change the range, or give an initial value within it with `start`";
     PART_OF_QUATERNION = "an initial orientation needs all components of its unit quaternion";
 }
 
