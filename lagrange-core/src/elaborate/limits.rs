@@ -45,7 +45,8 @@ pub(super) fn set_limits(
 fn magnitude(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
     let value = elaborator.constant_scalar(syntax, messages::NOMINAL)?;
     let value = evaluate(&elaborator.evaluator.graph, &[value], |_| f64::NAN)[0];
-    if value > 0.0 && value.is_finite() {
+    // Infinity is reported with all numbers that are too large.
+    if value > 0.0 {
         return Some(value);
     }
     elaborator.evaluator.refuse(syntax, messages::not_positive(value), messages::NOT_POSITIVE_HELP)

@@ -11,7 +11,7 @@ messages! {
     default_outside(name, range) = "this default of `{name}` is outside of its range, `{range}`";
     DEFAULT_OUTSIDE_HELP = "change the default or the range";
     NOMINAL = "a nominal value";
-    not_positive(value) = "a nominal value must be positive and finite, but this is {value}";
+    not_positive(value) = "a nominal value must be positive, but this is {value}";
     NOT_POSITIVE_HELP = "write the typical magnitude, such as `nominal 1e-3`";
     limited_twice(target) = "`{target}` has two ranges or nominal values";
     LIMITED_HERE = "the other one is here";
