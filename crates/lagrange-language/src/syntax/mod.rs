@@ -41,6 +41,7 @@ mod header;
 mod identifiers;
 mod joints;
 mod keywords;
+mod lists;
 mod literals;
 mod messages;
 mod mobilizers;

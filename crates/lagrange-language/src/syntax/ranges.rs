@@ -13,8 +13,8 @@ use lagrange_expr::units::meaning;
 type Comparison = (bool, Limit);
 
 impl Parser<'_> {
-    /// Reads `in 0..=1 nominal 0.1` after the name that this keyword declares; nothing if none of
-    /// both follows. Inputs and constants have neither, and parameters no nominal values.
+    /// Reads `in 0..=1 nominal 0.1` after the name that this keyword declares; nothing if
+    /// neither follows. Inputs and constants have neither, and parameters no nominal values.
     pub(super) fn limits_behind(
         &mut self,
         name: &Parsed<Name>,

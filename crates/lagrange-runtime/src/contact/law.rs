@@ -12,8 +12,8 @@ pub(super) struct ContactLaw<'a, S, const N: usize, const K: usize> {
     pub(super) terms: &'a Terms<S, N, K>,
     /// Rates without reactions.
     pub(super) offsets: [S; K],
-    /// The time over which forces act: one for forces, the length of a step for impulses over it,
-    /// and zero for impacts, to which finite forces do not contribute.
+    /// The time over which forces act: one for forces, and the length of a step for impulses over
+    /// it. It is zero for impacts, to which finite forces do not contribute.
     pub(super) presence: S,
 }
 

@@ -153,8 +153,8 @@ pub enum Mode {
     Smooth,
 }
 
-/// The reaction terms of an emitted type with contacts or friction at one state: N velocities, K
-/// reactions in the order of declaration, and the slopes of limits. References need not state the
+/// The reaction terms of an emitted type with contacts or friction at one state, for N velocities
+/// and K reactions in the order of declaration. References need not state the
 /// number of slopes, as with arrays and slices.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Terms<S, const N: usize, const K: usize, L: ?Sized = [LimitSlope<S>]> {

@@ -106,7 +106,7 @@ where
 }
 
 /// Returns the sizes of the components of a state that changes at this rate over a step of length
-/// `h`, with a minimum size in nominal values.
+/// `h`. The minimum size is in nominal values.
 pub(super) fn sizes<S: Scalar, Y: StateVector<S>>(y: &Y, h: S, rate: &Y, least: S, domain: &Domain) -> Y {
     let mut sizes = *y;
     for (component, (size, rate)) in sizes.as_mut().iter_mut().zip(rate.as_ref()).enumerate() {

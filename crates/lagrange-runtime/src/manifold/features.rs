@@ -166,7 +166,7 @@ fn within<S: Scalar>(block: &Block<S>, point: &Triple<S>) -> Triple<S> {
 
 /// The closest points of two edges; of parallel ones those at the middle of what they share.
 ///
-/// With the middles m and the directions u, the lines through both cross at s from the first
+/// Let m be the middles and u the directions. The lines through both cross at s from the first
 /// middle, with ((m₁ − m₂) × u₂)·(u₁ × u₂) = −s |u₁ × u₂|². The left side is as accurate as the
 /// angle.
 fn nearest<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Pair<S> {

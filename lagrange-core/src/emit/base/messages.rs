@@ -55,7 +55,7 @@ pub(in crate::emit) fn many_contacts(most: usize) -> String {
     format!("a system of more than {most} events, contacts and friction needs the method `Stepped`")
 }
 
-pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "contacts and dry friction count as one event if they are many; events that do not affect the system can be passed to a simulation instead";
+pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "contacts and dry friction count as one event if they are many; pass events that do not affect the system to a simulation instead";
 
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
     format!(

@@ -8,12 +8,12 @@
 //! A δ + P J x = target − r.
 //! ```
 //!
-//! A couples a friction only to the reactions on which its limit depends. These come before it, so
-//! δ = y − Z x follows row by row, and (1 + W Z) x = W y has the size of the velocities. A reaction
-//! that is held has a zero in A, which damping replaces. Constraint forces in limits depend on
-//! reactions that follow; this part of the derivative is omitted. Source: Woodbury's identity, as
-//! in Todorov, "Convex and analytically-invertible dynamics with contacts and constraints", *ICRA*
-//! (2014) 6054–6061.
+//! A couples a friction only to the reactions on which its limit depends. These come before it.
+//! Hence δ = y − Z x follows row by row, and (1 + W Z) x = W y has the size of the velocities. A
+//! reaction that is held has a zero in A, which damping replaces. Constraint forces in limits
+//! depend on reactions that follow; this part of the derivative is omitted. Source: Woodbury's
+//! identity, as in Todorov, "Convex and analytically-invertible dynamics with contacts and
+//! constraints", *ICRA* (2014) 6054–6061.
 //!
 //! # A held reaction in numbers
 //!

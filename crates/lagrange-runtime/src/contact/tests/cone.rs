@@ -115,8 +115,8 @@ fn impacts_in_space_obey_the_cone() {
     assert!(unsolved <= 1, "{unsolved}");
 }
 
-/// Impulses of many reactions, which are found in the space of velocities, obey the law as exactly
-/// as those of few, which are found from the matrix of responses.
+/// Impulses of many reactions are found in the space of velocities. They obey the law as exactly as
+/// those of few, which are found from the matrix of responses.
 #[test]
 fn many_reactions_obey_the_law_as_few_do() {
     const MANY: usize = MOST_DENSE + 2;
