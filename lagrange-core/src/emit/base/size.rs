@@ -75,7 +75,7 @@ pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option
         let names = names.collect::<Vec<_>>();
         let Some(first) = names.get(most) else { continue };
         let message = match plural {
-            "events" => messages::too_many_events(MAX_EVENTS),
+            "events" => messages::too_many_events(most),
             _ => messages::too_many(names.len(), plural, most),
         };
         report.error(first.span, message).help(help);
