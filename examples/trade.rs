@@ -255,7 +255,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     text += &format!(
         "## Which to take\n\nThe fastest configuration for each kind of system and error. A number type is `f64` and a \
-         level of\naccuracy `standard` unless it is named. \"–\" means that no method reaches the error.\n\n{}\n\
+         level of\naccuracy `standard` unless it is named. \"–\" means that no run in the time\nallowed reached the error.\n\n{}\n\
          [Choosing](choosing.md) explains the methods. The sections below have the line to write for each\nerror. For \
          a system of your own, `lagrange::trade` and [`lagrange trade`](command_line.md#choice-of-a-method)\nmeasure \
          it and print that line.\n",
