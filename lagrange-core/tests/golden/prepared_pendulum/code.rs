@@ -86,14 +86,14 @@ const _: () = {
             &self,
         ) -> ::core::result::Result<(), ::lagrange::system::OutOfRange<S>> {
             ::lagrange::system::OutOfRange::check(
-                "parameter",
+                ::lagrange::system::RangedKind::Parameter,
                 "m",
                 self.m,
                 (::core::ops::Bound::Excluded(S::ZERO), ::core::ops::Bound::Unbounded),
                 "",
             )?;
             ::lagrange::system::OutOfRange::check(
-                "parameter",
+                ::lagrange::system::RangedKind::Parameter,
                 "l",
                 self.l,
                 (
