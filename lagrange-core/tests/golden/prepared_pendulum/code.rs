@@ -313,7 +313,7 @@ const _: () = {
                 ranges: &[
                     ::lagrange::system::EntryRange {
                         entry: 0,
-                        kind: "coordinate",
+                        kind: ::lagrange::system::RangedKind::Coordinate,
                         name: "theta",
                         unit: "",
                         bounds: (
