@@ -70,7 +70,7 @@ fn check_names(varied: &[Varied<'_>], options: &EnsembleOptions) -> Result<(), F
 }
 
 fn unknown(name: &str, system: &DeclaredSystem) -> Failure {
-    let known = system.variables().fields.iter().cloned().chain(system.state_names());
+    let known = system.settable().map(str::to_owned).chain(system.state_names());
     let known = known.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     Failure::Usage(format!("--vary: there is no `{name}`; known are {known}"))
 }

@@ -165,6 +165,16 @@ fn delayed_signals_follow_the_method_of_steps() {
 }
 
 #[test]
+fn delayed_signals_have_no_values_to_set() {
+    let path =
+        declaration("set_late.lag", "param k = 1; state x = 1; let past = delay(x, 1); dot(x) = -k * past;");
+    let result = simulate(&[&path, "--until", "2", "--set", "past=5"]);
+    assert_eq!(result.status.code(), Some(2));
+    let message = "there is no `past`; known are `k`";
+    assert!(text(&result.stderr).contains(message), "{}", text(&result.stderr));
+}
+
+#[test]
 fn ranges_end_motions_with_the_name_and_the_value() {
     let path = declaration("range.lag", "coord x in ..=1; start dot(x) = 1; kinetic = 1/2 * dot(x)^2;");
     let result = simulate(&[&path, "--until", "5"]);

@@ -67,12 +67,24 @@ impl DeclaredSystem {
     /// Sets a parameter or an input, in coherent units.
     ///
     /// # Errors
-    /// If the name is unknown; elements of arrays are called `k[0]`.
+    /// If the name is unknown, or that of a delayed signal, whose values runs compute. Elements of
+    /// arrays are called `k[0]`.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), NoSuchName> {
-        match self.numeric.set(name, value) {
-            true => Ok(()),
-            false => Err(NoSuchName { name: name.to_owned(), known: self.variables().fields.clone() }),
+        let known = self.settable().map(str::to_owned).collect::<Vec<_>>();
+        if known.iter().any(|known| known == name) && self.numeric.set(name, value) {
+            return Ok(());
         }
+        Err(NoSuchName { name: name.to_owned(), known })
+    }
+
+    /// Returns the names of parameters and inputs, except delayed signals.
+    pub fn settable(&self) -> impl Iterator<Item = &str> {
+        let programs = self.numeric.programs();
+        let is_delayed = |field: usize| {
+            programs.delayed_inputs.iter().any(|input| programs.layout.parameters + input == field)
+        };
+        let fields = self.variables().fields.iter().enumerate();
+        fields.filter(move |(field, _)| !is_delayed(*field)).map(|(_, name)| &**name)
     }
 
     /// Returns the first parameter or input without a value, if there is one.
