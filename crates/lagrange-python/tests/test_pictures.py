@@ -9,6 +9,7 @@ import pytest
 SLIDER = """
     struct SlidingRod;
     param m: kg = 2, k: N/m = 8, l: m = 0.5;
+    gravity = (0, -9.81);
     coord x: m = 1;
     input u: N, w: N;
     body block { mass: m; shape: rectangle(l, l); center: (x, 0); angle: 0; }
