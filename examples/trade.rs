@@ -270,7 +270,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         // The table is part of the page.
         fs::remove_file(docs.join("trade").join(format!("{file}.md")))?;
     }
-    text += "\n## Where next\n\n[Choosing](choosing.md) from these tables; [comparison with other crates](peers.md).\n";
+    text += "\n## Where next\n\n[Choosing](choosing.md) from these tables; [drift](drift.md) over many steps; [comparison with other\ncrates](peers.md).\n";
     fs::write(docs.join("trade.md"), &text)?;
     println!("{text}");
     Ok(())

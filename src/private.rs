@@ -5,7 +5,7 @@ pub mod hints;
 
 pub use crate::__hints as bring_hints;
 pub use lagrange_macro::system;
-pub use lagrange_runtime::system::{Products, SeriesSolver};
+pub use lagrange_runtime::system::{Order, Products, SeriesSolver};
 
 use crate::scalar::Number;
 

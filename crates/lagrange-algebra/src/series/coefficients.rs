@@ -116,22 +116,20 @@ impl<'a> Coefficients<'a> {
     fn coefficient(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
         match self.schedule.source(self.motion, value) {
             Source::Time => self.slot(pass, Slot::First),
-            Source::Velocity(index) => {
-                let acceleration = self.acceleration(pass, index);
-                self.times_slot(pass, acceleration, Slot::Reciprocal)
-            }
-            Source::Acceleration(index) => self.acceleration(pass, index),
+            Source::Velocity(index) => self.unknown(pass, index, Slot::Velocity(index)),
+            Source::Acceleration(index) => self.unknown(pass, index, Slot::Acceleration(index)),
             Source::Previous(of) if self.schedule.kinds[of] == Kind::Fixed => self.first(pass, of),
             Source::Previous(of) => self.now(pass, of),
             Source::Rate(of) => self.times_slot(pass, pass.coefficients[of], Slot::Order),
-            Source::Integral(rate) => {
-                let rate = match self.schedule.kinds[rate] {
-                    Kind::Accelerated => pass.coefficients[rate],
-                    Kind::Fixed => self.first(pass, rate),
-                    _ => self.now(pass, rate),
-                };
-                self.times_slot(pass, rate, Slot::Reciprocal)
-            }
+            Source::Integral(rate) => match self.schedule.kinds[rate] {
+                Kind::Accelerated => self.times_slot(pass, pass.coefficients[rate], Slot::Reciprocal),
+                // In the first step, k + 1 is one.
+                Kind::Fixed => self.first(pass, rate),
+                _ => {
+                    let index = self.carry(rate);
+                    self.slot(pass, Slot::Integral(index))
+                }
+            },
             Source::Operands => self.operation(pass, value),
         }
     }
@@ -271,8 +269,12 @@ impl<'a> Coefficients<'a> {
 
     /// Returns the coefficient of order k of a value for which step k computes that of order k + 1.
     fn now(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
-        let index = self.carried.index_or_insert_with(value, || ());
+        let index = self.carry(value);
         self.slot(pass, Slot::Carried(index))
+    }
+
+    fn carry(&mut self, value: ValueId) -> usize {
+        self.carried.index_or_insert_with(value, || ())
     }
 
     /// Returns a fixed value in the first step, and zero afterwards.
@@ -281,10 +283,11 @@ impl<'a> Coefficients<'a> {
         self.times_initial(pass, first, Initial::Value(value))
     }
 
-    fn acceleration(&mut self, pass: &mut Pass, index: u32) -> Coefficient {
+    /// Returns a slot that contains the unknown with this index.
+    fn unknown(&mut self, pass: &mut Pass, index: u32, slot: Slot) -> Coefficient {
         match pass.part {
             Part::Known => None,
-            Part::Share => Some(self.slots.input(&mut pass.builder, Slot::Acceleration(index))),
+            Part::Share => Some(self.slots.input(&mut pass.builder, slot)),
             Part::Unit(unknown) => (unknown == index).then(|| pass.builder.constant(Number::ONE)),
         }
     }

@@ -3,13 +3,13 @@
 //! Each order depends on the previous one, so the time of an expansion is that of the longest chain
 //! of operations through a step. All results of a step are linear in sums and in coefficients of
 //! earlier steps, with factors of order zero. Such factors are multiplied together before the first
-//! step, and powers of k + 1 in parallel with the chain.
+//! step, and powers of k + 1 in parallel with the chain. A factor k + 1 of an integral cancels.
 //!
 //! # In numbers
 //!
-//! Let F = (k+1) m (l x + n y) with x = p + v u/(k+1). Its longest chain has four products and two
-//! sums. If it is written as (k+1)(m l) p + (m l v) u + (k+1)(m n) y, the chain is one product and
-//! two sums.
+//! Let F = (k+1) m (l x + n y) with x = p + v i, where i = u/(k+1). Its longest chain has four
+//! products and two sums. If it is written as (k+1)(m l) p + (m l v) u + (k+1)(m n) y, the chain is
+//! one product and two sums.
 
 use super::slots::{Slot, Slots};
 use crate::program::{Builder, Op, Program, ValueId, ValueTable};
@@ -70,6 +70,8 @@ struct Flattening<'a> {
     images: ValueTable<Image>,
     /// Length of the longest chain of operations before each value of the new program.
     depths: HashMap<ValueId, u32>,
+    /// The slots that are divided by k + 1.
+    integrals: HashMap<ValueId, Slot>,
 }
 
 /// Returns a program with the same outputs and shorter chains.
@@ -79,9 +81,9 @@ pub(super) fn flatten(
     initials: usize,
     factors: &mut Factors,
 ) -> Program {
-    let (builder, depths) = (Builder::new(), HashMap::default());
+    let (builder, depths, integrals) = (Builder::new(), HashMap::default(), HashMap::default());
     let images = ValueTable::with_capacity(program.len());
-    let mut flattening = Flattening { slots, initials, factors, builder, images, depths };
+    let mut flattening = Flattening { slots, initials, factors, builder, images, depths, integrals };
     let uses = program.uses();
     for (id, op) in program.values() {
         let image = flattening.image(op);
@@ -128,6 +130,9 @@ impl Flattening<'_> {
             _ => {
                 let of = self.builder.push(Op::Input(role));
                 self.depths.insert(of, slot.map_or(0, depth));
+                if let Some(dividend) = slot.and_then(Slot::dividend) {
+                    self.integrals.insert(of, dividend);
+                }
                 return self.single(of);
             }
         };
@@ -173,9 +178,22 @@ impl Flattening<'_> {
         match self.images[of].clone() {
             Image::Factor(factor) => Image::Factor(self.product(factor, by)),
             Image::Sum(mut terms) => {
-                terms.iter_mut().for_each(|term| term.factor = self.product(term.factor, by));
+                terms.iter_mut().for_each(|term| *term = self.multiplied(*term, by));
                 Image::Sum(terms)
             }
+        }
+    }
+
+    /// Returns a multiple of a term, where k + 1 times an integral is what was integrated.
+    fn multiplied(&mut self, term: Term, by: Factor) -> Term {
+        let factor = self.product(term.factor, by);
+        match self.integrals.get(&term.of) {
+            Some(&dividend) if factor.power > 0 => {
+                let of = self.slots.input(&mut self.builder, dividend);
+                self.depths.insert(of, depth(dividend));
+                Term { of, factor: Factor { power: factor.power - 1, ..factor } }
+            }
+            _ => Term { factor, ..term },
         }
     }
 
@@ -298,7 +316,8 @@ fn is_long(terms: &[Term], uses: usize) -> bool {
 /// Returns the number of operations before an input: sums contain the newest coefficients.
 fn depth(slot: Slot) -> u32 {
     match slot {
-        Slot::Sum(_) | Slot::Acceleration(_) => 3,
+        Slot::Sum(_) | Slot::Acceleration(_) | Slot::Velocity(_) => 3,
+        Slot::Integral(_) => 1,
         _ => 0,
     }
 }

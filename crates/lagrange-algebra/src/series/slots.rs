@@ -11,6 +11,8 @@ pub enum Slot {
     Initial(usize),
     /// The coefficient of order k of this carried value.
     Carried(usize),
+    /// This carried value divided by k + 1: the coefficient of order k + 1 of its integral.
+    Integral(usize),
     /// Σ_{0≤j<k} xⱼ yₖ₋₁₋ⱼ of the factors of this sum, where xⱼ is the coefficient that step j
     /// kept.
     Sum(usize),
@@ -18,12 +20,25 @@ pub enum Slot {
     Partial(usize),
     /// This acceleration or, after all of these, multiplier, of order k.
     Acceleration(u32),
+    /// This acceleration divided by k + 1: the coefficient of order k + 1 of its velocity.
+    Velocity(u32),
     /// k + 1
     Order,
     /// 1/(k + 1)
     Reciprocal,
     /// One in the first step, zero in all others.
     First,
+}
+
+impl Slot {
+    /// Returns what this slot divides by k + 1.
+    pub(super) fn dividend(self) -> Option<Slot> {
+        match self {
+            Slot::Integral(carried) => Some(Slot::Carried(carried)),
+            Slot::Velocity(acceleration) => Some(Slot::Acceleration(acceleration)),
+            _ => None,
+        }
+    }
 }
 
 /// The allocated placeholders.

@@ -71,9 +71,11 @@ fn expanded(programs: &SeriesPrograms, value_of: impl Fn(Role) -> f64, state: &[
         let slot = |slot: Slot, partial: &[f64], accelerations: &[f64]| match slot {
             Slot::Initial(index) => initial[index],
             Slot::Carried(index) => carried(index),
+            Slot::Integral(index) => carried(index) / (k + 1) as f64,
             Slot::Sum(index) => sums[index],
             Slot::Partial(index) => partial[index],
             Slot::Acceleration(index) => accelerations[index as usize],
+            Slot::Velocity(index) => accelerations[index as usize] / (k + 1) as f64,
             Slot::Order => (k + 1) as f64,
             Slot::Reciprocal => 1.0 / (k + 1) as f64,
             Slot::First => f64::from(u8::from(k == 0)),

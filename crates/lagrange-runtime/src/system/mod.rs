@@ -60,7 +60,7 @@ pub(crate) use self::rate_name::WithSuffix;
 pub use self::regressor::RegressorSystem;
 pub use self::setting_error::SettingError;
 pub use self::step_failure::{EventSource, StepFailure};
-pub use self::taylor::{MAX_ORDER, Products, SeriesFactors, SeriesSolver, TaylorSystem};
+pub use self::taylor::{MAX_ORDER, Order, Products, SeriesFactors, SeriesSolver, TaylorSystem};
 #[cfg(feature = "linear")]
 pub(crate) use self::undefined::Acceleration;
 pub use self::undefined::{Component, Undefined};

@@ -1,7 +1,9 @@
 //! Systems whose motion can be expanded in Taylor series.
 
+mod order;
 mod pieces;
 
+pub use self::order::Order;
 use self::pieces::Pieces;
 use super::OdeSystem;
 use crate::linalg::pivoted::{Factors, Matrix};

@@ -138,10 +138,12 @@ fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, groups: &Gro
     let correction = step(writer, programs, groups, correction)?;
     let unknowns = writer.model.speeds.len() + writer.model.constraints.len();
     let (kept, n) = (length(programs.kept), length(unknowns));
-    let [partial, acceleration, solver] = ["partial", "acceleration", "solver"].map(local);
+    let [partial, acceleration, velocity] = ["partial", "acceleration", "velocity"].map(local);
+    let [solver, order] = ["solver", "present"].map(local);
     Some(quote!({
         let #partial = #expansion;
         let #acceleration: [_; #n] = #solver.accelerations(&#partial[#kept..]);
+        let #velocity = #order.divide(&#acceleration);
         #correction
     }))
 }
@@ -156,7 +158,7 @@ fn expansion(
 ) -> TokenStream {
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let [start, now, next, sum, solver] = ["start", "now", "next", "sum", "solver"].map(local);
-    let [order, reciprocal, first, k] = ["order", "reciprocal", "first", "k"].map(local);
+    let [order, integral, k] = ["present", "integral", "k"].map(local);
     let [series, coefficients, newest] = ["series", "coefficients", "newest"].map(local);
     let factors = |side: &[[usize; 4]]| {
         let of_group = |places: &[usize; 4]| {
@@ -182,7 +184,6 @@ fn expansion(
         .as_ref()
         .map(|_| quote!(let #solver = #krate::private::SeriesSolver::#inversion([#(#start[#matrix]),*]);));
     let (starts, all_kept) = (length(programs.initial.outputs().len()), length(programs.kept));
-    let number = quote!(<#scalar as #krate::Number>);
     let [follow, keep_arguments] = followed(programs);
     quote! {
         let #start: [#scalar; #starts] = { #start_values };
@@ -192,9 +193,8 @@ fn expansion(
         let mut #newest = <Self::Series>::NONE;
         let mut #now: [#scalar; #carried] = [#(#start[#initial]),*];
         for (#k, #coefficients) in #coefficients.iter_mut().enumerate() {
-            let #order = #number::from_f64((#k + 1) as ::core::primitive::f64);
-            let #reciprocal = #number::ONE / #order;
-            let #first = #number::select(#k == 0, #number::ONE, #number::ZERO);
+            let #order = #krate::private::Order::<#scalar>::after(#k);
+            let #integral = #order.divide(&#now);
             #(#loops)*
             let #sum = #series.sums([#(#shared),*], &#newest);
             let #next: [#scalar; #all_kept] = #next_values;
@@ -241,8 +241,13 @@ fn step(
     let bindings = body.used.iter().filter_map(|&role| {
         let Role::Placeholder(index) = role else { return None };
         let (slot, variable) = (programs.slots[index as usize], names.role(&symbols, role));
-        let (array, place) = source(slot)?;
-        let array = local(array);
+        let (array, place) = match source(slot) {
+            Source::Array(array, place) => (local(array), place),
+            Source::Order(field) => {
+                let (order, field) = (local("present"), format_ident!("{field}"));
+                return Some(quote!(let #variable = #order.#field;));
+            }
+        };
         if let Slot::Sum(index) = slot {
             let [group, lane] = groups.of_product[index].map(length);
             return Some(quote!(let #variable = #array[#group][#lane];));
@@ -256,27 +261,37 @@ fn step(
 }
 
 /// Arrays in the loop over the orders.
-const ARRAYS: [&str; 6] = ["start", "sum", "now", "partial", "acceleration", "next"];
+const ARRAYS: [&str; 8] = ["start", "sum", "now", "integral", "partial", "acceleration", "velocity", "next"];
 
-/// Returns the array and the index that hold a slot; `None` if it is stored in a variable.
-fn source(slot: Slot) -> Option<(&'static str, usize)> {
+/// The place of a slot in the loop over the orders.
+enum Source {
+    /// An array and an index.
+    Array(&'static str, usize),
+    /// A field of the order.
+    Order(&'static str),
+}
+
+fn source(slot: Slot) -> Source {
     match slot {
-        Slot::Initial(index) => Some(("start", index)),
-        Slot::Carried(index) => Some(("now", index)),
-        Slot::Sum(index) => Some(("sum", index)),
-        Slot::Partial(index) => Some(("partial", index)),
-        Slot::Acceleration(index) => Some(("acceleration", index as usize)),
-        Slot::Order | Slot::Reciprocal | Slot::First => None,
+        Slot::Initial(index) => Source::Array("start", index),
+        Slot::Carried(index) => Source::Array("now", index),
+        Slot::Integral(index) => Source::Array("integral", index),
+        Slot::Sum(index) => Source::Array("sum", index),
+        Slot::Partial(index) => Source::Array("partial", index),
+        Slot::Acceleration(index) => Source::Array("acceleration", index as usize),
+        Slot::Velocity(index) => Source::Array("velocity", index as usize),
+        Slot::Order => Source::Order("number"),
+        Slot::Reciprocal => Source::Order("reciprocal"),
+        Slot::First => Source::Order("first"),
     }
 }
 
 /// Returns the variable that holds a slot.
 fn variable(slot: Slot) -> String {
-    match (source(slot), slot) {
-        (Some((array, place)), _) => format!("{array}_{place}"),
-        (None, Slot::Order) => "order".to_owned(),
-        (None, Slot::Reciprocal) => "reciprocal".to_owned(),
-        (None, _) => "first".to_owned(),
+    match source(slot) {
+        Source::Array(array, place) => format!("{array}_{place}"),
+        Source::Order("number") => "order".to_owned(),
+        Source::Order(field) => field.to_owned(),
     }
 }
 
