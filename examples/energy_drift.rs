@@ -2,9 +2,11 @@
 //!
 //! An orbit conserves both, so any drift is due to the method. Rounding cannot be avoided. If it
 //! has no bias, the error of a conserved quantity is a random walk. It grows with the square root
-//! of the number of steps (Brouwer, *On the accumulation of errors in numerical integration*, The
-//! Astronomical Journal 46 (1937), 149–153). Look for methods that follow this law, and for those
-//! whose drift grows in proportion to the steps.
+//! of the number of steps. Look for methods that follow this law, and for those whose drift grows
+//! in proportion to the steps.
+//!
+//! Source: Brouwer, *On the accumulation of errors in numerical integration*, The Astronomical
+//! Journal 46 (1937), 149–153.
 //!
 //!     cargo run --release --features plot --example energy_drift -- 100000000 docs
 //!
