@@ -146,6 +146,38 @@ fn nominal_values_and_ranges_act_with_the_same_bits() {
     assert_eq!((domain.ranges.len(), domain.nominal), (2, &[1e-6, 300.0, 1e-6][..]));
 }
 
+#[test]
+fn starts_out_of_a_range_are_refused() {
+    let mirror = declared(MIRROR);
+    let values = |tilt: f64, heat: f64| [("tilt".to_owned(), tilt), ("heat".to_owned(), heat)];
+    assert_eq!(mirror.start_with(&values(2e-6, 1.0)), Ok(vec![2e-6, 1.0, 0.0]));
+    let refused = |tilt: f64, heat: f64| {
+        mirror.start_with(&values(tilt, heat)).expect_err("out of its range").to_string()
+    };
+    assert_eq!(refused(3e-6, 1.0), "the coordinate `tilt` is 3e-6, but it must be from -2e-6 to 2e-6");
+    assert_eq!(refused(0.0, 0.0), "the state `heat` is 0.0, but it must be greater than 0.0");
+    assert_eq!(mirror.unchecked_start(&values(0.0, 0.0)), Ok(vec![0.0; 3]));
+    assert!(
+        mirror.check_state(&[0.0, 1.0, 1e9]).is_ok() && mirror.check_state(&[0.0, f64::NAN, 0.0]).is_err()
+    );
+}
+
+#[test]
+fn ranges_and_nominal_values_may_stand_apart() {
+    let common = "kinetic = 1/2 * (dot(x)^2 + dot(y)^2); dot(heat) = -heat;";
+    let domain = |limits: &str| declared(&format!("struct Pair; {limits} {common}")).visit(DomainOf);
+    let together = domain(
+        "coord x in 0..=1 nominal 0.5, y < 2 nominal 0.1; state heat >= 0 nominal 300;
+        range dot(y) in -3..3 nominal 4;",
+    );
+    let apart = domain(
+        "coord x in 0..=1, y nominal 0.1; state heat nominal 300; range y < 2, dot(y) in -3..3;
+        range dot(y) nominal 4, x nominal 0.5, heat >= 0;",
+    );
+    assert_eq!(apart, together);
+    assert_eq!((apart.nominal, apart.ranges.len()), (&[0.5, 0.1, 300.0, 0.5, 4.0][..], 4));
+}
+
 /// The ranges and nominal values of a system.
 struct DomainOf;
 
