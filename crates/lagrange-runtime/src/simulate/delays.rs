@@ -66,6 +66,22 @@ impl<M: DelayedSystem> Drive<M> for WithHistory {
     }
 }
 
+/// Shortest delay, in spacings of times.
+const SPACINGS: f64 = 1e3;
+/// Maximum number of steps of the length of a delay in a run: as many as adaptive methods take by
+/// default.
+const MOST_STEPS: f64 = 1e8;
+/// Maximum number of such steps that the past of a motion keeps.
+const MOST_KEPT: f64 = 1e6;
+
+/// Returns the shortest delay that a run over this span permits beside these delays.
+fn shortest_delay<S: Scalar>([start, end]: [S; 2], lags: &[S]) -> S {
+    let (spacing, span) = (S::epsilon() * start.abs().max(end.abs()), end - start);
+    let longest = lags.iter().copied().filter(|lag| lag.is_finite()).fold(S::ZERO, S::max).min(span);
+    let resolved = (S::from_f64(SPACINGS) * spacing).max(span / S::from_f64(MOST_STEPS));
+    resolved.max(longest / S::from_f64(MOST_KEPT))
+}
+
 /// A system whose delayed signals have the values of its past.
 pub struct Remembering<M: DelayedSystem> {
     plant: M,
@@ -151,16 +167,19 @@ impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
     }
 
     fn check(&self, [start, end]: [M::Scalar; 2], _: bool) -> Result<(), SettingError<M::Scalar>> {
-        let spacing = M::Scalar::epsilon() * start.abs().max(end.abs());
-        let is_sound = |lag: &M::Scalar| lag.is_finite() && *lag > M::Scalar::from_f64(1e3) * spacing;
-        if end < start {
-            return Err(SettingError::Invalid("delayed signals run forwards in time only"));
+        match end < start {
+            true => Err(SettingError::Invalid("delayed signals run forwards in time only")),
+            false => Ok(()),
         }
-        match self.plant.lags().as_ref().iter().all(is_sound) {
-            true => Ok(()),
-            false => Err(SettingError::Invalid(
-                "delays must be positive, finite and much longer than the spacing of times",
-            )),
+    }
+
+    fn check_parameters(&self, span: [M::Scalar; 2]) -> Result<(), StepFailure<M::Scalar>> {
+        let lags = self.plant.lags();
+        let least = shortest_delay(span, lags.as_ref());
+        let is_sound = |lag: &M::Scalar| lag.is_finite() && *lag > M::Scalar::ZERO && *lag >= least;
+        match lags.as_ref().iter().find(|lag| !is_sound(lag)) {
+            Some(lag) => Err(StepFailure::Delay { lag: *lag, least }),
+            None => Ok(()),
         }
     }
 
