@@ -10,7 +10,7 @@ use lagrange::integrate::{
     EulerMaruyama, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, WienerPath,
 };
 use lagrange::simulate::{SimulationError, Trajectory};
-use lagrange::system::{Description, Domain, MechanicalSystem, OdeSystem};
+use lagrange::system::{DelayedSystem, Description, Domain, MechanicalSystem, OdeSystem, OutputSystem};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
 use lagrange_dynamic::{DeclaredSystem, DynamicSystem, MethodChoice, RunSettings, Visitor};
@@ -202,11 +202,18 @@ impl Visitor for Remembered {
 
 #[test]
 fn delayed_signals_take_their_past_with_the_same_bits() {
-    let late = Late::default();
+    assert_same_past(&Late::default(), Late::default().start().into(), LATE);
+    assert_same_past(&Rising::default(), Rising::default().start().into(), RISING);
+}
+
+/// Compares both forms of a system with delays from a state, by an adaptive and by a fixed method.
+fn assert_same_past<M>(late: &M, start: [f64; 3], text: &str)
+where
+    M: DelayedSystem + OutputSystem + MechanicalSystem<Scalar = f64, State = [f64; 3]>,
+{
     let method = MethodChoice::Verner { tolerance: 1e-9 };
     let methods = [method, MethodChoice::RungeKutta4 { step: 0.014 }];
     for (method, is_adaptive) in methods.into_iter().zip([true, false]) {
-        let start: [f64; 3] = late.start().into();
         let compiled = late.simulate(start).until(2.0).every(0.05).outputs().with_history();
         let expected = match is_adaptive {
             true => record(compiled.method(adaptive()).run()),
@@ -215,7 +222,7 @@ fn delayed_signals_take_their_past_with_the_same_bits() {
         let every = Some(0.05);
         let settings =
             RunSettings { start: start.to_vec(), from: 0.0, until: 2.0, every, method, has_energy: false };
-        let found = declared(LATE).visit(Remembered(settings));
+        let found = declared(text).visit(Remembered(settings));
         assert!(found.0[0].starts_with("Reached"), "{}", found.0[0]);
         assert_eq!(found, expected);
     }
