@@ -45,6 +45,18 @@ lagrange::system! {
     emit { lanes }
 }
 
+lagrange::system! {
+    /// A mirror on a spring, which must not turn far.
+    #[derive(Clone)]
+    struct Mirror;
+
+    param k = 1;
+    coord tilt in -2e-6..=2e-6 nominal 1e-6;
+    kinetic = 1/2 * dot(tilt)^2;
+    potential = 1/2 * k * tilt^2;
+    emit { lanes }
+}
+
 fn start(index: usize, random: &mut Random) -> [f64; 4] {
     [if index == 3 { f64::NAN } else { 0.0 }, random.uniform(-2.0..2.0), 0.0, 0.1]
 }
@@ -114,6 +126,41 @@ fn samples_of_symplectic_methods_go_in_lanes() {
         let errors = trajectory.times().iter().zip(trajectory.x()).map(|(t, x)| (x - t * t).abs());
         assert!(errors.fold(0.0, f64::max) < 1e-14, "{:?}", trajectory.x());
     }
+}
+
+/// Returns the amplitude of a mirror; every third one turns too far.
+fn amplitude(index: usize) -> f64 {
+    if index % 3 == 1 { 5e-6 } else { 9e-8 * index as f64 }
+}
+
+/// Motions that stay are accurate to their nominal value, whatever others do. Those that leave the
+/// range fail as they do alone.
+#[test]
+fn ranges_are_checked_in_each_lane() {
+    let mirror = Mirror::default();
+    let motions = |number: usize| {
+        let start = |index, _: &mut Random| [if index == 6 { 3e-6 } else { 0.0 }, amplitude(index)];
+        mirror.ensemble(number).start(start).until(9.0).tolerance(1e-9)
+    };
+    assert!(motions(21).is_in_lanes());
+    let (lanes, few) = (motions(21).run().expect("runs"), motions(5).run().expect("runs"));
+    let (alone, samples) =
+        (motions(21).one_by_one().run().expect("runs"), motions(21).every(0.5).run().expect("runs"));
+    let failures = |failures: &[lagrange::ensemble::Failure<Mirror>]| {
+        failures.iter().map(|failure| failure.to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(failures(lanes.failures()), failures(alone.failures()));
+    assert_eq!(samples.failures().count(), lanes.failures().len());
+    let failed = lanes.failures().iter().map(|failure| failure.index).collect::<Vec<_>>();
+    assert_eq!(failed, [1, 4, 6, 7, 10, 13, 16, 19]);
+    for index in (0..21).filter(|index| !failed.contains(index)) {
+        let error = lanes.tilt()[index] - amplitude(index) * 9.0_f64.sin();
+        assert!(error.abs() < 1e-13, "{index}: {error}");
+        assert!(few.tilt().get(index).is_none_or(|tilt| *tilt == lanes.tilt()[index]));
+    }
+    let fixed = motions(21).method(RungeKutta4 { step: 0.01 });
+    assert!(fixed.is_in_lanes());
+    assert_eq!(fixed.run().expect("runs").failures().len(), failed.len());
 }
 
 #[cfg(feature = "parquet")]

@@ -2,6 +2,8 @@
 
 use lagrange::ensemble::Moments;
 use lagrange::integrate::{EulerMaruyama, Method, StochasticRungeKutta4, WienerPath};
+use lagrange::simulate::Remembering;
+use lagrange::system::{DelayedSystem, MechanicalSystem};
 use lagrange::{Ensembles, Simulate};
 
 lagrange::system! {
@@ -76,38 +78,48 @@ fn a_delayed_diffusion_has_its_mean_square() {
     assert_mean(&squares, ((1.0 + decay) / 2.0 - 0.25) * decay + 0.25 + decay / 2.0);
 }
 
-/// Returns the end of a motion of [`Late`] with steps of 1/8 that are halved several times, as is
-/// its path.
-fn end<K: Method<lagrange::simulate::Remembering<Late>>>(
-    late: &Late,
-    halvings: u32,
-    motion: usize,
-    method: fn(f64, WienerPath) -> K,
-) -> f64 {
+/// Returns the end of a motion with steps of 1/8 that are halved several times, as is its path.
+fn end<M, K>(late: &M, halvings: u32, motion: usize, method: fn(f64, WienerPath) -> K) -> f64
+where
+    M: DelayedSystem + MechanicalSystem<Scalar = f64, State = [f64; 1]>,
+    K: Method<Remembering<M>>,
+{
     let (step, path) = (0.125 / f64::from(1 << halvings), WienerPath::of_seed(3).of_motion(motion));
     let run = late.simulate([0.5]).until(2.0).with_history().method(method(step, path.halved(halvings)));
-    run.run().expect("moves").last()[0]
+    run.run().map_err(|error| error.cause).expect("moves").last()[0]
+}
+
+/// Returns the strong orders of both methods between steps of 1/16 and 1/64, from this number of
+/// motions.
+fn strong_orders<M>(late: &M, motions: usize) -> [f64; 2]
+where
+    M: DelayedSystem + MechanicalSystem<Scalar = f64, State = [f64; 1]>,
+{
+    let [long, short] = [1, 3].map(|halvings| {
+        let errors = (0..motions).map(|motion| {
+            let exact = end(late, 7, motion, runge_kutta);
+            [end(late, halvings, motion, euler) - exact, end(late, halvings, motion, runge_kutta) - exact]
+        });
+        errors.fold([0.0; 2], |[a, b], [c, d]| [a + c * c, b + d * d])
+    });
+    [0, 1].map(|method| (long[method] / short[method]).log2() / 4.0)
 }
 
 /// The strong order is one, whether steps divide the delay or not.
 #[test]
 fn a_delayed_drift_has_the_strong_order_one() {
     for late in [Late::default(), Late { lag: 0.3, ..Late::default() }] {
-        let errors = [1, 3].map(|halvings| {
-            let errors = (0..60).map(|motion| {
-                let exact = end(&late, 7, motion, runge_kutta);
-                [
-                    end(&late, halvings, motion, euler) - exact,
-                    end(&late, halvings, motion, runge_kutta) - exact,
-                ]
-            });
-            errors.fold([0.0; 2], |[a, b], [c, d]| [a + c * c, b + d * d])
-        });
-        for (long, short) in errors[0].iter().zip(errors[1]) {
-            let order = (long / short).log2() / 4.0;
-            assert!((0.8..2.6).contains(&order), "{order} of {errors:?} for {late:?}");
-        }
+        let orders = strong_orders(&late, 60);
+        assert!(orders.iter().all(|order| (0.8..2.6).contains(order)), "{orders:?} for {late:?}");
     }
+}
+
+/// The factor is x(t − 1) during a step from t. The error ∫ (x(s − 1) − x(t − 1)) dW is of the
+/// order h, and independent from step to step.
+#[test]
+fn a_delayed_diffusion_has_the_strong_order_one_half() {
+    let orders = strong_orders(&Echo::default(), 20);
+    assert!(orders.iter().all(|order| (order - 0.5).abs() < 0.2), "{orders:?}");
 }
 
 #[test]

@@ -6,9 +6,7 @@ use lagrange_dynamic::{DeclaredSystem, EnsembleEnds, EnsembleSettings};
 use lagrange_runtime::ensemble::Random;
 
 use crate::arguments::{EnsembleOptions, Values};
-use crate::motions::{
-    Failure, check_format, end, method, named_value, number, set, start_from, start_values,
-};
+use crate::motions::{Failure, check_format, end, method, named_value, no_start, number, set, start_values};
 
 /// Default number of motions.
 const MOTIONS: u64 = 100;
@@ -120,7 +118,8 @@ fn settings(
     Ok((EnsembleSettings { starts, varied, from: 0.0, until, method, threads }, named(entries)))
 }
 
-/// Draws the values of each motion in writing order; its initial state may depend on them.
+/// Draws the values of each motion in writing order; its initial state may depend on them. A motion
+/// that starts out of a declared range fails by itself.
 fn drawn(
     options: &EnsembleOptions,
     varied: &[Varied<'_>],
@@ -141,7 +140,7 @@ fn drawn(
                 system.set(name, value).map_err(|_| unknown(name, &system))?;
             }
         }
-        starts.push(start_from("start", &entries, &system)?);
+        starts.push(system.unchecked_start(&entries).map_err(|error| no_start("start", error))?);
     }
     Ok((starts, columns))
 }

@@ -157,7 +157,8 @@ pub(crate) fn set(values: &Values, system: &mut DeclaredSystem) -> Result<(), Fa
 /// # Errors
 /// If a value is invalid or missing, with the first one.
 pub(crate) fn start(option: &str, values: &Values, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
-    start_from(option, &start_values(option, values, system)?, system)
+    let values = start_values(option, values, system)?;
+    system.start_with(&values).map_err(|error| no_start(option, error))
 }
 
 /// Returns the entries set by the option of this name.
@@ -174,21 +175,14 @@ pub(crate) fn start_values(
     values.start.iter().map(named).collect()
 }
 
-/// Returns the initial state with these entries.
-///
-/// # Errors
-/// If an entry is unknown or missing.
-pub(crate) fn start_from(
-    option: &str,
-    values: &[(String, f64)],
-    system: &DeclaredSystem,
-) -> Result<Vec<f64>, Failure> {
-    system.start_with(values).map_err(|error| match error {
+/// Returns the failure of a command whose option of this name leaves it without an initial state.
+pub(crate) fn no_start(option: &str, error: StartError) -> Failure {
+    match error {
         StartError::Missing(name) => Failure::Usage(format!(
             "the start of `{name}` is missing: write `--{option} {name}=0`, or declare it"
         )),
         error => Failure::Usage(format!("--{option}: {error}")),
-    })
+    }
 }
 
 /// Returns the value of a variable of the system, in its unit.

@@ -123,6 +123,24 @@ fn motions_that_fail_are_rows_of_nan_and_named() {
     );
 }
 
+/// A member with a start out of its range, or with a delay that is none, fails by itself.
+#[test]
+fn members_with_values_that_make_no_sense_fail_alone() {
+    let cases = [
+        ("half.lag", "coord x in ..=1; kinetic = 1/2 * dot(x)^2;", "x=0..2", "the coordinate `x` is 1."),
+        ("late.lag", "param lag = 1; state x = 1; dot(x) = -delay(x, lag);", "lag=-1..1", "a delay is -0."),
+    ];
+    for (name, text_of_file, range, message) in cases {
+        let file = declaration(name, text_of_file);
+        let result = ensemble(&[&file, "--until", "1", "--vary", range, "--motions", "40"]);
+        assert_eq!(result.status.code(), Some(3), "{}", text(&result.stderr));
+        let failed = text(&result.stdout).lines().filter(|line| line.contains("NaN")).count();
+        assert!((8..32).contains(&failed), "{failed}");
+        let messages = text(&result.stderr);
+        assert_eq!(messages.lines().filter(|line| line.contains(message)).count(), failed, "{messages}");
+    }
+}
+
 #[test]
 fn a_start_follows_what_it_depends_on() {
     let file = declaration(

@@ -142,6 +142,23 @@ fn options_that_make_no_sense_are_named() {
 }
 
 #[test]
+fn points_out_of_a_range_are_refused() {
+    let valve =
+        declaration("valve.lag", "coord x: mm in 0..=10; range dot(x) < 2; kinetic = (1 [kg]) * dot(x)^2;");
+    let refused = |arguments: &[&str]| {
+        let result = linearise(&[&[&*valve], arguments].concat());
+        assert_eq!((result.status.code(), text(&result.stdout)), (Some(2), ""), "{arguments:?}");
+        text(&result.stderr).to_owned()
+    };
+    let message = "--at: the coordinate `x` is 0.012 m, but it must be from 0.0 to 0.01 m";
+    assert!(refused(&["--at", "x=12 mm"]).contains(message), "{}", refused(&["--at", "x=12 mm"]));
+    let message = "--at: the velocity `x_dot` is 2.0 m/s, but it must be less than 2.0 m/s";
+    let fast = refused(&["--at", "x=1 mm", "--at", "x_dot=2"]);
+    assert!(fast.contains(message), "{fast}");
+    assert_eq!(model(&[&valve, "--at", "x=10 mm"])["state"]["x"].as_f64(), Some(0.01));
+}
+
+#[test]
 fn missing_equilibria_and_models_are_explained() {
     let cases = [
         (

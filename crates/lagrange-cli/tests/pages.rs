@@ -193,3 +193,14 @@ fn systems_beyond_pages_are_refused_by_name() {
         assert!(result.stdout.is_empty(), "nothing is written");
     }
 }
+
+#[test]
+fn starts_out_of_a_range_are_refused() {
+    let [declared, page] = written("range", "coord x in ..=1; kinetic = 1/2 * dot(x)^2;");
+    for command in ["page", "fmu"] {
+        let result = lagrange(&[command, &declared, "--start", "x=2", "-o", &page]);
+        let message = String::from_utf8_lossy(&result.stderr).into_owned();
+        let expected = "--start: the coordinate `x` is 2.0, but it must be at most 1.0";
+        assert!(!result.status.success() && message.contains(expected), "{command}: {message}");
+    }
+}

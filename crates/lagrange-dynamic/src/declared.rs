@@ -6,6 +6,7 @@ use lagrange_core::emit::Variables;
 use lagrange_core::opaque::Opaque;
 use lagrange_core::pipeline::{Backend, NumericSystem, Programs};
 use lagrange_core::program::Program;
+use lagrange_runtime::system::OutOfRange;
 
 use crate::names::{Names, names_of};
 use crate::refusal::{NoSuchName, Refusal, StartError};
@@ -108,8 +109,26 @@ impl DeclaredSystem {
     /// declared, velocities are zero, and each position needs a value.
     ///
     /// # Errors
-    /// If a name is unknown, or an entry has no value.
+    /// If a name is unknown, an entry has no value, or one is out of its declared range.
     pub fn start_with(&self, values: &[(String, f64)]) -> Result<Vec<f64>, StartError> {
+        let start = self.unchecked_start(values)?;
+        self.check_state(&start).map_err(StartError::OutOfRange)?;
+        Ok(start)
+    }
+
+    /// Checks that the entries of a state are in their declared ranges.
+    ///
+    /// # Errors
+    /// If one is not, with the first one.
+    pub fn check_state(&self, state: &[f64]) -> Result<(), OutOfRange<f64>> {
+        self.names.domain.check(state)
+    }
+
+    /// Returns the same state, which may be out of the declared ranges. Runs from there fail.
+    ///
+    /// # Errors
+    /// If a name is unknown, or an entry has no value.
+    pub fn unchecked_start(&self, values: &[(String, f64)]) -> Result<Vec<f64>, StartError> {
         let (names, positions) = (self.state_names(), self.variables().positions.len());
         let undeclared = || {
             let mut start = vec![0.0; names.len()];

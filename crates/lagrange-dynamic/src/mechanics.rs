@@ -118,6 +118,11 @@ impl<const CAPACITY: usize> DelayedSystem for DynamicSystem<CAPACITY> {
         Inline::of(&signals)
     }
 
+    fn signals_before(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Option<Inline<CAPACITY>> {
+        let program = self.programs().past_signals.as_ref()?;
+        Some(Inline::of(&self.numeric.evaluate(program, t, q.as_ref(), v.as_ref())))
+    }
+
     fn with_delayed(&self, values: &Inline<CAPACITY>) -> Self {
         let (programs, mut system) = (self.programs(), self.clone());
         for (input, value) in programs.delayed_inputs.iter().zip(values.as_ref()) {

@@ -121,12 +121,10 @@ fn domain(variables: &Variables) -> Domain {
         bounds: bounds.map(bound).into(),
     };
     let limited = limits.iter().enumerate();
-    let limited = limited.filter(|(_, limits)| limits.bounds.iter().any(Option::is_some));
-    let has_nominal = limits.iter().any(|limits| limits.nominal.is_some());
-    let nominal = limits.iter().filter(|_| has_nominal);
+    let limited = limited.filter(|(_, limits)| limits.is_bounded());
     Domain {
         ranges: Vec::leak(limited.map(range).collect()),
-        nominal: Vec::leak(nominal.map(|limits| limits.nominal.unwrap_or(1.0)).collect()),
+        nominal: Vec::leak(EntryLimits::nominal_values(limits)),
     }
 }
 

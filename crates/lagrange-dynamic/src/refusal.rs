@@ -3,6 +3,8 @@
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
+use lagrange_runtime::system::OutOfRange;
+
 /// The reason why a system cannot be run.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
@@ -59,14 +61,16 @@ impl Display for NoSuchName {
 
 impl Error for NoSuchName {}
 
-/// The reason why values of entries do not determine a state.
-#[derive(Clone, PartialEq, Eq, Debug)]
+/// The reason why values of entries do not determine a state in which a system may start.
+#[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum StartError {
     /// The state has no such entry.
     Unknown(NoSuchName),
     /// This entry has no value.
     Missing(String),
+    /// This entry is out of its declared range.
+    OutOfRange(OutOfRange<f64>),
 }
 
 impl Display for StartError {
@@ -76,6 +80,7 @@ impl Display for StartError {
                 write!(f, "the state has no `{name}`; known are {}", quoted(known))
             }
             StartError::Missing(name) => write!(f, "the start of `{name}` is missing"),
+            StartError::OutOfRange(error) => error.fmt(f),
         }
     }
 }

@@ -10,7 +10,7 @@ use lagrange::integrate::{
     EulerMaruyama, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, WienerPath,
 };
 use lagrange::simulate::{SimulationError, Trajectory};
-use lagrange::system::{Description, Domain, MechanicalSystem, OdeSystem};
+use lagrange::system::{DelayedSystem, Description, Domain, MechanicalSystem, OdeSystem, OutputSystem};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
 use lagrange_dynamic::{DeclaredSystem, DynamicSystem, MethodChoice, RunSettings, Visitor};
@@ -146,6 +146,38 @@ fn nominal_values_and_ranges_act_with_the_same_bits() {
     assert_eq!((domain.ranges.len(), domain.nominal), (2, &[1e-6, 300.0, 1e-6][..]));
 }
 
+#[test]
+fn starts_out_of_a_range_are_refused() {
+    let mirror = declared(MIRROR);
+    let values = |tilt: f64, heat: f64| [("tilt".to_owned(), tilt), ("heat".to_owned(), heat)];
+    assert_eq!(mirror.start_with(&values(2e-6, 1.0)), Ok(vec![2e-6, 1.0, 0.0]));
+    let refused = |tilt: f64, heat: f64| {
+        mirror.start_with(&values(tilt, heat)).expect_err("out of its range").to_string()
+    };
+    assert_eq!(refused(3e-6, 1.0), "the coordinate `tilt` is 3e-6, but it must be from -2e-6 to 2e-6");
+    assert_eq!(refused(0.0, 0.0), "the state `heat` is 0.0, but it must be greater than 0.0");
+    assert_eq!(mirror.unchecked_start(&values(0.0, 0.0)), Ok(vec![0.0; 3]));
+    assert!(
+        mirror.check_state(&[0.0, 1.0, 1e9]).is_ok() && mirror.check_state(&[0.0, f64::NAN, 0.0]).is_err()
+    );
+}
+
+#[test]
+fn ranges_and_nominal_values_may_stand_apart() {
+    let common = "kinetic = 1/2 * (dot(x)^2 + dot(y)^2); dot(heat) = -heat;";
+    let domain = |limits: &str| declared(&format!("struct Pair; {limits} {common}")).visit(DomainOf);
+    let together = domain(
+        "coord x in 0..=1 nominal 0.5, y < 2 nominal 0.1; state heat >= 0 nominal 300;
+        range dot(y) in -3..3 nominal 4;",
+    );
+    let apart = domain(
+        "coord x in 0..=1, y nominal 0.1; state heat nominal 300; range y < 2, dot(y) in -3..3;
+        range dot(y) nominal 4, x nominal 0.5, heat >= 0;",
+    );
+    assert_eq!(apart, together);
+    assert_eq!((apart.nominal, apart.ranges.len()), (&[0.5, 0.1, 300.0, 0.5, 4.0][..], 4));
+}
+
 /// The ranges and nominal values of a system.
 struct DomainOf;
 
@@ -170,11 +202,18 @@ impl Visitor for Remembered {
 
 #[test]
 fn delayed_signals_take_their_past_with_the_same_bits() {
-    let late = Late::default();
+    assert_same_past(&Late::default(), Late::default().start().into(), LATE);
+    assert_same_past(&Rising::default(), Rising::default().start().into(), RISING);
+}
+
+/// Compares both forms of a system with delays from a state, by an adaptive and by a fixed method.
+fn assert_same_past<M>(late: &M, start: [f64; 3], text: &str)
+where
+    M: DelayedSystem + OutputSystem + MechanicalSystem<Scalar = f64, State = [f64; 3]>,
+{
     let method = MethodChoice::Verner { tolerance: 1e-9 };
     let methods = [method, MethodChoice::RungeKutta4 { step: 0.014 }];
     for (method, is_adaptive) in methods.into_iter().zip([true, false]) {
-        let start: [f64; 3] = late.start().into();
         let compiled = late.simulate(start).until(2.0).every(0.05).outputs().with_history();
         let expected = match is_adaptive {
             true => record(compiled.method(adaptive()).run()),
@@ -183,7 +222,7 @@ fn delayed_signals_take_their_past_with_the_same_bits() {
         let every = Some(0.05);
         let settings =
             RunSettings { start: start.to_vec(), from: 0.0, until: 2.0, every, method, has_energy: false };
-        let found = declared(LATE).visit(Remembered(settings));
+        let found = declared(text).visit(Remembered(settings));
         assert!(found.0[0].starts_with("Reached"), "{}", found.0[0]);
         assert_eq!(found, expected);
     }

@@ -7,7 +7,7 @@ use pyo3::types::{PyAnyMethods, PyDict};
 use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
 
 use crate::columns::PyColumns;
-use crate::values::{PerMotion, check_values, per_motion, start_of};
+use crate::values::{PerMotion, check_values, per_motion};
 
 /// The final states of motions, a row for each.
 #[pyclass(name = "Ensemble", module = "lagrange", extends = PyColumns, frozen)]
@@ -75,7 +75,9 @@ pub(crate) fn motions(
     let motions = number(named.chain(rows.as_ref().map(|rows| ("starts", rows.len()))))?;
     let start = |motion| {
         let values = entries.iter().map(|(name, value)| (name.clone(), value.at(motion)));
-        start_of(system, &values.collect::<Vec<_>>())
+        // A motion that starts out of a declared range fails by itself.
+        let start = system.unchecked_start(&values.collect::<Vec<_>>());
+        start.map_err(|error| PyValueError::new_err(error.to_string()))
     };
     let starts = rows.map_or_else(|| (0..motions).map(start).collect(), Ok)?;
     let each = |value: &PerMotion| (0..motions).map(|motion| value.at(motion)).collect();

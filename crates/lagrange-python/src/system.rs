@@ -396,6 +396,8 @@ impl PySystem {
         }
         let state = start.extract::<Vec<f64>>()?;
         self.check(&state)?;
+        let checked = self.declared.check_state(&state);
+        checked.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(state)
     }
 

@@ -54,7 +54,7 @@ pub(crate) fn per_motion(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(St
 /// Returns the declared initial state with other values for some entries.
 ///
 /// # Errors
-/// `ValueError` for unknown names, and for entries without a value.
+/// `ValueError` for unknown names, and for entries without a value or out of their declared ranges.
 pub(crate) fn start_of(system: &DeclaredSystem, values: &[(String, f64)]) -> PyResult<Vec<f64>> {
     system.start_with(values).map_err(|error| PyValueError::new_err(error.to_string()))
 }

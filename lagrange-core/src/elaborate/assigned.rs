@@ -35,9 +35,9 @@ pub(super) struct DeclaredLimits {
     pub(super) limits: EntryLimits,
 }
 
-/// Initial values declared so far.
+/// Values of entries declared so far: at the start, or before it.
 #[derive(Default)]
-pub(super) struct Start {
+pub(super) struct EntryValues {
     pub(super) values: Vec<Assignment>,
     pub(super) assigned: Assigned,
 }

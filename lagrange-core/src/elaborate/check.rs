@@ -6,6 +6,7 @@ use super::delays::check_delays;
 use super::elaborator::{Elaborator, SourceTerm};
 use super::events::check_reduced_events;
 use super::gibbs::total_gibbs;
+use super::history::{check_history, set_past_signals};
 use super::ignored::Terms;
 use super::limits::store_limits;
 use super::magnitudes::check_magnitudes;
@@ -63,6 +64,7 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_state_names(elaborator);
     check_states(elaborator);
     check_starts(elaborator);
+    check_history(elaborator);
     check_reductions(elaborator);
     check_energies(elaborator);
     check_magnitudes(elaborator);
@@ -344,6 +346,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
     let gibbs = total_gibbs(&mut elaborator);
     let products = elaborator.products();
     let start = initial_state(&mut elaborator);
+    set_past_signals(&mut elaborator);
     let noises = separate_noises(&mut elaborator);
     let states = positions_of_states(&elaborator);
     let mut labels = elaborator.labels;

@@ -20,7 +20,7 @@ pub(super) fn define_delay(elaborator: &mut Elaborator<'_>, name: &Name, [signal
     let (text, range) = (name.text.clone(), [None, None]);
     elaborator.inputs.push(Parameter { name: text, symbol, default: Some(zero), range });
     elaborator.declare(name, NameKind::Input, Some(Operand::Scalar(symbol)));
-    let delay = signal.zip(lag).map(|(signal, lag)| Delay { input: index, signal, lag });
+    let delay = signal.zip(lag).map(|(signal, lag)| Delay { input: index, signal, lag, before: None });
     elaborator.delays.extend(delay.map(|delay| (delay, name.span)));
 }
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::assigned::{Bounds, DeclaredLimits, Start};
+use super::assigned::{Bounds, DeclaredLimits, EntryValues};
 use super::evaluator::Evaluator;
 use super::expression::value_of;
 use super::messages;
@@ -26,7 +26,7 @@ pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Dependencies that a constant value must not have, the most informative first.
-const CHANGING: [Dependencies; 10] = [
+pub(super) const CHANGING: [Dependencies; 10] = [
     Dependencies::MULTIPLIER,
     Dependencies::REACTION,
     Dependencies::ACCELERATION,
@@ -101,7 +101,9 @@ pub(super) struct Elaborator<'a> {
     pub(super) first_state: usize,
     pub(super) speeds: Vec<(Speed, Span)>,
     pub(super) orientations: Vec<Orientation>,
-    pub(super) start: Start,
+    pub(super) start: EntryValues,
+    /// Entries of the state before the start.
+    pub(super) history: EntryValues,
     pub(super) kinetic: Vec<SourceTerm>,
     pub(super) potential: Vec<SourceTerm>,
     pub(super) lagrangian: Vec<SourceTerm>,
@@ -159,7 +161,8 @@ impl<'a> Elaborator<'a> {
             first_state: declaration.coordinates().len() - declaration.states().count(),
             speeds: Vec::new(),
             orientations: Vec::new(),
-            start: Start::default(),
+            start: EntryValues::default(),
+            history: EntryValues::default(),
             kinetic: Vec::new(),
             potential: Vec::new(),
             lagrangian: Vec::new(),

@@ -21,7 +21,7 @@ pub(super) fn spelling_of(elaborator: &Elaborator<'_>, index: usize) -> String {
 }
 
 /// Returns the position with this index; states come after all others.
-fn position_at(elaborator: &Elaborator<'_>, index: usize) -> Option<ExprId> {
+pub(super) fn position_at(elaborator: &Elaborator<'_>, index: usize) -> Option<ExprId> {
     match index.checked_sub(elaborator.first_state) {
         Some(state) => elaborator.states.get(state).map(|state| state.position),
         None => elaborator.coordinates.get(index).map(|(coordinate, _)| coordinate.position),

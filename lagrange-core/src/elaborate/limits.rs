@@ -27,18 +27,29 @@ pub(super) fn set_limits(
     let bounds = bounds(elaborator, &range);
     let nominal = nominal.and_then(|nominal| magnitude(elaborator, nominal));
     let Some(index) = index else { return };
-    if let Some(first) = elaborator.limits.iter().find(|other| other.index == index) {
-        let (first, message) = (first.origin, messages::limited_twice(spelling_of(elaborator, index)));
-        let error = elaborator.evaluator.report.error(origin, message);
-        error.related(first, messages::LIMITED_HERE).help(messages::LIMITED_TWICE_HELP);
-        return;
-    }
     let graph = &elaborator.evaluator.graph;
     let bounds = bounds.map(|bound| {
         let bound = bound?;
         Some((evaluate(graph, &[bound.value], |_| f64::NAN)[0], bound.is_included))
     });
-    elaborator.limits.push(DeclaredLimits { index, origin, range, limits: EntryLimits { bounds, nominal } });
+    let limits = EntryLimits { bounds, nominal };
+    check_single(elaborator, (index, origin), &limits);
+    elaborator.limits.push(DeclaredLimits { index, origin, range, limits });
+}
+
+/// Reports an entry with two ranges or two nominal values.
+fn check_single(elaborator: &mut Elaborator<'_>, (index, origin): (usize, Origin), limits: &EntryLimits) {
+    let kinds: [(fn(&EntryLimits) -> bool, fn(String) -> String); 2] = [
+        (EntryLimits::is_bounded, messages::two_ranges),
+        (|limits| limits.nominal.is_some(), messages::two_nominal_values),
+    ];
+    for (has, message) in kinds.into_iter().filter(|(has, _)| has(limits)) {
+        let is_first = |other: &&DeclaredLimits| other.index == index && has(&other.limits);
+        let Some(first) = elaborator.limits.iter().find(is_first).map(|other| other.origin) else { continue };
+        let message = message(spelling_of(elaborator, index));
+        let error = elaborator.evaluator.report.error(origin, message);
+        error.related(first, messages::LIMITED_HERE).help(messages::LIMITED_TWICE_HELP);
+    }
 }
 
 /// Evaluates a nominal value.
@@ -59,9 +70,13 @@ pub(super) fn store_limits(
     speeds: &mut [Speed],
 ) {
     for DeclaredLimits { index, limits, .. } in declared {
-        match index.checked_sub(coordinates.len()) {
-            None => coordinates[index].limits = limits,
-            Some(velocity) => speeds[velocity].limits = limits,
+        let stored = match index.checked_sub(coordinates.len()) {
+            None => &mut coordinates[index].limits,
+            Some(velocity) => &mut speeds[velocity].limits,
+        };
+        if limits.is_bounded() {
+            stored.bounds = limits.bounds;
         }
+        stored.nominal = limits.nominal.or(stored.nominal);
     }
 }

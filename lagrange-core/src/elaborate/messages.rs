@@ -7,6 +7,7 @@ use lagrange_language::syntax::ast::ArrayShape;
 
 pub(super) mod delays;
 pub(super) mod events;
+pub(super) mod history;
 pub(super) mod inertia;
 pub(super) mod names;
 pub(super) mod noise;

@@ -21,6 +21,7 @@ mod events;
 mod expression;
 mod function_names;
 mod gibbs;
+mod history;
 mod ignored;
 mod inertia;
 mod limits;

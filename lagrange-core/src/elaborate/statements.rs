@@ -8,6 +8,7 @@ use super::elaborator::Elaborator;
 use super::events::{add_clock, add_event};
 use super::expression::value_of;
 use super::gibbs::add_gibbs;
+use super::history::add_history;
 use super::limits::add_limits;
 use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
 use super::messages;
@@ -65,6 +66,9 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
             }
         }
         StatementKind::Mode(mode) => define_mode(elaborator, mode),
+        StatementKind::History(list) => {
+            list.iter().for_each(|assignment| add_history(elaborator, assignment));
+        }
         StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, assignment)),
         StatementKind::Ranges(list) => list.iter().for_each(|entry| add_limits(elaborator, entry)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),

@@ -85,7 +85,8 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
     }
     let is_derived = declaration.derives.iter().any(|name| name.text == "Default");
     let names = ArgumentNames::beside(&shape.user_names());
-    let hidden = skeleton_of_events(&shape).into_iter().chain(skeleton_of_signals(&shape));
+    let signals = skeleton_of_signals(&shape);
+    let hidden = skeleton_of_events(&shape).into_iter().chain(signals.into_iter().flatten());
     let lags = (!shape.delays.is_empty()).then(|| lags_method(&shape, &quote!(::core::unreachable!())));
     let constants = [equations_latex(""), parameter_names(&shape), statements_constant("")];
     let members = Members {
@@ -136,10 +137,14 @@ fn skeleton_of_events(shape: &Shape<'_>) -> Vec<Method> {
     methods
 }
 
-fn skeleton_of_signals(shape: &Shape<'_>) -> Option<Method> {
+fn skeleton_of_signals(shape: &Shape<'_>) -> [Option<Method>; 2] {
     let signals = Returns::Vector(shape.delays.len());
-    let method = || placeholder(local("signals_to_delay"), Arguments::State, signals);
-    (!shape.delays.is_empty()).then(method)
+    let method = |name: &str| placeholder(local(name), Arguments::State, signals);
+    let is_delayed = !shape.delays.is_empty();
+    [
+        is_delayed.then(|| method("signals_to_delay")),
+        (is_delayed && shape.has_history).then(|| method("signals_before_start")),
+    ]
 }
 
 fn skeleton_of_motions(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {

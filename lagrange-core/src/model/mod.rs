@@ -152,6 +152,9 @@ pub struct Delay {
     pub signal: ExprId,
     /// Delay of the signal, a function of parameters alone.
     pub lag: ExprId,
+    /// The signal before the start, a function of time and of the state at the start, if the
+    /// declaration states a history.
+    pub before: Option<ExprId>,
 }
 
 /// The energies of a system.

@@ -38,6 +38,18 @@ pub struct EntryLimits {
 }
 
 impl EntryLimits {
+    /// Returns the nominal values of all entries of a state; none if none is declared.
+    pub fn nominal_values(entries: &[EntryLimits]) -> Vec<f64> {
+        let is_declared = entries.iter().any(|limits| limits.nominal.is_some());
+        let declared = entries.iter().filter(|_| is_declared);
+        declared.map(|limits| limits.nominal.unwrap_or(1.0)).collect()
+    }
+
+    /// True if it has a lower or an upper bound.
+    pub fn is_bounded(&self) -> bool {
+        self.bounds.iter().any(Option::is_some)
+    }
+
     /// True if a value is in the range.
     pub(crate) fn contains(&self, value: f64) -> bool {
         let [lower, upper] = self.bounds;

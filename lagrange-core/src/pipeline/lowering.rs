@@ -74,6 +74,14 @@ impl<'a> Lowering<'a> {
             delayed_inputs: self.model.delays.iter().map(|delay| delay.input).collect(),
             delayed_signals: self
                 .on_sides(&self.model.delays.iter().map(|delay| delay.signal).collect::<Vec<_>>()),
+            past_signals: self
+                .model
+                .delays
+                .iter()
+                .map(|delay| delay.before)
+                .collect::<Option<Vec<_>>>()
+                .filter(|before| !before.is_empty())
+                .map(|before| self.as_declared(&before)),
             lags: self.as_declared(&self.model.delays.iter().map(|delay| delay.lag).collect::<Vec<_>>()),
             noises: self.model.noises.iter().map(|noise| noise.name.clone()).collect(),
             diffusion: self.on_sides(&equations.diffusion.columns.concat()),

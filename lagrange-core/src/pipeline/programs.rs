@@ -39,6 +39,9 @@ pub struct Programs {
     pub delayed_inputs: Vec<usize>,
     /// Delayed signals at the time of their causes.
     pub delayed_signals: Program,
+    /// Delayed signals before the start, functions of time and of the state at the start, if the
+    /// declaration states a history.
+    pub past_signals: Option<Program>,
     /// Delays of these signals, functions of parameters alone.
     pub lags: Program,
     /// Names of the noises.
@@ -196,7 +199,7 @@ impl Programs {
         let of_constraints =
             [&self.position_residuals, &self.correction, &self.mass_times, &self.regressor_parameters];
         let of_events = [&self.switches, &self.event_functions, &self.unknown_values, &self.diffusion];
-        let of_delays = [&self.delayed_signals, &self.lags];
+        let of_delays = [&self.delayed_signals, &self.lags].into_iter().chain(&self.past_signals);
         let replaced = self.reactions.iter().filter_map(|reaction| match reaction {
             Reaction::Replace(program) => Some(program),
             _ => None,

@@ -94,6 +94,18 @@ both_ways! {
         output behind: rad = theta - seen;
     }
 
+    Rising = RISING {
+        param lag: s = 0.3, w: rad/s = 2;
+        coord x: m = 1;
+        state y = 0;
+        history x = 1 [m] + sin(w * t) * (1 [m]), y = t / (1 [s]);
+        let seen = delay(x + (1 [m]) * y, lag);
+        kinetic = 1/2 * (1 [kg]) * dot(x)^2;
+        force x = -(4 [N/m]) * seen - (1 [N*s/m]) * delay(dot(x), 2 * lag);
+        dot(y) = (delay(seen, lag) / (1 [m]) - y) / (1 [s]);
+        output behind: m = x - seen;
+    }
+
     Landing = LANDING {
         param m: kg = 2, k: N/m = 5000, d: s/m = 0.3, mu = 0.4, v: m/s = 0.01, g: m/s^2 = 9.81;
         coord x: m, y: m, phi: rad;

@@ -37,6 +37,7 @@ messages! {
     RESTITUTION = "a coefficient of restitution is #";
     ASSIGNED = "the assigned quantity is #";
     STARTS = "the quantity that starts at this value is #";
+    HISTORIES = "the quantity with this history is #";
     RANGES = "the quantity with this range is #";
     WIDTH = "the slip velocity is #";
     argument_of(function) = "this argument of `{function}` is #";

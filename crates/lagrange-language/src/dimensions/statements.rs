@@ -107,12 +107,10 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             }
         }
         (StatementKind::Start(assignments), DimensionPass::Require) => {
-            for assignment in assignments {
-                let target = checker.value(assignment.target);
-                let place = checker.expressions.origin(assignment.target);
-                let reason = Grounds { words: messages::STARTS.to_owned(), place };
-                require_start(checker, assignment.value, &target, &reason);
-            }
+            require_entries(checker, assignments, messages::STARTS);
+        }
+        (StatementKind::History(assignments), DimensionPass::Require) => {
+            require_entries(checker, assignments, messages::HISTORIES);
         }
         (StatementKind::Ranges(entries), DimensionPass::Require) => {
             for entry in entries {
@@ -283,7 +281,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         )
         | (StatementKind::Mode(_), DimensionPass::Abbreviate | DimensionPass::Require)
         | (
-            StatementKind::Start(_) | StatementKind::Ranges(_),
+            StatementKind::Start(_) | StatementKind::History(_) | StatementKind::Ranges(_),
             DimensionPass::Declare | DimensionPass::Abbreviate,
         )
         | (StatementKind::Friction(_) | StatementKind::Delay { .. }, DimensionPass::Declare)
@@ -294,6 +292,16 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             | StatementKind::Emit(_),
             _,
         ) => {}
+    }
+}
+
+/// Requires that assigned values have the dimensions of their entries.
+fn require_entries(checker: &mut Checker<'_>, assignments: &[Assignment], words: &str) {
+    for assignment in assignments {
+        let target = checker.value(assignment.target);
+        let place = checker.expressions.origin(assignment.target);
+        let reason = Grounds { words: words.to_owned(), place };
+        require_start(checker, assignment.value, &target, &reason);
     }
 }
 

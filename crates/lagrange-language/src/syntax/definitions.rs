@@ -138,9 +138,9 @@ impl Parser<'_> {
         })
     }
 
-    /// Reads `x = 1, dot(theta) = 2`.
-    pub(super) fn starts(&mut self, cursor: &mut Cursor) -> Vec<Assignment> {
-        let help = form("start");
+    /// Reads `x = 1, dot(theta) = 2` after this keyword.
+    pub(super) fn starts(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Assignment> {
+        let help = form(keyword);
         self.items(help, cursor, |parser, cursor| {
             let name = cursor.ident().map(ToString::to_string).unwrap_or_default();
             if parser.declared(&name) == Some(Declared::Coordinate) && at_call_with_value(cursor) {

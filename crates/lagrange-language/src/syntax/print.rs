@@ -84,14 +84,8 @@ impl Printer<'_> {
                 }
                 self.text(";");
             }
-            StatementKind::Start(assignments) => {
-                self.text("start ");
-                self.list(assignments, |printer, assignment| {
-                    printer.expression(assignment.target);
-                    printer.labelled(" = ", assignment.value);
-                });
-                self.text(";");
-            }
+            StatementKind::Start(assignments) => self.entries("start ", assignments),
+            StatementKind::History(assignments) => self.entries("history ", assignments),
             StatementKind::Ranges(entries) => {
                 self.text("range ");
                 self.list(entries, |printer, entry| {
@@ -185,6 +179,16 @@ impl Printer<'_> {
         self.text(keyword);
         self.name(name);
         self.between(" = ", value, ";");
+    }
+
+    /// Prints `start x = e, dot(x) = f;`.
+    fn entries(&mut self, keyword: &str, assignments: &[Assignment]) {
+        self.text(keyword);
+        self.list(assignments, |printer, assignment| {
+            printer.expression(assignment.target);
+            printer.labelled(" = ", assignment.value);
+        });
+        self.text(";");
     }
 
     /// Prints `let name = delay(signal, lag);`.

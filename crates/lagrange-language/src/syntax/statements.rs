@@ -100,7 +100,8 @@ impl Parser<'_> {
             }
             "mode" => Ok(StatementKind::Mode(self.mode(cursor)?)),
             "range" if !cursor.equals_past(0) => Ok(StatementKind::Ranges(self.ranges(cursor))),
-            "start" => Ok(StatementKind::Start(self.starts(cursor))),
+            "start" => Ok(StatementKind::Start(self.starts("start", cursor))),
+            "history" => Ok(StatementKind::History(self.starts("history", cursor))),
             "dot" if at_state_rate(cursor) => self.state_rate(cursor),
             "quaternion" => {
                 let name = self.declared_name(cursor)?;

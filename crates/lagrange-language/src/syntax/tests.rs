@@ -94,6 +94,9 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         };
         definitions.iter().map(define).collect::<Vec<_>>().join(" ")
     };
+    let assignments = |list: &[Assignment]| {
+        list.iter().map(|a| format!(" ({} {})", show(&a.target), show(&a.value))).collect::<String>()
+    };
     match kind {
         StatementKind::Parameters(list) => format!("param {}", definitions(list)),
         StatementKind::Inputs(list) => format!("input {}", definitions(list)),
@@ -102,10 +105,8 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Coordinates(list) => format!("coord {}", definitions(list)),
         StatementKind::States(kind, list) => format!("{} {}", kind.keyword(), definitions(list)),
         StatementKind::Mode(mode) => format!("mode {} {}", mode.name.text, names(&mode.values)),
-        StatementKind::Start(assignments) => {
-            let shown = assignments.iter().map(|a| format!(" ({} {})", show(&a.target), show(&a.value)));
-            format!("start{}", shown.collect::<String>())
-        }
+        StatementKind::Start(list) => format!("start{}", assignments(list)),
+        StatementKind::History(list) => format!("history{}", assignments(list)),
         StatementKind::Ranges(entries) => {
             let shown = entries.iter().map(|entry| {
                 format!(

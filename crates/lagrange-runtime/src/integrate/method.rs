@@ -10,7 +10,7 @@
 //! single run then reports the cause.
 
 use crate::scalar::Scalar;
-use crate::system::{Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};
+use crate::system::{Domain, Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};
 
 /// A method of integration with its settings.
 pub trait Method<M: OdeSystem + ?Sized> {
@@ -176,16 +176,21 @@ pub trait LanesMethod<T: Scalar>: Copy {
     /// Motions in progress.
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
 
-    /// Creates lanes to be filled by [`take`](LanesMethod::take) with motions that start at time
-    /// `t`, with steps towards `end`, which may precede `t`.
-    fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    /// Creates lanes to be filled by [`take`](LanesMethod::take) with motions in a domain. They
+    /// start at the first of two times, with steps towards the second, which may precede it.
+    fn empty_lanes<S, E>(&self, span: [T; 2], domain: &'static Domain) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;
 
-    /// Starts a motion in every lane at the state `y` at time `t`, with steps towards `end`, which
-    /// may precede `t`.
-    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    /// Starts a motion of the same kind in every lane at the state `y`.
+    fn start<S, E>(
+        &self,
+        equations: &E,
+        y: &E::State,
+        span: [T; 2],
+        domain: &'static Domain,
+    ) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;

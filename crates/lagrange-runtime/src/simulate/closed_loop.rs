@@ -39,6 +39,14 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
         Ok(())
     }
 
+    /// Checks what the loop requires of the parameters of a motion over this span.
+    ///
+    /// # Errors
+    /// If it cannot run with them.
+    fn check_parameters(&self, _span: [M::Scalar; 2]) -> Result<(), StepFailure<M::Scalar>> {
+        Ok(())
+    }
+
     /// Returns the names of columns behind all others.
     fn further_columns(&self) -> Vec<String> {
         Vec::new()

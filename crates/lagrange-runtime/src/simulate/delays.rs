@@ -13,7 +13,7 @@ use crate::simulate::control::{Drive, Undriven};
 use crate::simulate::history::History;
 use crate::simulate::observer::{columns_of, inputs};
 use crate::system::{
-    DelayedSystem, MechanicalSystem, SettingError, StateMatrix, StepFailure, Wrapper, split,
+    DelayedSystem, MechanicalSystem, SettingError, StateMatrix, StateVector, StepFailure, Wrapper, split,
 };
 
 /// Delayed signals take their values from the past of the motion.
@@ -24,10 +24,10 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
     /// Keeps the past of the motion, as the delays of the declaration ask for. Systems that declare
     /// [`delay`](DelayedSystem) run no other way.
     ///
-    /// Before the start every signal has the value that it has there. No step is longer than the
-    /// shortest delay. Starts, events and changes of inputs are noticed again after each delay, and
-    /// steps end there as long as the method notices. Every delayed signal becomes a column, since
-    /// it is an input.
+    /// Before the start every signal has the value that it has there, unless the declaration states
+    /// its `history`. No step is longer than the shortest delay. Starts, events and changes of
+    /// inputs are noticed again after each delay, and steps end there as long as the method
+    /// notices. Every delayed signal becomes a column, since it is an input.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -62,14 +62,52 @@ impl<M: DelayedSystem> Drive<M> for WithHistory {
     fn close<R>(&self, system: &M, run: impl FnOnce(&Remembering<M>) -> R) -> R {
         let plant = system.with_delayed(&system.lags());
         let history = History::new(M::Scalar::ZERO, system.lags(), 1, &[]);
-        run(&Remembering { plant, history: Rc::new(RefCell::new(history)) })
+        let past = Past { plant: system.with_delayed(&system.lags()), start: M::State::ZERO, history };
+        run(&Remembering { plant, past: Rc::new(RefCell::new(past)) })
     }
+}
+
+/// Shortest delay, in spacings of times.
+const SPACINGS: f64 = 1e3;
+/// Maximum number of steps of the length of a delay in a run: as many as adaptive methods take by
+/// default.
+const MOST_STEPS: f64 = 1e8;
+/// Maximum number of such steps that the past of a motion keeps.
+const MOST_KEPT: f64 = 1e6;
+
+/// Returns the shortest delay that a run over this span permits beside these delays.
+fn shortest_delay<S: Scalar>([start, end]: [S; 2], lags: &[S]) -> S {
+    let (spacing, span) = (S::epsilon() * start.abs().max(end.abs()), end - start);
+    let longest = lags.iter().copied().filter(|lag| lag.is_finite()).fold(S::ZERO, S::max).min(span);
+    let resolved = (S::from_f64(SPACINGS) * spacing).max(span / S::from_f64(MOST_STEPS));
+    resolved.max(longest / S::from_f64(MOST_KEPT))
 }
 
 /// A system whose delayed signals have the values of its past.
 pub struct Remembering<M: DelayedSystem> {
     plant: M,
-    history: Rc<RefCell<History<M::Scalar, M::Signals>>>,
+    past: Rc<RefCell<Past<M>>>,
+}
+
+/// The past of a motion.
+struct Past<M: DelayedSystem> {
+    /// The system with its inputs before the start.
+    plant: M,
+    /// The state at the start.
+    start: M::State,
+    history: History<M::Scalar, M::Signals>,
+}
+
+impl<M: DelayedSystem> Past<M> {
+    fn delayed(&self, t: M::Scalar) -> M::Signals {
+        self.history.delayed(t, |then| self.before(then))
+    }
+
+    /// Returns the signals at a time before the start, if a function of time gives them.
+    fn before(&self, t: M::Scalar) -> Option<M::Signals> {
+        let (q, v) = split::<M>(&self.start);
+        self.plant.signals_before(t, &q, &v)
+    }
 }
 
 impl<M: DelayedSystem> Remembering<M> {
@@ -80,7 +118,7 @@ impl<M: DelayedSystem> Remembering<M> {
 
     /// Goes on from a time, where signals jump if that `is_jump`.
     fn reach(&self, to: M::Scalar, signals: &[M::Signals], is_jump: bool) {
-        self.history.borrow_mut().reach(to, signals, is_jump);
+        self.past.borrow_mut().history.reach(to, signals, is_jump);
     }
 }
 
@@ -101,7 +139,7 @@ impl<M: DelayedSystem> Wrapper for Remembering<M> {
 
     #[inline]
     fn present<R>(&self, t: M::Scalar, _y: &M::State, ask: impl FnOnce(&M) -> R) -> R {
-        let delayed = self.history.borrow().delayed(t);
+        let delayed = self.past.borrow().delayed(t);
         ask(&self.plant.with_delayed(&delayed))
     }
 
@@ -116,7 +154,7 @@ impl<M: DelayedSystem> Wrapper for Remembering<M> {
     }
 
     fn further_restart(&self, t: M::Scalar) -> Option<M::Scalar> {
-        self.history.borrow().next_break(t)
+        self.past.borrow().history.next_break(t)
     }
 }
 
@@ -128,7 +166,7 @@ impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
     }
 
     fn with_plant(&self, plant: M) -> Self {
-        Remembering { plant, history: Rc::clone(&self.history) }
+        Remembering { plant, past: Rc::clone(&self.past) }
     }
 
     fn into_plant(self) -> M {
@@ -151,37 +189,49 @@ impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
     }
 
     fn check(&self, [start, end]: [M::Scalar; 2], _: bool) -> Result<(), SettingError<M::Scalar>> {
-        let spacing = M::Scalar::epsilon() * start.abs().max(end.abs());
-        let is_sound = |lag: &M::Scalar| lag.is_finite() && *lag > M::Scalar::from_f64(1e3) * spacing;
-        if end < start {
-            return Err(SettingError::Invalid("delayed signals run forwards in time only"));
-        }
-        match self.plant.lags().as_ref().iter().all(is_sound) {
-            true => Ok(()),
-            false => Err(SettingError::Invalid(
-                "delays must be positive, finite and much longer than the spacing of times",
-            )),
+        match end < start {
+            true => Err(SettingError::Invalid("delayed signals run forwards in time only")),
+            false => Ok(()),
         }
     }
 
-    /// Before the start signals have the values that they have there. One may depend on those
-    /// declared before it, so that all are known after as many rounds.
+    fn check_parameters(&self, span: [M::Scalar; 2]) -> Result<(), StepFailure<M::Scalar>> {
+        let lags = self.plant.lags();
+        let least = shortest_delay(span, lags.as_ref());
+        let is_sound = |lag: &M::Scalar| lag.is_finite() && *lag > M::Scalar::ZERO && *lag >= least;
+        match lags.as_ref().iter().find(|lag| !is_sound(lag)) {
+            Some(lag) => Err(StepFailure::Delay { lag: *lag, least }),
+            None => Ok(()),
+        }
+    }
+
+    /// Before the start signals have the values that they have there, unless a function of time
+    /// gives them. One may depend on those declared before it, so that all are known after as many
+    /// rounds.
     fn start_history(&self, start: (M::Scalar, &M::State), order: u32, restarts: &[M::Scalar]) {
         let lags = self.plant.lags();
-        *self.history.borrow_mut() = History::new(start.0, lags, order, restarts);
+        let history = History::new(start.0, lags, order, restarts);
+        let plant = self.plant.with_delayed(&lags);
+        *self.past.borrow_mut() = Past { plant, start: *start.1, history };
+        let mut signals = lags;
         for _ in lags.as_ref() {
-            let signals = self.signals(start.0, start.1);
-            self.history.borrow_mut().set_before(signals);
+            signals = self.signals(start.0, start.1);
+            self.past.borrow_mut().history.set_before(signals);
+        }
+        let mut past = self.past.borrow_mut();
+        let before = past.before(start.0);
+        if before.is_some_and(|before| before.as_ref() != signals.as_ref()) {
+            past.history.jump_at_start();
         }
     }
 
     fn limit(&self) -> Option<M::Scalar> {
-        self.history.borrow().limit()
+        self.past.borrow().history.limit()
     }
 
     fn keep(&self, stepper: &mut impl Stepper<Self>, to: M::Scalar) {
         let (first, last) = (stepper.last_time(), stepper.time());
-        let times = self.history.borrow().times(to);
+        let times = self.past.borrow().history.times(to);
         let signals = times.into_iter().map(|time| {
             let time = time.max(first).min(last);
             self.signals(time, &stepper.interpolate(self, time))

@@ -51,19 +51,25 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
         history
     }
 
-    /// Sets the signals before the start.
+    /// Sets the signals before the start where no function of time gives them.
     pub(super) fn set_before(&mut self, signals: Y) {
         self.before = signals;
     }
 
-    /// Returns each signal as it was one delay before `t`; NaN where that is not known yet.
-    pub(super) fn delayed(&self, t: S) -> Y {
+    /// Notes that the signals jump at the start.
+    pub(super) fn jump_at_start(&mut self) {
+        self.spread(self.from, 0);
+    }
+
+    /// Returns each signal as it was one delay before `t`; NaN where that is not known yet. The
+    /// function `before` may give signals at times before the start.
+    pub(super) fn delayed(&self, t: S, before: impl Fn(S) -> Option<Y>) -> Y {
         let mut values = self.before;
         let mut last: Option<(S, Y)> = None;
         for (place, lag) in self.lags.as_ref().iter().enumerate() {
             let signals = match last {
                 Some((same, signals)) if same == *lag => signals,
-                _ => self.at(t, *lag),
+                _ => self.at(t, *lag, &before),
             };
             values.as_mut()[place] = signals.as_ref()[place];
             last = Some((*lag, signals));
@@ -73,14 +79,14 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
 
     /// The signals at `t − lag`. An end of a step counts as passed once the run has gone on from
     /// one delay later. Times are compared there, since (s + τ) − τ is not s.
-    fn at(&self, t: S, lag: S) -> Y {
+    fn at(&self, t: S, lag: S, before: impl Fn(S) -> Option<Y>) -> Y {
         let steps = self.steps.steps();
         let is_passed = |edge: S| match Self::is_at(t, edge) {
             true => self.from >= edge || Self::is_at(self.from, edge),
             false => t > edge,
         };
         let Some(index) = steps.partition_point(|(from, _)| is_passed(*from + lag)).checked_sub(1) else {
-            return self.before;
+            return before(t - lag).unwrap_or(self.before);
         };
         let (from, to) = steps[index];
         if t > to + lag && !Self::is_at(t, to + lag) {

@@ -79,6 +79,7 @@ where
     let checked =
         system.check(settings.span, !controllers.is_empty()).and(checked).map_err(StepFailure::Setting);
     let begun = checked.and_then(|method| {
+        system.check_parameters(settings.span)?;
         let mut controllers = Controllers::new(settings.span, &settings.periods, controllers)?;
         current.begin::<K::Stepper>((t, &start.1), end, |system| {
             let state = D::Closed::state_of_plant(&start.1);

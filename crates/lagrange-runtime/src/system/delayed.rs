@@ -25,6 +25,17 @@ pub trait DelayedSystem: ControlledSystem + MechanicalSystem {
         v: &Self::Velocities,
     ) -> Self::Signals;
 
+    /// Computes the signals at time `t` before the start of a motion at positions `q` and
+    /// velocities `v`. `None` if they always had the values of the start.
+    fn signals_before(
+        &self,
+        _t: <Self as OdeSystem>::Scalar,
+        _q: &Self::Coordinates,
+        _v: &Self::Velocities,
+    ) -> Option<Self::Signals> {
+        None
+    }
+
     /// Returns the system with other values of the delayed signals.
     #[must_use]
     fn with_delayed(&self, values: &Self::Signals) -> Self;

@@ -1,9 +1,15 @@
 //! Declared ranges and nominal values of the entries of a state.
 
 use core::ops::Bound;
+#[cfg(feature = "ensemble")]
+use core::ops::Neg;
 
+#[cfg(feature = "ensemble")]
+use super::SideBySide;
 use super::{OutOfRange, RangedKind};
 use crate::scalar::Scalar;
+#[cfg(feature = "ensemble")]
+use crate::scalar::{Mask, Number};
 use crate::tolerance::BOUNDARY;
 
 /// The declared ranges and nominal values of the entries of a state.
@@ -35,12 +41,6 @@ impl Domain {
     /// The domain of systems that declare neither ranges nor nominal values.
     pub const EVERYWHERE: Domain = Domain { ranges: &[], nominal: &[] };
 
-    /// True if the system declares neither ranges nor nominal values.
-    #[cfg(feature = "ensemble")]
-    pub(crate) fn is_everywhere(&self) -> bool {
-        self.ranges.is_empty() && self.nominal.is_empty()
-    }
-
     /// Returns the size that counts as one for an entry.
     #[inline(always)]
     pub fn nominal(&self, entry: usize) -> f64 {
@@ -56,18 +56,34 @@ impl Domain {
     pub fn check<S: Scalar>(&self, state: &[S]) -> Result<(), OutOfRange<S>> {
         self.ranges.iter().try_for_each(|range| {
             let Some(value) = state.get(range.entry) else { return Ok(()) };
-            // One also stands for nominal values that are not declared.
-            let nominal = self.nominal.get(range.entry).copied().filter(|nominal| *nominal != 1.0);
-            let size = nominal.unwrap_or_else(|| range.size());
-            let slack = |bound: S| BOUNDARY.part::<S>() * bound.abs().max(S::from_f64(size));
-            let (lower, upper) = range.numbers();
-            let inner = [
-                map_included(lower, |bound| bound - slack(bound)),
-                map_included(upper, |bound| bound + slack(bound)),
-            ];
-            let outside = OutOfRange::check(range.kind, range.name, *value, inner.into(), range.unit);
-            outside.map_err(|outside| OutOfRange { range: (lower, upper), ..outside })
+            let allowed = self.allowed(range);
+            let outside = OutOfRange::check(range.kind, range.name, *value, allowed, range.unit);
+            outside.map_err(|outside| OutOfRange { range: range.numbers(), ..outside })
         })
+    }
+
+    /// Returns the lanes whose states pass the [check](Self::check).
+    #[cfg(feature = "ensemble")]
+    #[inline(always)]
+    pub(crate) fn contains<S: SideBySide<Element: Scalar>>(&self, state: &[S]) -> S::Mask {
+        self.ranges.iter().fold(S::Mask::splat(true), |are_inside, range| {
+            let Some(value) = state.get(range.entry) else { return are_inside };
+            let (lower, upper) = self.allowed::<S::Element>(range);
+            are_inside
+                & follows(lower.map(S::splat), *value)
+                & follows(upper.map(S::splat).map(Neg::neg), -*value)
+        })
+    }
+
+    /// Returns the bounds of a range, beyond included ones by rounding.
+    #[inline]
+    fn allowed<S: Scalar>(&self, range: &EntryRange) -> (Bound<S>, Bound<S>) {
+        // One also stands for nominal values that are not declared.
+        let nominal = self.nominal.get(range.entry).copied().filter(|nominal| *nominal != 1.0);
+        let size = nominal.unwrap_or_else(|| range.size());
+        let slack = |bound: S| BOUNDARY.part::<S>() * bound.abs().max(S::from_f64(size));
+        let (lower, upper) = range.numbers();
+        (map_included(lower, |bound| bound - slack(bound)), map_included(upper, |bound| bound + slack(bound)))
     }
 
     /// Returns the value of an entry that is nearest to another one, bounds included.
@@ -102,6 +118,17 @@ fn map_included<S>(bound: Bound<S>, change: impl FnOnce(S) -> S) -> Bound<S> {
     match bound {
         Bound::Included(bound) => Bound::Included(change(bound)),
         other => other,
+    }
+}
+
+/// True where a value satisfies a lower bound; NaN satisfies none.
+#[cfg(feature = "ensemble")]
+#[inline(always)]
+fn follows<S: Number>(lower: Bound<S>, value: S) -> S::Mask {
+    match lower {
+        Bound::Included(lower) => lower.less_equal(value),
+        Bound::Excluded(lower) => lower.less(value),
+        Bound::Unbounded => value.less_equal(value),
     }
 }
 

@@ -46,6 +46,10 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::Stuck(what) => f.write_str(what),
         StepFailure::Violated(violation) => write!(f, "{violation}"),
         StepFailure::OutOfRange(error) => write!(f, "{error}"),
+        StepFailure::Delay { lag, least } => write!(
+            f,
+            "a delay is {lag:?}, but in this run it must be at least {least:?} and finite, since no step is longer"
+        ),
         StepFailure::Restitution { contact, value } => write!(
             f,
             "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"

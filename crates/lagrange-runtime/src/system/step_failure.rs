@@ -75,6 +75,13 @@ pub enum StepFailure<S> {
     Violated(Violation<S>),
     /// A parameter, or an entry of the state, is outside of its declared range.
     OutOfRange(OutOfRange<S>),
+    /// A delay is not positive and finite, or too short for the run.
+    Delay {
+        /// The delay.
+        lag: S,
+        /// The shortest delay that the run permits.
+        least: S,
+    },
     /// A coefficient of restitution is not between 0 and 1.
     Restitution {
         /// The name of the contact.

@@ -13,9 +13,10 @@ messages! {
     NOMINAL = "a nominal value";
     not_positive(value) = "a nominal value must be positive, but this is {value}";
     NOT_POSITIVE_HELP = "write the typical magnitude, such as `nominal 1e-3`";
-    limited_twice(target) = "`{target}` has two ranges or nominal values";
+    two_ranges(target) = "`{target}` has two ranges";
+    two_nominal_values(target) = "`{target}` has two nominal values";
     LIMITED_HERE = "the other one is here";
-    LIMITED_TWICE_HELP = "write both in one place: `coord x in 0..=1 nominal 0.1;`";
+    LIMITED_TWICE_HELP = "remove one of them";
     ENTRY_HELP =
         "write `range x in 0..=1;` or `range dot(x) nominal 10;` with a coordinate or a state `x`";
 }

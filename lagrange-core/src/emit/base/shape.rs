@@ -27,6 +27,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) inputs: HashSet<&'a str>,
     /// Indices of delayed signals among the inputs.
     pub(in crate::emit) delays: Vec<usize>,
+    /// True if the declaration states the past before the start.
+    pub(in crate::emit) has_history: bool,
     /// Positions in state order.
     pub(in crate::emit) coordinates: Vec<&'a Name>,
     /// Number of first-order states, which are the last of the positions.
@@ -87,6 +89,7 @@ impl<'a> Shape<'a> {
             fields: Vec::new(),
             inputs: HashSet::default(),
             delays: Vec::new(),
+            has_history: false,
             coordinates: declaration.coordinates(),
             states: 0,
             velocities: declaration.velocities(),
@@ -116,6 +119,7 @@ impl<'a> Shape<'a> {
                     shape.delays.push(inputs.len());
                     inputs.push(name);
                 }
+                StatementKind::History(_) => shape.has_history = true,
                 StatementKind::Constraint(name, _) => shape.constraints.push(name),
                 StatementKind::Event(event) => shape.add_event(event),
                 StatementKind::Stabilise(_) => shape.is_stabilised = true,

@@ -25,6 +25,11 @@ pub(in crate::emit) fn write_delays(writer: &mut MethodWriter<'_>) {
     writer.members.hidden.extend(lags);
     let returns = Returns::Vector(delays.len());
     writer.push_hidden("signals_to_delay", returns, &signals);
+    if writer.shape.has_history {
+        let before = delays.iter().filter_map(|delay| delay.before).collect::<Vec<_>>();
+        let (before, _) = writer.lowered_as_declared(&before, Arguments::State, collect);
+        writer.push_hidden("signals_before_start", returns, &before);
+    }
 }
 
 /// Returns the method that computes the delays of signals.
@@ -54,6 +59,15 @@ pub(in crate::emit) fn delayed_impl(shape: &Shape<'_>, members: &Members) -> Opt
         quote!(#delayed.#place = #values[#number];)
     });
     let (kept, switches) = (shape.kept_fields(|_| true), kept_switches(shape));
+    let state = quote!(#time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
+    let before = shape.has_history.then(|| {
+        quote! {
+            #[inline]
+            fn signals_before(&self, #state) -> ::core::option::Option<[#scalar; #count]> {
+                ::core::option::Option::Some(self.signals_before_start(#time, #positions, #velocities))
+            }
+        }
+    });
     Some(quote! {
         #[automatically_derived]
         impl #bounds #krate::system::DelayedSystem for #name #generics {
@@ -62,14 +76,10 @@ pub(in crate::emit) fn delayed_impl(shape: &Shape<'_>, members: &Members) -> Opt
                 self.lags_of_delays()
             }
             #[inline]
-            fn signals(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> [#scalar; #count] {
+            fn signals(&self, #state) -> [#scalar; #count] {
                 self.signals_to_delay(#time, #positions, #velocities)
             }
+            #before
             #[inline]
             fn with_delayed(&self, #values: &[#scalar; #count]) -> Self {
                 let mut #delayed = Self { #kept #switches };

@@ -80,7 +80,7 @@ pub(in crate::emit) fn domain_member(shape: &Shape<'_>, members: &Members) -> Op
     let ranges = entries.filter_map(|(entry, ((kind, name, unit), limits))| {
         let kind = format_ident!("{kind}");
         let [lower, upper] = limits.bounds.map(constant_bound);
-        limits.bounds.iter().any(Option::is_some).then(|| {
+        limits.is_bounded().then(|| {
             let entry = length(entry);
             quote! {
                 #krate::system::EntryRange {
@@ -93,9 +93,7 @@ pub(in crate::emit) fn domain_member(shape: &Shape<'_>, members: &Members) -> Op
             }
         })
     });
-    let nominal = members.limits.iter().any(|limits| limits.nominal.is_some());
-    let nominal = members.limits.iter().filter(|_| nominal);
-    let nominal = nominal.map(|limits| float(limits.nominal.unwrap_or(1.0)));
+    let nominal = EntryLimits::nominal_values(&members.limits).into_iter().map(float);
     Some(quote! {
         #[inline]
         fn domain(&self) -> &'static #krate::system::Domain {

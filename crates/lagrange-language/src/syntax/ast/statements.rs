@@ -49,7 +49,7 @@ pub struct Statement {
 ///           | "const" named "=" sum { "," named "=" sum } ";"
 ///           | ( "coord" | "state" | "discrete" ) named limited [ "=" sum ] { "," named limited [ "=" sum ] } ";"
 ///           | "mode" NAME "=" NAME "|" NAME { "|" NAME } ";"
-///           | "start" sum "=" sum { "," sum "=" sum } ";"
+///           | ( "start" | "history" ) sum "=" sum { "," sum "=" sum } ";"
 ///           | "range" sum limited { "," sum limited } ";"
 ///           | "dot" "(" NAME ")" "=" sum ";"
 ///           | "quaternion" NAME ";"
@@ -127,6 +127,8 @@ pub enum StatementKind {
     Mode(Mode),
     /// `start dot(theta) = 2, x = 1;`: initial values of entries of the state
     Start(Vec<Assignment>),
+    /// `history theta = cos(t);`: entries of the state before the start, as functions of time
+    History(Vec<Assignment>),
     /// `range x in 0..=1, dot(x) nominal 10;`
     Ranges(Vec<LimitedEntry>),
     /// `dot(current) = e;`
@@ -230,7 +232,9 @@ impl StatementKind {
             | StatementKind::States(_, list) => {
                 list.iter_mut().flat_map(Definition::expressions_mut).collect()
             }
-            StatementKind::Start(assignments) => assignments.iter_mut().flat_map(Assignment::parts).collect(),
+            StatementKind::Start(assignments) | StatementKind::History(assignments) => {
+                assignments.iter_mut().flat_map(Assignment::parts).collect()
+            }
             StatementKind::Ranges(entries) => {
                 entries.iter_mut().flat_map(LimitedEntry::expressions_mut).collect()
             }

@@ -1,8 +1,8 @@
 //! Ensembles in lanes: several motions in the lanes of vector instructions.
 //!
 //! A chunk of motions runs in lanes if the system and the method support it, and only ends and
-//! samples were requested. All exceptions are left to single runs: motions that fail, to report
-//! their cause, and motions with a jump at a known time.
+//! samples were requested. All exceptions are left to single runs. Motions that fail or leave their
+//! domain are, to report the cause, and so are motions with a jump at a known time.
 
 mod dispatch;
 mod refill;
@@ -65,7 +65,8 @@ where
     /// - only ends, samples and columns are requested: no laws, sensitivities, controllers, events
     ///   or restarts.
     ///
-    /// A motion that fails, or jumps at a time known in advance, is always a single run.
+    /// A motion that fails, leaves a declared range, or jumps at a time known in advance, is always
+    /// a single run.
     ///
     /// The bits of a motion in a lane do not depend on other motions, threads or shards. They
     /// depend on whether the processor has fused multiply-add. They agree with the bits of a single
@@ -164,10 +165,11 @@ where
 
     /// Computes the final states of motions with these starts.
     fn in_lanes(&self, starts: &[MotionStart<M>], counter: &Counter<'_, '_>) -> EndsOf<M> {
-        let [from, end] = self.batch.span();
+        let ([from, end], domain) = (self.batch.span(), self.batch.system.domain());
         let is_plain = |motion: &usize| {
             let (system, state) = (starts[*motion].system(self.batch.system), &starts[*motion].state);
-            let is_free = system.domain().is_everywhere() && system.next_restart(from, end).is_none();
+            let is_inside = system.domain() == domain && domain.check(state.as_ref()).is_ok();
+            let is_free = is_inside && system.next_restart(from, end).is_none();
             is_free && matches!(system.begin(from, state), Ok(None))
         };
         let has_length = (end - from).is_finite() && end != from;

@@ -132,7 +132,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
         for (component, value) in state.as_mut().iter_mut().zip(self.starts[motion].state.as_ref()) {
             *component = O::splat(*value);
         }
-        method.start(&equations, self.from, &state, self.end)
+        method.start(&equations, &state, [self.from, self.end], self.system.domain())
     }
 
     /// Returns lanes without motions.
@@ -143,7 +143,8 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
         L: LanesMethod<ScalarOf<M>>,
         S: SideBySide<Element = ScalarOf<M>>,
     {
-        let mut stepper = method.empty_lanes::<S, M::Lanes<S>>(self.from, self.end);
+        let span = [self.from, self.end];
+        let mut stepper = method.empty_lanes::<S, M::Lanes<S>>(span, self.system.domain());
         if let Some(most) = self.max_steps {
             stepper.limit_steps(most);
         }
@@ -166,6 +167,7 @@ where
     let sampler = queue.grid.filter(|_| SAMPLED).map(|grid| Sampler::new(grid, running.stepper.last_step()));
     let mut progress = QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler };
     progress.ends.resize_with(queue.starts.len(), || None);
+    let domain = queue.system.domain();
     loop {
         // Starts, steps and samples have one call site each, so that the right-hand side is inlined
         // only once in each.
@@ -176,8 +178,10 @@ where
             break;
         }
         progress.step(&mut running);
-        if is_settled(running.stepper.time(), queue.end).any() || running.stepper.suspicion().any() {
-            progress.settle(&mut running);
+        let are_outside = !domain.contains(running.stepper.state().as_ref());
+        let are_settled = is_settled(running.stepper.time(), queue.end);
+        if (are_settled | running.stepper.suspicion() | are_outside).any() {
+            progress.settle(&mut running, are_outside);
         }
     }
     progress.ends
@@ -261,9 +265,9 @@ where
         }
     }
 
-    /// Removes motions that have ended or were given up from their lanes.
+    /// Removes motions that have ended, were given up or are out of their domain from their lanes.
     #[inline(always)]
-    fn settle(&mut self, running: &mut LanesGroupOf<M, L, S>) {
+    fn settle(&mut self, running: &mut LanesGroupOf<M, L, S>, are_outside: S::Mask) {
         let (time, suspicion) = (running.stepper.time(), running.stepper.suspicion());
         for lane in 0..S::LANES {
             let (motion, time) = (running.motions[lane], time.lane(lane));
@@ -277,7 +281,7 @@ where
             let bears =
                 |steps: &SuspectStep<S, _>| self.method.bears(self.queue.system(motion), &steps.lane(lane));
             let is_borne = !suspicion.lane(lane) || running.stepper.suspects().is_some_and(bears);
-            if !time.is_finite() || !is_borne {
+            if !time.is_finite() || !is_borne || are_outside.lane(lane) {
                 self.free(running, lane);
                 self.replace(running, lane);
             } else if time == self.queue.end {

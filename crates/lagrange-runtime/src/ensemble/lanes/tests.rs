@@ -5,6 +5,7 @@ use std::string::ToString;
 use std::vec::Vec;
 
 mod bits;
+mod domains;
 mod samples;
 
 use super::refill::{EndsOf, MotionStart, Queue, refilled};

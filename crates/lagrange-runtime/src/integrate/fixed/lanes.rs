@@ -6,7 +6,7 @@ use crate::integrate::lane_wise::{Counts, are_finite, chosen, is_equal, take};
 use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, SuspectStep, Work};
 use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
-use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
+use crate::system::{Domain, Equations, OdeSystem, SideBySide, StateVector};
 
 /// A formula that advances several motions in lanes, like [`Formula`](super::Formula) for one
 /// motion. Y is the state.
@@ -69,7 +69,7 @@ impl<T: Scalar, K: FixedSteps<Scalar = T>> LanesMethod<T> for K {
         FixedLanes<S, E::State, K::Formula<S, E::State>>;
 
     #[inline(always)]
-    fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    fn empty_lanes<S, E>(&self, [t, end]: [T; 2], _domain: &'static Domain) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,
@@ -78,12 +78,18 @@ impl<T: Scalar, K: FixedSteps<Scalar = T>> LanesMethod<T> for K {
     }
 
     #[inline(always)]
-    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    fn start<S, E>(
+        &self,
+        equations: &E,
+        y: &E::State,
+        span: [T; 2],
+        domain: &'static Domain,
+    ) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,
     {
-        let mut lanes = self.empty_lanes::<S, E>(t, end);
+        let mut lanes = self.empty_lanes::<S, E>(span, domain);
         lanes.formula.prepare(equations, lanes.clock.time(), y);
         FixedLanes { state: Compensated::new(*y), ..lanes }
     }

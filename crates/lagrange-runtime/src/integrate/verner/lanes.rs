@@ -59,13 +59,12 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = VernerLanes<S, E::State>;
 
     #[inline(always)]
-    fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    fn empty_lanes<S, E>(&self, [t, end]: [T; 2], domain: &'static Domain) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,
     {
-        // Lanes run motions without a declared domain only.
-        let Tolerated { relative, absolute, domain } = self.tolerated(&Domain::EVERYWHERE);
+        let Tolerated { relative, absolute, domain } = self.tolerated(domain);
         let settings = Settings {
             tolerated: Tolerated { relative: S::splat(relative), absolute: S::splat(absolute), domain },
             end: S::splat(end),
@@ -87,13 +86,19 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
     }
 
     #[inline(always)]
-    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    fn start<S, E>(
+        &self,
+        equations: &E,
+        y: &E::State,
+        span: [T; 2],
+        domain: &'static Domain,
+    ) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,
     {
-        let lanes = self.empty_lanes::<S, E>(t, end);
-        let (step, longest) = lanes.settings.first_step(equations, S::splat(t), y);
+        let lanes = self.empty_lanes::<S, E>(span, domain);
+        let (step, longest) = lanes.settings.first_step(equations, S::splat(span[0]), y);
         let control = LanesControl::new(self.first_step.map_or(step, S::splat));
         VernerLanes { state: Compensated::new(*y), control, longest, ..lanes }
     }

@@ -8,7 +8,7 @@ impl StatementKind {
     /// Returns its lists of assignments.
     pub fn assignments_mut(&mut self) -> Option<&mut Vec<Assignment>> {
         match self {
-            StatementKind::Start(assignments) => Some(assignments),
+            StatementKind::Start(assignments) | StatementKind::History(assignments) => Some(assignments),
             StatementKind::Every(clock) => Some(&mut clock.assignments),
             StatementKind::Event(event) => match &mut event.action {
                 Action::Assign(assignments) => Some(assignments),

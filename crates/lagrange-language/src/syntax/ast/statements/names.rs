@@ -45,6 +45,7 @@ impl StatementKind {
             | StatementKind::Stabilise(_)
             | StatementKind::Every(_)
             | StatementKind::Start(_)
+            | StatementKind::History(_)
             | StatementKind::Ranges(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
@@ -96,6 +97,7 @@ impl StatementKind {
             | StatementKind::Stabilise(_)
             | StatementKind::Every(_)
             | StatementKind::Start(_)
+            | StatementKind::History(_)
             | StatementKind::Ranges(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => Vec::new(),

@@ -5,7 +5,7 @@ use crate::syntax::ast::bodies::SceneStatement;
 use crate::syntax::ast::keywords::{Keyword, Soft};
 
 /// Words that begin statements, except those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 34] = [
+pub const KEYWORDS: [Keyword; 35] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`, or `coord x = 1;` with an initial value"),
@@ -14,6 +14,8 @@ pub const KEYWORDS: [Keyword; 34] = [
     Keyword::new("mode", "write `mode clutch = open | closed;`, and `{ clutch = closed; }` in an event")
         .before(Soft::Definition),
     Keyword::new("start", "write `start x = 1, dot(x) = 2;` for initial values of coordinates and velocities")
+        .before(Soft::Assignment),
+    Keyword::new("history", "write `history x = cos(t);` for coordinates and states before the start, as delays see them")
         .before(Soft::Assignment),
     Keyword::new("range", "write `range x in 0..=1 nominal 0.1, dot(x) nominal 10;` for coordinates and velocities")
         .before(Soft::Joint),
