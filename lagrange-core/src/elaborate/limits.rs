@@ -37,9 +37,12 @@ pub(super) fn set_limits(
     elaborator.limits.push(DeclaredLimits { index, origin, range, limits });
 }
 
+/// The question for a range or a nominal value, and the message about two of them.
+type LimitKind = (fn(&EntryLimits) -> bool, fn(String) -> String);
+
 /// Reports an entry with two ranges or two nominal values.
 fn check_single(elaborator: &mut Elaborator<'_>, (index, origin): (usize, Origin), limits: &EntryLimits) {
-    let kinds: [(fn(&EntryLimits) -> bool, fn(String) -> String); 2] = [
+    let kinds: [LimitKind; 2] = [
         (EntryLimits::is_bounded, messages::two_ranges),
         (|limits| limits.nominal.is_some(), messages::two_nominal_values),
     ];
