@@ -125,31 +125,33 @@ impl Arrows<'_> {
         if scale.is_finite() { scale } else { 0.0 }
     }
 
-    /// Returns the outlines of friction cones, as high as the arrows of normal forces. A cone is
-    /// hidden while its coefficient differs from that of the first moment.
+    /// Returns the outlines of friction cones, as high as the arrows of normal forces. Their height
+    /// is a stretch, and their width, which depends on the coefficient, a scale.
     pub(super) fn cones(&self, first: &Snapshot<Spatial>) -> Vec<MovingMesh> {
         let loads = self.film.iter().flat_map(|snapshot| &snapshot.loads);
         let scale = self.scale(loads.filter_map(|load| match load.value {
             Value::Force(force) => Some(force),
             Value::Moment(_) => None,
         }));
-        let cone = |(index, cone): (usize, &Cone<Spatial>)| {
-            let now = |snapshot: &Snapshot<Spatial>| snapshot.cones[index].clone();
-            let spans = self.film.iter().map(now).map(|Cone { at, normal, .. }| [at, times(scale, normal)]);
-            let placed = Placement::spanned(spans).into_iter().zip(self.film).map(|(placement, snapshot)| {
-                let is_same = now(snapshot).coefficient == cone.coefficient;
-                Placement { stretch: 0.0, scale: if is_same { placement.stretch } else { 0.0 }, ..placement }
-            });
+        let outline = |(index, cone): (usize, &Cone<Spatial>)| {
+            let cones = || self.film.iter().map(|snapshot| &snapshot.cones[index]);
+            let radius = |cone: &Cone<Spatial>| cone.coefficient * scale * length(cone.normal);
+            let widest = cones().map(radius).fold(0.0, f64::max);
+            let spans = cones().map(|cone| [cone.at, times(scale, cone.normal)]);
+            let sized = |(placement, cone): (Placement, &Cone<Spatial>)| {
+                let part = if widest > 0.0 { radius(cone) / widest } else { 0.0 };
+                Placement { scale: part, ..placement }
+            };
             MovingMesh {
                 name: cone.name.clone(),
                 label: None,
                 colour: mixed(FORCE, PAPER, CONE),
                 kind: Kind::Arrow,
-                mesh: solids::cone_outline(cone.coefficient),
-                track: placed.collect(),
+                mesh: solids::cone_outline(widest),
+                track: Placement::spanned(spans).into_iter().zip(cones()).map(sized).collect(),
             }
         };
-        first.cones.iter().enumerate().map(cone).collect()
+        first.cones.iter().enumerate().map(outline).collect()
     }
 
     /// Returns placements of arrows. Short arrows are scaled down as a whole, and invisibly short

@@ -31,11 +31,11 @@ impl DrawnSpace for Spatial {
         }
         // Past motion is visible only in traces.
         let size = Size::of(&snapshots);
-        if let Some(shot) = shots.first() {
-            let ((t, y), system) = (&shot.0, drawing.system_in(shot));
+        sample_terrain(&mut snapshots, &size, false, |moment, keep| {
+            let ((t, y), system) = (&shots[moment].0, drawing.system_in(&shots[moment]));
             let (q, v) = split::<M>(y);
-            sample_terrain(&mut snapshots, &size, false, |keep| system.items(*t, &q, &v, keep));
-        }
+            system.items(*t, &q, &v, keep);
+        });
         let surroundings = Surroundings { film: &snapshots, size: &size, is_live: false };
         let mut things = stage::things(&surroundings, drawing.wanted);
         let paths = drawing.paths.iter().enumerate().filter(|(_, (_, points))| points.len() > 1);

@@ -72,7 +72,7 @@ impl LiveScene {
         snapshot[0].cones.clear();
         let wanted = Wanted { names: true, forces: true, ..Wanted::default() };
         let size = Size::of(&snapshot);
-        sample_terrain(&mut snapshot, &size, true, visit);
+        sample_terrain(&mut snapshot, &size, true, |_, keep| visit(keep));
         let surroundings = Surroundings { film: &snapshot, size: &size, is_live: true };
         let mut things = stage::things(&surroundings, wanted);
         for thing in things.iter_mut().filter(|thing| thing.kind == Kind::Arrow) {

@@ -200,9 +200,9 @@ const WIDTH: f64 = 3.2;
 /// to the radius of its shaft.
 pub(super) const SHORTEST_ARROW: f64 = 1.6 * HEAD;
 
-/// Returns the outline of a cone of height one with its apex at the origin.
+/// Returns the outline of a cone with its apex at the origin, as high as its stretch.
 pub(super) fn cone_outline(radius: f64) -> Mesh {
-    let mut corners: Vec<Corner> = circle(radius, 1.0, 0.0, ROUND).collect();
+    let mut corners: Vec<Corner> = circle(radius, 0.0, 1.0, ROUND).collect();
     corners.push(corner([0.0; 3]));
     let rim = (0..=ROUND).map(|index| index % ROUND).collect();
     let sides = (0..ROUND).step_by(ROUND / 4).map(|index| vec![ROUND, index]);

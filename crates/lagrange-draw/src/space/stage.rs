@@ -36,7 +36,7 @@ pub(super) fn things(surroundings: &Surroundings<'_>, wanted: Wanted) -> Vec<Mov
     let stage = Stage { film, wanted, size };
     let mut things = Vec::new();
     things.extend(wanted.floor.map(|height| surroundings.floor(height)));
-    things.extend((0..first.supports.len()).filter_map(|index| surroundings.surface(index)));
+    things.extend((0..first.supports.len()).flat_map(|index| surroundings.surfaces(index)));
     let skeleton = Skeleton::of(first, size.thin());
     let mut bodies = 0;
     for (index, link) in first.bodies.iter().enumerate() {

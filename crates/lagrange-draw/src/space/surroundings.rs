@@ -55,15 +55,22 @@ impl Surroundings<'_> {
         thing("floor", (mesh.placed(at, &UPRIGHT), colour), vec![placement; self.film.len()])
     }
 
-    /// Returns a surface, if it is near the motion.
-    pub(super) fn surface(&self, index: usize) -> Option<MovingMesh> {
-        let support = &self.film.first()?.supports[index];
-        let Patch { mesh, at, colour } = self.patch(index, support)?;
-        let track = self.film.iter().map(|snapshot| {
-            let Support { at: origin, rotation, .. } = &snapshot.supports[index];
-            Placement::rigid(add(*origin, apply(rotation, at)), *rotation)
+    /// Returns a surface, if it is near the motion: one mesh for each shape that it has in turn,
+    /// hidden at all other moments. Only terrain changes its shape.
+    pub(super) fn surfaces(&self, index: usize) -> Vec<MovingMesh> {
+        let supports = self.film.iter().map(|snapshot| &snapshot.supports[index]).collect::<Vec<_>>();
+        let mut end = 0;
+        let shapes = supports.chunk_by(|a, b| has_same_shape(&a.form, &b.form)).filter_map(|shape| {
+            let moments = end..end + shape.len();
+            end = moments.end;
+            let Patch { mesh, at, colour } = self.patch(index, shape[0])?;
+            let track = supports.iter().enumerate().map(|(moment, Support { at: origin, rotation, .. })| {
+                let placement = Placement::rigid(add(*origin, apply(rotation, at)), *rotation);
+                Placement { scale: if moments.contains(&moment) { 1.0 } else { 0.0 }, ..placement }
+            });
+            Some(thing(&shape[0].name, (mesh, colour), track.collect()))
         });
-        Some(thing(&support.name, (mesh, colour), track.collect()))
+        shapes.collect()
     }
 
     fn patch(&self, index: usize, support: &Support<Spatial>) -> Option<Patch> {
@@ -164,21 +171,30 @@ impl Surroundings<'_> {
     }
 }
 
-/// Samples the heights of terrain in the scene that `visit` visits. Terrain keeps its first shape.
+/// Samples the heights of terrain at each moment, in the scene that `visit` visits then.
 pub(super) fn sample_terrain<S: Scalar + Into<f64>>(
     film: &mut [Snapshot<Spatial>],
     size: &Size,
     is_live: bool,
-    visit: impl Fn(&mut dyn FnMut(Item<'_, S, Spatial>)),
+    visit: impl Fn(usize, &mut dyn FnMut(Item<'_, S, Spatial>)),
 ) {
     let count = film.first().map_or(0, |first| first.supports.len());
-    for index in 0..count {
-        let Support { name, form, .. } = film[0].supports[index].clone();
-        if let Form::Terrain(_) = form {
-            let places = Surroundings { film, size, is_live }.samples(index);
-            film[0].supports[index].form = sampled(&visit, &name, places);
+    let is_terrain =
+        |film: &[Snapshot<Spatial>], index: usize| matches!(film[0].supports[index].form, Form::Terrain(_));
+    for index in (0..count).filter(|&index| is_terrain(film, index)).collect::<Vec<_>>() {
+        let places = Surroundings { film, size, is_live }.samples(index);
+        for (moment, snapshot) in film.iter_mut().enumerate() {
+            let Support { name, form, .. } = &mut snapshot.supports[index];
+            *form = sampled(|keep| visit(moment, keep), name, places.clone());
         }
     }
+}
+
+/// True unless terrain has other heights. Those beyond its domain are the same.
+fn has_same_shape(one: &Form, other: &Form) -> bool {
+    let (Form::Terrain(one), Form::Terrain(other)) = (one, other) else { return true };
+    let heights = one.iter().zip(other).map(|((_, one), (_, other))| (one, other));
+    { heights }.all(|(one, other)| one == other || !(one.is_finite() || other.is_finite()))
 }
 
 /// Returns terrain through heights over places in rows. Faces at heights that are not finite are

@@ -32,7 +32,7 @@ fn support(form: Form, rotation: Rotation) -> Support<Spatial> {
 }
 
 fn drawn(film: &[Snapshot<Spatial>]) -> Option<MovingMesh> {
-    Surroundings { film, size: &Size::of(film), is_live: false }.surface(0)
+    Surroundings { film, size: &Size::of(film), is_live: false }.surfaces(0).pop()
 }
 
 fn corners(thing: &MovingMesh) -> Vec<Vector> {
@@ -70,7 +70,7 @@ fn planes_far_away_are_left_out() {
             assert!(drawn(&[at(far), at(0.5)]).is_some(), "it comes near");
             let film = [at(far)];
             let size = Size::of(&film);
-            assert!(Surroundings { film: &film, size: &size, is_live: true }.surface(0).is_some());
+            assert!(!Surroundings { film: &film, size: &size, is_live: true }.surfaces(0).is_empty());
         }
     }
 }
@@ -115,19 +115,42 @@ fn a_bowl_is_seen_from_inside_and_a_huge_sphere_is_a_plane_below_the_motion() {
 
 /// Terrain of a height below a cube.
 fn terrain(height: &dyn Fn([f64; 2]) -> f64) -> MovingMesh {
-    let mut film = [scene([1.0, 2.0, 0.5], 1.0, Form::Terrain(Vec::new()), UPRIGHT)];
+    moving_terrain(&[height]).pop().expect("it is drawn")
+}
+
+/// Terrain of a different height at each moment.
+fn moving_terrain(heights: &[&dyn Fn([f64; 2]) -> f64]) -> Vec<MovingMesh> {
+    let moment = |_| scene([1.0, 2.0, 0.5], 1.0, Form::Terrain(Vec::new()), UPRIGHT);
+    let mut film = heights.iter().map(moment).collect::<Vec<_>>();
     let size = Size::of(&film);
-    sample_terrain(&mut film, &size, false, |visit: &mut dyn FnMut(Item<'_, f64, Spatial>)| {
+    sample_terrain(&mut film, &size, false, |moment, visit: &mut dyn FnMut(Item<'_, f64, Spatial>)| {
         visit(Item::Surface(Surface {
             name: "surface",
             body: None,
-            shape: SurfaceShape::Terrain(Height(height)),
+            shape: SurfaceShape::Terrain(Height(heights[moment])),
             at: [0.0; 3],
             rotation: UPRIGHT,
             is_inside: false,
         }));
     });
-    drawn(&film).expect("it is drawn")
+    Surroundings { film: &film, size: &size, is_live: false }.surfaces(0)
+}
+
+#[test]
+fn terrain_that_moves_has_a_mesh_for_each_of_its_shapes() {
+    let (low, high) = (|[x, _]: [f64; 2]| 0.1 * x, |[x, y]: [f64; 2]| 0.3 + 0.2 * x * y);
+    let bowl = |[x, y]: [f64; 2]| 0.6 - (0.36 - (x - 1.0).powi(2) - (y - 2.0).powi(2)).sqrt();
+    let heights: [&dyn Fn([f64; 2]) -> f64; 6] = [&low, &low, &high, &bowl, &bowl, &low];
+    let things = moving_terrain(&heights);
+    assert_eq!(things.len(), 4);
+    for (moment, height) in heights.iter().enumerate() {
+        let seen = things.iter().filter(|thing| thing.track[moment].scale > 0.0).collect::<Vec<_>>();
+        let [thing] = seen[..] else { panic!("one shape at moment {moment}, not {}", seen.len()) };
+        for corner in &thing.mesh.corners {
+            let [x, y, z] = thing.track[moment].of(corner);
+            assert!((z - height([x, y])).abs() < 1e-12, "{moment}");
+        }
+    }
 }
 
 /// Requires that corners have a height and faces point upwards.
@@ -174,18 +197,23 @@ fn a_cone_is_as_high_as_the_normal_force_and_as_wide_as_the_largest_friction() {
     pressed.cones = vec![Cone { name: "touch.cone".to_owned(), body, at, normal, coefficient }];
     let mut open = pressed.clone();
     (open.loads[0].value, open.cones[0].normal) = (Value::Force([0.0; 3]), [0.0; 3]);
-    let film = [pressed, open];
+    let mut rougher = pressed.clone();
+    (rougher.cones[0].coefficient, rougher.cones[0].normal[2]) = (0.8, 2.0);
+    let film = [pressed, open, rougher];
     let size = Size::of(&film);
     let wanted = Wanted { forces: true, ..Wanted::default() };
     let things = stage::things(&Surroundings { film: &film, size: &size, is_live: false }, wanted);
     let named = |name: &str| things.iter().find(|thing| thing.name == name).expect("it is drawn");
     let (arrow, cone) = (named("touch.normal"), named("touch.cone"));
-    let height = arrow.track[0].stretch;
-    let (apex, rim): (Vec<Vector>, _) = corners(cone).into_iter().partition(|place| place[2] < 0.5 * height);
-    assert_eq!(apex, [at]);
-    for place in rim {
-        let [x, y, z] = subtract(place, at);
-        assert!((z - height).abs() < 1e-12 && (x.hypot(y) - coefficient * height).abs() < 1e-12);
+    for (moment, coefficient, height) in [(0, 0.5, 1.0), (2, 0.8, 2.0 / 3.0)] {
+        let height = height * arrow.track[0].stretch;
+        let places = cone.mesh.corners.iter().map(|corner| cone.track[moment].of(corner));
+        let (apex, rim): (Vec<Vector>, _) = places.partition(|place| place[2] < 0.5 * height);
+        assert_eq!(apex, [at]);
+        for place in rim {
+            let [x, y, z] = subtract(place, at);
+            assert!((z - height).abs() < 1e-12 && (x.hypot(y) - coefficient * height).abs() < 1e-12);
+        }
     }
     assert_eq!(cone.track[1].scale, 0.0, "an open contact has none");
 }
