@@ -56,7 +56,8 @@ pub(super) const MOST_DENSE: usize = 64;
 
 /// The problem in units in which reactions change their own rates by one. It contains only the
 /// reactions that may act; a place is an index among them. D is K if responses are stored as a
-/// matrix. It is zero if they follow from changes of velocities, which suits many reactions.
+/// matrix. It is zero if they follow from changes of velocities, which suits many reactions, and
+/// those that depend on each other.
 pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     law: &'a ContactLaw<'a, S, N, K>,
     /// Number of reactions that may act, and their indices.
@@ -65,6 +66,8 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     /// The place of each reaction; K for those that do not act.
     places: [usize; K],
     choices: [Choice<S>; K],
+    /// Where the slopes of each limit begin and end.
+    slopes: [(usize, usize); K],
     /// Units of rates; the units of reactions are their reciprocals.
     units: [S; K],
     /// Derivatives of the rates with respect to the reactions.
@@ -118,7 +121,8 @@ impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
     /// before.
     pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
         let entry = |k: usize, j: usize| dot(&self.terms.rows[k], &self.terms.responses[j]);
-        if const { K <= MOST_DENSE } {
+        // More reactions than velocities depend on each other if all of them hold.
+        if const { K <= MOST_DENSE && K <= N } {
             Cone::<_, N, K, K>::new(self, choices, entry).best(start)
         } else {
             Cone::<_, N, K, 0>::new(self, choices, entry).best(start)
@@ -129,7 +133,7 @@ impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
 impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, N, K, D> {
     /// Builds the problem. `entry` returns the change of a rate with a reaction, which is
     /// symmetric.
-    fn new(
+    pub(super) fn new(
         law: &'a ContactLaw<'a, S, N, K>,
         all: &[Choice<S>; K],
         entry: impl Fn(usize, usize) -> S,
@@ -140,8 +144,10 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
         }
         let mut units = [S::ONE; K];
         let mut choices = [Choice::Only(Rule::Absent); K];
+        let mut slopes = [(0, 0); K];
         for (place, &k) in active[..count].iter().enumerate() {
             (units[place], choices[place]) = (unit(entry(k, k)), all[k]);
+            slopes[place] = law.terms.range_of_slopes(k);
         }
         // Both components have the same unit, so that a disk remains a disk.
         for place in (1..count).filter(|&place| choices[place] == Choice::Across) {
@@ -160,11 +166,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
                 (matrix[place][other], matrix[other][place]) = (entry, entry);
             }
         }
-        Cone { law, count, active, places, choices, units, matrix, offsets }
+        Cone { law, count, active, places, choices, slopes, units, matrix, offsets }
     }
 
     /// Finds the reactions of the least error, starting from these.
-    fn best(&self, start: &[S; K]) -> Approximation<S, K> {
+    pub(super) fn best(&self, start: &[S; K]) -> Approximation<S, K> {
         let search = self.follow(self.scaled(start));
         let end = self.point(search.forces);
         let (settled, residual) = (self.settled(&end), self.residual(&end));
@@ -306,7 +312,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
 
     /// Returns the slopes of the limits of friction k, with the places of reactions that may act.
     fn slopes_of(&self, k: usize) -> impl Iterator<Item = (usize, &LimitSlope<S>)> {
-        let slopes = self.law.slopes(self.active[k]).iter();
+        let (from, to) = self.slopes[k];
+        let slopes = self.law.terms.slopes[from..to].iter();
         slopes.map(|slope| (self.places[slope.reaction], slope)).filter(|(place, _)| *place < K)
     }
 

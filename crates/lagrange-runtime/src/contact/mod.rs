@@ -279,9 +279,15 @@ impl<S, const N: usize, const K: usize, const L: usize> DerefMut for Terms<S, N,
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Returns the slopes of the limits of friction k.
     fn slopes_of(&self, k: usize) -> &[LimitSlope<S>] {
+        let (from, to) = self.range_of_slopes(k);
+        &self.slopes[from..to]
+    }
+
+    /// Returns where the slopes of the limits of friction k begin and end.
+    fn range_of_slopes(&self, k: usize) -> (usize, usize) {
         let from = self.slopes.partition_point(|slope| slope.limited < k);
         let count = self.slopes[from..].iter().take_while(|slope| slope.limited == k).count();
-        &self.slopes[from..][..count]
+        (from, from + count)
     }
 
     /// Returns the accelerations with these reactions.

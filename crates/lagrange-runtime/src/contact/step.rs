@@ -100,9 +100,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         }
     }
 
-    /// Computes the impulses whose displacements remove overlaps; `None` without overlaps.
-    pub(super) fn separation(&self, slits: &[S; K]) -> Option<[S; K]> {
-        let is_beyond = |k: usize| self.is_contact(k) && self.terms.gaps[k] < -slits[k];
+    /// Computes the impulses whose displacements remove overlaps; `None` without overlaps. Overlaps
+    /// up to `least`, or up to their slits, are rounding.
+    pub(super) fn separation(&self, least: S, slits: impl FnOnce() -> [S; K]) -> Option<[S; K]> {
+        let overlaps = |k: usize| self.is_contact(k) && self.terms.gaps[k] < -least;
+        if !(0..K).any(overlaps) {
+            return None;
+        }
+        let slits = slits();
+        let is_beyond = |k: usize| overlaps(k) && self.terms.gaps[k] < -slits[k];
         if !(0..K).any(is_beyond) {
             return None;
         }

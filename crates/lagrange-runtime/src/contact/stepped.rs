@@ -8,6 +8,7 @@ use crate::integrate::{FixedStepper, Formula, Memory, Method, Stepper, Work};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, SettingError, StepFailure, displaced, join, reach, split};
+use crate::tolerance::CLOSED_GAP;
 
 /// Residual of the law from which steps are rejected, relative to the rates.
 const LARGEST_RESIDUAL: f64 = 1e-3;
@@ -290,9 +291,12 @@ where
         let to = array::from_fn(|i| h.multiply_add(terms.free[i], v[i]) + change[i]);
         let rates = system.position_rates(t, &q, &to);
         let mut moved = combined(&q, h, &rates);
-        let lengths = reach(system, t, &q, &q);
-        let slits = array::from_fn(|k| M::Scalar::epsilon().sqrt() * terms.size_of(k, &lengths));
-        if let Some(shares) = step.separation(&slits) {
+        let largest = q.as_ref().iter().fold(M::Scalar::ZERO, |largest, q| largest.max(q.abs()));
+        let slits = || {
+            let lengths = reach(system, t, &q, &q);
+            array::from_fn(|k| M::Scalar::epsilon().sqrt() * terms.size_of(k, &lengths))
+        };
+        if let Some(shares) = step.separation(CLOSED_GAP.part::<M::Scalar>() * largest, slits) {
             moved = displaced(system, t, &moved, shares.into_iter().zip(&terms.responses));
         }
         let end = join::<M>(&moved, &to);

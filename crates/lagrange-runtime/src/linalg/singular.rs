@@ -58,8 +58,8 @@ fn eliminated<S: Scalar, const K: usize>(
         let (pivot_row, reciprocal) = (a[k], S::ONE / a[k][k]);
         for row in k + 1..count {
             let multiple = -(a[row][k] * reciprocal);
-            for column in k + 1..count {
-                a[row][column] = multiple.multiply_add(pivot_row[column], a[row][column]);
+            for (entry, pivot) in a[row][k + 1..count].iter_mut().zip(&pivot_row[k + 1..count]) {
+                *entry = multiple.multiply_add(*pivot, *entry);
             }
             x[row] = multiple.multiply_add(x[k], x[row]);
         }

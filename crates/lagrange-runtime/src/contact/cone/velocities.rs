@@ -79,9 +79,9 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     pub(super) fn step_of_velocities(&self, at: &ForcePoint<S, K>, damping: S) -> [S; K] {
         let errors = self.errors(at);
         let mut steps = [Affine { fixed: S::ZERO, slope: [S::ZERO; N] }; K];
-        let (mut matrix, mut right) = ([[S::ZERO; N]; N], [S::ZERO; N]);
-        for (i, row) in matrix.iter_mut().enumerate() {
-            row[i] = S::ONE;
+        let (mut columns, mut right) = ([[S::ZERO; N]; N], [S::ZERO; N]);
+        for (i, column) in columns.iter_mut().enumerate() {
+            column[i] = S::ONE;
         }
         for k in 0..self.count {
             if self.choices[k] != Choice::Across {
@@ -91,10 +91,13 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             }
             let (step, response) = (&steps[k], &self.law.terms.responses[self.active[k]]);
             self.kick(&mut right, k, step.fixed);
-            for (row, response) in matrix.iter_mut().zip(response).filter(|(_, w)| **w != S::ZERO) {
-                add(row, *response / self.units[k], &step.slope);
+            // Slopes are sparse: rates depend on the velocities between the contact and the ground.
+            for (column, slope) in columns.iter_mut().zip(&step.slope).filter(|(_, slope)| **slope != S::ZERO)
+            {
+                add(column, *slope / self.units[k], response);
             }
         }
+        let matrix = array::from_fn(|i| array::from_fn(|j| columns[j][i]));
         let change = regular(&matrix, &right, N);
         array::from_fn(|k| steps[k].fixed - dot(&steps[k].slope, &change))
     }
