@@ -85,6 +85,8 @@ VERSIONS = (2, 3)
 
 # Largest accepted differences of co-simulation and of model exchange by CVode.
 STEPPING, EXCHANGE = 1e-9, 1e-7
+# Settings of FMPy by which it handles the events of co-simulations, at which steps end.
+HANDLED = {"use_event_mode": True, "early_return_allowed": True}
 
 
 def command(lagrange, *arguments):
@@ -136,16 +138,20 @@ def compare_version(lagrange, folder, name, version, reference):
     assert not problems, problems
     names = [column for column in reference if column != "t"]
     differences, last = [], None
-    for kind, limit in (("CoSimulation", STEPPING), ("ModelExchange", EXCHANGE)):
-        result = simulated(unit, kind, names, parameters, inputs)
+    runs = [("CoSimulation", STEPPING, {}), ("ModelExchange", EXCHANGE, {})]
+    if version == 3:
+        runs += [("CoSimulation", STEPPING, HANDLED), ("CoSimulation", STEPPING, {"use_event_mode": True})]
+    for kind, limit, more in runs:
+        result = simulated(unit, kind, names, parameters, inputs, **more)
         # At events there are two rows, the last of which is after them.
         times = result["time"]
         rows = [np.flatnonzero(np.abs(times - t) < 1e-9)[-1] for t in reference["t"]]
         scale = {column: max(1.0, np.abs(reference[column]).max()) for column in names}
         differences.append(max(np.abs(result[column][rows] - reference[column]).max() / scale[column] for column in names))
-        assert differences[-1] < limit, f"{name}, {kind}: {differences[-1]}"
+        assert differences[-1] < limit, f"{name}, {kind} {more}: {differences[-1]}"
         last = last if last is not None else {column: result[column][-1] for column in names}
-    print(f"{name:16} FMI {version}.0   co-simulation {differences[0]:.1e}   model exchange {differences[1]:.1e}")
+    handled = f"   event mode {max(differences[2:]):.1e}" if version == 3 else ""
+    print(f"{name:16} FMI {version}.0   co-simulation {differences[0]:.1e}   model exchange {differences[1]:.1e}{handled}")
     return last
 
 
@@ -195,7 +201,9 @@ def compare_signal(folder, version):
     signal = np.array([(0, 0.0), (1, 0.0), (1, 0.7), (END, 0.7)], [("time", float), ("target", float)])
     rates = lambda target: lambda _, y: [y[1], (30 * (target - y[0]) - 3 * y[1] - math.sin(y[0])) / 0.4]
     answer = solved(rates(0.7), solved(rates(0.0), [0.1, 0], 1.0), END, 1.0)
-    for kind, solver, limit in (("CoSimulation", {}, STEPPING), ("ModelExchange", {"solver": "CVode"}, EXCHANGE)):
+    kinds = [("CoSimulation", {}, STEPPING), ("ModelExchange", {"solver": "CVode"}, EXCHANGE)]
+    kinds += [("CoSimulation", HANDLED, STEPPING)] if version == 3 else []
+    for kind, solver, limit in kinds:
         result = simulate_fmu(str(unit), fmi_type=kind, stop_time=END, output_interval=EVERY, input=signal,
                               output=["angle", "angle_dot"], relative_tolerance=1e-12, **solver)
         difference = max(abs(result[-1][1] - answer[0]), abs(result[-1][2] - answer[1]))
@@ -216,8 +224,8 @@ class Opened:
                                       unzipDirectory=extract(str(unit)), modelIdentifier=section.modelIdentifier,
                                       instanceName="check")
 
-    def start(self):
-        self.fmu.instantiate()
+    def start(self, **settings):
+        self.fmu.instantiate(**settings)
         if self.is_three:
             self.fmu.enterInitializationMode(tolerance=1e-12, startTime=0.0)
         else:
@@ -260,6 +268,8 @@ def check_sizes(opened):
         lambda: fmu.getAdjointDerivative(one, one, [math.nan]),
         lambda: fmu.getOutputDerivatives(one, [1]),
         lambda: fmu.enterConfigurationMode(),
+        # This instance has no event mode.
+        lambda: fmu.enterEventMode(),
         lambda: fmu.enterStepMode(),
     ):
         fails(action)
@@ -341,6 +351,39 @@ def check_end(lagrange, folder):
     print("a declared end")
 
 
+def check_events(lagrange, folder):
+    """Checks that steps end at the events that the program handles, and at ticks of clocks."""
+    file, unit = folder / "sampled.lag", folder / "sampled.fmu"
+    file.write_text("""struct Sampled; coord x = 0; discrete count = 0; kinetic = 1/2 * dot(x)^2; force x = 2;
+        every 0.75 => { count = count + 1; } event one = x - 1, rising => { dot(x) = 0; }""")
+    command(lagrange, "fmu", file, "--fmi", 3, "-o", unit)
+    opened = Opened(unit, False)
+    fmu = opened.start(eventModeUsed=True, earlyReturnAllowed=True)
+    # The first tick is that at the start.
+    assert fmu.updateDiscreteStates()[3:] == (True, True, 0.75)
+    fails(lambda: fmu.doStep(0.0, 2.0))
+    fmu.enterStepMode()
+    fails(fmu.updateDiscreteStates)
+    # x = t² up to t = 1.
+    expected = [(0.75, 0.5625, 1.5, 1.5, 2.0), (1.0, 1.0, 2.0, 0.0, 2.0), (1.5, 1.25, 1.0, 1.0, 3.0)]
+    time = 0.0
+    for at, x, before, after, count in expected:
+        needs_events, is_end, is_early, last = fmu.doStep(time, 2.0 - time)
+        assert needs_events and is_early and not is_end and abs(last - at) < 1e-12, (needs_events, is_early, last)
+        assert np.allclose(opened.get("x", "x_dot", "t"), [x, before, at], atol=1e-11), opened.get("x", "x_dot", "t")
+        # The event awaits event mode.
+        fails(lambda: fmu.doStep(last, 2.0 - last))
+        fmu.enterEventMode()
+        fmu.updateDiscreteStates()
+        fmu.enterStepMode()
+        assert np.allclose(opened.get("x", "x_dot", "count"), [x, after, count], atol=1e-11), (at, opened.get("x_dot", "count"))
+        time = last
+    assert fmu.doStep(time, 0.5) == (False, False, False, 2.0)
+    fmu.terminate()
+    fmu.freeInstance()
+    print("event mode in co-simulation")
+
+
 def check_failure(lagrange, folder, version):
     """Checks that a motion that cannot continue stops at its last good state."""
     file, unit = folder / "root.lag", folder / "root.fmu"
@@ -365,6 +408,7 @@ def main():
         ends = {name: compare(lagrange, folder, name) for name in SYSTEMS}
         compare_with_scipy(ends)
         check_end(lagrange, folder)
+        check_events(lagrange, folder)
         for version in VERSIONS:
             compare_signal(folder, version)
             check_errors(folder, version)

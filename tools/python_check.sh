@@ -13,7 +13,8 @@ environment=$PWD/target/python
     "$environment/bin/pip" install --quiet "maturin>=1.9,<2" "numpy>=2" scipy pandas polars matplotlib pytest \
         nbclient ipykernel
 }
-export CARGO_TARGET_DIR=$PWD/target/python-build CARGO_INCREMENTAL=0 VIRTUAL_ENV=$environment
+# The checks of `lagrange-jit` compile the same crates.
+export CARGO_TARGET_DIR=$PWD/target/beside CARGO_INCREMENTAL=0 VIRTUAL_ENV=$environment
 cd crates/lagrange-python
 "$environment/bin/maturin" develop --quiet --locked
 "$environment/bin/python" -m pytest --quiet tests "$@"

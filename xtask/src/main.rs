@@ -1,7 +1,8 @@
 //! `cargo xtask check`: all checks required for a change to this workspace, in one command that
 //! needs only Rust. `cargo xtask sweeps`: the longest tests, for releases and changes to methods or
 //! contacts. `cargo xtask performance`: measures the speed of emitted code and rewrites the tables
-//! of docs/performance.md; `cargo xtask performance spatial` only does so for bodies in space.
+//! of docs/performance.md. `cargo xtask performance spatial` only does so for bodies in space, and
+//! `… text` for declarations in text.
 //! `cargo xtask size [REVISION]`: counts lines of library code by crate. `cargo xtask package`:
 //! packages every crate and compiles it from its package. `cargo xtask interface REVISION`:
 //! compares the public interface with a revision. `cargo xtask wrap`: wraps comments and pages at
@@ -72,7 +73,7 @@ fn main() -> ExitCode {
         ["sentences"] => code(wrap::sentences(root)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | sweeps | performance [spatial] | package | interface REVISION | size [REVISION] | wrap | sentences"
+                "usage: cargo xtask check | sweeps | performance [spatial | text] | package | interface REVISION | size [REVISION] | wrap | sentences"
             );
             ExitCode::from(2)
         }

@@ -2,8 +2,10 @@
 
 use std::ffi::OsString;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use lagrange_core::code::Precision;
+use lagrange_core::pipeline::Backend;
 use lagrange_fmi::Version;
 use lagrange_import::urdf::Options;
 use lexopt::{Arg, Error, Parser, ValueExt};
@@ -35,6 +37,8 @@ pub(crate) struct Command {
     pub(crate) inputs: Vec<PathBuf>,
     /// File to write; the standard output by default.
     pub(crate) output: Option<PathBuf>,
+    /// Compiler of the programs of motions, which are interpreted without one.
+    pub(crate) backend: Option<Arc<dyn Backend>>,
 }
 
 /// An action on files.
@@ -319,9 +323,12 @@ impl Action {
 ///
 /// # Errors
 /// If there is no valid command, an option does not belong to it, or the number of files is wrong.
-pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
+pub(crate) fn read_arguments(
+    mut parser: Parser,
+    backend: Option<&Arc<dyn Backend>>,
+) -> Result<Request, Error> {
     let mut action = match parser.next()? {
-        Some(Arg::Value(name)) if name == WATCH => return watch(parser),
+        Some(Arg::Value(name)) if name == WATCH => return watch(parser, backend),
         Some(Arg::Value(name)) => action(name)?,
         Some(Arg::Short('h') | Arg::Long("help")) => return Ok(Request::Help),
         Some(Arg::Short('V') | Arg::Long("version")) => return Ok(Request::Version),
@@ -347,15 +354,15 @@ pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
     match (&action, inputs.len()) {
         (_, 0) => Err("the name of a file is missing; `-` is the standard input".into()),
         (Action::Check { .. }, _) | (_, 1) => {
-            Ok(Request::Command(Box::new(Command { action, inputs, output })))
+            Ok(Request::Command(Box::new(Command { action, inputs, output, backend: backend.cloned() })))
         }
         _ => Err("this command takes one file at a time".into()),
     }
 }
 
 /// Reads the command after `watch`.
-fn watch(parser: Parser) -> Result<Request, Error> {
-    match read_arguments(parser)? {
+fn watch(parser: Parser, backend: Option<&Arc<dyn Backend>>) -> Result<Request, Error> {
+    match read_arguments(parser, backend)? {
         Request::Command(command)
             if command.inputs.iter().any(|input| input.as_os_str() == STANDARD_INPUT) =>
         {

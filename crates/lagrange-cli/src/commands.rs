@@ -69,7 +69,7 @@ impl Command {
 
     /// Computes a motion and writes it.
     fn simulate(&self, settings: &Settings) -> Ended {
-        let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
+        let Ok(mut system) = self.source().and_then(|source| self.declared(&source)) else {
             return Ended::WithMistakes;
         };
         let motion = Motion::new(settings, self.output.as_deref(), &mut system);
@@ -78,7 +78,7 @@ impl Command {
 
     /// Computes a motion and writes its film.
     fn film(&self, settings: &Settings) -> Ended {
-        let Ok((mut system, name)) = self.source().and_then(|source| Ok((drawn(&source)?, source.name)))
+        let Ok((mut system, name)) = self.source().and_then(|source| Ok((self.drawn(&source)?, source.name)))
         else {
             return Ended::WithMistakes;
         };
@@ -92,7 +92,7 @@ impl Command {
 
     /// Computes many motions and writes their final states.
     fn ensemble(&self, options: &EnsembleOptions) -> Ended {
-        let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
+        let Ok(mut system) = self.source().and_then(|source| self.declared(&source)) else {
             return Ended::WithMistakes;
         };
         let ends = match ensembles::ends(options, self.output.as_deref(), &mut system) {
@@ -110,7 +110,7 @@ impl Command {
 
     /// Compares methods and writes the recommended one.
     fn trade(&self, options: &TradeOptions) -> Ended {
-        let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
+        let Ok(mut system) = self.source().and_then(|source| self.declared(&source)) else {
             return Ended::WithMistakes;
         };
         let text = trades::text(options, self.output.as_deref(), &mut system);
@@ -120,9 +120,9 @@ impl Command {
     /// Computes a linear model and writes it.
     fn linearise(&self, point: &Point) -> Ended {
         let system = self.source().and_then(|source| {
-            declared(&source)?;
+            self.declared(&source)?;
             let derived = source.linearised().map_err(|report| print_plainly(&source, &report))?;
-            dynamic(&source, Programs::new(&derived))
+            self.dynamic(&source, Programs::new(&derived))
         });
         let Ok(mut system) = system else { return Ended::WithMistakes };
         match Linearised::new(point, &mut system) {
@@ -137,7 +137,7 @@ impl Command {
             let derived = with_derivatives(&source)?;
             let mut programs = Programs::new(&derived);
             programs.linearised.take_if(|program| program.len() > MOST_DERIVATIVES);
-            Ok((dynamic(&source, programs)?, source.name))
+            Ok((self.dynamic(&source, programs)?, source.name))
         });
         let Ok((mut system, name)) = system else { return Ended::WithMistakes };
         let start = match set(values, &mut system).and_then(|()| start("start", values, &system)) {
@@ -160,7 +160,7 @@ impl Command {
 
     /// Writes a page with a live simulation.
     fn page(&self, values: &Values) -> Ended {
-        let Ok((mut system, name)) = self.source().and_then(|source| Ok((drawn(&source)?, source.name)))
+        let Ok((mut system, name)) = self.source().and_then(|source| Ok((self.drawn(&source)?, source.name)))
         else {
             return Ended::WithMistakes;
         };
@@ -196,6 +196,29 @@ impl Command {
     fn source(&self) -> Outcome<Source> {
         let path = self.inputs.first().ok_or(Printed)?;
         source::read(path).map_err(|message| print_error(&message))
+    }
+
+    /// Returns a runnable system; prints warnings and errors.
+    fn declared(&self, source: &Source) -> Outcome<DeclaredSystem> {
+        let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
+        self.dynamic(source, Programs::new(&derived))
+    }
+
+    /// Returns a runnable system, with its drawing if it can be drawn; prints warnings and errors.
+    fn drawn(&self, source: &Source) -> Outcome<DeclaredSystem> {
+        let system = source.system_with("drawing").or_else(|_| source.system());
+        let derived = reported(source, system, |system| system.derive(StrategyChoice::Cheapest))?;
+        self.dynamic(source, Programs::new(&derived))
+    }
+
+    /// Returns a runnable system, compiled if there is a backend; prints errors.
+    fn dynamic(&self, source: &Source, programs: Programs) -> Outcome<DeclaredSystem> {
+        let system = DeclaredSystem::new(programs);
+        let system = system.map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))?;
+        Ok(match &self.backend {
+            Some(backend) => system.compiled_by(backend.clone()),
+            None => system,
+        })
     }
 
     fn check(&self, is_json: bool) -> bool {
@@ -238,23 +261,6 @@ fn started(system: &DeclaredSystem, state: Vec<f64>, values: &Values) -> Start {
 
 fn ended(is_well: bool) -> Ended {
     if is_well { Ended::Well } else { Ended::WithMistakes }
-}
-
-/// Returns a runnable system; prints warnings and errors.
-fn declared(source: &Source) -> Outcome<DeclaredSystem> {
-    let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
-    dynamic(source, Programs::new(&derived))
-}
-
-/// Returns a runnable system, with its drawing if it can be drawn; prints warnings and errors.
-fn drawn(source: &Source) -> Outcome<DeclaredSystem> {
-    let system = source.system_with("drawing").or_else(|_| source.system());
-    let derived = reported(source, system, |system| system.derive(StrategyChoice::Cheapest))?;
-    dynamic(source, Programs::new(&derived))
-}
-
-fn dynamic(source: &Source, programs: Programs) -> Outcome<DeclaredSystem> {
-    DeclaredSystem::new(programs).map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
 }
 
 /// Returns a system with the derivatives of its rates, if they are small enough; prints warnings

@@ -28,6 +28,8 @@ typedef struct {
     double fired[ROOM(INDICATORS)], quiet[ROOM(INDICATORS)];
     double next_tick, last_event, tolerance, step;
     int repetitions, has_stopped, is_lost;
+    // Events that have been located, but not handled.
+    int has_pending, pending[ROOM(INDICATORS)];
 } Motion;
 
 typedef enum { REACHED, STOPPED, NOT_FINITE, OFF_CONSTRAINTS, TOO_SHORT, ACCUMULATED } Outcome;
@@ -181,8 +183,9 @@ static void start_sides(Motion *m, const int *fires)
     indicators_of_model(m->t + later, y, m->p, then);
     for (int i = 0; i < INDICATORS; i++) {
         const int has_fired = fires != NULL && fires[i];
-        m->sides[i] = sign(has_fired || now[i] == 0.0 ? then[i] : now[i]);
-        m->quiet[i] = has_fired ? m->t + later : -INFINITY;
+        const int is_at_zero = has_fired || now[i] == 0.0;
+        m->sides[i] = sign(is_at_zero ? then[i] : now[i]);
+        m->quiet[i] = is_at_zero ? m->t + later : -INFINITY;
         if (has_fired)
             m->fired[i] = m->t;
     }
@@ -252,9 +255,16 @@ static int let_tick(Motion *m)
     return 1;
 }
 
+// True if events or ticks at the present time are not handled yet.
+static int has_due(const Motion *m)
+{
+    return m->has_pending || m->t >= m->next_tick;
+}
+
 static void start_motion(Motion *m)
 {
     m->step = 0.0;
+    m->has_pending = 0;
     m->repetitions = 0;
     m->last_event = -INFINITY;
     m->has_stopped = 0;

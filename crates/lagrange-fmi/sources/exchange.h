@@ -5,48 +5,6 @@ static int is_in_exchange(const Instance *in, const char *function, int is_in_mo
     return is_allowed(in, function, in != NULL && in->is_exchange && is_in_mode);
 }
 
-// What events leave.
-typedef struct {
-    int has_stopped, has_moved, has_next;
-    double next_time;
-} Update;
-
-static Status enter_event(Instance *in, const char *function)
-{
-    if (!is_in_exchange(in, function, in != NULL && is_running(in)))
-        return FAILED;
-    in->state.mode = AT_EVENT;
-    return DONE;
-}
-
-static Status update_discrete(Instance *in, const char *function, Update *update)
-{
-    double values[ROOM(INDICATORS)];
-    int fires[ROOM(INDICATORS)];
-    if (!is_in_exchange(in, function, in != NULL && in->state.mode == AT_EVENT))
-        return FAILED;
-    Motion *m = &in->state.motion;
-    const Motion before = *m;
-    indicators_of_model(m->t, m->y, m->p, values);
-    if (firing(m, m->sides, m->t, values, fires) > 0)
-        react(m, fires);
-    else
-        take_sides(m, m->sides, m->t, values);
-    if (m->repetitions >= MOST_REPETITIONS)
-        return fail_with(in, function, "time", m->t, "is where infinitely many events accumulate");
-    let_tick(m);
-    if (m->is_lost || !are_finite(STATES, m->y)) {
-        *m = before;
-        return fail_with(in, function, "time", m->t, "has an event after which there is no valid state");
-    }
-    log_events(in, before.last_event);
-    update->has_stopped = m->has_stopped;
-    update->has_moved = memcmp(before.y, m->y, sizeof m->y) != 0;
-    update->has_next = isfinite(m->next_tick);
-    update->next_time = m->next_tick;
-    return DONE;
-}
-
 static Status enter_continuous(Instance *in, const char *function)
 {
     if (!is_in_exchange(in, function, in != NULL && in->state.mode == AT_EVENT))

@@ -6,6 +6,7 @@ typedef fmi2Logger Logger;
 
 #include "instance.h"
 #include "values.h"
+#include "events.h"
 #include "exchange.h"
 #include "stepping.h"
 

@@ -6,6 +6,7 @@ typedef fmi3LogMessageCallback Logger;
 
 #include "instance.h"
 #include "values.h"
+#include "events.h"
 #include "exchange.h"
 #include "stepping.h"
 
@@ -36,14 +37,14 @@ FUNCTION(fmi3Instance, fmi3InstantiateCoSimulation,
           const fmi3ValueReference required[], size_t required_count, fmi3InstanceEnvironment environment,
           fmi3LogMessageCallback log, fmi3IntermediateUpdateCallback update))
 {
-    (void)resources, (void)is_visible, (void)may_return_early;
+    (void)resources, (void)is_visible;
     (void)required, (void)required_count, (void)update;
     Instance *in = new_instance(__func__, name, token, log, environment, is_logging);
-    if (in == NULL || !has_event_mode)
-        return in;
-    fail(in, __func__, "steps handle their events: there is no event mode");
-    free_instance(in);
-    return NULL;
+    if (in != NULL) {
+        in->has_event_mode = has_event_mode;
+        in->may_return_early = may_return_early;
+    }
+    return in;
 }
 
 FUNCTION(fmi3Instance, fmi3InstantiateScheduledExecution,
@@ -77,6 +78,14 @@ FUNCTION(fmi3Status, fmi3EnterInitializationMode,
     return status == DONE ? enter_initialization(instance, __func__) : status;
 }
 
+static Status enter_step(Instance *in, const char *function)
+{
+    if (!is_with_events(in, function, in != NULL && !in->is_exchange && in->state.mode == AT_EVENT))
+        return FAILED;
+    in->state.mode = STEPPING;
+    return DONE;
+}
+
 // Functions that take an instance alone.
 #define MODE(name, result) \
     FUNCTION(fmi3Status, name, (fmi3Instance instance)) \
@@ -87,7 +96,7 @@ FUNCTION(fmi3Status, fmi3EnterInitializationMode,
 MODE(fmi3ExitInitializationMode, exit_initialization(instance, __func__))
 MODE(fmi3EnterEventMode, enter_event(instance, __func__))
 MODE(fmi3EnterContinuousTimeMode, enter_continuous(instance, __func__))
-MODE(fmi3EnterStepMode, fail(instance, __func__, "there is no event mode to leave"))
+MODE(fmi3EnterStepMode, enter_step(instance, __func__))
 MODE(fmi3EnterConfigurationMode, fail(instance, __func__, "there are no structural parameters"))
 MODE(fmi3ExitConfigurationMode, fail(instance, __func__, "there are no structural parameters"))
 MODE(fmi3EvaluateDiscreteStates, fail(instance, __func__, "discrete states change at events alone"))
@@ -236,7 +245,8 @@ FUNCTION(fmi3Status, fmi3GetNumberOfContinuousStates, (fmi3Instance instance, si
     return get_number(instance, STATES, count);
 }
 
-// A declared end is no error here. No step returns before its end for another reason.
+// A declared end is no error here. A step returns early at such an end, or at an event that the
+// importing program handles.
 FUNCTION(fmi3Status, fmi3DoStep,
          (fmi3Instance instance, fmi3Float64 time, fmi3Float64 length, fmi3Boolean is_final,
           fmi3Boolean *needs_events, fmi3Boolean *is_end, fmi3Boolean *is_early, fmi3Float64 *last_time))
@@ -246,9 +256,11 @@ FUNCTION(fmi3Status, fmi3DoStep,
     if (in == NULL || needs_events == NULL || is_end == NULL || is_early == NULL || last_time == NULL)
         return fmi3Error;
     const Status status = do_step(instance, __func__, time, length);
-    *needs_events = *is_early = false;
-    *is_end = in->state.motion.has_stopped;
-    *last_time = in->state.motion.t;
+    const Motion *m = &in->state.motion;
+    *is_end = m->has_stopped;
+    *needs_events = status == DONE && in->has_event_mode && has_due(m);
+    *is_early = *needs_events && m->t < time + length;
+    *last_time = m->t;
     return status == DISCARDED && *is_end ? fmi3OK : (fmi3Status)status;
 }
 

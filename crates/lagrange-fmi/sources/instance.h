@@ -34,6 +34,8 @@ typedef struct {
     State state;
     // True if the importing program integrates.
     int is_exchange;
+    // True if the importing program handles events in co-simulation, and if steps may end at them.
+    int has_event_mode, may_return_early;
     Logger logger;
     void *environment;
     int is_logging;
@@ -214,9 +216,10 @@ static Status exit_initialization(Instance *in, const char *function)
         return fail(in, function, reason);
     }
     start_motion(m);
-    if (!in->is_exchange)
+    const int starts_at_event = in->is_exchange || in->has_event_mode;
+    if (!starts_at_event)
         let_tick(m);
-    in->state.mode = in->is_exchange ? AT_EVENT : STEPPING;
+    in->state.mode = starts_at_event ? AT_EVENT : STEPPING;
     return DONE;
 }
 

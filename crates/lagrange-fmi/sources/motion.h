@@ -127,8 +127,8 @@ static double search(Motion *m, const double *rates, double h, double *end, int 
     return 2.0;
 }
 
-// Takes one step, at most to a time.
-static Outcome take_step(Motion *m, double end)
+// Takes one step, at most to a time. An event at its end remains pending if it is deferred.
+static Outcome take_step(Motion *m, double end, int is_deferred)
 {
     double rates[ROOM(STATES)] = { 0 }, y[ROOM(STATES)];
     int fires[ROOM(INDICATORS)];
@@ -154,7 +154,10 @@ static Outcome take_step(Motion *m, double end)
                 normalise_model(m->y);
             else
                 m->is_lost |= isnan(hold(m));
-            if (part <= 1.0)
+            if (part <= 1.0 && is_deferred)
+                memcpy(m->pending, fires, sizeof fires);
+            m->has_pending = part <= 1.0 && is_deferred;
+            if (part <= 1.0 && !is_deferred)
                 react(m, fires);
             return REACHED;
         }
@@ -164,15 +167,16 @@ static Outcome take_step(Motion *m, double end)
     }
 }
 
-// Continues a motion up to a time or to an event. After a failure the motion stands at the last good
-// state.
-static Outcome advance(Motion *m, double end)
+// Continues a motion up to a time or to an event. Deferred events and ticks are located, but not
+// handled. After a failure the motion stands at the last good state.
+static Outcome advance(Motion *m, double end, int is_deferred)
 {
     const double last_event = m->last_event;
-    while (m->t < end && m->last_event == last_event) {
+    while (m->t < end && m->last_event == last_event && !(is_deferred && has_due(m))) {
         Motion next = *m;
-        let_tick(&next);
-        const Outcome outcome = take_step(&next, fmin(end, m->next_tick));
+        if (!is_deferred)
+            let_tick(&next);
+        const Outcome outcome = take_step(&next, fmin(end, next.next_tick), is_deferred);
         if (outcome != REACHED)
             return outcome;
         if (next.is_lost || !are_finite(STATES, next.y))

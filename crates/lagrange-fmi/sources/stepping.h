@@ -11,6 +11,7 @@ static const char *reason_of(Outcome outcome)
     }
 }
 
+// Takes a step. In event mode it may end at the first event, which remains to be handled.
 static Status do_step(Instance *in, const char *function, double time, double length)
 {
     if (!is_allowed(in, function, in != NULL && !in->is_exchange && in->state.mode == STEPPING))
@@ -22,10 +23,13 @@ static Status do_step(Instance *in, const char *function, double time, double le
         return fail_with(in, function, "communicationStepSize", length, "is negative or not finite");
     if (time + length > in->state.stop_time + 1e-9 * fmax(1.0, fabs(time)))
         return fail_with(in, function, "communicationStepSize", length, "leads behind the stop time");
+    const int is_deferred = in->has_event_mode && in->may_return_early;
+    if (is_deferred && has_due(m))
+        return fail_with(in, function, "time", m->t, "has an event, which awaits event mode");
     Outcome outcome = m->has_stopped ? STOPPED : REACHED;
-    while (outcome == REACHED && m->t < time + length) {
+    while (outcome == REACHED && m->t < time + length && !(is_deferred && has_due(m))) {
         const double last_event = m->last_event;
-        outcome = advance(m, time + length);
+        outcome = advance(m, time + length, is_deferred);
         log_events(in, last_event);
     }
     if (outcome == REACHED)

@@ -63,7 +63,7 @@ static Status set_variable(Instance *in, const char *function, unsigned place, d
         return fail_with(in, function, names[place], value, "is not finite");
     const int is_starting = state->mode == INSTANTIATED || state->mode == INITIALIZING;
     if (place < FIRST_RATE) {
-        if (!is_starting && state->mode != AT_EVENT && state->mode != CONTINUOUS)
+        if (!is_starting && !in->is_exchange)
             return fail_with(in, function, names[place], value, "is a state, which is set before the run");
         state->motion.y[place] = value;
         state->is_set[place] = 1;

@@ -89,8 +89,12 @@ fn kinds(programs: &Programs, heading: &Heading<'_>) -> String {
             heading.identifier
         )
     };
-    element("ModelExchange", "")
-        + &element("CoSimulation", "\n      canHandleVariableCommunicationStepSize=\"true\"")
+    let event_mode = match heading.version {
+        Version::Two => "",
+        Version::Three => " hasEventMode=\"true\"",
+    };
+    let steps = format!("\n      canHandleVariableCommunicationStepSize=\"true\"{event_mode}");
+    element("ModelExchange", "") + &element("CoSimulation", &steps)
 }
 
 fn files(element: &str, sources: &[&str]) -> String {

@@ -17,10 +17,11 @@ use crate::version::Version;
 const TOLERANCE: f64 = 1e-10;
 
 /// Sources common to all systems and versions.
-const SOURCES: [(&str, &str); 8] = [
+const SOURCES: [(&str, &str); 9] = [
     ("export.h", include_str!("../sources/export.h")),
     ("instance.h", include_str!("../sources/instance.h")),
     ("values.h", include_str!("../sources/values.h")),
+    ("events.h", include_str!("../sources/events.h")),
     ("exchange.h", include_str!("../sources/exchange.h")),
     ("stepping.h", include_str!("../sources/stepping.h")),
     ("changes.h", include_str!("../sources/changes.h")),

@@ -1,6 +1,5 @@
 // Calls functions of a unit in any order, with any numbers, sizes and missing arrays. States of a
-// running instance stay finite. Arguments: kind (1 for model exchange), number of calls, and anything to
-// see the messages.
+// running instance stay finite. Arguments: kind, number of calls, and anything to see the messages.
 
 #include "unit.h"
 
@@ -44,6 +43,16 @@ static int call_values(Instance *in)
     }
 }
 
+// Version 2.0 has no step mode to enter.
+static int call_step_mode(Instance *in)
+{
+#ifdef FMI3
+    return (int)fmi3EnterStepMode(in);
+#else
+    return finish_initialization(in);
+#endif
+}
+
 static int call_exchange(Instance *in)
 {
     double values[ROOM(STATES + INDICATORS)];
@@ -52,7 +61,8 @@ static int call_exchange(Instance *in)
     int is_event, is_end;
     for (int i = 0; i < STATES + INDICATORS; i++)
         values[i] = number();
-    switch (below(9)) {
+    switch (below(11)) {
+    case 9: case 10: return call_step_mode(in);
     case 0: return enter_event(in, "event");
     case 1: return update_discrete(in, "update", &update);
     case 2: return enter_continuous(in, "continuous");

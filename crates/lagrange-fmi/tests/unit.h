@@ -27,14 +27,20 @@ static void print(void *environment, const char *name, fmi2Status status, const 
 }
 #endif
 
-static void *instantiate(const char *token, int is_exchange, Logger logger)
+// Kinds of instances. Version 2.0 has no event mode in co-simulation.
+enum { STEPS, EXCHANGE, STEPS_WITH_EVENTS };
+
+static void *instantiate(const char *token, int kind, Logger logger)
 {
 #ifdef FMI3
-    return is_exchange ? fmi3InstantiateModelExchange("unit", token, "", 0, 1, NULL, logger)
-                       : fmi3InstantiateCoSimulation("unit", token, "", 0, 1, 0, 0, NULL, 0, NULL, logger, NULL);
+    const int has_events = kind == STEPS_WITH_EVENTS;
+    return kind == EXCHANGE ? fmi3InstantiateModelExchange("unit", token, "", 0, 1, NULL, logger)
+                            : fmi3InstantiateCoSimulation("unit", token, "", 0, 1, has_events, has_events, NULL, 0,
+                                                          NULL, logger, NULL);
 #else
     const fmi2CallbackFunctions callbacks = { logger, NULL, NULL, NULL, NULL };
-    return fmi2Instantiate("unit", is_exchange ? fmi2ModelExchange : fmi2CoSimulation, token, "", &callbacks, 0, 1);
+    return fmi2Instantiate("unit", kind == EXCHANGE ? fmi2ModelExchange : fmi2CoSimulation, token, "", &callbacks, 0,
+                           1);
 #endif
 }
 
@@ -76,13 +82,31 @@ static int set(void *unit, const unsigned *references, size_t count, const doubl
 #endif
 }
 
+#ifdef FMI3
+// Handles events in event mode, and leaves it.
+static int handle_events(void *unit, bool *is_end)
+{
+    bool needs_more = true, has_nominals, has_moved, has_next;
+    double next;
+    int status = 0;
+    while (status == 0 && needs_more)
+        status = (int)fmi3UpdateDiscreteStates(unit, &needs_more, is_end, &has_nominals, &has_moved, &has_next, &next);
+    return status == 0 ? (int)fmi3EnterStepMode(unit) : status;
+}
+#endif
+
 // Returns the status of version 2.0: a declared end discards the rest of the step.
 static int step(void *unit, double time, double length)
 {
 #ifdef FMI3
-    bool needs_events, is_end = false, is_early;
-    double last;
-    const int status = (int)fmi3DoStep(unit, time, length, 1, &needs_events, &is_end, &is_early, &last);
+    bool needs_events = false, is_end = false, is_early = false;
+    double last = time;
+    int status;
+    do {
+        status = (int)fmi3DoStep(unit, last, time + length - last, 1, &needs_events, &is_end, &is_early, &last);
+        if (status == 0 && needs_events)
+            status = (int)fmi3EnterEventMode(unit) || handle_events(unit, &is_end);
+    } while (status == 0 && is_early && !is_end);
     return status == 0 && is_end ? 2 : status;
 #else
     return (int)fmi2DoStep(unit, time, length, 1);

@@ -21,6 +21,11 @@ use systems::SYSTEMS;
 const OPTIONS: [&str; 7] =
     ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
+/// Kinds of instances, as in `unit.h`.
+const STEPS: &str = "0";
+const EXCHANGE: &str = "1";
+const STEPS_WITH_EVENTS: &str = "2";
+
 const VERSIONS: [Version; 2] = [Version::Two, Version::Three];
 
 const BOUNCE: &str = "struct Bounce; param g: m/s^2 = 9.81, e in 0..=1 = 0.8; coord h: m = 1;
@@ -85,16 +90,24 @@ fn run(program: &Path, guid: &str, arguments: &[&str]) -> Output {
     Command::new(program).arg(guid).args(arguments).output().expect("a program")
 }
 
-/// Returns status, time, and the first two variables, which must agree between both versions.
+/// Returns status, time, and the first two variables, which must agree between both versions, and
+/// with events that the caller handles.
 fn stepped(name: &str, text: &str, arguments: &[&str]) -> ([f64; 4], String) {
-    let [two, three] = VERSIONS.map(|version| stepped_by(name, &unit(text, version), arguments));
+    let units = VERSIONS.map(|version| unit(text, version));
+    let programs = units.each_ref().map(|unit| stepper(name, unit));
+    let by = |version: usize, kind| stepped_by(&programs[version], &units[version], kind, arguments);
+    let [two, three, handled] = [by(0, STEPS), by(1, STEPS), by(1, STEPS_WITH_EVENTS)];
     assert_eq!(two.0, three.0);
     assert_eq!(two.1, three.1.replace("fmi3", "fmi2"));
+    assert_eq!(two.0[0] == 0.0, handled.0[0] == 0.0, "{}", handled.1);
+    for (found, wanted) in handled.0.iter().zip(two.0).skip(1) {
+        assert!((found - wanted).abs() <= 1e-12 * wanted.abs().max(1.0), "{:?} {:?}", handled, two);
+    }
     two
 }
 
-fn stepped_by(name: &str, unit: &MockupUnit, arguments: &[&str]) -> ([f64; 4], String) {
-    let output = run(&stepper(name, unit), &guid(unit), arguments);
+fn stepped_by(program: &Path, unit: &MockupUnit, kind: &str, arguments: &[&str]) -> ([f64; 4], String) {
+    let output = run(program, &guid(unit), &[&[kind][..], arguments].concat());
     let printed = String::from_utf8(output.stdout).expect("numbers");
     let numbers =
         printed.split_whitespace().map(|word| word.parse().expect("a number")).collect::<Vec<f64>>();
@@ -274,7 +287,7 @@ fn constraints_hold() {
     let ([status, time, x, y], messages) = stepped("rod", rod, &["0.5", "400"]);
     assert!([status, time] == [0.0, 200.0] && (x.hypot(y) - 1.0).abs() < 4e-15, "{x} {y} {messages}");
     let unit = unit(&rod.replace("0.6", "0.7"), Version::Three);
-    let output = run(&stepper("off", &unit), &guid(&unit), &["0.5", "1"]);
+    let output = run(&stepper("off", &unit), &guid(&unit), &[STEPS, "0.5", "1"]);
     let message = String::from_utf8(output.stderr).expect("text");
     assert!(message.contains("the start violates the constraint length"), "{message}");
 }
@@ -284,7 +297,7 @@ fn wrong_requests_are_errors() {
     for unit in VERSIONS.map(|version| unit(BOUNCE, version)) {
         let program = stepper("wrong", &unit);
         let failure = |guid: &str, arguments: &[&str]| {
-            let output = run(&program, guid, arguments);
+            let output = run(&program, guid, &[&[STEPS][..], arguments].concat());
             (output.status.code(), String::from_utf8(output.stderr).expect("text"))
         };
         let (code, message) = failure("{0}", &["1", "1"]);
@@ -316,7 +329,7 @@ fn any_calls_are_survived() {
         for unit in VERSIONS.map(|version| unit(text, version)) {
             let program =
                 program(&format!("calls_{name}"), &unit, ("calls.c", include_str!("calls.c")), &SAFE);
-            for kind in ["0", "1"] {
+            for kind in [STEPS, EXCHANGE, STEPS_WITH_EVENTS] {
                 let output = run(&program, kind, &["20000"]);
                 let messages = String::from_utf8_lossy(&output.stderr).into_owned();
                 assert!(output.status.success(), "{name} {kind}: {} {messages}", output.status);

@@ -1,6 +1,6 @@
 //! Code of rustc, code of Cranelift and the interpreter in one run: rates, and ten seconds of
-//! motion. Run `cargo bench` in the folder of the crate; `docs/command_line.md` lists motions of
-//! four systems.
+//! motion. `cargo xtask performance text` writes the tables of `docs/performance.md` and
+//! `docs/command_line.md`.
 
 #[allow(dead_code, clippy::assign_op_pattern, reason = "as the tests of lagrange-dynamic declare them")]
 #[macro_use]
@@ -111,10 +111,10 @@ impl Least {
         self.0.iter_mut().zip(times).for_each(|(least, time)| *least = time.min(*least));
     }
 
-    fn columns(&self, scale: f64) -> String {
-        let [rustc, cranelift, interpreter] = self.0.map(|time| time.as_secs_f64() * 1e9 / scale);
-        let [of_cranelift, of_interpreter] = [cranelift, interpreter].map(|time| time / rustc);
-        format!("{rustc:.0} | {cranelift:.0} ({of_cranelift:.2}) | {interpreter:.0} ({of_interpreter:.1})")
+    /// Returns nanoseconds for each of a number of evaluations.
+    fn columns(&self, evaluations: f64) -> String {
+        let [rustc, cranelift, interpreter] = self.0.map(|time| time.as_secs_f64() * 1e9 / evaluations);
+        format!("{rustc:.1} | {cranelift:.1} | {interpreter:.1}")
     }
 }
 
@@ -148,8 +148,9 @@ macro_rules! compare {
             evaluations = first;
         }
         println!(
-            "| {} | {} | {} | {:.1} | {:.2} |",
+            "| {} | {} | {} | {} | {:.2} | {:.3} |",
             stringify!($System),
+            start.len(),
             rate.columns(1.0),
             motion.columns(evaluations as f64),
             least(|| timed(|| read($TEXT)).0),
@@ -160,7 +161,7 @@ macro_rules! compare {
 
 fn main() {
     println!(
-        "| system | rates: rustc, ns | Cranelift | interpreter | motion: rustc | Cranelift | interpreter | to read, ms | to compile |"
+        "| system | entries | rates: rustc, ns | Cranelift | interpreter | motion: rustc, ns | Cranelift | interpreter | to read, ms | to compile, ms |"
     );
     compare!(DoublePendulum, DOUBLE_PENDULUM, [1.5, 1.5, 0.0, 0.0]);
     compare!(FiveMasses, FIVE_MASSES, [0.1, 0.2, 0.3, 0.4, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0]);

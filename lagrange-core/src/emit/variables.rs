@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use super::base::shape::Shape;
 use super::features::orientations::written_velocity;
 use super::features::ports::column_names;
 use super::features::regressor::regressor_names;
@@ -9,6 +10,7 @@ use super::features::switches::derived_shape;
 use super::features::units::units_by_name;
 use crate::derive::Equations;
 use crate::model::{EntryLimits, Model, Product};
+use lagrange_expr::collections::HashSet;
 use lagrange_language::syntax::ast::{Declaration, Direction};
 
 /// Names and units of a system's variables, as in the constants of its emitted type.
@@ -37,7 +39,7 @@ pub struct Variables {
     pub is_stabilised: bool,
     /// Events.
     pub events: Vec<EventOfSystem>,
-    /// Contacts and friction.
+    /// Contacts and friction, with one name for all elements of an array.
     pub touching: Vec<String>,
     /// Inputs that are delayed signals.
     pub delayed: Vec<String>,
@@ -117,11 +119,32 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
             .iter()
             .map(|event| EventOfSystem { name: text(shape.written(&event.name)), direction: event.direction })
             .collect(),
-        touching: shape.touching.iter().map(|(name, _)| text(shape.written(name))).collect(),
+        touching: touching_names(&shape),
         delayed: model.delays.iter().map(|delay| model.inputs[delay.input].name.clone()).collect(),
         switches: shape.switches.clone(),
         outputs,
         regressor: regressor_names(&shape, equations),
         units: units.into_iter().map(|(name, unit)| (name, text(unit))).collect(),
     }
+}
+
+/// Returns the declared names of contacts and friction. An array has one name, and so do the points
+/// in which a body touches, with their friction.
+fn touching_names(shape: &Shape<'_>) -> Vec<String> {
+    let names = || shape.touching.iter().map(|(name, _)| array_of(shape.written(name)));
+    let is_of_contact = |name: &str| {
+        let contact = name.strip_suffix("_friction");
+        contact.is_some_and(|contact| names().any(|name| name == contact))
+    };
+    let mut known = HashSet::default();
+    let declared = names().filter(|name| known.insert(*name) && !is_of_contact(name));
+    declared.map(str::to_owned).collect()
+}
+
+/// Returns the name of an array for that of an element, `leg[0].foot` for `leg[0].foot[2]`.
+fn array_of(mut name: &str) -> &str {
+    while let Some((array, _)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
+        name = array;
+    }
+    name
 }

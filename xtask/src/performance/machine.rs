@@ -17,6 +17,13 @@ pub(super) fn description() -> Result<String, String> {
     Ok(format!("Measured on {} with rustc {release} for {host}, {}.\n", processor(), date.trim()))
 }
 
+/// Returns the present load in a sentence; nothing where Linux does not report it.
+pub(super) fn load() -> String {
+    let told = fs::read_to_string("/proc/loadavg").unwrap_or_default();
+    let processes = told.split(' ').next().filter(|number| !number.is_empty());
+    processes.map_or_else(String::new, |number| format!("Other programs had {number} runnable processes.\n"))
+}
+
 /// Returns the model and number of processors, as reported by Linux.
 fn processor() -> String {
     let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();

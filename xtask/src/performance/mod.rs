@@ -1,7 +1,9 @@
 //! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md. `cargo
-//! xtask performance spatial` only does so for bodies in space.
+//! xtask performance spatial` only does so for bodies in space, and `cargo xtask performance text`
+//! for declarations in text, with the table of docs/command_line.md.
 
 mod crate_of_variants;
+mod declared;
 mod document;
 mod ideas;
 mod machine;
@@ -12,12 +14,15 @@ mod undo;
 use std::path::Path;
 
 use crate_of_variants::Variant;
+use declared::Declared;
 use ideas::{Chain, Derivation, Idea, ideas};
 use lagrange_core::accuracy::Accuracy;
 use run::{DEFAULT, NATIVE, Target, UNPAIRED, cargo};
 use tables::{Comparison, Measured};
 
 const DOCUMENT: &str = "docs/performance.md";
+/// The page with motions of declarations in text.
+const COMMAND_LINE: &str = "docs/command_line.md";
 /// Chains whose operations are counted to show the growth of cost.
 const GROWING: [(&str, usize); 7] = [
     ("absolute", 20),
@@ -39,7 +44,8 @@ pub(crate) fn performance(root: &Path, sections: &[&str]) -> Result<(), String> 
     match sections {
         [] => everything(root),
         ["spatial"] => spatial(root),
-        _ => Err("usage: cargo xtask performance [spatial]".to_owned()),
+        ["text"] => declared(root),
+        _ => Err("usage: cargo xtask performance [spatial | text]".to_owned()),
     }
 }
 
@@ -63,12 +69,28 @@ fn everything(root: &Path) -> Result<(), String> {
         ("ideas", varied),
         ("spatial", measured_spatial(root)?),
     ];
-    document::rewrite(&root.join(DOCUMENT), &sections)
+    document::rewrite(&root.join(DOCUMENT), &sections)?;
+    declared(root)
 }
 
 /// Measures bodies in space and updates the document.
 fn spatial(root: &Path) -> Result<(), String> {
     document::rewrite(&root.join(DOCUMENT), &[("spatial", measured_spatial(root)?)])
+}
+
+/// Measures declarations in text and updates the tables of both pages.
+fn declared(root: &Path) -> Result<(), String> {
+    let (folder, load) = (root.join("crates/lagrange-jit"), machine::load());
+    let printed = cargo(root, &folder, &DEFAULT, &["bench", "--quiet", "--locked"])?;
+    let rows = run::rows(&printed).filter_map(|cells| Declared::read(&cells)).collect::<Vec<_>>();
+    if rows.is_empty() {
+        return Err(format!("no row in the output of the benchmark:\n{printed}"));
+    }
+    let head = format!("{}{}\n", machine::description()?, load);
+    for (page, table) in [(DOCUMENT, declared::rates(&rows)), (COMMAND_LINE, declared::motions(&rows))] {
+        document::rewrite(&root.join(page), &[("text", format!("{head}{table}"))])?;
+    }
+    Ok(())
 }
 
 fn measured_spatial(root: &Path) -> Result<String, String> {

@@ -1,0 +1,17 @@
+//! The command `lagrange` with machine code instead of the interpreter.
+#![forbid(unsafe_code)]
+
+use std::env;
+use std::process::ExitCode;
+
+use lagrange_jit::Compiler;
+
+fn main() -> ExitCode {
+    match Compiler::for_this_processor() {
+        Ok(compiler) => lagrange_cli::run(env::args_os(), Some(compiler)),
+        Err(error) => {
+            eprintln!("error: {error}; `lagrange` of the crate `lagrange-cli` interprets declarations");
+            ExitCode::FAILURE
+        }
+    }
+}
