@@ -12,7 +12,7 @@ use std::time::Instant;
 use lagrange::ensemble::SharedSystem;
 use lagrange::integrate::{LanesMethod, LanesStepper, RungeKutta4};
 use lagrange::scalar::Lanes;
-use lagrange::system::{Equations, LanesSystem, OdeSystem, SideBySide, StateVector};
+use lagrange::system::{Domain, Equations, LanesSystem, OdeSystem, SideBySide, StateVector};
 use lagrange::{Ensembles, Number, Scalar};
 use pulp::NullaryFnOnce;
 
@@ -213,7 +213,7 @@ where
         for first in (0..MOTIONS).step_by(8) {
             let starts: [_; 8] = std::array::from_fn(|lane| start(first + lane));
             let state = std::array::from_fn(|component| Lanes(starts.map(|start| start[component])));
-            let mut motions = METHOD.start(&equations, 0.0, &state, UNTIL);
+            let mut motions = METHOD.start(&equations, &state, [0.0, UNTIL], &Domain::EVERYWHERE);
             *sum += run_to_end(&mut motions, &equations);
         }
     }

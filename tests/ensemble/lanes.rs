@@ -147,7 +147,7 @@ fn ranges_are_checked_in_each_lane() {
     let (alone, samples) =
         (motions(21).one_by_one().run().expect("runs"), motions(21).every(0.5).run().expect("runs"));
     let failures = |failures: &[lagrange::ensemble::Failure<Mirror>]| {
-        failures.iter().map(|failure| failure.to_string()).collect::<Vec<_>>()
+        failures.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     assert_eq!(failures(lanes.failures()), failures(alone.failures()));
     assert_eq!(samples.failures().count(), lanes.failures().len());

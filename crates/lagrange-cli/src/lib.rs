@@ -43,9 +43,9 @@ const EARLY: u8 = 3;
 
 /// Runs the command with these arguments, of which the first is the name of the program. A backend
 /// compiles the programs of motions; without it they are interpreted, with the same results.
-pub fn run(arguments: impl IntoIterator<Item = OsString>, backend: Option<Arc<dyn Backend>>) -> ExitCode {
+pub fn run(arguments: impl IntoIterator<Item = OsString>, backend: Option<&Arc<dyn Backend>>) -> ExitCode {
     let arguments = arguments.into_iter().collect::<Vec<_>>();
-    match read_arguments(lexopt::Parser::from_iter(arguments), backend.as_ref()) {
+    match read_arguments(lexopt::Parser::from_iter(arguments), backend) {
         Ok(Request::Help) => {
             print!("{HELP}");
             ExitCode::SUCCESS

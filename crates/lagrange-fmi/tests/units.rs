@@ -101,7 +101,7 @@ fn stepped(name: &str, text: &str, arguments: &[&str]) -> ([f64; 4], String) {
     assert_eq!(two.1, three.1.replace("fmi3", "fmi2"));
     assert_eq!(two.0[0] == 0.0, handled.0[0] == 0.0, "{}", handled.1);
     for (found, wanted) in handled.0.iter().zip(two.0).skip(1) {
-        assert!((found - wanted).abs() <= 1e-12 * wanted.abs().max(1.0), "{:?} {:?}", handled, two);
+        assert!((found - wanted).abs() <= 1e-12 * wanted.abs().max(1.0), "{handled:?} {two:?}");
     }
     two
 }
