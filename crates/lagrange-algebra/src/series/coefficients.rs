@@ -122,6 +122,7 @@ impl<'a> Coefficients<'a> {
             Source::Previous(of) => self.now(pass, of),
             Source::Rate(of) => self.times_slot(pass, pass.coefficients[of], Slot::Order),
             Source::Integral(rate) => match self.schedule.kinds[rate] {
+                // Functions of velocities: the bias of the reciprocal is accepted.
                 Kind::Accelerated => self.times_slot(pass, pass.coefficients[rate], Slot::Reciprocal),
                 // In the first step, k + 1 is one.
                 Kind::Fixed => self.first(pass, rate),
