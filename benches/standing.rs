@@ -1,8 +1,8 @@
 //! Steps of a quadruped that stands, and of one that slides, on 4, 8 and 16 points.
 //!
-//! The quadruped is that of `examples/quadruped.rs`, with springs and dampers that carry its weight.
-//! `tools/contact_peers.py` alternates these steps with those of MuJoCo. With the argument `serve`,
-//! the benchmark answers lines, where CASE is 4, 8 or 16:
+//! The quadruped is that of `examples/quadruped.rs`, with springs and dampers that carry its
+//! weight. `tools/contact_peers.py` alternates these steps with those of MuJoCo. With the argument
+//! `serve`, the benchmark answers lines, where CASE is 4, 8 or 16:
 //!
 //! - `start CASE SPEED` starts a motion;
 //! - `CASE SPEED STEPS` continues it: the time in ns, the number of Newton steps and the state;
@@ -89,7 +89,7 @@ trait Walker {
     fn advance(&mut self, steps: usize) -> Outcome;
 
     /// Takes steps, and returns the largest residual, depth, slip velocity of sticking contacts and
-    /// rise of the energy, with the number of loaded contacts and the state at the end.
+    /// rise of the energy. The number of loaded contacts and the state are those at the end.
     fn law(&mut self, steps: usize) -> Outcome;
 
     /// Returns accelerations of a state in the air.

@@ -66,7 +66,7 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     /// The place of each reaction; K for those that do not act.
     places: [usize; K],
     choices: [Choice<S>; K],
-    /// Where the slopes of each limit begin and end.
+    /// First index of the slopes of each limit, and the index after the last.
     slopes: [(usize, usize); K],
     /// Units of rates; the units of reactions are their reciprocals.
     units: [S; K],

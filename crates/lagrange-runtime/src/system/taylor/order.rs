@@ -6,7 +6,7 @@ use crate::scalar::Number;
 ///
 /// The reciprocals of three, five, six, … are rounded, each in the same direction in every step.
 /// Products with them would change a step by about a hundredth of a rounding error, always in the
-/// same sense, so that energy drifts in proportion to time. The bias of quotients is ten times
+/// same sense. Energy would drift in proportion to time. The bias of quotients is ten times
 /// smaller.
 #[derive(Clone, Copy, Debug)]
 pub struct Order<S> {
