@@ -41,6 +41,16 @@ fn a_later_start_sees_later_parts_of_the_formula() {
     assert!((motion.last()[0] - 4.5).abs() < 1e-12, "{:?}", motion.last());
 }
 
+/// A second run from the end of the first one sees the formula up to its own start: its rate from
+/// one to two is −t, not −1 + (t − 1)²/2.
+#[test]
+fn a_run_that_continues_another_one_sees_the_formula() {
+    let line = Line::default();
+    let first = line.simulate(line.start()).until(1.0).with_history().run().unwrap();
+    let second = line.simulate(first.last()).from(1.0).until(2.0).with_history().run().unwrap();
+    assert!((second.last()[0] + 1.0).abs() < 1e-12, "{:?}", second.last());
+}
+
 /// The state jumps from zero to one at the start, and its rate one delay later.
 #[test]
 fn a_jump_at_the_start_is_noticed_one_delay_later() {

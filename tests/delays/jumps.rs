@@ -65,6 +65,25 @@ fn sampled_inputs_arrive_late_and_whole() {
     assert_eq!((late[0], late[5], late[9]), (0.0, 0.0, 1.0));
 }
 
+/// The input counts up from what it was three ticks ago.
+#[test]
+fn controllers_see_delayed_signals() {
+    let mut seen = Vec::new();
+    let control = |follower: &Follower, _, _: FollowerState| {
+        let inputs = lagrange::system::ControlledSystem::inputs(follower);
+        seen.push(inputs.late);
+        FollowerInputs { u: inputs.u + 1.0, ..inputs }
+    };
+    let follower = Follower::default();
+    follower.simulate([0.0]).until(0.65).sampled(0.1, control).with_history().run().unwrap();
+    assert_eq!(seen[0], 0.0);
+    // Just after a jump of the delayed input, or just before it.
+    for (tick, late) in seen.iter().enumerate() {
+        let expected = tick as f64 - 2.0;
+        assert!(*late == expected.max(0.0) || *late == (expected - 1.0).max(0.0), "{seen:?}");
+    }
+}
+
 lagrange::system! {
     /// A clock counts; the count acts a quarter of a second later.
     struct Clocked;

@@ -9,7 +9,6 @@ use lagrange_dynamic::{
 };
 use lagrange_files::save_bytes;
 use lagrange_runtime::simulate::Trajectory;
-use lagrange_runtime::system::StepFailure;
 
 use crate::arguments::{Settings, Values};
 use crate::values::value;
@@ -233,9 +232,7 @@ impl Visitor for Motion<'_> {
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Result<(), Failure> {
         match self.run.run(system) {
             Ok(motion) => self.write(&motion).map_err(Failure::File),
-            Err(failure) if matches!(failure.cause, StepFailure::Setting(_)) => {
-                Err(Failure::Usage(failure.cause.to_string()))
-            }
+            Err(failure) if failure.cause.is_refusal() => Err(Failure::Usage(failure.cause.to_string())),
             Err(failure) => {
                 self.write(&failure.trajectory).map_err(Failure::File)?;
                 Err(Failure::Ended(failure.to_string()))

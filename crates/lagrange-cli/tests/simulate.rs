@@ -164,6 +164,21 @@ fn delayed_signals_follow_the_method_of_steps() {
     }
 }
 
+/// A run that never starts writes nothing.
+#[test]
+fn delays_and_parameters_out_of_range_are_mistakes_of_usage() {
+    let system = "param lag = 1, k > 0 = 1; state x = 1; let past = delay(x, lag); dot(x) = -k * past;";
+    let path = declaration("bad_lag.lag", system);
+    for (value, message) in [
+        ("lag=-1", "the delay of `past` is -1.0, but it must be positive and finite"),
+        ("k=-1", "the parameter `k` is -1.0, but it must be greater than 0.0"),
+    ] {
+        let result = simulate(&[&path, "--until", "2", "--set", value]);
+        assert_eq!((result.status.code(), text(&result.stdout)), (Some(2), ""), "{value}");
+        assert!(text(&result.stderr).contains(message), "{}", text(&result.stderr));
+    }
+}
+
 #[test]
 fn delayed_signals_have_no_values_to_set() {
     let path =

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use lagrange_dynamic::{DynamicSystem, Inline, MethodChoice, RunSettings, Visitor};
 use lagrange_runtime::simulate::{SimulationError as RunError, Trajectory};
-use lagrange_runtime::system::{StateVector, StepFailure};
+use lagrange_runtime::system::StateVector;
 use numpy::ToPyArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::types::PyAnyMethods;
@@ -49,7 +49,7 @@ pub(crate) struct DrivenRun<'py> {
 /// A run that failed.
 pub(crate) struct FailedRun {
     message: String,
-    is_setting: bool,
+    is_refusal: bool,
     motion: NewTrajectory,
 }
 
@@ -57,7 +57,7 @@ impl FailedRun {
     fn new<const CAPACITY: usize>(failure: &RunError<DynamicSystem<CAPACITY>>) -> Self {
         FailedRun {
             message: failure.to_string(),
-            is_setting: matches!(failure.cause, StepFailure::Setting(_) | StepFailure::OutOfRange(_)),
+            is_refusal: failure.cause.is_refusal(),
             motion: PyTrajectory::new(&failure.trajectory),
         }
     }
@@ -65,7 +65,7 @@ impl FailedRun {
     /// Returns the exception: `ValueError` for invalid settings, otherwise one with the motion so
     /// far.
     pub(crate) fn exception(self, py: Python<'_>) -> PyErr {
-        if self.is_setting {
+        if self.is_refusal {
             return PyValueError::new_err(self.message);
         }
         let error = SimulationError::new_err(self.message);

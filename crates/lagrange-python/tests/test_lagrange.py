@@ -157,6 +157,22 @@ def test_parameters_need_values():
     assert motion["x"][-1] == pytest.approx(np.cos(2), abs=1e-11)
 
 
+def test_delays_and_parameters_out_of_range_are_refused():
+    system = lagrange.System("param lag = 1, k > 0 = 1; state x = 1; let past = delay(x, lag); dot(x) = -k * past;")
+    assert system.simulate(until=1)["x"][-1] == pytest.approx(0, abs=1e-12)
+    with pytest.raises(ValueError, match="the delay of `past` is -1.0"):
+        system.with_parameters(lag=-1).simulate(until=1)
+    with pytest.raises(ValueError, match="the parameter `k` is -1.0"):
+        system.with_parameters(k=-1).simulate(until=1)
+
+
+def test_a_motion_that_leaves_its_range_is_kept():
+    system = lagrange.System("state x in ..=1 = 0; dot(x) = 1;")
+    with pytest.raises(lagrange.SimulationError, match="`x`") as failure:
+        system.simulate(until=5)
+    assert 0 < failure.value.trajectory["t"][-1] <= 1
+
+
 def test_events():
     motion = lagrange.System(BALL).simulate(until=2, every=0.25, tolerance=1e-12)
     name, time, state = motion.events[0]

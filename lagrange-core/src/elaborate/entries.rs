@@ -60,13 +60,18 @@ pub(super) fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId, hel
 /// Reports a name that is not declared, with this help if it is predefined. The name of an
 /// orientation also counts as not declared, since only its components have values.
 fn refuse_unknown<T>(elaborator: &mut Elaborator<'_>, syntax: AstId, text: &str, help: &str) -> Option<T> {
-    let span = elaborator.evaluator.origin(syntax).start;
-    let components = Quaternion::named(Name::new(text, span)).positions.map(|component| component.text);
-    if !elaborator.coordinates.iter().any(|(known, _)| known.name == components[0]) {
+    let Some(components) = components_of(elaborator, syntax, text) else {
         return report_undeclared(&mut elaborator.evaluator, syntax, text, help);
-    }
+    };
     let help = start::whole_quaternion(components.each_ref().map(String::as_str));
     elaborator.evaluator.refuse(syntax, start::whole_orientation(text), &help)
+}
+
+/// Returns the components of the orientation with this name, if it is one.
+pub(super) fn components_of(elaborator: &Elaborator<'_>, syntax: AstId, text: &str) -> Option<[String; 4]> {
+    let span = elaborator.evaluator.origin(syntax).start;
+    let components = Quaternion::named(Name::new(text, span)).positions.map(|component| component.text);
+    elaborator.coordinates.iter().any(|(known, _)| known.name == components[0]).then_some(components)
 }
 
 /// Reports an unknown name where an entry of the state is assigned, unless it was reported before.

@@ -1,7 +1,7 @@
 //! The state before the start of a motion, as functions of time. Delayed signals see it.
 
 use super::elaborator::{CHANGING, Elaborator};
-use super::entries::{assigned_index, position_at, spelling_of};
+use super::entries::{assigned_index, components_of, position_at, spelling_of};
 use super::expression::value_of;
 use super::messages::history as messages;
 use crate::model::{Assignment, Orientation};
@@ -9,18 +9,19 @@ use lagrange_algebra::calculus::{AccelerationTerms, Rates, substitute};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
-use lagrange_language::syntax::ast::{self, AstId};
+use lagrange_language::syntax::ast::{self, AstId, Expression};
 
 /// Adds `history x = e;`.
 pub(super) fn add_history(elaborator: &mut Elaborator<'_>, assignment: &ast::Assignment) {
     let value = function_of_time(elaborator, assignment.value);
     let target = assignment.target;
+    if let Some(orientation) = orientation_at(elaborator, target) {
+        return refuse(elaborator, target, orientation);
+    }
     let Some(index) = assigned_index(elaborator, target, messages::HISTORY_HELP) else { return };
     let name = spelling_of(elaborator, index);
     if !can_have_history(elaborator, index) {
-        let message = messages::no_history(name);
-        elaborator.evaluator.refuse::<()>(target, message, messages::NO_HISTORY_HELP);
-        return;
+        return refuse(elaborator, target, name);
     }
     let origin = elaborator.evaluator.origin(target);
     if let Some(first) = elaborator.history.assigned.note(index, origin) {
@@ -28,6 +29,19 @@ pub(super) fn add_history(elaborator: &mut Elaborator<'_>, assignment: &ast::Ass
         error.related(first, messages::HISTORY_HERE).help(messages::TWO_HISTORIES_HELP);
     }
     elaborator.history.values.extend(value.map(|value| Assignment { index, value }));
+}
+
+/// Reports the history of an entry that has none of its own.
+fn refuse(elaborator: &mut Elaborator<'_>, target: AstId, name: String) {
+    elaborator.evaluator.refuse::<()>(target, messages::no_history(name), messages::NO_HISTORY_HELP);
+}
+
+/// Returns the name of the whole orientation that this expression is, if it is one.
+fn orientation_at(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<String> {
+    let Expression::Name(text) = elaborator.evaluator.syntax(syntax) else { return None };
+    let text = text.to_string();
+    let is_unknown = elaborator.evaluator.scope.resolve(&text).is_none();
+    (is_unknown && components_of(elaborator, syntax, &text).is_some()).then_some(text)
 }
 
 fn function_of_time(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {

@@ -33,26 +33,34 @@ pub(super) fn set_limits(
         Some((evaluate(graph, &[bound.value], |_| f64::NAN)[0], bound.is_included))
     });
     let limits = EntryLimits { bounds, nominal };
-    check_single(elaborator, (index, origin), &limits);
-    elaborator.limits.push(DeclaredLimits { index, origin, range, limits });
+    if is_single(elaborator, (index, origin), &limits) {
+        elaborator.limits.push(DeclaredLimits { index, origin, range, limits });
+    }
 }
 
 /// The question for a range or a nominal value, and the message about two of them.
 type LimitKind = (fn(&EntryLimits) -> bool, fn(String) -> String);
 
-/// Reports an entry with two ranges or two nominal values.
-fn check_single(elaborator: &mut Elaborator<'_>, (index, origin): (usize, Origin), limits: &EntryLimits) {
+/// Returns true unless the entry has two ranges or two nominal values, which is reported once.
+fn is_single(
+    elaborator: &mut Elaborator<'_>,
+    (index, origin): (usize, Origin),
+    limits: &EntryLimits,
+) -> bool {
     let kinds: [LimitKind; 2] = [
         (EntryLimits::is_bounded, messages::two_ranges),
         (|limits| limits.nominal.is_some(), messages::two_nominal_values),
     ];
-    for (has, message) in kinds.into_iter().filter(|(has, _)| has(limits)) {
-        let is_first = |other: &&DeclaredLimits| other.index == index && has(&other.limits);
-        let Some(first) = elaborator.limits.iter().find(is_first).map(|other| other.origin) else { continue };
-        let message = message(spelling_of(elaborator, index));
-        let error = elaborator.evaluator.report.error(origin, message);
-        error.related(first, messages::LIMITED_HERE).help(messages::LIMITED_TWICE_HELP);
-    }
+    let others = elaborator.limits.iter().filter(|other| other.index == index);
+    let twice = kinds.into_iter().filter(|(has, _)| has(limits)).find_map(|(has, message)| {
+        let first = others.clone().find(|other| has(&other.limits))?;
+        Some((first.origin, message))
+    });
+    let Some((first, message)) = twice else { return true };
+    let message = message(spelling_of(elaborator, index));
+    let error = elaborator.evaluator.report.error(origin, message);
+    error.related(first, messages::LIMITED_HERE).help(messages::LIMITED_TWICE_HELP);
+    false
 }
 
 /// Evaluates a nominal value.

@@ -105,6 +105,33 @@ pub(crate) const SCENE: &str = "
     output load = hinge.force;
     output push = touch.force;";
 
+/// Histories of one and of several entries, also in loops and parts.
+const LATE: &str = "
+    param w: 1/s = 2, lag: s = 0.1, x_rest: m = 0.5;
+    coord x: m = 1, y[2]: m;
+    history x = cos(w * t) * 1[m], y[0] = -(1 - w * t) * 2[m];
+    for i in 1..2 { history y[i] = x_rest * i; }
+    part Lag(k, lag) { state z = 1; history z = exp(-k * t / 1[s]); dot(z) = -k * delay(z, lag) / 1[s]; }
+    lag_a: Lag { k: 1; lag: lag; }
+    lag_b: Lag { k: 2; lag: 2 * lag; }
+    kinetic = 1/2 * (dot(x)^2 + dot(y[0])^2 + dot(y[1])^2) * 1[kg];
+    force x = -delay(x + y[0] + y[1], lag) * 1[N/m];";
+
+#[test]
+fn histories_are_printed_with_the_same_meaning() {
+    let declaration = read(LATE);
+    let again = printed_and_read(&declaration);
+    let printed = print::statements(&declaration);
+    assert!(printed.contains("history x = cos(w * t)"), "{printed}");
+    assert_eq!(print::statements(&again), printed);
+    let code = emitted(declaration).expect("a correct declaration");
+    assert_eq!(emitted(again).as_ref(), Ok(&code));
+    assert!(code.contains("signals_before"), "histories are emitted");
+    // Without one of its histories the code is another one.
+    let without = LATE.replace("history z = exp(-k * t / 1[s]);", "");
+    assert_ne!(emitted(read(&without)).as_ref(), Ok(&code));
+}
+
 #[test]
 fn expanded_bodies_are_printed_with_the_same_meaning() {
     let mut report = Report::default();

@@ -145,7 +145,11 @@ impl Parser<'_> {
             let name = cursor.ident().map(ToString::to_string).unwrap_or_default();
             if parser.declared(&name) == Some(Declared::Coordinate) && at_call_with_value(cursor) {
                 let origin = cursor.reaching(2);
-                return Err(parser.fail_with_help(origin, habits::TIME_OF_START, habits::start_of(name)));
+                let (message, help) = match keyword {
+                    "history" => (habits::TIME_OF_HISTORY, habits::history_of(name)),
+                    _ => (habits::TIME_OF_START, habits::start_of(name)),
+                };
+                return Err(parser.fail_with_help(origin, message, help));
             }
             let target = parser.expression(cursor)?;
             parser.equals(help, cursor)?;

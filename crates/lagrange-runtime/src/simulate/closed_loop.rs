@@ -39,11 +39,16 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
         Ok(())
     }
 
-    /// Checks what the loop requires of the parameters of a motion over this span.
+    /// Checks what the loop requires of the parameters of a motion over this span. Its steps
+    /// `are_bounded` if a limit or an event may end it before.
     ///
     /// # Errors
     /// If it cannot run with them.
-    fn check_parameters(&self, _span: [M::Scalar; 2]) -> Result<(), StepFailure<M::Scalar>> {
+    fn check_parameters(
+        &self,
+        _span: [M::Scalar; 2],
+        _are_bounded: bool,
+    ) -> Result<(), StepFailure<M::Scalar>> {
         Ok(())
     }
 

@@ -10,10 +10,11 @@ use crate::scalar::{Number, Scalar};
 use crate::simulate::builder::Simulation;
 use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::simulate::control::{Drive, Undriven};
-use crate::simulate::history::History;
+use crate::simulate::history::{History, unknown};
 use crate::simulate::observer::{columns_of, inputs};
 use crate::system::{
-    DelayedSystem, MechanicalSystem, SettingError, StateMatrix, StateVector, StepFailure, Wrapper, split,
+    DelayFault, DelayedSystem, MechanicalSystem, SettingError, StateMatrix, StateVector, StepFailure,
+    Wrapper, split,
 };
 
 /// Delayed signals take their values from the past of the motion.
@@ -60,9 +61,10 @@ impl<M: DelayedSystem> Drive<M> for WithHistory {
     type Closed = Remembering<M>;
 
     fn close<R>(&self, system: &M, run: impl FnOnce(&Remembering<M>) -> R) -> R {
-        let plant = system.with_delayed(&system.lags());
+        let unknown = unknown(system.lags());
+        let plant = system.with_delayed(&unknown);
         let history = History::new(M::Scalar::ZERO, system.lags(), 1, &[]);
-        let past = Past { plant: system.with_delayed(&system.lags()), start: M::State::ZERO, history };
+        let past = Past { plant: plant.with_delayed(&unknown), start: M::State::ZERO, history };
         run(&Remembering { plant, past: Rc::new(RefCell::new(past)) })
     }
 }
@@ -75,12 +77,41 @@ const MOST_STEPS: f64 = 1e8;
 /// Maximum number of such steps that the past of a motion keeps.
 const MOST_KEPT: f64 = 1e6;
 
-/// Returns the shortest delay that a run over this span permits beside these delays.
-fn shortest_delay<S: Scalar>([start, end]: [S; 2], lags: &[S]) -> S {
+/// Returns the reason why a run over this span does not permit the shortest of these delays. If
+/// something else bounds the number of its steps, the span does not.
+fn fault<S: Scalar>(
+    [start, end]: [S; 2],
+    lags: &[S],
+    shortest: S,
+    are_bounded: bool,
+) -> Option<DelayFault<S>> {
     let (spacing, span) = (S::epsilon() * start.abs().max(end.abs()), end - start);
-    let longest = lags.iter().copied().filter(|lag| lag.is_finite()).fold(S::ZERO, S::max).min(span);
-    let resolved = (S::from_f64(SPACINGS) * spacing).max(span / S::from_f64(MOST_STEPS));
-    resolved.max(longest / S::from_f64(MOST_KEPT))
+    let longest = lags.iter().copied().fold(S::ZERO, S::max).min(span);
+    let times = S::from_f64(SPACINGS) * spacing;
+    let steps = if are_bounded { S::ZERO } else { span / S::from_f64(MOST_STEPS) };
+    let past = longest / S::from_f64(MOST_KEPT);
+    let faults = [
+        (times, DelayFault::Times { least: times }),
+        (steps, DelayFault::Steps { least: steps }),
+        (past, DelayFault::Past { least: past }),
+    ];
+    let largest = faults.into_iter().reduce(|one, other| if other.0 > one.0 { other } else { one });
+    largest.filter(|(least, _)| shortest < *least).map(|(_, fault)| fault)
+}
+
+/// Returns the name of the delayed signal with this number. Its input is the one that changes with
+/// it.
+fn name_of<M: DelayedSystem>(plant: &M, number: usize) -> &'static str {
+    let mut signals = plant.lags();
+    let mut inputs = |value| -> M::InputVector {
+        signals.as_mut().fill(M::Scalar::ZERO);
+        signals.as_mut()[number] = value;
+        plant.with_delayed(&signals).inputs().into()
+    };
+    let (without, with) = (inputs(M::Scalar::ZERO), inputs(M::Scalar::ONE));
+    let mut pairs = without.as_ref().iter().zip(with.as_ref());
+    let place = pairs.position(|(zero, one)| *zero == M::Scalar::ZERO && *one == M::Scalar::ONE);
+    place.and_then(|place| plant.input_names().get(place)).copied().unwrap_or_default()
 }
 
 /// A system whose delayed signals have the values of its past.
@@ -195,14 +226,27 @@ impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
         }
     }
 
-    fn check_parameters(&self, span: [M::Scalar; 2]) -> Result<(), StepFailure<M::Scalar>> {
+    /// Spans that are not finite are left to the method, which names their ends.
+    fn check_parameters(
+        &self,
+        span: [M::Scalar; 2],
+        are_bounded: bool,
+    ) -> Result<(), StepFailure<M::Scalar>> {
         let lags = self.plant.lags();
-        let least = shortest_delay(span, lags.as_ref());
-        let is_sound = |lag: &M::Scalar| lag.is_finite() && *lag > M::Scalar::ZERO && *lag >= least;
-        match lags.as_ref().iter().find(|lag| !is_sound(lag)) {
-            Some(lag) => Err(StepFailure::Delay { lag: *lag, least }),
-            None => Ok(()),
+        let lags = lags.as_ref();
+        let refusal = |number: usize, fault| {
+            Err(StepFailure::Delay { signal: name_of(&self.plant, number), lag: lags[number], fault })
+        };
+        let is_time = |lag: &M::Scalar| lag.is_finite() && *lag > M::Scalar::ZERO;
+        if let Some(number) = lags.iter().position(|lag| !is_time(lag)) {
+            return refusal(number, DelayFault::NotPositive);
         }
+        let is_finite = (span[1] - span[0]).is_finite();
+        let Some(shortest) = lags.iter().copied().reduce(M::Scalar::min).filter(|_| is_finite) else {
+            return Ok(());
+        };
+        let number = lags.iter().position(|lag| *lag == shortest).unwrap_or_default();
+        fault(span, lags, shortest, are_bounded).map_or(Ok(()), |fault| refusal(number, fault))
     }
 
     /// Before the start signals have the values that they have there, unless a function of time
@@ -211,9 +255,9 @@ impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
     fn start_history(&self, start: (M::Scalar, &M::State), order: u32, restarts: &[M::Scalar]) {
         let lags = self.plant.lags();
         let history = History::new(start.0, lags, order, restarts);
-        let plant = self.plant.with_delayed(&lags);
+        let mut signals = unknown(lags);
+        let plant = self.plant.with_delayed(&signals);
         *self.past.borrow_mut() = Past { plant, start: *start.1, history };
-        let mut signals = lags;
         for _ in lags.as_ref() {
             signals = self.signals(start.0, start.1);
             self.past.borrow_mut().history.set_before(signals);

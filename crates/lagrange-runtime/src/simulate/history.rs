@@ -177,7 +177,7 @@ fn highest_order(lags: usize) -> u32 {
 }
 
 /// Returns unknown signals, as many as these.
-fn unknown<S: Scalar, Y: StateVector<S>>(mut signals: Y) -> Y {
+pub(super) fn unknown<S: Scalar, Y: StateVector<S>>(mut signals: Y) -> Y {
     signals.as_mut().fill(S::from_f64(f64::NAN));
     signals
 }

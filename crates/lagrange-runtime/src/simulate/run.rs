@@ -79,11 +79,12 @@ where
     let checked =
         system.check(settings.span, !controllers.is_empty()).and(checked).map_err(StepFailure::Setting);
     let begun = checked.and_then(|method| {
-        system.check_parameters(settings.span)?;
+        let ends_early = !watches.is_empty() || system.plant().events().iter().any(|event| !event.is_switch);
+        system.check_parameters(settings.span, ends_early || settings.max_steps.is_some())?;
         let mut controllers = Controllers::new(settings.span, &settings.periods, controllers)?;
         current.begin::<K::Stepper>((t, &start.1), end, |system| {
             let state = D::Closed::state_of_plant(&start.1);
-            let acted = controllers.begin(system.plant(), (t, &state))?;
+            let acted = system.ask(t, &state, |plant| controllers.begin(plant, (t, &state)))?;
             Ok(acted.map(|plant| system.with_plant(plant)))
         })?;
         Ok((method, controllers))
@@ -158,9 +159,11 @@ where
             if work.steps + work.rejections >= max_steps {
                 return Err(StepFailure::TooManySteps { limit: max_steps });
             }
-            let plant = record.seen(run.system()).plant();
-            let state = C::state_of_plant(run.state());
-            if let Some(plant) = controllers.act(plant, run.beyond(), (run.time(), &state))? {
+            let (t, state) = (run.time(), C::state_of_plant(run.state()));
+            let acted = record
+                .seen(run.system())
+                .ask(t, &state, |plant| controllers.act(plant, run.beyond(), (t, &state)))?;
+            if let Some(plant) = acted {
                 run.exchange(record, run.system().with_plant(plant))?;
             }
             let instant = match (controllers.next(), run.system().limit()) {

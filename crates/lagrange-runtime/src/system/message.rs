@@ -2,13 +2,34 @@
 
 use core::fmt::{Debug, Display, Formatter, Result};
 
-use super::step_failure::{EventSource, StepFailure};
+use super::step_failure::{DelayFault, EventSource, StepFailure};
 
 impl<S: Debug> Display for StepFailure<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self.event() {
             Some(event) => explain(self, &event, f),
             None => explain(self, &"an event", f),
+        }
+    }
+}
+
+impl<S: Debug> Display for DelayFault<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            DelayFault::NotPositive => f.write_str("positive and finite"),
+            DelayFault::Steps { least } => write!(
+                f,
+                "at least {least:?} for a run of this length, since no step is longer: end the run earlier, or give it \
+                an event or a `max_steps` that ends it"
+            ),
+            DelayFault::Times { least } => write!(
+                f,
+                "at least {least:?}, a thousand spacings of the times of this run: measure time from near the start"
+            ),
+            DelayFault::Past { least } => write!(
+                f,
+                "at least {least:?}, since the past is kept for the longest delay and no step is longer than the shortest"
+            ),
         }
     }
 }
@@ -46,10 +67,9 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::Stuck(what) => f.write_str(what),
         StepFailure::Violated(violation) => write!(f, "{violation}"),
         StepFailure::OutOfRange(error) => write!(f, "{error}"),
-        StepFailure::Delay { lag, least } => write!(
-            f,
-            "a delay is {lag:?}, but in this run it must be at least {least:?} and finite, since no step is longer"
-        ),
+        StepFailure::Delay { signal, lag, fault } => {
+            write!(f, "the delay of `{signal}` is {lag:?}, but it must be {fault}")
+        }
         StepFailure::Restitution { contact, value } => write!(
             f,
             "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"

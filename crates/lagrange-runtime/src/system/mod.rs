@@ -59,7 +59,7 @@ pub use self::positions::{join, normalise, normalise_described, split};
 pub(crate) use self::rate_name::WithSuffix;
 pub use self::regressor::RegressorSystem;
 pub use self::setting_error::SettingError;
-pub use self::step_failure::{EventSource, StepFailure};
+pub use self::step_failure::{DelayFault, EventSource, StepFailure};
 pub use self::taylor::{MAX_ORDER, Order, Products, SeriesFactors, SeriesSolver, TaylorSystem};
 #[cfg(feature = "linear")]
 pub(crate) use self::undefined::Acceleration;

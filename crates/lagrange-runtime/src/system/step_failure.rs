@@ -1,7 +1,7 @@
 //! Reasons why a step failed.
 
 use super::event::DeclaredEvent;
-use super::out_of_range::OutOfRange;
+use super::out_of_range::{OutOfRange, RangedKind};
 use super::setting_error::SettingError;
 use super::undefined::Undefined;
 use super::violation::Violation;
@@ -77,10 +77,12 @@ pub enum StepFailure<S> {
     OutOfRange(OutOfRange<S>),
     /// A delay is not positive and finite, or too short for the run.
     Delay {
+        /// The name of the delayed signal.
+        signal: &'static str,
         /// The delay.
         lag: S,
-        /// The shortest delay that the run permits.
-        least: S,
+        /// The reason.
+        fault: DelayFault<S>,
     },
     /// A coefficient of restitution is not between 0 and 1.
     Restitution {
@@ -147,6 +149,29 @@ pub enum StepFailure<S> {
     },
 }
 
+/// The reason why a run does not permit a delay.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum DelayFault<S> {
+    /// It is not positive and finite.
+    NotPositive,
+    /// Steps no longer than the delay would be too many.
+    Steps {
+        /// The shortest delay that the run permits.
+        least: S,
+    },
+    /// Times of the run are too coarse.
+    Times {
+        /// The shortest delay that the run permits.
+        least: S,
+    },
+    /// Another delay is so much longer that its past would have too many steps.
+    Past {
+        /// The shortest delay that the run permits.
+        least: S,
+    },
+}
+
 /// The source of an event function.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum EventSource {
@@ -169,6 +194,16 @@ impl<S> From<SettingError<S>> for StepFailure<S> {
 }
 
 impl<S> StepFailure<S> {
+    /// Returns true if a run was refused because of its settings or parameters, so that it has no
+    /// motion. Initial states are not among them, since any state of a motion may be invalid.
+    pub fn is_refusal(&self) -> bool {
+        match self {
+            StepFailure::Setting(_) | StepFailure::Delay { .. } => true,
+            StepFailure::OutOfRange(outside) => outside.kind == RangedKind::Parameter,
+            _ => false,
+        }
+    }
+
     /// Returns the event that caused the failure, if one did.
     pub fn event(&self) -> Option<EventSource> {
         match *self {

@@ -9,7 +9,8 @@ messages! {
     HISTORY_HELP =
         "write `history x = cos(t);` with a coordinate or a state `x`, and a formula of numbers, parameters and t";
     no_history(target) = "`{target}` has no history of its own";
-    NO_HISTORY_HELP = "give the history of coordinates and states: velocities follow as their rates";
+    NO_HISTORY_HELP =
+        "give the history of coordinates and states: velocities follow as their rates, and orientations keep their start";
     two_histories(target) = "`{target}` has two histories";
     HISTORY_HERE = "the other one is here";
     TWO_HISTORIES_HELP = "remove one of them";

@@ -27,8 +27,10 @@ messages! {
 
     VALUE_BEHIND_WORD = "an initial value follows an equals sign";
     TIME_OF_START = "initial values have no argument: they hold at the start of a run";
+    TIME_OF_HISTORY = "a history has no argument: its formula is a function of the time t";
     RATE_AMONG_COORDINATES = "velocities are not declared: each coordinate has one";
     start_of(target) = "for its initial value write `start {target} = …;`";
+    history_of(target) = "write `history {target} = …;`";
 
     /// Advice for the rate of a state in the spelling of another language.
     rate_of_state(rate) = "the rate of a state is stated as `{rate} = …;`";
