@@ -41,7 +41,7 @@ fn a_later_start_sees_later_parts_of_the_formula() {
     assert!((motion.last()[0] - 4.5).abs() < 1e-12, "{:?}", motion.last());
 }
 
-/// A second run from the end of the first one sees the formula up to its own start: its rate from
+/// A second run from the end of the first one sees the formula up to its own start. Its rate from
 /// one to two is −t, not −1 + (t − 1)²/2.
 #[test]
 fn a_run_that_continues_another_one_sees_the_formula() {

@@ -19,8 +19,8 @@ impl<S: Debug> Display for DelayFault<S> {
             DelayFault::NotPositive => f.write_str("positive and finite"),
             DelayFault::Steps { least } => write!(
                 f,
-                "at least {least:?} for a run of this length, since no step is longer: end the run earlier, or give it \
-                an event or a `max_steps` that ends it"
+                "at least {least:?} for a run of this length, as no step is longer: end it earlier, or by an event or \
+                 `max_steps`"
             ),
             DelayFault::Times { least } => write!(
                 f,

@@ -1,8 +1,8 @@
 //! Ensembles in lanes: several motions in the lanes of vector instructions.
 //!
 //! A chunk of motions runs in lanes if the system and the method support it, and only ends and
-//! samples were requested. Motions that fail or leave their domain are repeated alone, which reports
-//! the cause. Motions with a jump at a known time are run alone from the start.
+//! samples were requested. Motions that fail or leave their domain are repeated alone, which
+//! reports the cause. Motions with a jump at a known time are run alone from the start.
 
 mod dispatch;
 mod refill;
