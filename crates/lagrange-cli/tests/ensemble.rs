@@ -128,7 +128,12 @@ fn motions_that_fail_are_rows_of_nan_and_named() {
 fn members_with_values_that_make_no_sense_fail_alone() {
     let cases = [
         ("half.lag", "coord x in ..=1; kinetic = 1/2 * dot(x)^2;", "x=0..2", "the coordinate `x` is 1."),
-        ("late.lag", "param lag = 1; state x = 1; dot(x) = -delay(x, lag);", "lag=-1..1", "a delay is -0."),
+        (
+            "late.lag",
+            "param lag = 1; state x = 1; dot(x) = -delay(x, lag);",
+            "lag=-1..1",
+            "the delay of `delayed_1` is -0.",
+        ),
     ];
     for (name, text_of_file, range, message) in cases {
         let file = declaration(name, text_of_file);
