@@ -30,8 +30,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Planet<S>;
 
-    param m = 1, mu = 1;
-    coord x, y;
+    param m: kg = 1, mu: m^3/s^2 = 1;
+    coord x: m, y: m;
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     potential = -m * mu / hypot(x, y);
     emit { taylor, momentum_rates }
