@@ -194,8 +194,8 @@ impl<S> From<SettingError<S>> for StepFailure<S> {
 }
 
 impl<S> StepFailure<S> {
-    /// Returns true if a run was refused because of its settings or parameters, so that it has no
-    /// motion. Initial states are not among them, since any state of a motion may be invalid.
+    /// True if a run was refused because of its settings or parameters, so that it has no motion.
+    /// Initial states are not among them, since any state of a motion may be invalid.
     pub fn is_refusal(&self) -> bool {
         match self {
             StepFailure::Setting(_) | StepFailure::Delay { .. } => true,
