@@ -21,6 +21,23 @@ mod planar {
 }
 use planar::Planar;
 
+/// The same links, with declared ranges of both joints.
+mod ranged {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct Ranged<S>;
+        emit { frames, frame_jacobians }
+        body upper { mass: 1; shape: slender_rod(0.4); }
+        body lower { mass: 1; shape: slender_rod(0.3); }
+        frame tip;
+        revolute shoulder = ground to upper { axis: (0, 0, 1); }
+        revolute elbow = upper to lower { at: (0.4, 0, 0); axis: (0, 0, 1); }
+        weld lower to tip { at: (0.3, 0, 0); }
+        range shoulder in -2..=2, elbow in pi/2..=3;
+    }
+}
+use ranged::Ranged;
+
 /// An arm with seven joints and the lengths of the Franka Emika Panda.
 mod seven {
     lagrange::system! {
@@ -138,6 +155,26 @@ fn a_goal_out_of_reach_is_missed_by_the_least_distance() {
     // The nearest boundary of its reach is also a singular posture.
     let found = arm.reach(&goal(0.7), &[0.3, -0.4]).tolerance(1e-8).solve().expect("stretched");
     assert!(found.q[1].abs() < 1e-3, "{found:?}");
+}
+
+#[test]
+fn declared_ranges_are_limits_unless_others_are_given() {
+    let arm = Ranged::<f64>::default();
+    let far = [FrameTask::position(Ranged::tip_frame, Ranged::tip_jacobian, [1.0, 0.0, 0.0])];
+    for start in [[0.3, 2.0], [3.0, -1.0]] {
+        let Err(ReachError::Short(shortfall)) = arm.reach(&far, &start).solve() else { panic!("reached") };
+        assert_eq!((shortfall.at_limit, shortfall.q[1]), (Some("elbow"), FRAC_PI_2));
+        assert!((shortfall.distance - 0.5).abs() < 1e-6, "{shortfall:?}");
+    }
+    let near = [FrameTask::position(Ranged::tip_frame, Ranged::tip_jacobian, [0.6, 0.0, 0.0])];
+    assert!(arm.reach(&near, &[0.3, 2.0]).starts(20).solve().is_err());
+    let widened = arm.reach(&near, &[0.3, 2.0]).within("elbow", 0.0, PI).solve().expect("in reach");
+    assert!((widened.q[1].cos() - (0.36 - 0.16 - 0.09) / 0.24).abs() < 1e-12);
+
+    let arm = Ranged::<f32>::default();
+    let goal = [FrameTask::position(Ranged::tip_frame, Ranged::tip_jacobian, [0.3, 0.0, 0.0])];
+    let found = arm.reach(&goal, &[-1.0, 2.0]).solve().expect("in reach");
+    assert!((found.q[1].cos() - (0.09 - 0.16 - 0.09) / 0.24).abs() < 1e-5);
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use lagrange::linear::Linearise;
+use lagrange::linear::{EquilibriumCause, Linearise};
+use lagrange::scalar::Scalar;
 
 lagrange::system! {
     /// Two rods in a plane, by absolute angles from the downward vertical.
@@ -180,4 +181,57 @@ fn searches_end_at_equilibria_or_report_their_last_point() {
     }
     println!("{found} of 400");
     assert!(found > 380, "{found}");
+}
+
+lagrange::system! {
+    /// A pendulum that only swings above its pivot.
+    #[derive(Debug)]
+    struct Inverted<S>;
+
+    param g = 9.81;
+    coord theta in 2..=4;
+    kinetic = 1/2 * dot(theta)^2;
+    potential = -g * cos(theta);
+    emit { system_matrix }
+}
+
+fn an_inverted_pendulum_keeps_its_range<S: Scalar + Into<f64>>(tolerance: f64) {
+    let pendulum = Inverted::<S>::default();
+    let number = S::from_f64;
+    let upright = pendulum.equilibrium([number(3.0), S::ZERO]).solve().expect("near the top");
+    assert!((upright.state[0].into() - PI).abs() < tolerance);
+    // The start is out of range.
+    let error = pendulum.equilibrium([number(1.0), S::ZERO]).solve().expect_err("below its pivot");
+    assert!(matches!(error.cause, EquilibriumCause::OutOfRange(_)), "{error}");
+    assert_eq!(error.iterations, 0);
+    let message = error.to_string();
+    assert!(message.contains("the coordinate `theta` is 1.0, but it must be from 2.0 to 4.0"), "{message}");
+    let start = pendulum.equilibrium([S::NAN, S::ZERO]).solve().expect_err("NaN");
+    assert!(matches!(start.cause, EquilibriumCause::OutOfRange(_)), "{start}");
+}
+
+lagrange::system! {
+    /// A mass on a spring, within stops.
+    #[derive(Debug)]
+    struct Stopped;
+
+    param rest = 1.5;
+    coord x in 1..=2;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/2 * (x - rest)^2;
+    emit { system_matrix }
+}
+
+#[test]
+fn equilibria_out_of_their_ranges_are_errors() {
+    an_inverted_pendulum_keeps_its_range::<f64>(1e-12);
+    an_inverted_pendulum_keeps_its_range::<f32>(1e-5);
+    // Bounds belong to the range.
+    for rest in [1.0, 1.5, 2.0] {
+        let found = Stopped { rest }.equilibrium([1.5, 0.0]).solve().expect("between the stops");
+        assert!((found.state[0] - rest).abs() < 1e-15, "{found:?}");
+    }
+    let error = Stopped { rest: 0.5 }.equilibrium([1.5, 0.0]).solve().expect_err("beyond a stop");
+    assert!(matches!(error.cause, EquilibriumCause::OutOfRange(_)), "{error}");
+    assert!((error.state[0] - 0.5).abs() < 1e-15);
 }

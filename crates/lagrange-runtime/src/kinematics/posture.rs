@@ -22,8 +22,9 @@ pub trait InverseKinematics<const N: usize>:
     OdeSystem + MechanicalSystem<Velocities = [<Self as OdeSystem>::Scalar; N]>
 {
     /// Searches for positions in which the frames of all tasks are at their goals, starting from
-    /// `near`. If there are several postures, one close to `near` is found. Constraints hold
-    /// throughout; the search begins at the positions nearest to `near` that satisfy them.
+    /// `near`. If there are several postures, one close to `near` is found. Coordinates remain in
+    /// their declared ranges. Constraints hold throughout; the search begins at the positions
+    /// nearest to `near` that satisfy them.
     fn reach<'a>(&'a self, tasks: &'a [FrameTask<Self, N>], near: &Self::Coordinates) -> Reach<'a, Self, N>
     where
         Self: Sized,
@@ -33,7 +34,7 @@ pub trait InverseKinematics<const N: usize>:
                 system: self,
                 tasks,
                 time: <Self as OdeSystem>::Scalar::ZERO,
-                limits: [None; N],
+                limits: declared_limits(self),
                 tolerance: negligible(),
             },
             near: *near,
@@ -76,8 +77,8 @@ where
         self
     }
 
-    /// Keeps a coordinate between limits, infinite ones included. A posture in which constraints
-    /// move it beyond them is an error.
+    /// Keeps a coordinate between limits, infinite ones included, instead of in its declared range.
+    /// A posture in which constraints move it beyond them is an error.
     pub fn within(mut self, name: &'static str, lower: M::Scalar, upper: M::Scalar) -> Self {
         match freedom_of(self.goals.system, name) {
             Some((position, freedom)) if lower < upper => {
@@ -191,6 +192,23 @@ where
         let at_limit = self.goals.limits.iter().flatten().find(is_at).map(|limit| limit.name);
         Shortfall { q, task: worst, distance: error(worst).distance(), angle: error(worst).angle(), at_limit }
     }
+}
+
+/// Returns the declared ranges of coordinates as limits, bounds included.
+fn declared_limits<M, const N: usize>(system: &M) -> [Option<Limit<M::Scalar>>; N]
+where
+    M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>,
+{
+    let mut limits = [None; N];
+    for range in system.domain().ranges {
+        if let Some((position, freedom)) =
+            freedom_of(system, range.name).filter(|(position, _)| *position == range.entry)
+        {
+            let (lower, upper) = range.ends();
+            limits[freedom] = Some(Limit { name: range.name, position, lower, upper });
+        }
+    }
+    limits
 }
 
 /// Returns the index of a coordinate among the positions, and the index of the velocity that is its

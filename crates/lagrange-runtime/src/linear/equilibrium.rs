@@ -209,6 +209,7 @@ where
     }
 
     fn check_start(&self, point: &EquilibriumGuess<M>) -> Result<(), EquilibriumCause<M::Scalar>> {
+        self.check_ranges(point)?;
         let undefined = self.ask(point, |system| {
             let rates = system.rhs(self.time, &point.y);
             system.undefined(self.time, &point.y, &rates)
@@ -216,6 +217,10 @@ where
         undefined.map_or(Ok(()), |undefined| {
             Err(EquilibriumCause::Undefined(undefined.with_names_of(self.names.state)))
         })
+    }
+
+    fn check_ranges(&self, point: &EquilibriumGuess<M>) -> Result<(), EquilibriumCause<M::Scalar>> {
+        self.system.domain().check(point.y.as_ref()).map_err(EquilibriumCause::OutOfRange)
     }
 
     /// The point beyond the step, or a part of it that brings the equations closer to zero; with
@@ -289,6 +294,7 @@ where
         let mut y = point.y;
         self.ask(point, |system| system.admit(self.time, &mut y)).map_err(EquilibriumCause::NotAdmitted)?;
         point.y = y;
+        self.check_ranges(point)?;
         let (_, v) = split::<M>(&point.y);
         if v.as_ref().iter().all(|v| *v == M::Scalar::ZERO) {
             return Ok(());

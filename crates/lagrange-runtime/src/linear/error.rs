@@ -7,7 +7,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::names::Names;
-use crate::system::{Acceleration, Component, MechanicalSystem, StepFailure, Undefined};
+use crate::system::{Acceleration, Component, MechanicalSystem, OutOfRange, StepFailure, Undefined};
 
 /// An equation of an equilibrium.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -70,6 +70,8 @@ pub enum EquilibriumCause<S> {
     },
     /// The velocities do not satisfy the constraints, as where a constraint moves.
     NotAdmitted(StepFailure<S>),
+    /// The start of the search or the equilibrium is outside of its declared range.
+    OutOfRange(OutOfRange<S>),
     /// A name that stands for no unknown.
     UnknownName {
         /// The name.
@@ -110,6 +112,9 @@ impl<M: MechanicalSystem> Display for EquilibriumError<M> {
                 "the motion with these velocities is not steady: {equation} is 0 and changes by {rate:?} per unit of time"
             )?,
             EquilibriumCause::NotAdmitted(failure) => write!(f, "no equilibrium was found: {failure}")?,
+            EquilibriumCause::OutOfRange(outside) => {
+                write!(f, "no equilibrium was found within the declared ranges: {outside}")?;
+            }
         }
         write!(f, " (Newton's method stopped after {} steps at ", self.iterations)?;
         let inputs = self.names.beyond.inputs.iter().zip(&self.inputs);

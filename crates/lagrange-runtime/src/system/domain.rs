@@ -90,9 +90,8 @@ impl Domain {
     #[cfg(feature = "std")]
     pub(crate) fn nearest<S: Scalar>(&self, entry: usize, value: S) -> S {
         let Some(range) = self.ranges.iter().find(|range| range.entry == entry) else { return value };
-        let (lower, upper) = range.numbers();
-        let above = end(lower).map_or(value, |lower| value.max(lower));
-        end(upper).map_or(above, |upper| above.min(upper))
+        let (lower, upper) = range.ends();
+        value.max(lower).min(upper)
     }
 }
 
@@ -110,6 +109,15 @@ impl EntryRange {
     /// Returns the bounds as numbers of a system.
     fn numbers<S: Scalar>(&self) -> (Bound<S>, Bound<S>) {
         (self.bounds.0.map(S::from_f64), self.bounds.1.map(S::from_f64))
+    }
+
+    /// Returns the smallest and the largest value; they are infinite where there is no bound.
+    pub(crate) fn ends<S: Scalar>(&self) -> (S, S) {
+        let end = |bound: Bound<f64>, otherwise: f64| match bound {
+            Bound::Included(bound) | Bound::Excluded(bound) => S::from_f64(bound),
+            Bound::Unbounded => S::from_f64(otherwise),
+        };
+        (end(self.bounds.0, f64::NEG_INFINITY), end(self.bounds.1, f64::INFINITY))
     }
 }
 
@@ -129,13 +137,5 @@ fn follows<S: Number>(lower: Bound<S>, value: S) -> S::Mask {
         Bound::Included(lower) => lower.less_equal(value),
         Bound::Excluded(lower) => lower.less(value),
         Bound::Unbounded => value.less_equal(value),
-    }
-}
-
-#[cfg(feature = "std")]
-fn end<S>(bound: Bound<S>) -> Option<S> {
-    match bound {
-        Bound::Included(bound) | Bound::Excluded(bound) => Some(bound),
-        Bound::Unbounded => None,
     }
 }
