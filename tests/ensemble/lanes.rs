@@ -3,6 +3,7 @@
 use lagrange::Ensembles;
 use lagrange::ensemble::Random;
 use lagrange::integrate::{RungeKutta4, StormerVerlet};
+use lagrange::scalar::Scalar;
 use lagrange::system::Direction;
 
 lagrange::system! {
@@ -48,7 +49,7 @@ lagrange::system! {
 lagrange::system! {
     /// A mirror on a spring, which must not turn far.
     #[derive(Clone)]
-    struct Mirror;
+    struct Mirror<S>;
 
     param k = 1;
     coord tilt in -2e-6..=2e-6 nominal 1e-6;
@@ -137,16 +138,22 @@ fn amplitude(index: usize) -> f64 {
 /// range fail as they do alone.
 #[test]
 fn ranges_are_checked_in_each_lane() {
-    let mirror = Mirror::default();
-    let motions = |number: usize| {
-        let start = |index, _: &mut Random| [if index == 6 { 3e-6 } else { 0.0 }, amplitude(index)];
-        mirror.ensemble(number).start(start).until(9.0).tolerance(1e-9)
+    check_ranges::<f64>(1e-9, 1e-13);
+    check_ranges::<f32>(1e-5, 1e-10);
+}
+
+fn check_ranges<S: Scalar + Into<f64> + Send + Sync>(tolerance: f64, largest_error: f64) {
+    let (mirror, number) = (Mirror::<S>::default(), S::from_f64);
+    let motions = |count: usize| {
+        let tilt = |index| if index == 6 { 3e-6 } else { 0.0 };
+        let start = move |index, _: &mut Random| [tilt(index), amplitude(index)].map(number);
+        mirror.ensemble(count).start(start).until(number(9.0)).tolerance(number(tolerance))
     };
     assert!(motions(21).is_in_lanes());
     let (lanes, few) = (motions(21).run().expect("runs"), motions(5).run().expect("runs"));
     let (alone, samples) =
-        (motions(21).one_by_one().run().expect("runs"), motions(21).every(0.5).run().expect("runs"));
-    let failures = |failures: &[lagrange::ensemble::Failure<Mirror>]| {
+        (motions(21).one_by_one().run().expect("runs"), motions(21).every(number(0.5)).run().expect("runs"));
+    let failures = |failures: &[lagrange::ensemble::Failure<Mirror<S>>]| {
         failures.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     assert_eq!(failures(lanes.failures()), failures(alone.failures()));
@@ -154,11 +161,11 @@ fn ranges_are_checked_in_each_lane() {
     let failed = lanes.failures().iter().map(|failure| failure.index).collect::<Vec<_>>();
     assert_eq!(failed, [1, 4, 6, 7, 10, 13, 16, 19]);
     for index in (0..21).filter(|index| !failed.contains(index)) {
-        let error = lanes.tilt()[index] - amplitude(index) * 9.0_f64.sin();
-        assert!(error.abs() < 1e-13, "{index}: {error}");
+        let error: f64 = Into::<f64>::into(lanes.tilt()[index]) - amplitude(index) * 9.0_f64.sin();
+        assert!(error.abs() < largest_error, "{index}: {error}");
         assert!(few.tilt().get(index).is_none_or(|tilt| *tilt == lanes.tilt()[index]));
     }
-    let fixed = motions(21).method(RungeKutta4 { step: 0.01 });
+    let fixed = motions(21).method(RungeKutta4 { step: number(0.01) });
     assert!(fixed.is_in_lanes());
     assert_eq!(fixed.run().expect("runs").failures().len(), failed.len());
 }
