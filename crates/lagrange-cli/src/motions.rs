@@ -184,7 +184,8 @@ pub(crate) fn no_start(option: &str, error: StartError) -> Failure {
     }
 }
 
-/// Returns the value of a variable of the system, in its unit.
+/// Returns the value of a variable of the system in coherent units. Plain numbers are in the
+/// declared unit.
 ///
 /// # Errors
 /// If it is invalid.
@@ -193,7 +194,7 @@ pub(crate) fn named_value(
     (name, text): (&str, &str),
     system: &DeclaredSystem,
 ) -> Result<f64, Failure> {
-    let unit = system.variables().unit(name);
+    let unit = system.variables().declared_unit(name);
     value(name, text, unit).map_err(|error| Failure::Usage(format!("--{option} {name}={text}: {error}")))
 }
 

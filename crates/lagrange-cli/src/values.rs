@@ -10,6 +10,9 @@ use lagrange_core::pipeline::parse;
 /// If the text is invalid, with the errors as text.
 pub(crate) fn value(quantity: &str, text: &str, unit: Option<&str>) -> Result<f64, String> {
     // An additional statement would otherwise be accepted.
+    if text.contains(',') && text.contains('=') {
+        return Err("expected one number; repeat the option for each name".to_owned());
+    }
     if text.trim().is_empty() || text.contains([';', '{', ',', '=']) {
         return Err("expected a number".to_owned());
     }
@@ -55,6 +58,8 @@ mod tests {
 
     #[test]
     fn anything_else_is_a_mistake() {
+        let several = value("m", "2kg,l=10cm", None);
+        assert!(several.is_err_and(|error| error.contains("repeat the option")));
         for text in ["", "two", "2; coord y", "nan", "1/0", "2 s", "1 2", "inf"] {
             assert!(value("m", text, Some("kg")).is_err(), "{text}: {:?}", value("m", text, Some("kg")));
         }

@@ -59,6 +59,42 @@ fn values_have_units() {
     assert_eq!(plain, units);
 }
 
+/// As in the declaration, plain numbers are in the declared unit.
+#[test]
+fn plain_numbers_are_in_the_declared_unit() {
+    let file = declaration(
+        "centimetres.lag",
+        "part Spring(x) { param k: N/cm = 1; potential = 1/2 * k * x^2; }
+         param m: g = 500, rest[2]: cm = 0;
+         coord x: mm nominal 1 = 20;
+         state warmth: % = 50;
+         s: Spring { x: x; };
+         kinetic = 1/2 * m * dot(x)^2;
+         force x = 40 [N/m] * (rest[0] + rest[1]);
+         dot(warmth) = -0.1 [1/s] * warmth;
+         output length: cm = x;",
+    );
+    let last = |settings: &[&str]| {
+        let (_, rows) = rows(&[&[&*file, "--until", "0.1", "--every", "0.1"], settings].concat());
+        rows[1].clone()
+    };
+    for [plain, unit] in [
+        ["m=250", "m=0.25 kg"],
+        ["rest[1]=3", "rest[1]=30 mm"],
+        ["s.k=2", "s.k=200 [N/m]"],
+        ["x=5", "x=0.5cm"],
+        ["x=5*2", "x=1cm"],
+        ["warmth=40", "warmth=0.4 [1]"],
+        ["x_dot=3", "x_dot=300 [cm/s]"],
+    ] {
+        let option = if plain.starts_with(['x', 'w']) { "--start" } else { "--set" };
+        assert_eq!(last(&[option, plain]), last(&[option, unit]), "{plain}");
+        assert_ne!(last(&[option, plain]), last(&[]), "{plain}");
+    }
+    // Columns are in the units that they name.
+    assert_eq!(rows(&[&file, "--until", "0"]).1[0][1..3], [0.02, 0.5]);
+}
+
 #[test]
 fn methods_agree_and_energy_is_conserved() {
     let run =

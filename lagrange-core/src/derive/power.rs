@@ -36,7 +36,7 @@ pub(super) fn add_power(model: &mut Model) {
     for Power { name, description, value } in powers {
         add(model, name, value, description);
         if let (true, Some(output)) = (has_units, model.outputs.last()) {
-            model.units.insert(&output.name, NamedUnit { unit: "W".to_owned(), default: None });
+            model.units.insert(&output.name, NamedUnit::of("W"));
         }
     }
 }

@@ -51,6 +51,8 @@ pub struct Variables {
     pub regressor: Vec<String>,
     /// Units by name; the unit of an array applies to all elements.
     pub units: Vec<(String, String)>,
+    /// Declared units of parameters, inputs and the state that differ from their units at run time.
+    pub declared_units: Vec<(String, String)>,
 }
 
 impl Variables {
@@ -66,6 +68,13 @@ impl Variables {
     pub fn unit(&self, name: &str) -> Option<&str> {
         let of = |name: &str| self.units.iter().find(|(known, _)| known == name).map(|(_, unit)| &**unit);
         of(name).or_else(|| of(name.split('[').next().unwrap_or(name)))
+    }
+
+    /// Returns the unit in which the declaration writes numbers of a variable; `None` if it is
+    /// unknown.
+    pub fn declared_unit(&self, name: &str) -> Option<&str> {
+        let declared = self.declared_units.iter().find(|(known, _)| known == name);
+        declared.map_or_else(|| self.unit(name), |(_, unit)| Some(unit))
     }
 }
 
@@ -103,6 +112,10 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
     });
     let has_momenta = shape.velocities_are_rates() && model.products.contains(&Product::MomentumRates);
     let units = units_by_name(&shape, units_of_outputs.collect(), has_momenta);
+    let declared_units = shape.fields.iter().chain(&shape.coordinates).filter_map(|name| {
+        let declared = shape.units.get(&name.text)?.declared.clone()?;
+        Some((text(shape.written(name)), declared))
+    });
     Variables {
         fields: shape.fields.iter().map(|name| text(shape.written(name))).collect(),
         positions: shape.coordinates.iter().map(|name| text(shape.written(name))).collect(),
@@ -125,6 +138,7 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
         outputs,
         regressor: regressor_names(&shape, equations),
         units: units.into_iter().map(|(name, unit)| (name, text(unit))).collect(),
+        declared_units: declared_units.collect(),
     }
 }
 

@@ -8,8 +8,17 @@ pub struct NamedUnit {
     /// The unit of its numbers at run time: `rad/s`, `kg*m^2`; `1` for plain numbers. Only outputs
     /// may have other than coherent units.
     pub unit: String,
+    /// The declared unit, `mm`, if that is not the unit of the numbers at run time.
+    pub declared: Option<String>,
     /// The default in its written unit, `500 mm`, if that is not the coherent unit.
     pub default: Option<String>,
+}
+
+impl NamedUnit {
+    /// Returns the unit of a quantity whose declaration has the same unit.
+    pub fn of(unit: impl Into<String>) -> NamedUnit {
+        NamedUnit { unit: unit.into(), declared: None, default: None }
+    }
 }
 
 /// Units by name, in the order of declaration. Names without an entry have no known unit.

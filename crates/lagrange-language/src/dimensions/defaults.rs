@@ -42,7 +42,7 @@ pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> 
 /// angles stay in `rad`.
 pub(super) fn name_state(declaration: &Declaration, named: &mut NamedUnits) {
     let mut add = |name: &str, unit: &Unit| {
-        named.insert(name, NamedUnit { unit: unit.coherent().to_string(), default: None });
+        named.insert(name, NamedUnit::of(unit.coherent().to_string()));
     };
     for position in declaration.coordinates() {
         position.unit.iter().for_each(|unit| add(&position.text, unit));
@@ -109,7 +109,9 @@ impl UnitWriter<'_> {
 
     fn name(&mut self, name: &Name, default: Option<String>) {
         if let Some(unit) = &name.unit {
-            self.measured.named.insert(&name.text, NamedUnit { unit: unit.coherent().to_string(), default });
+            let declared = (!unit.is_coherent()).then(|| unit.to_string());
+            let named = NamedUnit { unit: unit.coherent().to_string(), declared, default };
+            self.measured.named.insert(&name.text, named);
         }
     }
 
@@ -139,7 +141,7 @@ impl UnitWriter<'_> {
     /// Converts an output, whose run-time values are in the unit after its name.
     fn output(&mut self, name: &Name, value: &mut AstId) {
         if let Some(unit) = &name.unit {
-            self.measured.named.insert(&name.text, NamedUnit { unit: unit.to_string(), default: None });
+            self.measured.named.insert(&name.text, NamedUnit::of(unit.to_string()));
         }
         if is_of_numbers(self.expressions, *value) {
             *value = self.number(name, *value);

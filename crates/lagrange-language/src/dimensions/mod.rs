@@ -90,7 +90,7 @@ fn name_output(checker: &Checker<'_>, name: &str, named: &mut NamedUnits) {
 /// Records the coherent unit of a known dimension.
 fn add(named: &mut NamedUnits, name: &str, dimension: Option<Dimension>) {
     if let Some(dimension) = dimension {
-        named.insert(name, NamedUnit { unit: spelled(&dimension), default: None });
+        named.insert(name, NamedUnit::of(spelled(&dimension)));
     }
 }
 

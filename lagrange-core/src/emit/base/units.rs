@@ -20,7 +20,7 @@ impl Shape<'_> {
     /// plain numbers and unknown units.
     pub(in crate::emit) fn in_unit(&self, name: &str) -> String {
         match self.units.get(name) {
-            Some(NamedUnit { unit, default: Some(default) }) if self.is_alike(name) => {
+            Some(NamedUnit { unit, default: Some(default), .. }) if self.is_alike(name) => {
                 format!(" in {unit}, {default} by default")
             }
             Some(NamedUnit { unit, .. }) if unit != PLAIN => format!(" in {unit}"),
