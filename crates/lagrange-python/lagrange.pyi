@@ -112,8 +112,9 @@ class System:
         """Computes the motion from a state: an array, values of some entries beside the declared
         ones, or as it is declared.
 
-        Samples are kept `every` so many seconds, or after every step. Methods are `verner` and
-        `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. Systems
+        Samples are kept `every` so many seconds, or after every step. Methods are `verner`, `taylor`
+        and `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. `taylor`
+        is for small errors; its series are derived the first time, and take constant inputs. Systems
         with noise have `maruyama` and `stochastic` with a `step`, whose `seed`, 0 by default, chooses
         the noise. `inputs` returns the inputs at a time and a state. What it raises is raised here.
         Without it, other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.

@@ -15,6 +15,7 @@ mod phases;
 mod programs;
 mod routines;
 mod second_way;
+mod series;
 mod system;
 
 use proc_macro2::TokenStream;
@@ -34,6 +35,7 @@ pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
 pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};
 pub use routines::{Backend, Call, Code, LISTS, Numbers};
+pub use series::{MotionSeries, SlotPlaces};
 pub use system::{Derived, System, parse, parse_with};
 
 /// Expands the macro: writes all items emitted for a declaration, including errors.

@@ -135,8 +135,9 @@ const DYNAMIC: &[Layer] = &[
     Layer { modules: &["system"], purpose: "a system read at run time, with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
     Layer {
-        modules: &["linearised", "motion"],
-        purpose: "derivatives for linear models; differential equations, events and sides of switches",
+        modules: &["linearised", "motion", "series"],
+        purpose: "derivatives for linear models; differential equations, events and sides of switches; Taylor \
+                  series",
     },
     Layer {
         modules: &["declared"],

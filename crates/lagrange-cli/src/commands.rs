@@ -9,7 +9,7 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, Programs, System};
-use lagrange_dynamic::{DeclaredSystem, Source};
+use lagrange_dynamic::{DeclaredSystem, MethodChoice, Source};
 use lagrange_files::save_bytes;
 use lagrange_fmi::{ExportError, MockupUnit, Start, Version};
 use lagrange_import::listing;
@@ -23,7 +23,7 @@ use crate::analyses::Linearised;
 use crate::arguments::{Action, Command, EnsembleOptions, Point, Settings, Text, TradeOptions, Values};
 use crate::ensembles;
 use crate::mistakes;
-use crate::motions::{Failure, Motion, set, start};
+use crate::motions::{Failure, Motion, method, set, start};
 use crate::source;
 use crate::trades;
 
@@ -69,7 +69,8 @@ impl Command {
 
     /// Computes a motion and writes it.
     fn simulate(&self, settings: &Settings) -> Ended {
-        let Ok(mut system) = self.source().and_then(|source| self.declared(&source)) else {
+        let product = product(settings);
+        let Ok(mut system) = self.source().and_then(|source| self.declared(&source, product)) else {
             return Ended::WithMistakes;
         };
         let motion = Motion::new(settings, self.output.as_deref(), &mut system);
@@ -78,10 +79,9 @@ impl Command {
 
     /// Computes a motion and writes its film.
     fn film(&self, settings: &Settings) -> Ended {
-        let Ok((mut system, name)) = self.source().and_then(|source| Ok((self.drawn(&source)?, source.name)))
-        else {
-            return Ended::WithMistakes;
-        };
+        let product = product(settings);
+        let drawn = self.source().and_then(|source| Ok((self.drawn(&source, product)?, source.name)));
+        let Ok((mut system, name)) = drawn else { return Ended::WithMistakes };
         if system.programs().drawing.is_none() {
             print_error(&format!("{name}: a film needs bodies, and the declaration has none"));
             return Ended::WithMistakes;
@@ -92,7 +92,8 @@ impl Command {
 
     /// Computes many motions and writes their final states.
     fn ensemble(&self, options: &EnsembleOptions) -> Ended {
-        let Ok(mut system) = self.source().and_then(|source| self.declared(&source)) else {
+        let product = product(&options.settings);
+        let Ok(mut system) = self.source().and_then(|source| self.declared(&source, product)) else {
             return Ended::WithMistakes;
         };
         let ends = match ensembles::ends(options, self.output.as_deref(), &mut system) {
@@ -110,7 +111,8 @@ impl Command {
 
     /// Compares methods and writes the recommended one.
     fn trade(&self, options: &TradeOptions) -> Ended {
-        let Ok(mut system) = self.source().and_then(|source| self.declared(&source)) else {
+        let with_series = Some(Product::Taylor);
+        let Ok(mut system) = self.source().and_then(|source| self.declared(&source, with_series)) else {
             return Ended::WithMistakes;
         };
         let text = trades::text(options, self.output.as_deref(), &mut system);
@@ -120,7 +122,7 @@ impl Command {
     /// Computes a linear model and writes it.
     fn linearise(&self, point: &Point) -> Ended {
         let system = self.source().and_then(|source| {
-            self.declared(&source)?;
+            self.declared(&source, None)?;
             let derived = source.linearised().map_err(|report| print_plainly(&source, &report))?;
             self.dynamic(&source, Programs::new(&derived))
         });
@@ -160,7 +162,8 @@ impl Command {
 
     /// Writes a page with a live simulation.
     fn page(&self, values: &Values) -> Ended {
-        let Ok((mut system, name)) = self.source().and_then(|source| Ok((self.drawn(&source)?, source.name)))
+        let Ok((mut system, name)) =
+            self.source().and_then(|source| Ok((self.drawn(&source, None)?, source.name)))
         else {
             return Ended::WithMistakes;
         };
@@ -198,16 +201,18 @@ impl Command {
         source::read(path).map_err(|message| print_error(&message))
     }
 
-    /// Returns a runnable system; prints warnings and errors.
-    fn declared(&self, source: &Source) -> Outcome<DeclaredSystem> {
-        let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
+    /// Returns a runnable system, with a product if one is given; prints warnings and errors.
+    fn declared(&self, source: &Source, product: Option<Product>) -> Outcome<DeclaredSystem> {
+        let derived = derived(source, |system| with(system, product).derive(StrategyChoice::Cheapest))?;
         self.dynamic(source, Programs::new(&derived))
     }
 
-    /// Returns a runnable system, with its drawing if it can be drawn; prints warnings and errors.
-    fn drawn(&self, source: &Source) -> Outcome<DeclaredSystem> {
+    /// Returns a runnable system, with its drawing if it can be drawn, and with a product if one is
+    /// given; prints warnings and errors.
+    fn drawn(&self, source: &Source, product: Option<Product>) -> Outcome<DeclaredSystem> {
         let system = source.system_with("drawing").or_else(|_| source.system());
-        let derived = reported(source, system, |system| system.derive(StrategyChoice::Cheapest))?;
+        let derived =
+            reported(source, system, |system| with(system, product).derive(StrategyChoice::Cheapest))?;
         self.dynamic(source, Programs::new(&derived))
     }
 
@@ -238,6 +243,19 @@ impl Command {
         let json = is_json.then(|| format!("{:#}\n", Value::Array(all)));
         let is_written = json.is_none_or(|json| write(self.output.as_deref(), &json).is_ok());
         is_written && !has_errors
+    }
+}
+
+/// Returns the product that the method of a motion needs, if it needs one.
+fn product(settings: &Settings) -> Option<Product> {
+    // Invalid settings are reported with the motion.
+    method(settings).ok().and_then(MethodChoice::product)
+}
+
+fn with(system: System, product: Option<Product>) -> System {
+    match product {
+        Some(product) => system.with(product),
+        None => system,
     }
 }
 

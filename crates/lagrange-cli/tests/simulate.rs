@@ -100,8 +100,9 @@ fn methods_agree_and_energy_is_conserved() {
     let run =
         |method: &[&str]| rows(&[&[SWING, "--until", "2", "--every", "2", "--energy"], method].concat()).1;
     let reference = run(&["--tolerance", "1e-13"]);
-    let others: [&[&str]; 3] = [
+    let others: [&[&str]; 4] = [
         &["--method", "radau", "--tolerance", "1e-11"],
+        &["--method", "taylor", "--tolerance", "1e-12"],
         &["--method", "rk4", "--step", "1 ms"],
         &["--method", "gauss", "--step", "0.01"],
     ];
@@ -155,6 +156,7 @@ fn options_that_make_no_sense_are_named() {
         (&["--until", "1", "--start", "phi=1"], "no `phi`; known are `theta`, `theta_dot`"),
         (&["--until", "1", "--method", "euler"], "`gauss`, `maruyama`, `stochastic`"),
         (&["--until", "1", "--method", "rk4"], "write `--step 0.01`"),
+        (&["--until", "1", "--method", "taylor", "--step", "0.01"], "the method `taylor` has no `--step`"),
         (&["--until", "1", "--step", "0.1"], "has no `--step`"),
         (&["--until", "1", "--tolerance=-1"], "tolerances must be"),
         (&["--until", "1", "--every", "0"], "interval"),
@@ -197,6 +199,24 @@ fn delayed_signals_follow_the_method_of_steps() {
             assert!((row[1] - x).abs() < 1e-9 && (row[2] - past).abs() < 1e-9, "{row:?}, not {expected:?}");
         }
         assert_eq!(rows.len(), 5);
+    }
+}
+
+#[test]
+fn systems_without_series_are_refused_with_the_reason() {
+    for (name, system, reason) in [
+        ("late_series.lag", "state x = 1; dot(x) = -delay(x, 1);", "delayed signals, whose past a run keeps"),
+        (
+            "noisy.lag",
+            "coord x = 1; noise w, density: 1; kinetic = 1/2 * dot(x)^2; force x = w;",
+            "noise, which",
+        ),
+    ] {
+        let path = declaration(name, system);
+        let result = simulate(&[&path, "--until", "2", "--method", "taylor"]);
+        assert_eq!((result.status.code(), text(&result.stdout)), (Some(2), ""), "{name}");
+        let wanted = format!("error: `taylor` cannot be combined with {reason}");
+        assert!(text(&result.stderr).starts_with(&wanted), "{}", text(&result.stderr));
     }
 }
 

@@ -71,6 +71,23 @@ fn proposals_keep_their_promise() {
 }
 
 #[test]
+fn series_are_measured_where_they_exist() {
+    let folder = temporary("series_of_trade");
+    let path = folder.to_str().expect("UTF-8");
+    let wave =
+        declaration("wave.lag", "struct Wave; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = -sin(x);");
+    let result = run(&["trade", &wave, "--until", "2", "--longest", "0.01", "-o", path]);
+    assert_eq!(result.status.code(), Some(0), "{}", text(&result.stderr));
+    let files = fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("a file").path());
+    let csv = files.filter(|path| path.extension().is_some_and(|extension| extension == "csv"));
+    let rows = csv.map(|path| fs::read_to_string(path).expect("text")).collect::<String>();
+    assert!(rows.contains("taylor") && rows.contains("Taylor series"), "{rows}");
+    let by = |method| end(&wave, "2", &["--method", method, "--tolerance", "1e-12"]);
+    let [series, pair] = [by("taylor"), by("verner")];
+    assert!((series[1] - pair[1]).abs() < 1e-11, "{series:?} {pair:?}");
+}
+
+#[test]
 fn a_stiff_system_gets_the_method_for_it() {
     let stiff = declaration("stiff.lag", STIFF);
     let proposal = try_proposal(&stiff, "0.1", 1e-5, &["--method", "radau", "--tolerance", "1e-11"]);

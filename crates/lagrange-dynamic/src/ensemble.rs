@@ -5,14 +5,14 @@ use std::fmt::{self, Display, Formatter};
 
 use lagrange_runtime::ensemble::{self, Ends, Ensemble, Ensembles, Failure};
 use lagrange_runtime::integrate::{
-    EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Verner98,
+    EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Taylor, Verner98,
     WienerPath,
 };
 use lagrange_runtime::simulate::Drive;
 use lagrange_runtime::system::OdeSystem;
 
 use crate::declared::{DeclaredSystem, Visitor};
-use crate::method::MethodChoice;
+use crate::method::{LAW, MethodChoice, WithoutSeries};
 use crate::refusal::NoSuchName;
 use crate::system::DynamicSystem;
 
@@ -178,9 +178,11 @@ impl Visitor for Motions<'_> {
         if let Some(threads) = threads {
             ensemble = ensemble.threads(*threads);
         }
-        let ends = match system.has_delays() {
-            true => ends_by(*method, ensemble.with_history()),
-            false => ends_by(*method, ensemble),
+        let ends = match (*method, system.names.without_series) {
+            (MethodChoice::Taylor { tolerance }, None) => ensemble.method(Taylor::tolerance(tolerance)).run(),
+            (MethodChoice::Taylor { .. }, Some(reason)) => ensemble.method(WithoutSeries(reason)).run(),
+            _ if system.has_delays() => ends_by(*method, ensemble.with_history()),
+            _ => ends_by(*method, ensemble),
         };
         let ends = ends.map_err(|error| EnsembleError::Setting(error.to_string()))?;
         Ok(EnsembleEnds::of(&ends).with(&self.settings.varied))
@@ -205,6 +207,7 @@ where
     match method {
         MethodChoice::Verner { tolerance } => ensemble.tolerance(tolerance).run(),
         MethodChoice::Radau { tolerance } => ensemble.method(Radau5::tolerance(tolerance)).run(),
+        MethodChoice::Taylor { .. } => ensemble.method(WithoutSeries(LAW)).run(),
         MethodChoice::RungeKutta4 { step } => ensemble.method(RungeKutta4 { step }).run(),
         MethodChoice::GaussLegendre { step } => ensemble.method(PlainGaussLegendre::<f64, 3> { step }).run(),
         MethodChoice::EulerMaruyama { step, seed } => {

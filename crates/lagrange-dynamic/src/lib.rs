@@ -64,6 +64,7 @@ mod names;
 mod refusal;
 mod run;
 mod rust_file;
+mod series;
 mod source;
 mod system;
 #[cfg(feature = "trade")]
@@ -83,6 +84,7 @@ pub use items::{NumberedSpace, Numbers, connector, visit_items};
 pub use method::{MethodChoice, MethodError};
 pub use refusal::{NoSuchName, Refusal, StartError};
 pub use run::RunSettings;
+pub use series::DynamicSeries;
 pub use source::Source;
 pub use system::DynamicSystem;
 #[cfg(feature = "trade")]

@@ -3,18 +3,22 @@
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
+use lagrange_core::model::Product;
 use lagrange_runtime::integrate::{
-    EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Verner98,
-    WienerPath,
+    EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, SettingError, StepFailure,
+    StochasticRungeKutta4, Taylor, Verner98, WienerPath,
 };
 use lagrange_runtime::simulate::{Drive, Simulation, SimulationError, Trajectory};
+use lagrange_runtime::system::OdeSystem;
 
 use crate::system::DynamicSystem;
 
 /// Default error tolerance of a step.
 const TOLERANCE: f64 = 1e-9;
-/// Names of the methods; the last two are for noise.
-pub(crate) const NAMES: [&str; 6] = ["verner", "radau", "rk4", "gauss", "maruyama", "stochastic"];
+/// Names of the methods; the first three have tolerances, the last two are for noise.
+pub(crate) const NAMES: [&str; 7] = ["verner", "radau", "taylor", "rk4", "gauss", "maruyama", "stochastic"];
+/// The reason why runs with a law have no series.
+pub(crate) const LAW: &str = "the method `taylor` has no series of inputs that change: take `verner`";
 
 /// A method of integration with its settings.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -26,6 +30,11 @@ pub enum MethodChoice {
     },
     /// The Radau IIA method of order 5 for stiff systems, `radau`.
     Radau {
+        /// Error tolerance of a step.
+        tolerance: f64,
+    },
+    /// Taylor series for systems with `emit { taylor }`, `taylor`.
+    Taylor {
         /// Error tolerance of a step.
         tolerance: f64,
     },
@@ -68,7 +77,7 @@ impl MethodChoice {
     ) -> Result<MethodChoice, MethodError> {
         let method = name.unwrap_or(NAMES[0]).to_owned();
         let takes_steps = match NAMES.iter().position(|known| *known == method) {
-            Some(index) => index > 1,
+            Some(index) => index > 2,
             None => return Err(MethodError::Unknown(method)),
         };
         let (useless, has_useless) =
@@ -80,6 +89,7 @@ impl MethodChoice {
         Ok(match (method.as_str(), step) {
             ("verner", _) => MethodChoice::Verner { tolerance },
             ("radau", _) => MethodChoice::Radau { tolerance },
+            ("taylor", _) => MethodChoice::Taylor { tolerance },
             ("rk4", Some(step)) => MethodChoice::RungeKutta4 { step },
             ("gauss", Some(step)) => MethodChoice::GaussLegendre { step },
             ("maruyama", Some(step)) => MethodChoice::EulerMaruyama { step, seed: 0 },
@@ -102,7 +112,32 @@ impl MethodChoice {
         }
     }
 
-    /// Runs a simulation by this method.
+    /// Returns the product that the method needs beyond the equations of motion, if it needs one.
+    #[must_use]
+    pub fn product(self) -> Option<Product> {
+        matches!(self, MethodChoice::Taylor { .. }).then_some(Product::Taylor)
+    }
+
+    /// Runs a simulation of a system by this method. Its inputs are constant.
+    ///
+    /// # Errors
+    /// If the run fails, as in [`Simulation::run`], or the method is [`Taylor`] and the system has
+    /// no series.
+    pub fn run_freely<const CAPACITY: usize, K>(
+        self,
+        simulation: Simulation<'_, DynamicSystem<CAPACITY>, K>,
+        system: &DynamicSystem<CAPACITY>,
+    ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>> {
+        match (self, system.names.without_series) {
+            (MethodChoice::Taylor { tolerance }, None) => {
+                simulation.method(Taylor::tolerance(tolerance)).run()
+            }
+            (MethodChoice::Taylor { .. }, Some(reason)) => simulation.method(WithoutSeries(reason)).run(),
+            _ => self.run(simulation),
+        }
+    }
+
+    /// Runs a simulation by this method. [`Taylor`] refuses it, since its inputs may change.
     ///
     /// # Errors
     /// If the run fails, as in [`Simulation::run`].
@@ -122,6 +157,7 @@ impl MethodChoice {
         match self {
             MethodChoice::Verner { tolerance } => simulation.method(Verner98::tolerance(tolerance)).run(),
             MethodChoice::Radau { tolerance } => simulation.method(Radau5::tolerance(tolerance)).run(),
+            MethodChoice::Taylor { .. } => simulation.method(WithoutSeries(LAW)).run(),
             MethodChoice::RungeKutta4 { step } => simulation.method(RungeKutta4 { step }).run(),
             MethodChoice::GaussLegendre { step } => {
                 simulation.method(PlainGaussLegendre::<f64, 3> { step }).run()
@@ -133,6 +169,34 @@ impl MethodChoice {
                 simulation.method(StochasticRungeKutta4 { step, path: WienerPath::of_seed(seed) }).run()
             }
         }
+    }
+}
+
+/// A method in place of Taylor series that refuses every system, with the reason.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WithoutSeries(pub(crate) &'static str);
+
+impl<M> Method<M> for WithoutSeries
+where
+    M: OdeSystem<Scalar = f64> + ?Sized,
+    RungeKutta4<f64>: Method<M>,
+{
+    type Stepper = <RungeKutta4<f64> as Method<M>>::Stepper;
+
+    fn name(&self) -> &'static str {
+        "Taylor series"
+    }
+
+    fn order(&self) -> u32 {
+        0
+    }
+
+    fn check(&self) -> Result<(), SettingError<f64>> {
+        Err(SettingError::Invalid(self.0))
+    }
+
+    fn start(&self, _: &M, _: f64, _: &M::State, _: f64) -> Result<Self::Stepper, StepFailure<f64>> {
+        Err(SettingError::Invalid(self.0).into())
     }
 }
 
@@ -156,12 +220,6 @@ pub enum MethodError {
 impl Display for MethodError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            MethodError::Unknown(name) if name == "taylor" => {
-                write!(
-                    f,
-                    "the method `taylor` takes compiled systems with `emit {{ taylor }}`: take `verner`"
-                )
-            }
             MethodError::Unknown(name) => {
                 let names = NAMES.map(|known| format!("`{known}`")).join(", ");
                 write!(f, "unknown method `{name}`: there are {names}")

@@ -33,6 +33,8 @@ pub(crate) struct Names {
     pub(crate) events: &'static [DeclaredEvent],
     /// Names of algebraic unknowns.
     pub(crate) unknowns: Texts,
+    /// The reason why the motion has no Taylor series, if it has none.
+    pub(crate) without_series: Option<&'static str>,
     /// Names of entries of the state.
     #[cfg(feature = "fit")]
     state: Texts,
@@ -64,8 +66,17 @@ pub(crate) fn names_of(programs: &Programs) -> &'static Names {
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let known = known.get_or_insert_default();
     let Programs { variables, layout, are_holonomic, unknowns, .. } = programs;
-    let all = format!("{variables:?}{layout:?}{are_holonomic:?}{unknowns:?}");
+    let reason = without_series(programs);
+    let all = format!("{variables:?}{layout:?}{are_holonomic:?}{unknowns:?}{reason:?}");
     known.entry(all).or_insert_with(|| kept(programs))
+}
+
+/// Returns the reason why a motion has no Taylor series, if it has none.
+fn without_series(programs: &Programs) -> Option<&str> {
+    match &programs.series {
+        None => Some("the declaration does not emit `taylor`: add `emit { taylor }`, or take `verner`"),
+        Some(series) => series.as_ref().err().map(String::as_str),
+    }
 }
 
 fn kept(programs: &Programs) -> &'static Names {
@@ -98,6 +109,7 @@ fn kept(programs: &Programs) -> &'static Names {
         layout,
         events: Vec::leak(declared.chain(sides).collect()),
         unknowns: texts(&programs.unknowns),
+        without_series: without_series(programs).map(text),
         #[cfg(feature = "fit")]
         state: texts(&variables.state_names()),
         #[cfg(feature = "fit")]

@@ -33,10 +33,10 @@ impl RunSettings {
         &self,
         system: &DynamicSystem<CAPACITY>,
     ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>> {
-        let simulation = self.simulation(system);
-        match system.has_delays() {
+        let (simulation, has_series) = (self.simulation(system), self.method.product().is_some());
+        match system.has_delays() && !has_series {
             true => self.method.run(simulation.with_history()),
-            false => self.method.run(simulation),
+            false => self.method.run_freely(simulation, system),
         }
     }
 

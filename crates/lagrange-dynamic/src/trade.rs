@@ -1,6 +1,6 @@
 //! The cost of accuracy of a motion, by method.
 
-use lagrange_runtime::integrate::{PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
+use lagrange_runtime::integrate::{PlainGaussLegendre, Radau5, RungeKutta4, Taylor, Verner98};
 use lagrange_runtime::trade::{Knob, Report, Trade};
 
 use crate::declared::{DeclaredSystem, Visitor};
@@ -9,7 +9,7 @@ use crate::method::NAMES;
 use crate::system::DynamicSystem;
 
 /// Measures the motion of a system from time zero to an end, by each method with coarse to fine
-/// settings. Variants of the report are names of a [`MethodChoice`](crate::MethodChoice). Settings
+/// settings. Taylor series are among them if the system has them. Variants of the report are names of a [`MethodChoice`](crate::MethodChoice). Settings
 /// finer than one that took `longest` seconds are not tried. Errors are differences from the finest
 /// run, and include the final time if an event stopped it.
 pub fn trade(system: &DeclaredSystem, start: &[f64], end: f64, longest: f64) -> Report {
@@ -29,13 +29,16 @@ impl Visitor for Contest<'_> {
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Report {
         let from = |entries: &[f64]| system.state(entries);
         let to = |state: &Inline<CAPACITY>| state.as_ref().to_vec();
-        let [verner, radau, rk4, gauss, ..] = NAMES;
-        Trade::without_methods(self.name, self.start.to_vec(), self.end)
+        let [verner, radau, taylor, rk4, gauss, ..] = NAMES;
+        let trade = Trade::without_methods(self.name, self.start.to_vec(), self.end)
             .longest(self.longest)
             .method(verner, system, Knob::Tolerance, Verner98::tolerance, (from, to))
             .method(radau, system, Knob::Tolerance, Radau5::tolerance, (from, to))
             .method(rk4, system, Knob::Step, |step| RungeKutta4 { step }, (from, to))
-            .method(gauss, system, Knob::Step, |step| PlainGaussLegendre::<f64, 3> { step }, (from, to))
-            .run()
+            .method(gauss, system, Knob::Step, |step| PlainGaussLegendre::<f64, 3> { step }, (from, to));
+        match system.names.without_series {
+            None => trade.method(taylor, system, Knob::Tolerance, Taylor::tolerance, (from, to)).run(),
+            Some(_) => trade.run(),
+        }
     }
 }

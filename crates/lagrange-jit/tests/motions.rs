@@ -1,5 +1,7 @@
 //! Motions of compiled text have the bits of interpreted text, including all interruptions.
 
+use std::iter;
+
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
 use lagrange_dynamic::{DeclaredSystem, DynamicSystem, MethodChoice, RunSettings, Visitor};
@@ -31,7 +33,7 @@ impl Visitor for Run {
     type Output = String;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> String {
-        let motion = self.0.method.run(self.0.simulation(system)).expect("a motion");
+        let motion = self.0.run(system).expect("a motion");
         let mut csv = Vec::new();
         motion.write_csv(&mut csv).expect("memory");
         let events = motion.events().iter().map(|event| format!("{} {:?}\n", event.name, event.time));
@@ -49,14 +51,18 @@ fn settings(system: &DeclaredSystem, method: MethodChoice) -> RunSettings {
 fn motions_have_the_bits_of_interpreted_text() {
     let compiler = Compiler::for_this_processor().expect("a known processor");
     for text in SYSTEMS {
-        let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+        let text = format!("{text} emit {{ taylor }}");
+        let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
         let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{text}: {report}")));
         let interpreted = DeclaredSystem::new(programs).unwrap_or_else(|refusal| panic!("{refusal}"));
         let compiled = interpreted.clone().compiled_by(compiler.clone());
         let adaptive = MethodChoice::Verner { tolerance: 1e-9 };
-        for method in
-            [adaptive, MethodChoice::Radau { tolerance: 1e-7 }, MethodChoice::RungeKutta4 { step: 0.01 }]
-        {
+        let others = [
+            MethodChoice::Taylor { tolerance: 1e-10 },
+            MethodChoice::Radau { tolerance: 1e-7 },
+            MethodChoice::RungeKutta4 { step: 0.01 },
+        ];
+        for method in iter::once(adaptive).chain(others) {
             let run = |system: &DeclaredSystem| system.visit(Run(settings(system, method)));
             let (found, wanted) = (run(&compiled), run(&interpreted));
             assert!(wanted.lines().count() > 10, "{text}: {wanted}");

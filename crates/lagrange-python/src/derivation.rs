@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::pipeline::{Backend, Derived, Programs, System};
-use lagrange_dynamic::{DeclaredSystem, Source};
+use lagrange_dynamic::{DeclaredSystem, MethodChoice, Source};
 use lagrange_jit::Compiler;
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::{PyResult, Python};
@@ -19,6 +19,7 @@ pub(crate) struct Derivatives {
     differentiated: OnceLock<DeclaredSystem>,
     parametric: OnceLock<DeclaredSystem>,
     drawn: OnceLock<DeclaredSystem>,
+    expanded: OnceLock<DeclaredSystem>,
 }
 
 impl Derivatives {
@@ -50,6 +51,20 @@ impl Derivatives {
         system: &DeclaredSystem,
     ) -> PyResult<DeclaredSystem> {
         with_product(py, &self.parametric, (source, "parameter_jacobian"), system)
+    }
+
+    /// Returns the system with the product of a method, or the system itself if it needs none.
+    pub(crate) fn for_method(
+        &self,
+        py: Python<'_>,
+        source: &Source,
+        system: &DeclaredSystem,
+        method: MethodChoice,
+    ) -> PyResult<DeclaredSystem> {
+        match method.product() {
+            Some(product) => with_product(py, &self.expanded, (source, product.name()), system),
+            None => Ok(system.clone()),
+        }
     }
 
     /// Returns the system with its drawing.
@@ -87,13 +102,14 @@ fn with_product(
     Ok(system)
 }
 
-/// Sets all parameters and inputs.
+/// Sets all parameters and inputs except delayed signals, whose values runs compute.
 ///
 /// # Errors
 /// `KeyError` if the system has fewer values.
 pub(crate) fn copy_values(system: &mut DeclaredSystem, values: &[f64]) -> PyResult<()> {
     let names = system.variables().fields.clone();
-    let mut pairs = names.iter().zip(values);
+    let settable = system.settable().map(str::to_owned).collect::<Vec<_>>();
+    let mut pairs = names.iter().zip(values).filter(|(name, _)| settable.contains(name));
     let set = pairs.try_for_each(|(name, value)| system.set(name, *value));
     set.map_err(|error| PyKeyError::new_err(error.to_string()))
 }

@@ -194,7 +194,8 @@ impl PySystem {
             RunSettings { start: self.state(start)?, from: begin, until, every, method, has_energy: energy };
         let Some(law) = inputs else {
             self.check_values()?;
-            let motion = py.detach(|| self.declared.visit(FreeRun(settings)));
+            let system = self.derivatives.for_method(py, &self.source, &self.declared, method)?;
+            let motion = py.detach(|| system.visit(FreeRun(settings)));
             return motion.map_err(|failure| failure.exception(py)).and_then(|motion| Py::new(py, motion));
         };
         match law.is_callable() {
@@ -251,7 +252,8 @@ impl PySystem {
         let method = chosen(method, tolerance, step, seed)?;
         let (starts, varied) = motions(&self.declared, starts, parameters)?;
         let settings = EnsembleSettings { starts, varied, from: begin, until, method, threads };
-        PyEnsemble::compute(py, &self.declared, &settings)
+        let system = self.derivatives.for_method(py, &self.source, &self.declared, method)?;
+        PyEnsemble::compute(py, &system, &settings)
     }
 
     #[pyo3(signature = (data, *, vary, start=None, noise=None, begin=None, tolerance=1e-9, starts=1, max_iterations=200))]

@@ -104,7 +104,7 @@ def test_motions_are_those_of_scipy():
 def test_methods_and_starts():
     system = lagrange.System(DOUBLE)
     reference = system.simulate(until=1, tolerance=1e-13).y[-1]
-    for settings in [{"method": "radau", "tolerance": 1e-10}, {"method": "rk4", "step": 1e-3}, {"method": "gauss", "step": 5e-3}]:
+    for settings in [{"method": "taylor", "tolerance": 1e-12}, {"method": "radau", "tolerance": 1e-10}, {"method": "rk4", "step": 1e-3}, {"method": "gauss", "step": 5e-3}]:
         np.testing.assert_allclose(system.simulate(until=1, **settings).y[-1], reference, atol=1e-7)
     np.testing.assert_array_equal(system.start(theta1=0.5), [0.5, 1.5, 0, 0])
     same = [system.simulate(start, until=1).y[-1] for start in ([0.5, 1.5, 0, 0], {"theta1": 0.5}, np.array([0.5, 1.5, 0, 0]))]
@@ -113,6 +113,16 @@ def test_methods_and_starts():
     heavy = system.with_parameters(g=20.0)
     assert heavy.parameters["g"] == 20 and system.parameters["g"] == 9.81
     np.testing.assert_allclose(heavy.rhs(0, [1, 1, 0, 0]), by_hand(0, [1, 1, 0, 0], 20.0))
+
+
+def test_series_are_refused_with_the_reason():
+    late = lagrange.System("state x = 1; dot(x) = -delay(x, 1);")
+    for refused in (late.simulate, late.ensemble):
+        with pytest.raises(ValueError, match="`taylor` cannot be combined with delayed signals"):
+            refused(until=1, method="taylor")
+    cart = lagrange.System(CART)
+    with pytest.raises(ValueError, match="inputs that change"):
+        cart.simulate(cart.start(x=0), until=1, method="taylor", inputs=lambda t, y: 0.0)
 
 
 def test_inputs_drive():
@@ -332,7 +342,7 @@ def test_jacobians_are_those_of_differences():
     np.testing.assert_allclose(stiff.y[:, -1], system.simulate(until=1, tolerance=1e-12).y[-1], atol=1e-5)
 
 
-@pytest.mark.parametrize("settings", [{}, {"method": "radau", "tolerance": 1e-8}, {"method": "rk4", "step": 0.01}])
+@pytest.mark.parametrize("settings", [{}, {"method": "taylor"}, {"method": "radau", "tolerance": 1e-8}, {"method": "rk4", "step": 0.01}])
 def test_motions_of_ensembles_have_the_bits_of_single_runs(settings):
     system = lagrange.System(DOUBLE)
     random = np.random.default_rng(3)

@@ -24,5 +24,6 @@ pub use diagnostics::diagnostics;
 pub use features::jacobian::{by_fields, by_state};
 pub use features::linearised::{by_state_and_inputs, system_matrix};
 pub use features::reduced::{conversions, reduced_declarations};
+pub use features::series::series_programs;
 pub use skeleton::skeleton;
 pub use variables::{EventOfSystem, Variables, variables};

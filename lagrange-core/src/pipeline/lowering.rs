@@ -3,10 +3,12 @@
 use super::drawn::{DrawnScene, PlacedHeight, placed_items};
 use super::phases::DerivedPart;
 use super::programs::{Layout, Programs, Range, Reaction, TickingClock};
+use super::series::MotionSeries;
 use super::system::Derived;
 use crate::derive::Equations;
 use crate::emit::{
-    NamedRoots, Variables, by_fields, by_state, by_state_and_inputs, on_sides, system_matrix, variables,
+    NamedRoots, Variables, by_fields, by_state, by_state_and_inputs, on_sides, series_programs,
+    system_matrix, variables,
 };
 use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, SampledHeight, Speed};
 use lagrange_algebra::calculus::gradient;
@@ -105,6 +107,7 @@ impl<'a> Lowering<'a> {
                 .derivatives(Product::ParameterJacobian, |model, _, rows| by_fields(model, rows)),
             linearised: self.derivatives(Product::SystemMatrix, by_state_and_inputs),
             system_matrix: self.derivatives(Product::SystemMatrix, system_matrix),
+            series: self.series(),
             regressor_parameters: self.regressor_parameters(),
             outputs: self.outputs(),
             drawing: self.drawing(),
@@ -231,6 +234,17 @@ impl<'a> Lowering<'a> {
         let rows = self.equations.product(product, &self.model)?;
         let entries = all(&mut self.model, self.equations, &rows);
         Some(self.on_sides(&entries))
+    }
+
+    /// Derives the Taylor series of the motion, if they are requested.
+    fn series(&mut self) -> Option<Result<MotionSeries, String>> {
+        if !self.model.products.contains(&Product::Taylor) {
+            return None;
+        }
+        let switches = &self.equations.switches[..self.variables.switches.len()];
+        let programs = series_programs(&mut self.model, self.equations, switches);
+        let is_definite = self.model.constraints.is_empty();
+        Some(programs.map(|programs| MotionSeries::new(programs, is_definite, self.model.accuracy)))
     }
 
     fn regressor_parameters(&mut self) -> Program {

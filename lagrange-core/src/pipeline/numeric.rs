@@ -9,9 +9,10 @@ use super::phases::DerivedPart;
 use super::programs::{Place, Programs};
 use super::routines::{Backend, Found, Numbers, Routines};
 use super::second_way::{correction, is_regular, motion};
+use super::series::MotionSeries;
 use super::system::Derived;
 use crate::model::Product;
-use lagrange_algebra::program::{Program, run_with};
+use lagrange_algebra::program::{Program, run, run_with};
 use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Function;
 use lagrange_expr::opaque::Opaque;
@@ -364,6 +365,29 @@ impl NumericSystem {
         let multipliers = if taken.multipliers { self.multipliers(t, q, v) } else { Vec::new() };
         let (accelerations, multipliers) = (&accelerations[..], &multipliers[..]);
         self.run(program, Numbers { accelerations, multipliers, ..self.at(t, q, v) })
+    }
+
+    /// Computes the first slots of the steps of a Taylor series of the system, about a state.
+    ///
+    /// # Panics
+    /// If the number of slots differs from that of the initial program.
+    pub fn begin_series(&self, series: &MotionSeries, (t, q, v): (f64, &[f64], &[f64]), slots: &mut [f64]) {
+        self.run_into(&series.initial, &self.at(t, q, v), slots);
+    }
+
+    /// Returns a function that computes the kept coefficients of one step from the slots.
+    pub fn series_step<'a>(&'a self, series: &'a MotionSeries) -> impl Fn(&[f64], &mut [f64]) + 'a {
+        let found = self.routines.find(&series.step);
+        let code = self.routines.code(found, &series.layout, &self.callables);
+        move |slots, kept| {
+            let at = Numbers { fields: slots, ..Numbers::NONE };
+            if !code.is_some_and(|code| code.run(&at, kept)) {
+                kept.copy_from_slice(&run(&series.step, |role| match role {
+                    Role::Parameter(index) => slots[index as usize],
+                    _ => f64::NAN,
+                }));
+            }
+        }
     }
 
     /// Computes M a for accelerations a.

@@ -6,6 +6,7 @@
 //! of the programs are those of emitted code, so that results are bit-identical.
 
 use super::drawn::DrawnScene;
+use super::series::MotionSeries;
 use crate::derive::DiffusionKind;
 use crate::emit::Variables;
 use crate::model::Product;
@@ -90,6 +91,8 @@ pub struct Programs {
     /// The system matrix [A B; C D; G 0] in rows, if requested. Its columns belong to
     /// displacements, first-order states, velocities and inputs.
     pub system_matrix: Option<Program>,
+    /// Taylor series of the motion, if requested, or the reason why it has none.
+    pub series: Option<Result<MotionSeries, String>>,
     /// Values of the parameters that multiply the columns of the regressor.
     pub regressor_parameters: Program,
     /// Outputs.
@@ -193,7 +196,7 @@ impl Layout {
 }
 
 impl Programs {
-    /// Returns all programs except those of solutions.
+    /// Returns all programs except those of solutions and of the steps of series.
     pub fn all(&self) -> impl Iterator<Item = &Program> {
         let of_motion = [&self.position_rates, &self.accelerations, &self.multipliers, &self.undivided];
         let of_constraints =
@@ -207,6 +210,7 @@ impl Programs {
         let of_clocks = self.clocks.iter().flat_map(|clock| [&clock.period, &clock.after]);
         let values = self.products.iter().map(|(_, program)| program);
         let outputs = self.outputs.iter().map(|(_, program)| program);
+        let of_series = self.known_series().map(|series| &series.initial);
         let others = self
             .start
             .iter()
@@ -215,7 +219,8 @@ impl Programs {
             .chain(&self.linearised)
             .chain(&self.system_matrix)
             .chain(self.drawing.iter().flat_map(DrawnScene::programs))
-            .chain(self.switch_times.iter().flatten());
+            .chain(self.switch_times.iter().flatten())
+            .chain(of_series);
         let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events).chain(of_delays);
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
     }
@@ -234,6 +239,11 @@ impl Programs {
             }
         }
         called
+    }
+
+    /// Returns the Taylor series of the motion, if they were requested and exist.
+    pub fn known_series(&self) -> Option<&MotionSeries> {
+        self.series.as_ref()?.as_ref().ok()
     }
 
     /// Returns the program of a product, if it was derived.

@@ -36,6 +36,17 @@ pub struct Numbers<'a> {
 pub const LISTS: usize = 6;
 
 impl<'a> Numbers<'a> {
+    /// No arguments.
+    pub(super) const NONE: Numbers<'static> = Numbers {
+        t: f64::NAN,
+        positions: &[],
+        velocities: &[],
+        fields: &[],
+        sides: &[],
+        multipliers: &[],
+        accelerations: &[],
+    };
+
     /// Returns the lists in the order of [`Layout::entry`].
     pub fn lists(&self) -> [&'a [f64]; LISTS] {
         let of_state = [self.positions, self.velocities];
@@ -137,7 +148,8 @@ impl Routines {
     pub(super) fn new(programs: &Arc<Programs>, backend: Option<Arc<dyn Backend>>) -> Routines {
         let routine =
             |program| (address(program), Routine { taken: Taken::by(program), code: OnceLock::new() });
-        let routines = programs.all().map(routine).collect();
+        let steps = programs.known_series().map(|series| &series.step);
+        let routines = programs.all().chain(steps).map(routine).collect();
         Routines { routines, is_closed: programs.functions().is_empty(), backend }
     }
 

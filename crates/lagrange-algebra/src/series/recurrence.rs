@@ -76,8 +76,10 @@ impl Coefficients<'_> {
     fn finished(&mut self, mut pass: Pass, kept: &[Multiple]) -> Program {
         let residuals = self.motion.residuals.iter().map(|&residual| Multiple::from(residual));
         let roots = kept.iter().cloned().chain(residuals);
-        let outputs = roots.map(|Multiple { of, constants }| {
+        let outputs = roots.enumerate().map(|(place, Multiple { of, constants })| {
             let coefficient = match self.schedule.kinds[of] {
+                // Fixed values are only kept if they are discrete states, which have no rate.
+                Kind::Fixed if place < kept.len() => None,
                 Kind::Fixed => self.first(&mut pass, of),
                 _ => pass.coefficients[of],
             };

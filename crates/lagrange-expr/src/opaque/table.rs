@@ -63,6 +63,14 @@ impl Axis {
         self.knots.len() + 1
     }
 
+    /// Returns the ends of the piece that contains a number; infinite beyond the first and the last
+    /// knot, NaN for NaN.
+    pub fn piece(&self, x: f64) -> [f64; 2] {
+        let Some((piece, _)) = self.find(x) else { return [f64::NAN; 2] };
+        let before = piece.checked_sub(1).map_or(f64::NEG_INFINITY, |knot| self.knots[knot]);
+        [before, self.knots.get(piece).copied().unwrap_or(f64::INFINITY)]
+    }
+
     /// Finds the piece that contains a number, and its distance from the start of the piece; `None`
     /// for NaN.
     fn find(&self, x: f64) -> Option<(usize, f64)> {

@@ -50,7 +50,9 @@ impl Checked {
     pub(crate) fn check(&mut self, programs: &Programs) -> Result<(), String> {
         let call = solving(&programs.solutions);
         let mut computing = programs.all().filter(|program| !program.outputs().is_empty());
-        computing.try_for_each(|program| self.compare(program, &programs.layout, &call))
+        computing.try_for_each(|program| self.compare(program, &programs.layout, &call))?;
+        let series = programs.known_series();
+        series.map_or(Ok(()), |series| self.compare(&series.step, &series.layout, &call))
     }
 
     /// Compares the outputs of a program at random numbers.

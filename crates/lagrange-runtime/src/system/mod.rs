@@ -60,7 +60,12 @@ pub(crate) use self::rate_name::WithSuffix;
 pub use self::regressor::RegressorSystem;
 pub use self::setting_error::SettingError;
 pub use self::step_failure::{DelayFault, EventSource, StepFailure};
-pub use self::taylor::{MAX_ORDER, Order, Products, SeriesFactors, SeriesSolver, TaylorSystem};
+#[cfg(feature = "std")]
+pub use self::taylor::StoredProducts;
+pub use self::taylor::{
+    MAX_ORDER, Order, Products, SeriesFactors, SeriesSolver, TaylorSystem, negative_inverse,
+    negative_inverse_of_definite,
+};
 #[cfg(feature = "linear")]
 pub(crate) use self::undefined::Acceleration;
 pub use self::undefined::{Component, Undefined};

@@ -2,11 +2,16 @@
 
 mod order;
 mod pieces;
+mod solver;
+#[cfg(feature = "std")]
+mod stored;
 
 pub use self::order::Order;
-use self::pieces::Pieces;
+use self::pieces::Piece;
+pub use self::solver::{SeriesSolver, negative_inverse, negative_inverse_of_definite};
+#[cfg(feature = "std")]
+pub use self::stored::StoredProducts;
 use super::OdeSystem;
-use crate::linalg::pivoted::{Factors, Matrix};
 use crate::scalar::{Number, Scalar};
 
 /// Maximum order of an expansion.
@@ -64,6 +69,27 @@ impl<S: Number> Four<S> {
     }
 }
 
+/// Computes Σ aⱼ bₖ₋ⱼ for several products, whose terms `accumulate` adds. There are two sums, so
+/// that no product waits for the previous one.
+#[inline(always)]
+fn inner_sums<S: Number, A, B, const N: usize>(
+    a: &[A],
+    b: &[B],
+    accumulate: impl Fn(&mut [Four<S>; N], &A, &B),
+) -> [Four<S>; N] {
+    let (mut even, mut odd) = ([Four::ZERO; N], [Four::ZERO; N]);
+    let (pairs_of_a, last_of_a) = a.as_chunks::<2>();
+    let (last_of_b, pairs_of_b) = b.as_rchunks::<2>();
+    for ([a0, a1], [b1, b0]) in pairs_of_a.iter().zip(pairs_of_b.iter().rev()) {
+        accumulate(&mut even, a0, b0);
+        accumulate(&mut odd, a1, b1);
+    }
+    if let ([a], [b]) = (last_of_a, last_of_b) {
+        accumulate(&mut even, a, b);
+    }
+    core::array::from_fn(|place| even[place].sum(&odd[place]))
+}
+
 /// Factors of products a b of series, order by order. Products form groups of four; groups may
 /// share their factors a.
 #[derive(Clone, Debug)]
@@ -75,7 +101,7 @@ pub struct Products<S, const SHARED: usize, const GROUPS: usize, const ARGUMENTS
     /// Sums without the factors of order zero and without the newest ones.
     inner: [Four<S>; GROUPS],
     /// Arguments of tables.
-    pieces: Pieces<S, ARGUMENTS>,
+    pieces: [Piece<S>; ARGUMENTS],
 }
 
 /// Factors of one order.
@@ -90,12 +116,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         b: [[Four::ZERO; GROUPS]; MAX_ORDER],
         first: Self::NONE,
         inner: [Four::ZERO; GROUPS],
-        pieces: Pieces {
-            start: [S::ZERO; ARGUMENTS],
-            ends: [[S::ZERO; 2]; ARGUMENTS],
-            coefficients: [[S::ZERO; ARGUMENTS]; MAX_ORDER],
-            orders: 0,
-        },
+        pieces: [Piece::EMPTY; ARGUMENTS],
     };
     /// Factors of an order before the first one.
     pub const NONE: SeriesFactors<S, SHARED, GROUPS> = ([[S::ZERO; 4]; SHARED], [[S::ZERO; 4]; GROUPS]);
@@ -111,27 +132,16 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     /// step.
     #[inline(always)]
     pub fn add_up<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
-        // Two sums, so that no product waits for the previous one.
-        let (mut even, mut odd) = ([Four::ZERO; N], [Four::ZERO; N]);
         let inner = 1..k.saturating_sub(1);
-        if let (Some(a), Some(b)) = (self.a.get(inner.clone()), self.b.get(inner)) {
-            let accumulate = |sums: &mut [Four<S>; N], a: &[Four<S>; SHARED], b: &[Four<S>; GROUPS]| {
+        let (a, b) = (self.a.get(inner.clone()), self.b.get(inner));
+        let sums =
+            inner_sums(a.unwrap_or_default(), b.unwrap_or_default(), |sums: &mut [Four<S>; N], a, b| {
                 for place in 0..N {
                     sums[place] = sums[place].plus(&a[shared[place]], &b[group + place]);
                 }
-            };
-            let (pairs_of_a, last_of_a) = a.as_chunks::<2>();
-            let (last_of_b, pairs_of_b) = b.as_rchunks::<2>();
-            for ([a0, a1], [b1, b0]) in pairs_of_a.iter().zip(pairs_of_b.iter().rev()) {
-                accumulate(&mut even, a0, b0);
-                accumulate(&mut odd, a1, b1);
-            }
-            if let ([a], [b]) = (last_of_a, last_of_b) {
-                accumulate(&mut even, a, b);
-            }
-        }
+            });
         for place in 0..N {
-            self.inner[group + place] = even[place].sum(&odd[place]);
+            self.inner[group + place] = sums[place];
         }
     }
 
@@ -173,14 +183,17 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     /// Begins to track arguments of tables from these values, in pieces with these ends.
     #[inline(always)]
     pub fn follow(&mut self, start: [S; ARGUMENTS], ends: [[S; 2]; ARGUMENTS]) {
-        (self.pieces.start, self.pieces.ends, self.pieces.orders) = (start, ends, 0);
+        for (piece, (start, ends)) in self.pieces.iter_mut().zip(start.into_iter().zip(ends)) {
+            piece.follow(start, ends);
+        }
     }
 
     /// Stores the coefficients of arguments found in step k.
     #[inline(always)]
     pub fn keep_arguments(&mut self, k: usize, coefficients: [S; ARGUMENTS]) {
-        self.pieces.coefficients[k] = coefficients;
-        self.pieces.orders = k + 1;
+        for (piece, coefficient) in self.pieces.iter_mut().zip(coefficients) {
+            piece.keep(k, coefficient);
+        }
     }
 }
 
@@ -190,76 +203,6 @@ impl<S: Scalar, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     /// Returns the time within `h` for which no argument of a table leaves its piece.
     #[must_use]
     pub fn reach(&self, h: S) -> S {
-        self.pieces.reach(h)
-    }
-}
-
-/// The negative inverse of the matrix of accelerations and multipliers in the residuals, in
-/// columns, for every order.
-#[derive(Clone, Copy, Debug)]
-pub struct SeriesSolver<S, const N: usize>([[S; N]; N]);
-
-impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
-    /// Inverts a matrix, given row by row; the inverse of a singular one is NaN.
-    pub fn new<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
-        let factors = Factors::new(Matrix::<S, [S; N]>::of(|i, j| entries[i * N + j]));
-        let column = |j: usize| {
-            let mut unit = [S::ZERO; N];
-            unit[j] = -S::ONE;
-            factors.as_ref().map_or([S::NAN; N], |factors| factors.solve(&unit))
-        };
-        SeriesSolver(core::array::from_fn(column))
-    }
-
-    /// Inverts a positive definite matrix, which needs no pivoting.
-    ///
-    /// Gauss–Jordan elimination in place: Peters and Wilkinson, "On the stability of Gauss–Jordan
-    /// elimination with pivoting", *Communications of the ACM* 18 (1975) 20–24. For the rows (2, 1)
-    /// and (1, 1), the pivot 2 leads to (1/2, 1/2) and (−1/2, 1/2). The pivot 1/2 then leads to the
-    /// inverse, (1, −1) and (−1, 2).
-    #[inline(always)]
-    pub fn definite<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
-        let mut rows: [[S; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| entries[i * N + j]));
-        for pivot in 0..N {
-            let reciprocal = S::ONE / rows[pivot][pivot];
-            rows[pivot][pivot] = S::ONE;
-            let scaled = rows[pivot].map(|entry| entry * reciprocal);
-            for (i, row) in rows.iter_mut().enumerate() {
-                let factor = -row[pivot];
-                row[pivot] = S::ZERO;
-                let reduced = core::array::from_fn(|j| scaled[j].multiply_add(factor, row[j]));
-                *row = if i == pivot { scaled } else { reduced };
-            }
-        }
-        SeriesSolver(core::array::from_fn(|j| core::array::from_fn(|i| -rows[i][j])))
-    }
-
-    /// Computes (a, λ) = −M⁻¹ r.
-    #[inline(always)]
-    pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
-        let mut columns = self.0.iter().zip(residuals);
-        let first = columns.next().map(|(column, residual)| column.map(|entry| entry * *residual));
-        columns.fold(first.unwrap_or([S::ZERO; N]), |sums, (column, residual)| {
-            core::array::from_fn(|i| column[i].multiply_add(*residual, sums[i]))
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::SeriesSolver;
-
-    #[test]
-    fn a_definite_matrix_has_the_same_inverse_either_way() {
-        let entries = [4.0, 1.0, -0.5, 1.0, 3.0, 0.25, -0.5, 0.25, 2.0];
-        let [pivoted, definite] = [SeriesSolver::<f64, 3>::new(entries), SeriesSolver::definite(entries)];
-        let residual = [0.3, -0.7, 1.1];
-        let [found, wanted] = [definite, pivoted].map(|solver| solver.accelerations(&residual));
-        for (row, (found, wanted)) in found.iter().zip(wanted).enumerate() {
-            assert!((found - wanted).abs() < 1e-15, "{row}");
-            let product =
-                (0..3).map(|j| entries[3 * row + j] * definite.accelerations(&residual)[j]).sum::<f64>();
-            assert!((product + residual[row]).abs() < 1e-15, "{row}");
-        }
+        pieces::reach(&self.pieces, h)
     }
 }

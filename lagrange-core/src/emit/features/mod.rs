@@ -28,6 +28,7 @@ pub(super) mod reduced;
 pub(super) mod redundant;
 pub(super) mod regressor;
 pub(super) mod scene;
+pub(super) mod series;
 pub(super) mod solvers;
 pub(super) mod sparse;
 pub(super) mod start;

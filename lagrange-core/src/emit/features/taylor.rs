@@ -7,8 +7,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::series::{WithoutSeries, derived_series};
 use super::tables::piece_name;
-use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::members::{Members, Taylor};
 use crate::emit::base::method::Arguments;
 use crate::emit::base::refusal::Refusal;
@@ -16,106 +16,25 @@ use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 use lagrange_algebra::code::Names;
-use lagrange_algebra::program::{Labels, Program, ValueId, lower, optimise};
-use lagrange_algebra::series::{
-    Entry, Groups, Motion, NoSeries, Rate, SeriesPrograms, Slot, expand, function_rates, without_long_powers,
-};
-use lagrange_expr::expr::ExprId;
+use lagrange_algebra::program::{Program, optimise};
+use lagrange_algebra::series::{Groups, SeriesPrograms, Slot};
 use lagrange_expr::symbol::{Role, Symbols};
 
 /// Maximum number of groups whose sums share one loop; more would exhaust the registers.
 const LOOP: usize = 4;
-
-/// Parts of a system that series do not support.
-const EXCLUSIONS: [Exclusion; 5] =
-    [Exclusion::Contacts, Exclusion::Redundant, Exclusion::Indefinite, Exclusion::Noise, Exclusion::Delays];
 
 /// Writes the expansion of the motion, if it is requested.
 pub(in crate::emit) fn write_taylor(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
     if !writer.model.products.contains(&Product::Taylor) || writer.is_hopeless() {
         return Ok(());
     }
-    if let Some(exclusion) = Exclusion::first(&EXCLUSIONS, writer.model, writer.equations) {
-        return Err(Refusal::Exclusion(Product::Taylor, exclusion));
-    }
-    let explicit = programs(writer, Form::Accelerations);
-    let implicit = programs(writer, Form::Residuals);
-    let programs = cheaper(explicit, implicit).map_err(Refusal::Series)?;
+    let switches = &writer.equations.switches[..writer.shape.switches.len()];
+    let programs =
+        derived_series(writer.model, writer.equations, switches).map_err(WithoutSeries::refusal)?;
     if let Some(taylor) = written(writer, &programs) {
         writer.members.taylor = Some(taylor);
     }
     Ok(())
-}
-
-/// The form of the equations that series are derived from.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
-    /// Accelerations as functions of the state.
-    Accelerations,
-    /// Residuals that accelerations make zero.
-    Residuals,
-}
-
-/// Returns the programs of the form with fewer products.
-fn cheaper(
-    explicit: Result<SeriesPrograms, NoSeries>,
-    implicit: Result<SeriesPrograms, NoSeries>,
-) -> Result<SeriesPrograms, NoSeries> {
-    match (explicit, implicit) {
-        (Ok(explicit), Ok(implicit)) if implicit.sums.len() < explicit.sums.len() => Ok(implicit),
-        (Err(_), implicit @ Ok(_)) => implicit,
-        (explicit, _) => explicit,
-    }
-}
-
-fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms, NoSeries> {
-    let (model, equations) = (&*writer.model, writer.equations);
-    let state = [model.positions(), model.velocities()].concat();
-    let mut rates = model.position_rates();
-    let (mut unexpanded, mut residuals) = (Vec::new(), Vec::new());
-    match (form, &equations.series) {
-        (Form::Residuals, Some(series)) => {
-            unexpanded.clone_from(&series.unexpanded);
-            residuals.clone_from(&series.residuals);
-        }
-        _ => rates.extend(&equations.accelerations),
-    }
-    let velocities = unexpanded.iter().map(|(_, of)| *of);
-    let roots = rates.iter().copied().chain(velocities).chain(residuals.iter().copied());
-    let roots = writer.on_sides(&roots.collect::<Vec<_>>()).roots;
-    let functions = function_rates(&mut writer.model.graph, &roots);
-    let mut all = [state.clone(), roots].concat();
-    all.extend(functions.iter().flat_map(|(value, rate)| [*value, *rate]));
-    let program = without_long_powers(&lower(&writer.model.graph, &all, &Labels::default()));
-    let mut outputs = Outputs(program.outputs());
-    let entries = outputs.take(state.len());
-    let mut known = outputs.take(rates.len()).iter();
-    let entry = |(index, &value): (usize, &ValueId)| {
-        let unknown = || Rate::Acceleration((index - rates.len()) as u32);
-        Entry { value, rate: known.next().map_or_else(unknown, |&rate| Rate::Value(rate)) }
-    };
-    let entries = entries.iter().enumerate().map(entry).collect::<Vec<_>>();
-    let role = |id: ExprId| writer.model.graph.symbol_of(id).map(|symbol| symbol.role);
-    let of = outputs.take(unexpanded.len()).iter();
-    let unexpanded = unexpanded.iter().zip(of).filter_map(|((symbol, _), &of)| Some((role(*symbol)?, of)));
-    let unexpanded = unexpanded.collect::<Vec<_>>();
-    let residuals = outputs.take(residuals.len());
-    let rates = outputs.take(2 * functions.len()).chunks_exact(2).map(|pair| (pair[0], pair[1]));
-    let rates = rates.collect::<Vec<_>>();
-    let motion =
-        Motion { program: &program, state: &entries, rates: &rates, unexpanded: &unexpanded, residuals };
-    expand(&motion)
-}
-
-/// The outputs of a program, split into consecutive groups.
-struct Outputs<'a>(&'a [ValueId]);
-
-impl<'a> Outputs<'a> {
-    fn take(&mut self, count: usize) -> &'a [ValueId] {
-        let (first, rest) = self.0.split_at(count);
-        self.0 = rest;
-        first
-    }
 }
 
 /// Writes the expansion; `None` if a constant is too large, which is recorded.

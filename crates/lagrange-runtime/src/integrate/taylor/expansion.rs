@@ -230,7 +230,7 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         let square = h * h;
         let fourth = square * square;
         let (blocks, rest) = self.coefficients[..self.order].as_chunks::<4>();
-        let mut sums = [Y::ZERO; 4];
+        let mut sums = [self.y.zeros(); 4];
         for (place, (sum, coefficients)) in sums.iter_mut().zip(rest).enumerate() {
             *sum = term(4 * blocks.len() + place, coefficients);
         }

@@ -1,7 +1,7 @@
 //! The part of a step in which tables equal the polynomials used by an expansion.
 
 use super::MAX_ORDER;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// Number of rounding errors by which a step passes the end of a piece, so that the next one begins
 /// in the adjacent piece.
@@ -10,31 +10,48 @@ const ROUNDINGS: f64 = 16.0;
 /// zeros are close.
 const MOST: usize = 64;
 
-/// Arguments of tables along an expansion, and the ends of their initial pieces.
+/// An argument of a table along an expansion, and the ends of its initial piece.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pieces<S, const N: usize> {
-    pub(super) start: [S; N],
-    pub(super) ends: [[S; 2]; N],
+pub(super) struct Piece<S> {
+    start: S,
+    ends: [S; 2],
     /// Coefficients of the orders 1, 2, …
-    pub(super) coefficients: [[S; N]; MAX_ORDER],
-    pub(super) orders: usize,
+    coefficients: [S; MAX_ORDER],
+    orders: usize,
 }
 
-impl<S: Scalar, const N: usize> Pieces<S, N> {
-    /// Returns the time within `h` after which the first argument leaves its piece; `h` if none
-    /// does.
-    pub(super) fn reach(&self, h: S) -> S {
-        let part = (0..N).fold(S::ONE, |part, argument| part.min(self.part(argument, h)));
-        part * h
+/// Returns the time within `h` after which the first argument leaves its piece; `h` if none does.
+pub(super) fn reach<S: Scalar>(pieces: &[Piece<S>], h: S) -> S {
+    pieces.iter().fold(S::ONE, |part, piece| part.min(piece.part(h))) * h
+}
+
+impl<S: Number> Piece<S> {
+    /// No piece.
+    pub(super) const EMPTY: Self =
+        Piece { start: S::ZERO, ends: [S::ZERO; 2], coefficients: [S::ZERO; MAX_ORDER], orders: 0 };
+
+    /// Begins another expansion from this argument, in a piece with these ends.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, start: S, ends: [S; 2]) {
+        (self.start, self.ends, self.orders) = (start, ends, 0);
     }
 
-    fn part(&self, argument: usize, h: S) -> S {
+    /// Stores the coefficient found in step k.
+    #[inline(always)]
+    pub(super) fn keep(&mut self, k: usize, coefficient: S) {
+        self.coefficients[k] = coefficient;
+        self.orders = k + 1;
+    }
+}
+
+impl<S: Scalar> Piece<S> {
+    fn part(&self, h: S) -> S {
         let (mut path, mut power) = ([S::ZERO; MAX_ORDER], S::ONE);
-        for (term, coefficients) in path.iter_mut().zip(&self.coefficients).take(self.orders) {
+        for (term, coefficient) in path.iter_mut().zip(&self.coefficients).take(self.orders) {
             power = power * h;
-            *term = coefficients[argument] * power;
+            *term = *coefficient * power;
         }
-        let (start, [lower, upper]) = (self.start[argument], self.ends[argument]);
+        let (start, [lower, upper]) = (self.start, self.ends);
         let above = first_beyond(&path, upper - start, upper.abs().max(start.abs()));
         path.iter_mut().for_each(|term| *term = -*term);
         above.min(first_beyond(&path, start - lower, lower.abs().max(start.abs())))
@@ -82,12 +99,13 @@ fn value_and_slope<S: Scalar>(path: &[S; MAX_ORDER], x: S) -> (S, S) {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_ORDER, Pieces};
+    use super::Piece;
 
     fn reach(start: f64, ends: [f64; 2], coefficients: &[f64], h: f64) -> f64 {
-        let mut all = [[0.0]; MAX_ORDER];
-        all.iter_mut().zip(coefficients).for_each(|(row, coefficient)| row[0] = *coefficient);
-        Pieces { start: [start], ends: [ends], coefficients: all, orders: coefficients.len() }.reach(h)
+        let mut piece = Piece::EMPTY;
+        piece.follow(start, ends);
+        coefficients.iter().enumerate().for_each(|(k, coefficient)| piece.keep(k, *coefficient));
+        super::reach(&[piece], h)
     }
 
     #[test]

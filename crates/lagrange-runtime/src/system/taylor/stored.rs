@@ -1,0 +1,77 @@
+//! Products of series whose number is known at run time.
+
+use std::vec::Vec;
+
+use super::pieces::{self, Piece};
+use super::{Four, MAX_ORDER, inner_sums};
+use crate::scalar::{Number, Scalar};
+
+/// The coefficients of four series.
+type Factors<S> = [Four<S>; MAX_ORDER];
+
+/// Factors of products a b of series, as in [`Products`](super::Products), in numbers known at run
+/// time. Sums have the same bits.
+#[derive(Clone, Debug)]
+pub struct StoredProducts<S> {
+    a: Vec<Factors<S>>,
+    b: Vec<Factors<S>>,
+    pieces: Vec<Piece<S>>,
+}
+
+impl<S: Number> StoredProducts<S> {
+    /// No factors.
+    pub const EMPTY: Self = StoredProducts { a: Vec::new(), b: Vec::new(), pieces: Vec::new() };
+
+    /// Makes room for sides of groups, for groups and for arguments of tables.
+    pub fn resize(&mut self, [shared, groups, arguments]: [usize; 3]) {
+        self.a.resize(shared, [Four::ZERO; MAX_ORDER]);
+        self.b.resize(groups, [Four::ZERO; MAX_ORDER]);
+        self.pieces.resize(arguments, Piece::EMPTY);
+    }
+
+    /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ, four for each group. `of_group` contains the sides of the
+    /// groups.
+    #[inline(always)]
+    pub fn sums(&self, k: usize, of_group: &[usize], sums: &mut [S]) {
+        let (sums, _) = sums.as_chunks_mut::<4>();
+        let Some(last) = k.checked_sub(1) else { return sums.fill([S::ZERO; 4]) };
+        let inner = 1..last.max(1);
+        for ((sums, side), b) in sums.iter_mut().zip(of_group).zip(&self.b) {
+            let a = &self.a[*side];
+            let [sum] = inner_sums(&a[inner.clone()], &b[inner.clone()], |[sum]: &mut [Four<S>; 1], a, b| {
+                *sum = sum.plus(a, b);
+            });
+            // The product of both factors of order zero occurs only once.
+            let first = if last == 0 { &Four::ZERO } else { &b[0] };
+            *sums = sum.plus(&a[0], &b[last]).plus(&a[last], first).0;
+        }
+    }
+
+    /// Stores the factors found in step k: the coefficients with these indices.
+    #[inline(always)]
+    pub fn keep(&mut self, k: usize, sides: [&[[usize; 4]]; 2], coefficients: &[S]) {
+        for (factors, places) in [&mut self.a, &mut self.b].into_iter().zip(sides) {
+            for (factors, places) in factors.iter_mut().zip(places) {
+                factors[k] = Four(places.map(|place| coefficients[place]));
+            }
+        }
+    }
+
+    /// Begins to track an argument of a table from a value, in a piece with these ends.
+    pub fn follow(&mut self, argument: usize, start: S, ends: [S; 2]) {
+        self.pieces[argument].follow(start, ends);
+    }
+
+    /// Stores the coefficient of an argument found in step k.
+    pub fn keep_argument(&mut self, argument: usize, k: usize, coefficient: S) {
+        self.pieces[argument].keep(k, coefficient);
+    }
+}
+
+impl<S: Scalar> StoredProducts<S> {
+    /// Returns the time within `h` for which no argument of a table leaves its piece.
+    #[must_use]
+    pub fn reach(&self, h: S) -> S {
+        pieces::reach(&self.pieces, h)
+    }
+}
