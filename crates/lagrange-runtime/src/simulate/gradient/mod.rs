@@ -41,7 +41,8 @@ pub struct Gradient<S, const N: usize> {
 
 impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// Computes a cost of the motion with its derivatives by the named parameters and inputs, and
-    /// by the initial state. The work hardly depends on the number of names.
+    /// by the initial state. With `emit { jacobian }` and without constraints, the work hardly
+    /// depends on the number of names.
     ///
     /// `cost` receives a time, the state and a vector of zeros, writes its derivatives by the state
     /// to the vector, and returns its value. It is called once for the end or, with
