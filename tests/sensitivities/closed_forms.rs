@@ -42,7 +42,7 @@ lagrange::system! {
 /// Returns derivatives of the height at time t by g, e and the first height H, between the first
 /// and the second bounce. The height is `h = e v s − g s²/2` with `v = √(2 g H)`,
 /// `s = t − √(2 H/g)`.
-fn slopes(t: f64, g: f64, e: f64, height: f64) -> [f64; 3] {
+pub(crate) fn slopes(t: f64, g: f64, e: f64, height: f64) -> [f64; 3] {
     let (v, fall) = ((2.0 * g * height).sqrt(), (2.0 * height / g).sqrt());
     let (s, rate) = (t - fall, e * v - g * (t - fall));
     [
@@ -202,7 +202,7 @@ fn time_may_run_backwards() {
 lagrange::system! {
     /// A ball in any number type.
     #[derive(Clone, Debug)]
-    struct AnyBall<S>;
+    pub(crate) struct AnyBall<S>;
     param g = 9.81, e = 0.7;
     coord h;
     kinetic = 1/2 * dot(h)^2;
@@ -263,5 +263,34 @@ fn a_ball_that_came_to_rest_has_no_slopes() {
     let motion = ball.simulate([2.0, 0.0]).until(4.0).sensitivities(["g", "e", "h"]).run().unwrap();
     for slopes in motion.sensitivities(motion.len() - 1).unwrap() {
         assert!(slopes.iter().all(|slope| slope.abs() < 1e-6), "{slopes:?}");
+    }
+}
+
+lagrange::system! {
+    /// A block that lies on the ground with dry friction, pulled by a growing force.
+    #[derive(Clone, Debug)]
+    struct Lying;
+    param m = 1.0, mu = 0.3, pull = 2.0, g = 9.81;
+    coord x, h;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(h)^2);
+    potential = m * g * h;
+    force x = pull * t;
+    event ground = h, falling => impact(0);
+    friction rub = dot(x), mu * ground;
+}
+
+/// From T = μ m g/p on, the block moves as p (t − T)³/6 m. At T all entries of the state vanish, up
+/// to rounding, and set no scale for changes of parameters.
+#[test]
+fn a_block_begins_to_slide_from_a_state_of_zeros() {
+    let Lying { m, mu, pull, g, .. } = Lying::default();
+    let since = 3.0 - mu * m * g / pull;
+    let lying = Lying::default();
+    let run = lying.simulate([0.0; 4]).until(3.0).method(RungeKutta4 { step: 1e-2 });
+    let motion = run.sensitivities(["m", "g"]).run().unwrap();
+    let (rise, rate) = (pull * since.powi(3) / (6.0 * m), pull * since * since / (2.0 * m));
+    let wanted = [-rise / m - rate * mu * g / pull, -rate * mu * m / pull];
+    for (found, wanted) in motion.sensitivities(motion.len() - 1).unwrap().iter().zip(wanted) {
+        assert!((found[0] - wanted).abs() < 1e-9, "{} {wanted}", found[0]);
     }
 }

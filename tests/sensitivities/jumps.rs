@@ -71,47 +71,6 @@ lagrange::system! {
     emit { jacobian }
 }
 
-/// States of samples, and their derivatives by each variable.
-type Samples = (Vec<Vec<f64>>, Vec<Vec<Vec<f64>>>);
-
-/// Compares the derivatives of half the sum of squares of all entries, over all samples.
-fn compare((states, derivatives): Samples, (value, found): (f64, &[f64]), tolerance: f64) {
-    let expected: f64 = states.iter().flatten().map(|entry| 0.5 * entry * entry).sum();
-    assert!((value - expected).abs() < tolerance * expected, "{value} {expected}");
-    for (index, found) in found.iter().enumerate() {
-        let along = |(y, slopes): (&Vec<f64>, &Vec<Vec<f64>>)| -> f64 {
-            y.iter().zip(&slopes[index]).map(|(entry, slope)| entry * slope).sum()
-        };
-        let expected: f64 = states.iter().zip(&derivatives).map(along).sum();
-        assert!((found - expected).abs() < tolerance * (1.0 + expected.abs()), "{index}: {found} {expected}");
-    }
-}
-
-macro_rules! samples {
-    ($simulation:expr, $names:expr) => {{
-        let motion = $simulation.sensitivities($names).run().expect("a motion");
-        let slopes =
-            |row| motion.sensitivities(row).expect("a row").iter().map(|slope| slope.to_vec()).collect();
-        let states = motion.states().map(|y| y.to_vec()).collect();
-        (states, (0..motion.len()).map(slopes).collect())
-    }};
-}
-
-/// Compares the gradient with forward derivatives, by parameters and by the states at the start.
-macro_rules! compare {
-    ($simulation:expr, $names:expr, $states:expr, $tolerance:expr) => {{
-        let gradient = $simulation.gradient($names, |_, y, slope| {
-            *slope = *y;
-            y.iter().map(|entry| 0.5 * entry * entry).sum()
-        });
-        let gradient = gradient.expect("a gradient");
-        assert_eq!([gradient.by.len(), gradient.by_start.len()], [$names.len(), $states.len()]);
-        compare(samples!($simulation, $names), (gradient.value, &gradient.by), $tolerance);
-        compare(samples!($simulation, $states), (gradient.value, &gradient.by_start), $tolerance);
-        gradient
-    }};
-}
-
 #[test]
 fn impacts_change_adjoints() {
     let ball = Ball::default();

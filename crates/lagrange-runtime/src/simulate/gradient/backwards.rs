@@ -1,20 +1,26 @@
 //! The backward pass, from the end of a trace to its start.
 
 use core::marker::PhantomData;
+use std::sync::Arc;
 use std::vec::Vec;
 
 use super::Gradient;
-use super::jump::Jump;
+use super::jump::{Jump, copy};
 use super::trace::{SmoothPiece, Steps};
 use crate::integrate::ExplicitRungeKutta;
-use crate::scalar::Number;
-use crate::simulate::sensitivity::Varied;
-use crate::system::{OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
+use crate::scalar::{Number, Scalar};
+use crate::simulate::sensitivity::{Sensitive, Varied};
+use crate::system::{OdeSystem, ParametricSystem, ScalarOf, StepFailure};
 
 /// The name of the state in errors about events without derivative.
 const STATE: &str = "the state";
-/// Message for systems without derivatives.
-const WITHOUT_JACOBIAN: &str = "a gradient needs derivatives: add `emit { jacobian }` to the declaration";
+/// Message for equations and projections that are undefined on both sides of a state.
+const NOT_SMOOTH: &str =
+    "the equations or the projection onto constraints have no derivative here, so that there is no gradient";
+
+/// A function that brings a state of the system M onto its constraints.
+type Projection<M> =
+    fn(&M, ScalarOf<M>, &mut <M as OdeSystem>::State) -> Result<(), StepFailure<ScalarOf<M>>>;
 
 /// Workspace for the stages of a step by the method K, and the derivatives by parameters so far.
 pub(super) struct Backwards<'a, M: OdeSystem, K, const N: usize> {
@@ -52,13 +58,14 @@ where
         }
     }
 
-    /// Runs from the end of a trace to its start and sums the costs of samples.
+    /// Runs from the end of a trace to the given start and sums the costs of samples.
     ///
     /// # Errors
-    /// If a system does not know its derivatives, or an event has none.
+    /// If an event, the equations or a projection have no derivative.
     pub(super) fn along(
         mut self,
         trace: &'a [SmoothPiece<M>],
+        (t, start): (M::Scalar, &M::State),
         mut cost: impl FnMut(M::Scalar, &M::State, &mut M::State) -> M::Scalar,
     ) -> Result<Gradient<M::Scalar, N>, StepFailure<M::Scalar>> {
         let (mut value, mut slope) = (M::Scalar::ZERO, [M::Scalar::ZERO; N]);
@@ -76,6 +83,9 @@ where
             }
             steps += piece.steps.count();
             kept_states += piece.steps.states.len() + piece.jumps.len();
+        }
+        if self.system.is_constrained() {
+            self.through_projection((t, start), &mut slope, M::restore)?;
         }
         let by = self.by;
         Ok(Gradient { value, by, by_start: slope, steps, kept_states: kept_states + most_between })
@@ -99,7 +109,7 @@ where
         for (segment, start) in piece.states.iter().enumerate().rev() {
             let first = segment * piece.stride;
             let last = piece.count().min(first + piece.stride);
-            let states = self.between(&piece.times, first..last, start);
+            let states = self.between(&piece.times, first..last, start)?;
             most = most.max(states.len());
             if last == piece.count() {
                 add_samples(last, &states[last - first], slope);
@@ -113,24 +123,55 @@ where
         Ok(most)
     }
 
-    /// Turns the slope by the state after a jump into that by the state before it.
+    /// Turns the slope by the state after a jump into that by the state before it. Reactions are
+    /// differentiated along the constraints only, on which the state before it remains. Off a
+    /// closed contact, an impact would have another outcome.
     fn through_jump(&mut self, jump: &Jump<M>, slope: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
-        let along = |derivative: &M::State, slope: &M::State| {
-            derivative
-                .iter()
-                .zip(slope)
-                .fold(M::Scalar::ZERO, |sum, (entry, weight)| weight.multiply_add(*entry, sum))
-        };
+        let company = jump.company();
+        let sensitive = Sensitive::new(copy(&jump.system), Arc::default());
+        self.through((&jump.system, &jump.state), slope, |variable, change| {
+            let change = if jump.system.is_constrained() {
+                projected(&sensitive, (jump.time, &jump.state), M::correct, variable, &change)?
+            } else {
+                change
+            };
+            jump.check_company(&company, &variable, &change)?;
+            jump.derivative(variable, change)
+        })
+    }
+
+    /// Turns the slope by a projected state into that by the state before.
+    fn through_projection(
+        &mut self,
+        (t, y): (M::Scalar, &M::State),
+        slope: &mut M::State,
+        project: Projection<M>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
+        let sensitive = Sensitive::new(copy(self.system), Arc::default());
+        self.through((self.system, y), slope, |variable, change| {
+            projected(&sensitive, (t, y), project, variable, &change)
+        })
+    }
+
+    /// Multiplies the slope by the transposed derivative of a function of a system and this state.
+    /// `derivative` returns that with respect to a variable and to a change of the state, both per
+    /// scale of the variable.
+    fn through(
+        &mut self,
+        (system, state): (&M, &M::State),
+        slope: &mut M::State,
+        derivative: impl Fn(Varied<M::Scalar>, M::State) -> Result<M::State, StepFailure<M::Scalar>>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
         let after = *slope;
         for (variable, by) in self.variables.iter().zip(&mut self.by) {
-            let derivative = jump.derivative(*variable, [M::Scalar::ZERO; N])?;
-            *by = *by + along(&derivative, &after) / variable.scale();
+            let derivative = derivative(*variable, [M::Scalar::ZERO; N])?;
+            *by = *by + product(&derivative, &after) / variable.scale();
         }
         for (entry, slope) in slope.iter_mut().enumerate() {
-            let variable = Varied::initial(STATE, entry, &jump.system, &jump.state);
+            let variable = Varied::initial(STATE, entry, system, state);
             let mut change = [M::Scalar::ZERO; N];
             change[entry] = variable.scale();
-            *slope = along(&jump.derivative(variable, change)?, &after) / variable.scale();
+            *slope = product(&derivative(variable, change)?, &after) / variable.scale();
         }
         Ok(())
     }
@@ -141,23 +182,26 @@ where
         times: &[M::Scalar],
         steps: core::ops::Range<usize>,
         start: &M::State,
-    ) -> Vec<M::State> {
+    ) -> Result<Vec<M::State>, StepFailure<M::Scalar>> {
         let mut states = std::vec![*start];
         for step in steps {
-            let [t, end] = [times[step], times[step + 1]];
-            let y = states[states.len() - 1];
-            self.evaluate(t, end - t, &y);
-            states.push(K::ADVANCE.point(&y, end - t, &self.rates));
+            let mut y = self.advance([times[step], times[step + 1]], &states[states.len() - 1]);
+            if self.system.is_constrained() {
+                self.system.correct(times[step + 1], &mut y)?;
+            }
+            states.push(y);
         }
-        states
+        Ok(states)
     }
 
-    /// Evaluates the stages of a step.
-    fn evaluate(&mut self, t: M::Scalar, h: M::Scalar, y: &M::State) {
+    /// Evaluates the stages of a step, and returns its end before the projection.
+    fn advance(&mut self, [t, end]: [M::Scalar; 2], y: &M::State) -> M::State {
+        let h = end - t;
         for (stage, row) in K::STAGES.iter().enumerate() {
             self.points[stage] = row.point(y, h, &self.rates);
             self.rates[stage] = self.system.rhs(row.time(t, h), &self.points[stage]);
         }
+        K::ADVANCE.point(y, h, &self.rates)
     }
 
     /// Converts the derivative by the state at the end of a step into the derivative by the state
@@ -169,7 +213,10 @@ where
         slope: &mut M::State,
     ) -> Result<(), StepFailure<M::Scalar>> {
         let (t, h) = (times[0], times[1] - times[0]);
-        self.evaluate(t, h, y);
+        let end = self.advance([t, times[1]], y);
+        if self.system.is_constrained() {
+            self.through_projection((times[1], &end), slope, M::correct)?;
+        }
         self.adjoints.fill([M::Scalar::ZERO; N]);
         K::ADVANCE.spread(h, slope, &mut self.adjoints);
         for (stage, row) in K::STAGES.iter().enumerate().rev() {
@@ -177,7 +224,7 @@ where
             if adjoint.iter().all(|entry| *entry == Number::ZERO) {
                 continue;
             }
-            let back = self.through(time, stage, &adjoint)?;
+            let back = self.through_rates(time, stage, &adjoint)?;
             row.spread(h, &back, &mut self.adjoints);
             *slope = core::array::from_fn(|entry| slope[entry] + back[entry]);
         }
@@ -185,31 +232,73 @@ where
     }
 
     /// Adds to the derivatives by parameters, and returns (∂f/∂y)ᵀ times the adjoint of a rate.
-    fn through(
+    fn through_rates(
         &mut self,
         t: M::Scalar,
         stage: usize,
         adjoint: &M::State,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
+        if let Some(back) = self.through_jacobians(t, stage, adjoint) {
+            return Ok(back);
+        }
+        let sensitive = Sensitive::<M, M, N, 2>::new(copy(self.system), Arc::default());
+        let (point, mut back) = (self.points[stage], *adjoint);
+        self.through((self.system, &point), &mut back, |variable, change| {
+            let rates =
+                sensitive.along((t, &point), (Number::ZERO, &change), Some(&variable), |system, t, y| {
+                    Some(system.rhs(t, y)).filter(|rates| rates.iter().all(|rate| rate.is_finite()))
+                });
+            rates.ok_or(StepFailure::Stuck(NOT_SMOOTH))
+        })?;
+        Ok(back)
+    }
+
+    /// Does the same with emitted derivatives; `None` if there are none.
+    fn through_jacobians(&mut self, t: M::Scalar, stage: usize, adjoint: &M::State) -> Option<M::State> {
         let point = &self.points[stage];
-        let unknown = StepFailure::Setting(SettingError::Invalid(WITHOUT_JACOBIAN));
-        let jacobian = self.system.jacobian(t, point).ok_or(unknown)?;
+        let jacobian = self.system.jacobian(t, point)?;
+        if !self.indices.is_empty() && !self.system.derivatives(t, point, &self.indices, &mut self.columns) {
+            return None;
+        }
+        for (by, column) in self.by.iter_mut().zip(&self.columns) {
+            *by = *by + product(column, adjoint);
+        }
         let mut back = [M::Scalar::ZERO; N];
         for (row, weight) in jacobian.iter().zip(adjoint) {
             for (sum, entry) in back.iter_mut().zip(row) {
                 *sum = weight.multiply_add(*entry, *sum);
             }
         }
-        if self.indices.is_empty() {
-            return Ok(back);
-        }
-        if !self.system.derivatives(t, point, &self.indices, &mut self.columns) {
-            return Err(unknown);
-        }
-        for (by, column) in self.by.iter_mut().zip(&self.columns) {
-            *by =
-                column.iter().zip(adjoint).fold(*by, |sum, (entry, weight)| weight.multiply_add(*entry, sum));
-        }
-        Ok(back)
+        Some(back)
     }
+}
+
+/// Returns the derivative of a projected state per scale of a variable, if the state before changes
+/// along. Projections within a motion refuse states that are far away; those from afar then serve.
+fn projected<M, const N: usize>(
+    sensitive: &Sensitive<M, M, N, 2>,
+    at: (M::Scalar, &M::State),
+    project: Projection<M>,
+    variable: Varied<M::Scalar>,
+    change: &M::State,
+) -> Result<M::State, StepFailure<M::Scalar>>
+where
+    M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
+{
+    // Differences of corrections, which vanish exactly where nothing is corrected.
+    let along = |project: Projection<M>| {
+        sensitive.along(at, (Number::ZERO, change), Some(&variable), |system, t, y| {
+            let mut projected = *y;
+            project(system, t, &mut projected).ok()?;
+            Some(core::array::from_fn(|entry| projected[entry] - y[entry]))
+        })
+    };
+    let correction: Option<M::State> = along(project).or_else(|| along(M::restore));
+    let correction = correction.ok_or(StepFailure::Stuck(NOT_SMOOTH))?;
+    Ok(core::array::from_fn(|entry| change[entry] + correction[entry]))
+}
+
+/// Returns the scalar product.
+fn product<S: Number, const N: usize>(a: &[S; N], b: &[S; N]) -> S {
+    a.iter().zip(b).fold(S::ZERO, |sum, (a, b)| b.multiply_add(*a, sum))
 }

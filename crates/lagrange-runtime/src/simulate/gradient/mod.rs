@@ -17,15 +17,10 @@ use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::control::Undriven;
 use crate::simulate::plan::{RunPlan, RunSettings};
 use crate::simulate::sensitivity::{Sensitive, Varied, varied};
-use crate::system::{
-    MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure, have_modes,
-};
+use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
 
 const OF_RUN: &str = "a gradient takes no events, controllers, columns, single times, restarts, dense output and progress of a run";
-const MODES: &str = "gradients do not go through contacts and friction: use `.sensitivities([…])`, or declare impacts as `event floor = h, falling => { dot(h) = -e * dot(h); }`";
 const KINKS: &str = "gradients do not go through kinks of tables: use `.sensitivities([…])`, or `interpolation: natural` with `outside: extend`";
-const PROJECTIONS: &str =
-    "gradients do not go through projections onto constraints and of quaternions: use `.sensitivities([…])`";
 const STATE: &str =
     "slopes by the start are in `by_start`, for all entries of the state: name parameters and inputs alone";
 
@@ -46,7 +41,8 @@ pub struct Gradient<S, const N: usize> {
 
 impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// Computes a cost of the motion with its derivatives by the named parameters and inputs, and
-    /// by the initial state. The work hardly depends on the number of names.
+    /// by the initial state. With `emit { jacobian }` and without constraints, the work hardly
+    /// depends on the number of names.
     ///
     /// `cost` receives a time, the state and a vector of zeros, writes its derivatives by the state
     /// to the vector, and returns its value. It is called once for the end or, with
@@ -54,13 +50,14 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// are summed. To integrate a cost along the motion, declare it as a `state`.
     ///
     /// The gradient is that of the motion as computed: each step is differentiated, with its length
-    /// held. It requires `emit { jacobian }`. At most 3 √n + 2 states
-    /// are kept for n steps without an event, and two numbers per step. The others are computed a
-    /// second time.
+    /// held. At most 3 √n + 2 states are kept for n steps without an event, and two numbers per
+    /// step. The others are computed a second time.
     ///
-    /// At declared events, switches and ticks of clocks the adjoint jumps according to the
-    /// transpose of the saltation matrix. The matrix is computed by finite differences with an
-    /// error of about 10⁻¹², from one reaction per variable and entry of the state.
+    /// With `emit { jacobian }`, rates are differentiated exactly. Otherwise, as for systems with
+    /// contacts, finite differences have errors of about 10⁻¹² and one direction per variable and
+    /// entry of the state. So have projections onto constraints and of quaternions. At events,
+    /// switches and ticks of clocks the adjoint jumps according to the transpose of the saltation
+    /// matrix, which takes one reaction per direction.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -87,10 +84,10 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// ```
     ///
     /// # Errors
-    /// If a step fails, a setting is invalid, an event has no derivative, or an event stops the
-    /// motion before its end. Motions with contacts, friction, constraints, quaternions or kinks of
-    /// tables have no gradient of this kind; use [`sensitivities`](Simulation::sensitivities).
-    /// Neither do runs with controllers, columns, events of their own, restarts or progress.
+    /// If a step fails, a setting is invalid, an event or a projection has no derivative, or an
+    /// event stops the motion before its end. Motions with kinks of tables have no gradient of this
+    /// kind; use [`sensitivities`](Simulation::sensitivities). Neither do runs with controllers,
+    /// columns, events of their own, restarts or progress.
     pub fn gradient<const N: usize>(
         self,
         names: impl IntoIterator<Item = &'static str>,
@@ -111,8 +108,9 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
             Ok((variables, checked(system, &plan, is_reported, method)?, samples(settings)?))
         });
         let (variables, method, samples) = checked.map_err(StepFailure::Setting)?;
-        let trace = trace(system, &method, (settings.span[0], state), &samples, settings.max_steps)?;
-        Backwards::<M, K, N>::new(system, &variables).along(&trace, cost)
+        let start = (settings.span[0], state);
+        let trace = trace(system, &method, start, &samples, settings.max_steps)?;
+        Backwards::<M, K, N>::new(system, &variables).along(&trace, (start.0, &start.1), cost)
     }
 }
 
@@ -126,12 +124,7 @@ fn checked<M: ParametricSystem, K: Method<M>>(
     let settings = &plan.settings;
     let is_plain = plan.watches.is_empty() && plan.controllers.is_empty() && plan.columns.is_empty();
     let has_times = settings.is_dense || !settings.restarts.is_empty() || !settings.times.is_empty();
-    let obstacles = [
-        (!is_plain || has_times || is_reported, OF_RUN),
-        (have_modes(system.events()), MODES),
-        (system.has_kinks(), KINKS),
-        (system.is_constrained(), PROJECTIONS),
-    ];
+    let obstacles = [(!is_plain || has_times || is_reported, OF_RUN), (system.has_kinks(), KINKS)];
     match obstacles.into_iter().find(|(is_there, _)| *is_there) {
         Some((_, words)) => Err(SettingError::Invalid(words)),
         None => settings.check::<M, K>(system, &settings.names(system.description()), method),

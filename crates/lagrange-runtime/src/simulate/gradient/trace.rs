@@ -90,6 +90,8 @@ where
     let mut stepper = method.start(current.system(), t, &y, end)?;
     let limit = max_steps.unwrap_or(u64::MAX);
     stepper.limit_steps(limit);
+    // The stepper may have brought it nearer to the constraints.
+    let y = *stepper.state();
     let log = RefCell::new(Vec::new());
     let declared = DeclaredEvents::new::<K::Stepper>(current.system(), t, &y);
     let declared = declared.map(|declared| LoggedEvents { declared, start: t, log: &log });

@@ -82,6 +82,10 @@ impl<S: Scalar> Varied<S> {
     }
 }
 
+/// A state that changes by more than this factor times a variable, both relatively, is moved
+/// without it. A common step, which suits the state, would be lost in the rounding of the variable.
+const FAR: f64 = 100.0;
+
 /// A loop L around the plant M, with a state of N entries and their derivatives, R rows in all.
 pub struct Sensitive<M: ParametricSystem, L, const N: usize, const R: usize> {
     pub(super) closed: L,
@@ -122,7 +126,7 @@ where
 
     /// Computes the derivative of a function of the loop, time and state along a change of the
     /// time, the state and a variable.
-    pub(super) fn along<const C: usize>(
+    pub(in crate::simulate) fn along<const C: usize>(
         &self,
         (t, y): (M::Scalar, &M::State),
         (dt, dy): (M::Scalar, &M::State),
@@ -131,16 +135,32 @@ where
     ) -> Option<[M::Scalar; C]> {
         let part = relative(dy, y);
         let is_number = |variable: &&Varied<M::Scalar>| matches!(variable.place, VariedPlace::Number(_));
-        let weight = variable.filter(is_number).map_or(Number::ZERO, |variable| variable.weight);
-        let mut rate = part.max(weight);
-        if rate == Number::ZERO {
-            rate = dt.abs();
+        let number = variable.filter(is_number);
+        let weight = number.map_or(Number::ZERO, |variable| variable.weight);
+        if weight > Number::ZERO && part > M::Scalar::from_f64(FAR) * weight {
+            let state = self.moving((t, y), (dt, dy), (part, None), &mut function)?;
+            let still = (Number::ZERO, &[Number::ZERO; N]);
+            let number = self.moving((t, y), still, (weight, number), &mut function)?;
+            return Some(core::array::from_fn(|entry| state[entry] + number[entry]));
         }
+        let rate = part.max(weight);
+        let rate = if rate == Number::ZERO { dt.abs() } else { rate };
+        self.moving((t, y), (dt, dy), (rate, number), &mut function)
+    }
+
+    /// Does the same by differences for a function that changes at this rate.
+    fn moving<const C: usize>(
+        &self,
+        (t, y): (M::Scalar, &M::State),
+        (dt, dy): (M::Scalar, &M::State),
+        (rate, number): (M::Scalar, Option<&Varied<M::Scalar>>),
+        function: &mut impl FnMut(&L, M::Scalar, &M::State) -> Option<[M::Scalar; C]>,
+    ) -> Option<[M::Scalar; C]> {
         slope(rate, |by| {
             let there = core::array::from_fn(|i| y[i] + by * dy[i]);
             let mut ask = |closed: &L| function(closed, t + by * dt, &there);
-            match variable {
-                Some(variable) => self.moved(variable, by, ask),
+            match number {
+                Some(number) => self.moved(number, by, ask),
                 None => ask(&self.closed),
             }
         })
