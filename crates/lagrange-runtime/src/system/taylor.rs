@@ -140,9 +140,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
                     sums[place] = sums[place].plus(&a[shared[place]], &b[group + place]);
                 }
             });
-        for place in 0..N {
-            self.inner[group + place] = sums[place];
-        }
+        self.inner[group..group + N].copy_from_slice(&sums);
     }
 
     /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for all groups, after [`add_up`](Self::add_up) for each. The
