@@ -8,6 +8,7 @@
 mod callables;
 mod drawn;
 mod included;
+mod layout;
 mod lowering;
 mod numeric;
 mod orthogonal;
@@ -31,11 +32,12 @@ use lagrange_language::tables::{Reader, no_files, read_files};
 use phases::{equations_of, items_of, model_of};
 
 pub use drawn::{DrawnScene, PlacedHeight, PlacedItem, PlacedPart};
+pub use layout::{Layout, Place};
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
-pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};
+pub use programs::{Programs, Range, Reaction, TickingClock};
 pub use routines::{Backend, Call, Code, LISTS, Numbers};
-pub use series::{MotionSeries, SlotPlaces};
+pub use series::{MotionSeries, ResultPlaces, SlotPlaces};
 pub use system::{Derived, System, parse, parse_with};
 
 /// Expands the macro: writes all items emitted for a declaration, including errors.

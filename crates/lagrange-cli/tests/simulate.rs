@@ -144,7 +144,7 @@ fn events_are_listed_in_a_file() {
 
 #[test]
 fn options_that_make_no_sense_are_named() {
-    let cases: [(&[&str], &str); 15] = [
+    let cases: [(&[&str], &str); 16] = [
         (&[], "the end is missing"),
         (&["--until", "soon"], "--until soon: unknown name `soon`"),
         (&["--until", "1 kg"], "--until 1 kg: "),

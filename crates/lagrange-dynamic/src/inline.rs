@@ -5,11 +5,15 @@ use std::fmt::{self, Debug, Formatter};
 
 use lagrange_runtime::system::StateVector;
 
+/// Largest capacity up to which computing with unused entries takes less time than a loop of a
+/// length known at run time.
+const MOST_PADDED: usize = 8;
+
 /// A vector of at most `CAPACITY` numbers. A vector joined from two parts stores the start of the
 /// second part.
 #[derive(Clone, Copy)]
 pub struct Inline<const CAPACITY: usize> {
-    /// Entries, followed by zeros.
+    /// Entries, followed by unused numbers.
     entries: [f64; CAPACITY],
     length: usize,
     /// Length of the first part.
@@ -57,6 +61,16 @@ impl<const CAPACITY: usize> StateVector<f64> for Inline<CAPACITY> {
     #[inline]
     fn zeros(&self) -> Self {
         Inline { entries: [0.0; CAPACITY], ..*self }
+    }
+
+    #[inline]
+    fn padded(&self) -> &[f64] {
+        if CAPACITY <= MOST_PADDED { &self.entries } else { self.as_ref() }
+    }
+
+    #[inline]
+    fn padded_mut(&mut self) -> &mut [f64] {
+        if CAPACITY <= MOST_PADDED { &mut self.entries } else { self.as_mut() }
     }
 
     #[inline]

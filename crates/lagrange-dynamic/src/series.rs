@@ -13,8 +13,7 @@ use crate::system::DynamicSystem;
 pub struct DynamicSeries {
     /// Inputs of a step.
     slots: Vec<f64>,
-    /// Results of a step.
-    kept: Vec<f64>,
+    results: Vec<f64>,
     products: StoredProducts<f64>,
 }
 
@@ -22,13 +21,14 @@ impl DynamicSeries {
     /// Makes room for the series of a system.
     fn resize(&mut self, of: &MotionSeries) {
         self.slots.resize(of.places.end, 0.0);
-        self.kept.resize(of.step.outputs().len(), 0.0);
-        self.products.resize([of.groups.shared.len(), of.groups.groups.len(), of.arguments.len()]);
+        self.results.resize(of.results.end, 0.0);
+        let sides = (of.results.groups - of.results.shared) / 4;
+        self.products.resize([sides, of.of_group.len(), of.arguments.len()]);
     }
 
     /// Prepares the first step from the values at a state.
     fn begin(&mut self, of: &MotionSeries) {
-        for (slot, (_, initial)) in (of.places.carried..).zip(&of.carried) {
+        for (slot, initial) in (of.places.carried..).zip(&of.carried) {
             self.slots[slot] = self.slots[*initial];
         }
         for (index, argument) in of.arguments.iter().enumerate() {
@@ -44,15 +44,15 @@ impl DynamicSeries {
         let SlotPlaces { order, carried, sums, .. } = of.places;
         let Order { number, reciprocal, first } = Order::after(k);
         self.slots[order..carried].copy_from_slice(&[number, reciprocal, first]);
-        self.products.sums(k, &of.groups.of_group, &mut self.slots[sums..]);
-        compute(&self.slots, &mut self.kept);
-        self.products.keep(k, [&of.groups.shared, &of.groups.groups], &self.kept);
-        for (index, argument) in of.arguments.iter().enumerate() {
-            self.products.keep_argument(index, k, self.kept[argument.kept]);
+        self.products.sums(k, &of.of_group, &mut self.slots[sums..]);
+        compute(&self.slots, &mut self.results);
+        self.products.keep(k, &self.results[of.results.shared..]);
+        let (carried_on, arguments) =
+            self.results[of.results.carried..of.results.shared].split_at(sums - carried);
+        for (index, coefficient) in arguments.iter().enumerate() {
+            self.products.keep_argument(index, k, *coefficient);
         }
-        for (slot, (kept, _)) in self.slots[carried..sums].iter_mut().zip(&of.carried) {
-            *slot = self.kept[*kept];
-        }
+        self.slots[carried..sums].iter_mut().zip(carried_on).for_each(|(slot, found)| *slot = *found);
     }
 }
 
@@ -61,7 +61,7 @@ impl<const CAPACITY: usize> TaylorSystem for DynamicSystem<CAPACITY> {
     type Series = DynamicSeries;
 
     fn series() -> DynamicSeries {
-        DynamicSeries { slots: Vec::new(), kept: Vec::new(), products: StoredProducts::EMPTY }
+        DynamicSeries { slots: Vec::new(), results: Vec::new(), products: StoredProducts::EMPTY }
     }
 
     // Compiled once for each instruction set that the method selects from.
@@ -83,10 +83,8 @@ impl<const CAPACITY: usize> TaylorSystem for DynamicSystem<CAPACITY> {
         self.numeric.begin_series(of, (t, q, v), &mut series.slots[..of.places.order]);
         let matrix = &mut series.slots[of.places.inverse..of.places.order];
         match of.is_definite {
-            true => negative_inverse_of_definite(matrix, of.unknowns),
-            false if of.unknowns > 0 => {
-                negative_inverse(matrix, &Inline::<CAPACITY>::of(&vec![0.0; of.unknowns]))
-            }
+            true => negative_inverse_of_definite(matrix, of.rows),
+            false if of.rows > 0 => negative_inverse(matrix, &Inline::<CAPACITY>::of(&vec![0.0; of.rows])),
             false => {}
         }
         series.begin(of);
@@ -94,8 +92,7 @@ impl<const CAPACITY: usize> TaylorSystem for DynamicSystem<CAPACITY> {
         for (k, coefficients) in coefficients.iter_mut().enumerate() {
             series.step(k, of, &compute);
             *coefficients = y.zeros();
-            let entries = coefficients.as_mut();
-            entries.copy_from_slice(&series.kept[..entries.len()]);
+            coefficients.as_mut().iter_mut().zip(&series.results).for_each(|(entry, found)| *entry = *found);
         }
     }
 

@@ -1,8 +1,9 @@
 //! Lowering of the equations of a system to programs.
 
 use super::drawn::{DrawnScene, PlacedHeight, placed_items};
+use super::layout::Layout;
 use super::phases::DerivedPart;
-use super::programs::{Layout, Programs, Range, Reaction, TickingClock};
+use super::programs::{Programs, Range, Reaction, TickingClock};
 use super::series::MotionSeries;
 use super::system::Derived;
 use crate::derive::Equations;
@@ -243,8 +244,9 @@ impl<'a> Lowering<'a> {
         }
         let switches = &self.equations.switches[..self.variables.switches.len()];
         let programs = series_programs(&mut self.model, self.equations, switches);
-        let is_definite = self.model.constraints.is_empty();
-        Some(programs.map(|programs| MotionSeries::new(programs, is_definite, self.model.accuracy)))
+        let Layout { positions, velocities, .. } = self.layout();
+        let settings = (positions + velocities, self.model.constraints.is_empty(), self.model.accuracy);
+        Some(programs.map(|programs| MotionSeries::new(programs, settings)))
     }
 
     fn regressor_parameters(&mut self) -> Program {

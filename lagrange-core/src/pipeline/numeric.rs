@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use super::callables::{Callables, calls};
 use super::drawn::PlacedHeight;
+use super::layout::Place;
 use super::phases::DerivedPart;
-use super::programs::{Place, Programs};
+use super::programs::Programs;
 use super::routines::{Backend, Found, Numbers, Routines};
 use super::second_way::{correction, is_regular, motion};
 use super::series::MotionSeries;
@@ -375,14 +376,14 @@ impl NumericSystem {
         self.run_into(&series.initial, &self.at(t, q, v), slots);
     }
 
-    /// Returns a function that computes the kept coefficients of one step from the slots.
+    /// Returns a function that computes the results of one step from the slots.
     pub fn series_step<'a>(&'a self, series: &'a MotionSeries) -> impl Fn(&[f64], &mut [f64]) + 'a {
         let found = self.routines.find(&series.step);
         let code = self.routines.code(found, &series.layout, &self.callables);
-        move |slots, kept| {
+        move |slots, results| {
             let at = Numbers { fields: slots, ..Numbers::NONE };
-            if !code.is_some_and(|code| code.run(&at, kept)) {
-                kept.copy_from_slice(&run(&series.step, |role| match role {
+            if !code.is_some_and(|code| code.run(&at, results)) {
+                results.copy_from_slice(&run(&series.step, |role| match role {
                     Role::Parameter(index) => slots[index as usize],
                     _ => f64::NAN,
                 }));

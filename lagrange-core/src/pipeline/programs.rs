@@ -6,6 +6,7 @@
 //! of the programs are those of emitted code, so that results are bit-identical.
 
 use super::drawn::DrawnScene;
+use super::layout::Layout;
 use super::series::MotionSeries;
 use crate::derive::DiffusionKind;
 use crate::emit::Variables;
@@ -136,63 +137,6 @@ pub struct Range {
     pub parameter: usize,
     /// Lower and upper bound, each with true if it is included.
     pub bounds: [Option<(f64, bool)>; 2],
-}
-
-/// Numbers of arguments of each kind, in their order in p.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Layout {
-    /// Positions, which start the state.
-    pub positions: usize,
-    /// Velocities, which end the state.
-    pub velocities: usize,
-    /// Parameters, which start p.
-    pub parameters: usize,
-    /// Inputs, after the parameters.
-    pub inputs: usize,
-    /// Sides of the switches, after the inputs.
-    pub sides: usize,
-    /// Multipliers, after the sides. They are followed by one acceleration per velocity.
-    pub multipliers: usize,
-}
-
-/// Location of an argument.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Place {
-    /// The time.
-    Time,
-    /// An entry of the state.
-    State(usize),
-    /// An entry of p.
-    Parameter(usize),
-}
-
-impl Layout {
-    /// Returns the location of the argument with this role; `None` for roles that no program uses.
-    pub fn place(&self, role: Role) -> Option<Place> {
-        let [inputs, sides] = [self.parameters, self.parameters + self.inputs];
-        let multipliers = sides + self.sides;
-        Some(match role {
-            Role::Time => Place::Time,
-            Role::Coordinate(i) | Role::State(i) | Role::Discrete(i) => Place::State(i as usize),
-            Role::Velocity(i) => Place::State(self.positions + i as usize),
-            Role::Parameter(i) => Place::Parameter(i as usize),
-            Role::Input(i) => Place::Parameter(inputs + i as usize),
-            Role::Side(i) => Place::Parameter(sides + i as usize),
-            Role::Multiplier(i) => Place::Parameter(multipliers + i as usize),
-            Role::Acceleration(i) => Place::Parameter(multipliers + self.multipliers + i as usize),
-            Role::Noise(_) | Role::Reaction(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
-        })
-    }
-
-    /// Returns the number of parameters and inputs.
-    pub fn fields(&self) -> usize {
-        self.parameters + self.inputs
-    }
-
-    /// Returns the length of p.
-    pub fn length(&self) -> usize {
-        self.fields() + self.sides + self.multipliers + self.velocities
-    }
 }
 
 impl Programs {

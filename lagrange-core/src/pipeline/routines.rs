@@ -8,7 +8,8 @@ use std::ptr;
 use std::sync::{Arc, OnceLock};
 
 use super::callables::Callables;
-use super::programs::{Layout, Place, Programs, takes};
+use super::layout::{Layout, Place};
+use super::programs::{Programs, takes};
 use lagrange_algebra::program::{Op, Program};
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;

@@ -1,7 +1,7 @@
 //! Taylor series of a motion as two straight-line programs: the values at a state, and one order
 //! after the other from these values.
 
-use super::programs::Layout;
+use super::layout::Layout;
 use lagrange_algebra::program::{Builder, Op, Program, ValueId, ValueTable, optimise};
 use lagrange_algebra::series::{Groups, SeriesPrograms, Slot, TableArgument};
 use lagrange_expr::accuracy::Accuracy;
@@ -10,28 +10,29 @@ use lagrange_expr::symbol::Role;
 /// The Taylor series of a motion, by the operations of emitted code.
 ///
 /// Step k = 0, 1, … computes coefficients of order k + 1 from *slots*: numbers that
-/// [`SlotPlaces`] describes. Each step keeps some coefficients for later ones, those of the state
-/// first.
+/// [`SlotPlaces`] describes. [`ResultPlaces`] describes its results.
 #[derive(Clone, Debug)]
 pub struct MotionSeries {
     /// The first slots, from the arguments of the system: values at the state, then the matrix of
-    /// the unknown accelerations and multipliers in the residuals, row by row.
+    /// the unknowns in the residuals, row by row.
     pub initial: Program,
-    /// The kept coefficients of one step. Its parameters are the slots.
+    /// The results of one step. Its parameters are the slots.
     pub step: Program,
     /// Indices of the arguments of `step`.
     pub layout: Layout,
     /// Places of the slots.
     pub places: SlotPlaces,
-    /// Number of unknowns, zero if accelerations are functions of the state.
-    pub unknowns: usize,
+    /// Places of the results.
+    pub results: ResultPlaces,
+    /// Number of unknown accelerations and multipliers, which is the number of rows of the matrix.
+    /// There are none if accelerations are functions of the state.
+    pub rows: usize,
     /// True if the matrix of the unknowns is positive definite.
     pub is_definite: bool,
-    /// Sums of products of kept coefficients.
-    pub groups: Groups,
-    /// Kept coefficients that the next step takes, with the initial values that the first step
-    /// takes.
-    pub carried: Vec<(usize, usize)>,
+    /// The shared factors of each group of products.
+    pub of_group: Vec<usize>,
+    /// Initial values that the first step takes in place of carried coefficients.
+    pub carried: Vec<usize>,
     /// Arguments of tables.
     pub arguments: Vec<TableArgument>,
 }
@@ -51,13 +52,32 @@ pub struct SlotPlaces {
     pub end: usize,
 }
 
+/// Indices of the results of a step, after the coefficients of the state.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ResultPlaces {
+    /// Coefficients that the next step takes.
+    pub carried: usize,
+    /// Coefficients of the arguments of tables.
+    pub arguments: usize,
+    /// Shared factors of products, in fours.
+    pub shared: usize,
+    /// Other factors of each group, in fours.
+    pub groups: usize,
+    /// Number of results.
+    pub end: usize,
+}
+
 impl MotionSeries {
-    /// Merges the programs of a step.
-    pub(super) fn new(programs: SeriesPrograms, is_definite: bool, accuracy: Accuracy) -> MotionSeries {
+    /// Merges the programs of a step of a state with this number of entries.
+    pub(super) fn new(
+        programs: SeriesPrograms,
+        (entries, is_definite, accuracy): (usize, bool, Accuracy),
+    ) -> MotionSeries {
         let groups = Groups::new(&programs.sums);
         let unknowns = programs.expansion.outputs().len() - programs.kept;
         let places = SlotPlaces::new(&programs, &groups, unknowns);
-        let step = Step { programs: &programs, groups: &groups, places, unknowns }.program(accuracy);
+        let results = ResultPlaces::new(entries, &programs, &groups);
+        let step = Step { programs: &programs, groups: &groups, places, unknowns }.program(entries, accuracy);
         MotionSeries {
             initial: optimise(&programs.initial, accuracy),
             step,
@@ -70,10 +90,11 @@ impl MotionSeries {
                 multipliers: 0,
             },
             places,
-            unknowns,
+            results,
+            rows: unknowns,
             is_definite,
-            groups,
-            carried: programs.carried,
+            of_group: groups.of_group,
+            carried: programs.carried.iter().map(|(_, initial)| *initial).collect(),
             arguments: programs.arguments,
         }
     }
@@ -89,6 +110,16 @@ impl SlotPlaces {
     }
 }
 
+impl ResultPlaces {
+    fn new(entries: usize, programs: &SeriesPrograms, groups: &Groups) -> ResultPlaces {
+        let arguments = entries + programs.carried.len();
+        let shared = arguments + programs.arguments.len();
+        let others = shared + 4 * groups.shared.len();
+        let end = others + 4 * groups.groups.len();
+        ResultPlaces { carried: entries, arguments, shared, groups: others, end }
+    }
+}
+
 /// The program of a step under construction.
 struct Step<'a> {
     programs: &'a SeriesPrograms,
@@ -100,15 +131,24 @@ struct Step<'a> {
 impl Step<'_> {
     /// Computes coefficients as if accelerations were zero, then the accelerations, and corrects
     /// the coefficients. Both parts are optimised apart, as in emitted code, for the same bits.
-    fn program(&self, accuracy: Accuracy) -> Program {
+    fn program(&self, entries: usize, accuracy: Accuracy) -> Program {
         let (mut builder, kept) = (Builder::new(), self.programs.kept);
         let expansion = optimise(&self.programs.expansion, accuracy);
         let partial = self.inserted(&mut builder, &expansion, &[], &[]);
-        let Some(correction) = &self.programs.correction else { return builder.finish(&partial) };
-        let accelerations = self.accelerations(&mut builder, &partial[kept..]);
-        let correction = optimise(correction, accuracy);
-        let corrected = self.inserted(&mut builder, &correction, &partial, &accelerations);
-        builder.finish(&corrected)
+        let corrected = self.programs.correction.as_ref().map(|correction| {
+            let accelerations = self.accelerations(&mut builder, &partial[kept..]);
+            self.inserted(&mut builder, &optimise(correction, accuracy), &partial, &accelerations)
+        });
+        let kept = corrected.unwrap_or(partial);
+        builder.finish(&self.results(entries, &kept))
+    }
+
+    /// Arranges kept coefficients, as [`ResultPlaces`] describes.
+    fn results(&self, entries: usize, kept: &[ValueId]) -> Vec<ValueId> {
+        let carried = self.programs.carried.iter().map(|(place, _)| *place);
+        let arguments = self.programs.arguments.iter().map(|argument| argument.kept);
+        let factors = self.groups.shared.iter().chain(&self.groups.groups).flatten().copied();
+        (0..entries).chain(carried).chain(arguments).chain(factors).map(|place| kept[place]).collect()
     }
 
     /// Computes (a, λ) = −M⁻¹ r, column by column.

@@ -25,6 +25,19 @@ pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
         Self::ZERO
     }
 
+    /// Returns the entries, possibly followed by unused ones up to a length that the type
+    /// determines. Loops over these need no length at run time.
+    #[inline(always)]
+    fn padded(&self) -> &[S] {
+        self.as_ref()
+    }
+
+    /// Returns the entries as [`padded`](Self::padded) does.
+    #[inline(always)]
+    fn padded_mut(&mut self) -> &mut [S] {
+        self.as_mut()
+    }
+
     /// Returns the zero matrix with as many rows and columns as this vector has entries.
     #[inline(always)]
     fn zero_square(&self) -> Self::Square {
@@ -100,7 +113,7 @@ pub(crate) fn difference<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> Y {
 /// Adds c x to y.
 #[inline]
 pub(crate) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
-    for (y, x) in y.as_mut().iter_mut().zip(x.as_ref()) {
+    for (y, x) in y.padded_mut().iter_mut().zip(x.padded()) {
         *y = x.multiply_add(c, *y);
     }
 }
@@ -126,7 +139,7 @@ pub(crate) fn scaled<S: Scalar, Y: StateVector<S>>(y: &Y, size: S) -> Y {
 #[inline(always)]
 pub(crate) fn combined<S: Number, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
     let mut sum = *a;
-    for (a, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
+    for (a, b) in sum.padded_mut().iter_mut().zip(b.padded()) {
         *a = b.multiply_add(c, *a);
     }
     sum

@@ -7,7 +7,7 @@ mod solver;
 mod stored;
 
 pub use self::order::Order;
-use self::pieces::Piece;
+use self::pieces::TablePiece;
 pub use self::solver::{SeriesSolver, negative_inverse, negative_inverse_of_definite};
 #[cfg(feature = "std")]
 pub use self::stored::StoredProducts;
@@ -101,7 +101,7 @@ pub struct Products<S, const SHARED: usize, const GROUPS: usize, const ARGUMENTS
     /// Sums without the factors of order zero and without the newest ones.
     inner: [Four<S>; GROUPS],
     /// Arguments of tables.
-    pieces: [Piece<S>; ARGUMENTS],
+    pieces: [TablePiece<S>; ARGUMENTS],
 }
 
 /// Factors of one order.
@@ -116,7 +116,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         b: [[Four::ZERO; GROUPS]; MAX_ORDER],
         first: Self::NONE,
         inner: [Four::ZERO; GROUPS],
-        pieces: [Piece::EMPTY; ARGUMENTS],
+        pieces: [TablePiece::EMPTY; ARGUMENTS],
     };
     /// Factors of an order before the first one.
     pub const NONE: SeriesFactors<S, SHARED, GROUPS> = ([[S::ZERO; 4]; SHARED], [[S::ZERO; 4]; GROUPS]);
@@ -140,9 +140,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
                     sums[place] = sums[place].plus(&a[shared[place]], &b[group + place]);
                 }
             });
-        for place in 0..N {
-            self.inner[group + place] = sums[place];
-        }
+        self.inner[group..group + N].copy_from_slice(&sums);
     }
 
     /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for all groups, after [`add_up`](Self::add_up) for each. The

@@ -219,7 +219,7 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     #[inline(always)]
     fn increment(&self, h: S) -> Y {
         let mut change = self.polynomial(h, |_, coefficients| *coefficients);
-        change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
+        change.padded_mut().iter_mut().for_each(|sum| *sum = *sum * h);
         change
     }
 
@@ -272,7 +272,7 @@ impl<S: Scalar, Y: StateVector<S>> WideTask for Advance<'_, S, Y> {
         let Advance { expansion, rule, h } = self;
         let slope = expansion.polynomial(h, |index, coefficients| {
             let (mut term, order) = (*coefficients, rule.orders[index]);
-            term.as_mut().iter_mut().for_each(|entry| *entry = *entry * order);
+            term.padded_mut().iter_mut().for_each(|entry| *entry = *entry * order);
             term
         });
         [expansion.increment(h), slope]

@@ -45,7 +45,7 @@ impl<const N: usize> Stage<N> {
         let mut sum = rates[0].zeros();
         for (rate, weight) in self.weights {
             let weight = S::from_f64(weight);
-            for (sum, rate) in sum.as_mut().iter_mut().zip(rates[rate].as_ref()) {
+            for (sum, rate) in sum.padded_mut().iter_mut().zip(rates[rate].padded()) {
                 *sum = rate.multiply_add(weight, *sum);
             }
         }

@@ -12,7 +12,7 @@ const MOST: usize = 64;
 
 /// An argument of a table along an expansion, and the ends of its initial piece.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece<S> {
+pub(super) struct TablePiece<S> {
     start: S,
     ends: [S; 2],
     /// Coefficients of the orders 1, 2, …
@@ -21,14 +21,14 @@ pub(super) struct Piece<S> {
 }
 
 /// Returns the time within `h` after which the first argument leaves its piece; `h` if none does.
-pub(super) fn reach<S: Scalar>(pieces: &[Piece<S>], h: S) -> S {
+pub(super) fn reach<S: Scalar>(pieces: &[TablePiece<S>], h: S) -> S {
     pieces.iter().fold(S::ONE, |part, piece| part.min(piece.part(h))) * h
 }
 
-impl<S: Number> Piece<S> {
+impl<S: Number> TablePiece<S> {
     /// No piece.
     pub(super) const EMPTY: Self =
-        Piece { start: S::ZERO, ends: [S::ZERO; 2], coefficients: [S::ZERO; MAX_ORDER], orders: 0 };
+        TablePiece { start: S::ZERO, ends: [S::ZERO; 2], coefficients: [S::ZERO; MAX_ORDER], orders: 0 };
 
     /// Begins another expansion from this argument, in a piece with these ends.
     #[inline(always)]
@@ -44,7 +44,7 @@ impl<S: Number> Piece<S> {
     }
 }
 
-impl<S: Scalar> Piece<S> {
+impl<S: Scalar> TablePiece<S> {
     fn part(&self, h: S) -> S {
         let (mut path, mut power) = ([S::ZERO; MAX_ORDER], S::ONE);
         for (term, coefficient) in path.iter_mut().zip(&self.coefficients).take(self.orders) {
@@ -99,10 +99,10 @@ fn value_and_slope<S: Scalar>(path: &[S; MAX_ORDER], x: S) -> (S, S) {
 
 #[cfg(test)]
 mod tests {
-    use super::Piece;
+    use super::TablePiece;
 
     fn reach(start: f64, ends: [f64; 2], coefficients: &[f64], h: f64) -> f64 {
-        let mut piece = Piece::EMPTY;
+        let mut piece = TablePiece::EMPTY;
         piece.follow(start, ends);
         coefficients.iter().enumerate().for_each(|(k, coefficient)| piece.keep(k, *coefficient));
         super::reach(&[piece], h)

@@ -2,20 +2,20 @@
 
 use std::vec::Vec;
 
-use super::pieces::{self, Piece};
+use super::pieces::{self, TablePiece};
 use super::{Four, MAX_ORDER, inner_sums};
 use crate::scalar::{Number, Scalar};
 
 /// The coefficients of four series.
-type Factors<S> = [Four<S>; MAX_ORDER];
+type FourSeries<S> = [Four<S>; MAX_ORDER];
 
 /// Factors of products a b of series, as in [`Products`](super::Products), in numbers known at run
 /// time. Sums have the same bits.
 #[derive(Clone, Debug)]
 pub struct StoredProducts<S> {
-    a: Vec<Factors<S>>,
-    b: Vec<Factors<S>>,
-    pieces: Vec<Piece<S>>,
+    a: Vec<FourSeries<S>>,
+    b: Vec<FourSeries<S>>,
+    pieces: Vec<TablePiece<S>>,
 }
 
 impl<S: Number> StoredProducts<S> {
@@ -26,7 +26,7 @@ impl<S: Number> StoredProducts<S> {
     pub fn resize(&mut self, [shared, groups, arguments]: [usize; 3]) {
         self.a.resize(shared, [Four::ZERO; MAX_ORDER]);
         self.b.resize(groups, [Four::ZERO; MAX_ORDER]);
-        self.pieces.resize(arguments, Piece::EMPTY);
+        self.pieces.resize(arguments, TablePiece::EMPTY);
     }
 
     /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ, four for each group. `of_group` contains the sides of the
@@ -47,13 +47,12 @@ impl<S: Number> StoredProducts<S> {
         }
     }
 
-    /// Stores the factors found in step k: the coefficients with these indices.
+    /// Stores the factors a, then b, found in step k.
     #[inline(always)]
-    pub fn keep(&mut self, k: usize, sides: [&[[usize; 4]]; 2], coefficients: &[S]) {
-        for (factors, places) in [&mut self.a, &mut self.b].into_iter().zip(sides) {
-            for (factors, places) in factors.iter_mut().zip(places) {
-                factors[k] = Four(places.map(|place| coefficients[place]));
-            }
+    pub fn keep(&mut self, k: usize, found: &[S]) {
+        let (found, _) = found.as_chunks::<4>();
+        for (factors, found) in self.a.iter_mut().chain(&mut self.b).zip(found) {
+            factors[k] = Four(*found);
         }
     }
 
