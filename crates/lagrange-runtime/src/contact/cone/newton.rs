@@ -24,8 +24,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
         let mut slopes = [[S::ZERO; K]; K];
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
-            let components = self.components(k);
-            for component in 0..components {
+            for component in 0..self.components(k).len() {
                 let target = self.slope(at, k, component);
                 slopes[k + component] = target.map(|slope| -slope);
                 slopes[k + component][k + component] = slopes[k + component][k + component] + S::ONE;

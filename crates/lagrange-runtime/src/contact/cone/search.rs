@@ -180,8 +180,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
                 self.refresh(at, k, &velocities);
             }
             let targets = self.target(at, k);
-            let components = self.components(k);
-            for (k, target) in (k..k + components).zip(targets) {
+            for (k, target) in self.components(k).zip(targets) {
                 let change = share * (target - at.forces[k]);
                 at.forces[k] = at.forces[k] + change;
                 at.pulls[k] = at.pulls[k] + change;

@@ -1,5 +1,7 @@
 //! The targets of reactions, and the pieces of which they consist.
 
+use core::ops::Range;
+
 use super::{Cone, ForcePoint};
 use crate::contact::LimitSlope;
 use crate::contact::choice::{Choice, Rule};
@@ -23,9 +25,9 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         self.choices.get(k + 1) == Some(&Choice::Across)
     }
 
-    /// Returns the number of components of a reaction.
-    pub(super) fn components(&self, k: usize) -> usize {
-        if self.is_planar(k) { 2 } else { 1 }
+    /// Returns the places of the components of a reaction.
+    pub(super) fn components(&self, k: usize) -> Range<usize> {
+        if self.is_planar(k) { k..k + 2 } else { k..k + 1 }
     }
 
     /// Computes the targets minus the reactions.

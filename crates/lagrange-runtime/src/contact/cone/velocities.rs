@@ -94,7 +94,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         }
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
             if self.set_steps(trial, &mut steps, k, damping) {
-                for k in k..k + self.components(k) {
+                for k in self.components(k) {
                     self.couple(&mut matrix, &mut right, k, &steps[k]);
                 }
             }
@@ -126,13 +126,13 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         let components = self.components(k);
         match self.piece(&trial.at, k) {
             TargetPiece::Absent => {
-                for k in k..k + components {
+                for k in components {
                     steps[k].fixed = trial.errors[k] * free;
                 }
-                return trial.errors[k..k + components].iter().any(|error| *error != S::ZERO);
+                return trial.errors[self.components(k)].iter().any(|error| *error != S::ZERO);
             }
             TargetPiece::Holds => {
-                for k in k..k + components {
+                for k in components {
                     let (from, to) = self.spans[k];
                     steps[k].fixed = trial.errors[k] * held;
                     add_scaled(&mut steps[k].slope[from..to], held / self.units[k], self.row(k));
@@ -141,7 +141,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             TargetPiece::Limited { direction, turning, .. } => {
                 let limit = self.limit_step(&trial.at, steps, k);
                 let turned = S::ONE / (S::ONE + damping - turning);
-                let (steps, factors) = (&mut steps[k..k + components], [free, turned]);
+                let (steps, factors) = (&mut steps[components], [free, turned]);
                 self.set_limited(trial, steps, k, (direction, turning), &limit, factors);
             }
         }
