@@ -102,7 +102,7 @@ struct ForcePoint<S, const K: usize> {
 
 /// Reactions, and how far they are from their targets.
 #[derive(Clone, Copy)]
-struct Trial<S, const K: usize> {
+struct TriedForces<S, const K: usize> {
     at: ForcePoint<S, K>,
     /// Targets minus reactions.
     errors: [S; K],
@@ -258,16 +258,16 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
     }
 
     /// Evaluates these reactions.
-    fn tried(&self, forces: [S; K]) -> Trial<S, K> {
+    fn tried(&self, forces: [S; K]) -> TriedForces<S, K> {
         let at = self.point(forces);
         let errors = self.errors(&at);
         let square = dot(&errors, &errors);
         let error = if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO };
-        Trial { at, errors, error }
+        TriedForces { at, errors, error }
     }
 
     /// Returns the largest rate by which one of these reactions misses its target, and its index.
-    fn residual(&self, trial: &Trial<S, K>) -> (S, usize) {
+    fn residual(&self, trial: &TriedForces<S, K>) -> (S, usize) {
         let mut worst = (S::ZERO, 0);
         for (place, &k) in self.active[..self.count].iter().enumerate() {
             let error = trial.errors[place].abs() * self.units[place];

@@ -21,7 +21,7 @@ use crate::bodies::touching::{Touching, motion_at};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, CONTACT_POINT, CONTACT_POINT_LENGTH, Expression, SurfaceKind};
 
-/// Where the tangent starts among the numbers of a contact point.
+/// Index of the first component of the tangent among the numbers of a contact point.
 const TANGENT: usize = 9;
 
 /// Returns the number of contact points of two such blocks.

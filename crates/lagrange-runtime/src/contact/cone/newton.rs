@@ -3,19 +3,19 @@
 use core::array;
 
 use super::targets::TargetPiece;
-use super::{Cone, ForcePoint, Trial};
+use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::singular::{nearest, regular};
 use crate::scalar::Scalar;
 
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
     /// Returns a step of Newton's method with this damping. Undetermined steps are short.
-    pub(super) fn newton_step(&self, trial: &Trial<S, K>, damping: S) -> [S; K] {
+    pub(super) fn newton_step(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
         nearest(&damped(self.slopes(&trial.at), damping), &trial.errors, self.count)
     }
 
     /// Returns a step of Levenberg's and Marquardt's method with this damping.
-    pub(super) fn short_step(&self, trial: &Trial<S, K>, damping: S) -> [S; K] {
+    pub(super) fn short_step(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
         let (slopes, errors) = normal(&self.slopes(&trial.at), &trial.errors, self.count);
         regular(&damped(slopes, damping), &errors, self.count)
     }

@@ -2,7 +2,7 @@
 
 use core::array;
 
-use super::{Cone, ForcePoint, Trial};
+use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::Scalar;
@@ -10,11 +10,11 @@ use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
 
 /// Maximum number of starts of Newton's method; each follows twice as many sweeps as the last.
 const MOST_STARTS: u32 = 10;
-/// The same if the error is small already.
+/// Maximum number of starts if the error is small already.
 const FEW_STARTS: u32 = 2;
 /// Maximum number of steps of Newton's method from each start.
 const MOST_STEPS: u32 = 24;
-/// The same near known reactions.
+/// Maximum number of steps of Newton's method near known reactions.
 const MOST_STEPS_NEAR: u32 = 12;
 /// Maximum number of short steps close to the shortest forces.
 const MOST_SHORT_STEPS: u32 = 60;
@@ -23,15 +23,15 @@ const MOST_SHORT_STEPS: u32 = 60;
 const DAMPING: f64 = 0.1;
 /// Assumed change of the impulses from step to step, relative to the impulses.
 const LEFT: f64 = 1e-2;
-/// Error, relative to the forces and to the root of the rounding unit, that may be left if searches
-/// near the start do not reduce it. Such errors are those of reactions that are not determined.
+/// Error that may be left if searches near the start do not reduce it, relative to the forces and
+/// to the root of the rounding unit. Reactions that are not determined have such errors.
 const NEARLY: f64 = 1e-2;
 /// Maximum number of searches near reactions.
 const MOST_ANCHORS: u32 = 3;
 /// Number of parts of a step of Newton's method that are tried, each half of the one before. More
 /// of them would creep along a piece, where whole steps pass through larger errors to its end.
 const MOST_PARTS: i32 = 2;
-/// The same for short steps.
+/// Number of parts of a short step that are tried.
 const MOST_SHORT_PARTS: i32 = 8;
 
 /// Factor by which leaps along the change of a sweep may raise the error.
@@ -53,7 +53,7 @@ enum Step {
 #[derive(Clone, Copy)]
 pub(super) struct ForceSearch<S, const K: usize> {
     /// The best reactions so far.
-    pub(super) best: Trial<S, K>,
+    pub(super) best: TriedForces<S, K>,
     pub(super) iterations: u32,
     /// True if the reactions equal their targets up to rounding.
     pub(super) is_exact: bool,
@@ -197,9 +197,9 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         }
     }
 
-    /// Finds the reactions of least error by at most so many steps. If no part of a step reduces the error,
-    /// the whole step is taken, as the next piece may reduce it. Returns true if the reactions
-    /// equal their targets up to rounding.
+    /// Finds the reactions of least error by at most so many steps. If no part of a step reduces
+    /// the error, the whole step is taken, as the next piece may reduce it. Returns true if the
+    /// reactions equal their targets up to rounding.
     fn descend(&self, search: &mut ForceSearch<S, K>, kind: Step, most: u32) -> bool {
         let half = S::from_f64(0.5);
         let mut present = search.best;
@@ -233,7 +233,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     }
 
     /// Returns the end of the longest part of a step that reduces the error, or of the whole step.
-    fn stepped(&self, present: &Trial<S, K>, kind: Step) -> Trial<S, K> {
+    fn stepped(&self, present: &TriedForces<S, K>, kind: Step) -> TriedForces<S, K> {
         let least = (S::from_f64(DAMPING) * S::epsilon().sqrt()).max(self.compliance);
         let short = || present.error / self.scale(&present.at.forces);
         let step = match kind {

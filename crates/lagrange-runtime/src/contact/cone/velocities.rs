@@ -24,7 +24,7 @@
 use core::array;
 
 use super::targets::TargetPiece;
-use super::{Cone, ForcePoint, Trial};
+use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::ordered::solve_in_order;
 use crate::linalg::vector::{add_scaled, dot, inner};
@@ -86,7 +86,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     }
 
     /// Returns a step of Newton's method with this damping.
-    pub(super) fn step_of_velocities(&self, trial: &Trial<S, K>, damping: S) -> [S; K] {
+    pub(super) fn step_of_velocities(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
         let mut steps = [Affine::ZERO; K];
         let (mut matrix, mut right) = ([[S::ZERO; N]; N], [S::ZERO; N]);
         for (i, row) in matrix.iter_mut().enumerate() {
@@ -121,7 +121,13 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Computes the steps of both components of reaction k, after those of the reactions before it.
     /// Returns true if they change velocities.
-    fn set_steps(&self, trial: &Trial<S, K>, steps: &mut [Affine<S, N>; K], k: usize, damping: S) -> bool {
+    fn set_steps(
+        &self,
+        trial: &TriedForces<S, K>,
+        steps: &mut [Affine<S, N>; K],
+        k: usize,
+        damping: S,
+    ) -> bool {
         let (free, held) = (S::ONE / (S::ONE + damping), S::ONE / damping);
         let components = self.components(k);
         match self.piece(&trial.at, k) {
@@ -152,7 +158,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     /// across it as it turns. The factors are those along and across.
     fn set_limited(
         &self,
-        trial: &Trial<S, K>,
+        trial: &TriedForces<S, K>,
         steps: &mut [Affine<S, N>],
         k: usize,
         (direction, turning): ([S; 2], S),
