@@ -142,7 +142,7 @@ where
         for step in 0..steps {
             let y = *self.stepper.state();
             let ((q, v), t) = (split(&y), self.stepper.time());
-            let terms = self.system.damped_terms(t, &q, &v, STEP);
+            let terms = self.system.step_terms(t, &q, &v, STEP).accelerated();
             self.stepper.step(&self.system, END).map_err(|failure| failure.to_string())?;
             let (end, r) = (*self.stepper.state(), *self.stepper.impulses());
             let change: [f64; 18] = std::array::from_fn(|i| end[19 + i] - v[i]);

@@ -1,6 +1,7 @@
 //! Cuboids and rods that touch with faces and edges, in steps, against closed forms.
 
 mod stacks;
+mod walls;
 
 use lagrange::Simulate;
 use lagrange::contact::{Contact, Stepped};

@@ -13,9 +13,14 @@
 //! section of Coulomb's cone if the limit is μ times a normal force. Friction along a line is the
 //! same with one component. Limits are affine in the reactions, with max(d, 0) for those of
 //! contacts. The equation is piecewise smooth: Newton's method takes the derivative of the piece at
-//! hand and halves its steps until the error falls. Where it does not, reactions are replaced by
-//! their targets, one after the other for some sweeps. Then it starts again. Of undetermined steps
-//! it takes the shortest.
+//! hand. If the error falls neither after a step nor after half of it, it takes the whole step.
+//! Where it fails, reactions are replaced by their targets, one after the other for some sweeps.
+//! Then it starts again. Of undetermined steps it takes the shortest.
+//!
+//! On redundant points of one body, reactions may change by much while the rates hardly do, and
+//! Newton's method cycles between pieces. A search is therefore repeated with reactions that yield
+//! slightly as they move away from the start. It determines them, and differs from the law by the
+//! compliance times the change, about 10⁻⁸. The search without compliance continues from there.
 //!
 //! The first attempt starts near the shortest forces that hold all rates, with steps of Levenberg
 //! and Marquardt. If there are many solutions, they find one close to the start.
@@ -23,8 +28,9 @@
 //! Sources: Fan, Yuan, "On the quadratic convergence of the Levenberg–Marquardt method without
 //! nonsingularity assumption", *Computing* 74 (2005) 23–39; Alart, Curnier, "A mixed formulation
 //! for frictional contact problems prone to Newton like solution methods", *Comput. Methods Appl.
-//! Mech. Eng.* 92 (1991) 353–375; Jean, "The non-smooth contact dynamics method", *Comput. Methods
-//! Appl. Mech. Eng.* 177 (1999) 235–257.
+//! Mech. Eng.* 92 (1991) 353–375; Rockafellar, "Monotone operators and the proximal point
+//! algorithm", *SIAM J. Control Optim.* 14 (1976) 877–898; Jean, "The non-smooth contact dynamics
+//! method", *Comput. Methods Appl. Mech. Eng.* 177 (1999) 235–257.
 //!
 //! # A block on a floor in numbers
 //!
@@ -40,17 +46,22 @@
 
 mod newton;
 mod search;
+mod targets;
 mod velocities;
 
-use super::LimitSlope;
+use core::array;
+
+use self::targets::TargetPiece;
 use super::choice::{Choice, Rule, Settled};
 use super::law::ContactLaw;
 use super::reaction_forces::{Balance, unit};
 use super::slip::length;
-use crate::linalg::vector::dot;
+use crate::linalg::vector::{dot, inner};
 use crate::scalar::Scalar;
 use crate::tolerance::BALANCED_BY_SEARCH;
 
+/// Compliance of anchored reactions, relative to the root of the rounding unit.
+const COMPLIANCE: f64 = 0.7;
 /// Maximum number of reactions of systems whose responses are stored as a matrix.
 pub(super) const MOST_DENSE: usize = 64;
 
@@ -58,6 +69,7 @@ pub(super) const MOST_DENSE: usize = 64;
 /// reactions that may act; a place is an index among them. D is K if responses are stored as a
 /// matrix. It is zero if they follow from changes of velocities, which suits many reactions, and
 /// those that depend on each other.
+#[derive(Clone, Copy)]
 pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     law: &'a ContactLaw<'a, S, N, K>,
     /// Number of reactions that may act, and their indices.
@@ -74,6 +86,11 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     matrix: [[S; K]; D],
     /// Rates without reactions.
     offsets: [S; K],
+    /// The change of each rate with its own reaction in addition to its response.
+    compliance: S,
+    /// The range of velocities outside which the row and the response of each reaction are zero,
+    /// as well as those on which its limit depends.
+    spans: [(usize, usize); K],
 }
 
 /// Reactions in the units of the problem, with d = r − rate of each.
@@ -81,6 +98,16 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
 struct ForcePoint<S, const K: usize> {
     forces: [S; K],
     pulls: [S; K],
+}
+
+/// Reactions, and how far they are from their targets.
+#[derive(Clone, Copy)]
+struct TriedForces<S, const K: usize> {
+    at: ForcePoint<S, K>,
+    /// Targets minus reactions.
+    errors: [S; K],
+    /// The norm of the errors; infinite if one is not finite.
+    error: S,
 }
 
 /// Reactions, the rules by which they act, and how far they are from the law.
@@ -94,23 +121,11 @@ pub(super) struct Approximation<S, const K: usize> {
     pub(super) iterations: u32,
 }
 
-/// The piece of the target of a reaction, or of both components of a reaction in a plane.
-#[derive(Clone, Copy)]
-enum TargetPiece<S> {
-    /// Zero.
-    Absent,
-    /// d
-    Holds,
-    /// `radius` along `direction`. `turning` is the derivative of the direction with respect to d
-    /// across it; zero if the direction is known.
-    Limited { direction: [S; 2], radius: S, turning: S },
-}
-
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Finds rules among these choices that fit together, and the reactions, by Newton's method.
     /// Undetermined reactions are close to the shortest ones that hold all rates.
     pub(super) fn in_cone(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
-        let cone = Cone::<_, N, K, K>::new(self.law(), choices, |k, j| self.entry(k, j));
+        let cone = Cone::<_, N, K, K>::new(self.law(), choices, [(0, N); K], |k, j| self.entry(k, j));
         let shortest = self.reactions(&choices.map(|choice| choice.rule(0)));
         Some(cone.settled(&cone.point(cone.solve(cone.scaled(&shortest))?)))
     }
@@ -120,22 +135,32 @@ impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
     /// Finds the reactions that obey the law best, starting from these, such as those of the step
     /// before.
     pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
-        let entry = |k: usize, j: usize| dot(&self.terms.rows[k], &self.terms.responses[j]);
+        let spans = array::from_fn(|k| match choices[k] {
+            Choice::Only(Rule::Absent) => (0, 0),
+            _ => self.terms.span(k),
+        });
+        let entry = |k: usize, j: usize| {
+            let (from, to) = (spans[k].0.max(spans[j].0), spans[k].1.min(spans[j].1));
+            let to = to.max(from);
+            inner(&self.terms.rows[k][from..to], &self.terms.responses[j][from..to])
+        };
         // More reactions than velocities depend on each other if all of them hold.
         if const { K <= MOST_DENSE && K <= N } {
-            Cone::<_, N, K, K>::new(self, choices, entry).best(start)
+            Cone::<_, N, K, K>::new(self, choices, spans, entry).best(start)
         } else {
-            Cone::<_, N, K, 0>::new(self, choices, entry).best(start)
+            Cone::<_, N, K, 0>::new(self, choices, spans, entry).best(start)
         }
     }
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, N, K, D> {
     /// Builds the problem. `entry` returns the change of a rate with a reaction, which is
-    /// symmetric.
+    /// symmetric. `all_spans` are the ranges of velocities outside which rows and responses are
+    /// zero.
     pub(super) fn new(
         law: &'a ContactLaw<'a, S, N, K>,
         all: &[Choice<S>; K],
+        all_spans: [(usize, usize); K],
         entry: impl Fn(usize, usize) -> S,
     ) -> Self {
         let (mut active, mut places, mut count) = ([0; K], [K; K], 0);
@@ -144,10 +169,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
         }
         let mut units = [S::ONE; K];
         let mut choices = [Choice::Only(Rule::Absent); K];
-        let mut slopes = [(0, 0); K];
+        let (mut slopes, mut spans) = ([(0, 0); K], [(0, 0); K]);
         for (place, &k) in active[..count].iter().enumerate() {
             (units[place], choices[place]) = (unit(entry(k, k)), all[k]);
             slopes[place] = law.terms.range_of_slopes(k);
+            // Reactions on which limits depend come first.
+            let limiting = law.terms.slopes_of(k).iter().map(|slope| places[slope.reaction]);
+            let limiting = limiting.filter(|other| *other < place);
+            spans[place] = limiting.fold(all_spans[k], |span, other| joined(span, spans[other]));
+            if all[k] == Choice::Across {
+                let span = joined(spans[place - 1], spans[place]);
+                (spans[place - 1], spans[place]) = (span, span);
+            }
         }
         // Both components have the same unit, so that a disk remains a disk.
         for place in (1..count).filter(|&place| choices[place] == Choice::Across) {
@@ -166,14 +199,25 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
                 (matrix[place][other], matrix[other][place]) = (entry, entry);
             }
         }
-        Cone { law, count, active, places, choices, slopes, units, matrix, offsets }
+        Cone {
+            law,
+            count,
+            active,
+            places,
+            choices,
+            slopes,
+            units,
+            matrix,
+            offsets,
+            compliance: S::ZERO,
+            spans,
+        }
     }
 
     /// Finds the reactions of the least error, starting from these.
     pub(super) fn best(&self, start: &[S; K]) -> Approximation<S, K> {
         let search = self.follow(self.scaled(start));
-        let end = self.point(search.forces);
-        let (settled, residual) = (self.settled(&end), self.residual(&end));
+        let (settled, residual) = (self.settled(&search.best.at), self.residual(&search.best));
         Approximation { settled, residual, is_exact: search.is_exact, iterations: search.iterations }
     }
 
@@ -197,17 +241,36 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
                 }
                 None => self.rate(k, &velocities),
             };
-            pulls[k] = forces[k] - self.offsets[k] - change;
+            pulls[k] = forces[k] - self.offsets[k] - change - self.compliance * forces[k];
         }
         ForcePoint { forces, pulls }
     }
 
+    /// Returns the problem in which reactions yield slightly as they move away from these. Of
+    /// undetermined reactions, it has those that are close to them.
+    fn anchored(&self, forces: &[S; K]) -> Self {
+        let mut cone = *self;
+        cone.compliance = S::from_f64(COMPLIANCE) * S::epsilon().sqrt();
+        for (k, force) in forces.iter().enumerate().take(self.count) {
+            cone.offsets[k] = (-cone.compliance).multiply_add(*force, cone.offsets[k]);
+        }
+        cone
+    }
+
+    /// Evaluates these reactions.
+    fn tried(&self, forces: [S; K]) -> TriedForces<S, K> {
+        let at = self.point(forces);
+        let errors = self.errors(&at);
+        let square = dot(&errors, &errors);
+        let error = if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO };
+        TriedForces { at, errors, error }
+    }
+
     /// Returns the largest rate by which one of these reactions misses its target, and its index.
-    fn residual(&self, at: &ForcePoint<S, K>) -> (S, usize) {
-        let errors = self.errors(at);
+    fn residual(&self, trial: &TriedForces<S, K>) -> (S, usize) {
         let mut worst = (S::ZERO, 0);
         for (place, &k) in self.active[..self.count].iter().enumerate() {
-            let error = errors[place].abs() * self.units[place];
+            let error = trial.errors[place].abs() * self.units[place];
             if error > worst.0 || !error.is_finite() {
                 worst = (error, k);
             }
@@ -218,12 +281,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
     /// Returns the rules by which these reactions act.
     fn settled(&self, at: &ForcePoint<S, K>) -> Settled<S, K> {
         let (mut rules, mut reactions) = ([Rule::Absent; K], [S::ZERO; K]);
+        let rounding = BALANCED_BY_SEARCH.part::<S>() * self.scale(&at.forces);
         for place in (0..self.count).filter(|&place| self.choices[place] != Choice::Across) {
             let found = match self.piece(at, place) {
                 TargetPiece::Absent => [Rule::Absent; 2],
                 TargetPiece::Holds => [Rule::Holds; 2],
                 // At its limit, but other forces hold it as well.
-                _ if self.choices[place] == Choice::Rest && self.is_still(at, place) => [Rule::Holds; 2],
+                _ if self.choices[place] == Choice::Rest && self.speed(at, place) <= rounding => {
+                    [Rule::Holds; 2]
+                }
                 TargetPiece::Limited { direction, .. } => direction.map(|component| Rule::Slips(-component)),
             };
             let k = self.active[place];
@@ -241,118 +307,19 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
         Settled { rules, reactions }
     }
 
-    fn is_planar(&self, k: usize) -> bool {
-        self.choices.get(k + 1) == Some(&Choice::Across)
-    }
-
-    /// True if the rates of friction k are zero up to rounding.
-    fn is_still(&self, at: &ForcePoint<S, K>, k: usize) -> bool {
+    /// Returns the length of the rates of friction k.
+    fn speed(&self, at: &ForcePoint<S, K>, k: usize) -> S {
         let rate = |k: usize| at.forces[k] - at.pulls[k];
         let rates = [rate(k), if self.is_planar(k) { rate(k + 1) } else { S::ZERO }];
-        length(&rates) <= BALANCED_BY_SEARCH.part::<S>() * self.scale(&at.forces)
+        length(&rates)
     }
+}
 
-    /// Computes the targets minus the reactions.
-    fn errors(&self, at: &ForcePoint<S, K>) -> [S; K] {
-        let mut errors = [S::ZERO; K];
-        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
-            let [first, second] = self.target(at, k);
-            errors[k] = first - at.forces[k];
-            if self.is_planar(k) {
-                errors[k + 1] = second - at.forces[k + 1];
-            }
-        }
-        errors
-    }
-
-    fn target(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
-        match self.piece(at, k) {
-            TargetPiece::Absent => [S::ZERO; 2],
-            TargetPiece::Holds => self.pull(at, k),
-            TargetPiece::Limited { direction, radius, .. } => direction.map(|component| radius * component),
-        }
-    }
-
-    fn piece(&self, at: &ForcePoint<S, K>, k: usize) -> TargetPiece<S> {
-        let known = |component: S| {
-            let limit = self.kinetic(at, k);
-            TargetPiece::Limited { direction: [-component, S::ZERO], radius: limit, turning: S::ZERO }
-        };
-        match self.choices[k] {
-            Choice::Only(Rule::Absent) | Choice::Across => TargetPiece::Absent,
-            Choice::Only(Rule::Holds) => TargetPiece::Holds,
-            Choice::Only(Rule::Slips(component)) => known(component * self.side(at, k)),
-            Choice::Only(Rule::Smooth) => known(S::ONE),
-            Choice::Touch if self.pull(at, k)[0] > S::ZERO => TargetPiece::Holds,
-            Choice::Touch => TargetPiece::Absent,
-            Choice::Rest | Choice::GiveWay => self.friction(at, k),
-        }
-    }
-
-    /// Returns the piece of friction that holds or slips.
-    fn friction(&self, at: &ForcePoint<S, K>, k: usize) -> TargetPiece<S> {
-        let pull = self.pull(at, k);
-        let size = length(&pull);
-        let radius = self.kinetic(at, k).abs();
-        let fixed = self.fixed(at, k).abs().max(radius);
-        if self.choices[k] == Choice::Rest && size <= fixed {
-            return TargetPiece::Holds;
-        }
-        if size == S::ZERO {
-            return TargetPiece::Absent;
-        }
-        let turning = if self.is_planar(k) { (radius / size).min(S::ONE) } else { S::ZERO };
-        TargetPiece::Limited { direction: pull.map(|component| component / size), radius, turning }
-    }
-
-    /// Returns d.
-    fn pull(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
-        [at.pulls[k], if self.is_planar(k) { at.pulls[k + 1] } else { S::ZERO }]
-    }
-
-    /// Returns the slopes of the limits of friction k, with the places of reactions that may act.
-    fn slopes_of(&self, k: usize) -> impl Iterator<Item = (usize, &LimitSlope<S>)> {
-        let (from, to) = self.slopes[k];
-        let slopes = self.law.terms.slopes[from..to].iter();
-        slopes.map(|slope| (self.places[slope.reaction], slope)).filter(|(place, _)| *place < K)
-    }
-
-    /// Computes a limit of friction k from its value without reactions and its slopes.
-    fn limit(&self, at: &ForcePoint<S, K>, k: usize, free: S, slope: fn(&LimitSlope<S>) -> S) -> S {
-        let limit = self.slopes_of(k).fold(free, |limit, (j, entry)| {
-            let pressing = match self.choices[j] {
-                Choice::Touch => self.pull(at, j)[0].max(S::ZERO),
-                _ => at.forces[j],
-            };
-            limit + slope(entry) * pressing / self.units[j]
-        });
-        self.units[k] * limit
-    }
-
-    /// Computes the static limit of friction k.
-    fn fixed(&self, at: &ForcePoint<S, K>, k: usize) -> S {
-        self.limit(at, k, self.law.fixed(self.active[k]), |slope| slope.fixed)
-    }
-
-    /// Computes the kinetic limit of friction k.
-    fn kinetic(&self, at: &ForcePoint<S, K>, k: usize) -> S {
-        self.limit(at, k, self.law.kinetic(self.active[k]), |slope| slope.kinetic)
-    }
-
-    /// Returns the sign of the kinetic limit, whose absolute value is the radius.
-    fn side(&self, at: &ForcePoint<S, K>, k: usize) -> S {
-        let is_reversed = self.kinetic(at, k) < S::ZERO;
-        if is_reversed { -S::ONE } else { S::ONE }
-    }
-
-    /// Returns the derivatives of the kinetic limit of friction k, or of its absolute value if the
-    /// direction is free, with their places. They refer to d of contacts that press, and to forces
-    /// of others.
-    fn shares(&self, at: &ForcePoint<S, K>, k: usize) -> impl Iterator<Item = (usize, S)> {
-        let is_free = matches!(self.choices[k], Choice::Rest | Choice::GiveWay);
-        let side = if is_free { self.side(at, k) } else { S::ONE };
-        let presses = |j: usize| self.choices[j] != Choice::Touch || self.pull(at, j)[0] > S::ZERO;
-        let slopes = self.slopes_of(k).filter(move |(j, slope)| slope.kinetic != S::ZERO && presses(*j));
-        slopes.map(move |(j, slope)| (j, side * slope.kinetic * self.units[k] / self.units[j]))
+/// Returns the range that contains both.
+fn joined(one: (usize, usize), other: (usize, usize)) -> (usize, usize) {
+    match (one.0 < one.1, other.0 < other.1) {
+        (true, true) => (one.0.min(other.0), one.1.max(other.1)),
+        (true, false) => one,
+        _ => other,
     }
 }

@@ -97,6 +97,7 @@ pub use self::heading::Heading;
 pub use self::initial_modes::begin;
 pub use self::pace::Pace;
 pub use self::project::correct;
+pub use self::responses::ForcedTerms;
 pub use self::stepped::{ImpulseFormula, Stepped, SteppedStepper};
 pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
@@ -234,18 +235,19 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     /// Returns the reaction terms at a state.
     fn terms(&self, t: Self::Scalar, q: &Self::Coordinates, v: &[Self::Scalar; N]) -> Self::Terms;
 
-    /// Returns the reaction terms for a step of the length `h` by which velocities change. Forces
-    /// of the dissipation function are evaluated with the velocities at its end, so free
-    /// accelerations and responses are means over the step. The default is [`terms`](Self::terms),
-    /// which evaluates these forces with the velocities at the beginning.
-    fn damped_terms(
+    /// Returns the reaction terms for a step of the length `h` by which velocities change, before
+    /// they are divided by the inertia. Forces of the dissipation function are evaluated with the
+    /// velocities at its end, so free accelerations and responses are means over the step. The
+    /// default is [`terms`](Self::terms), which evaluates these forces with the velocities at the
+    /// beginning.
+    fn step_terms(
         &self,
         t: Self::Scalar,
         q: &Self::Coordinates,
         v: &[Self::Scalar; N],
         _h: Self::Scalar,
-    ) -> Self::Terms {
-        self.terms(t, q, v)
+    ) -> ForcedTerms<Self::Terms, Self::Scalar, N> {
+        ForcedTerms::complete(self.terms(t, q, v))
     }
 
     /// Returns the declared event at which reaction `k` changes its mode. It is not called for
@@ -288,6 +290,14 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         let from = self.slopes.partition_point(|slope| slope.limited < k);
         let count = self.slopes[from..].iter().take_while(|slope| slope.limited == k).count();
         (from, from + count)
+    }
+
+    /// Returns the range of velocities outside which the row and the response of reaction k are
+    /// zero.
+    fn span(&self, k: usize) -> (usize, usize) {
+        let is_present = |i: &usize| self.rows[k][*i] != S::ZERO || self.responses[k][*i] != S::ZERO;
+        let from = (0..N).find(is_present).unwrap_or(N);
+        (from, (from..N).rfind(is_present).map_or(from, |last| last + 1))
     }
 
     /// Returns the accelerations with these reactions.

@@ -31,11 +31,11 @@ use super::cone::Approximation;
 use super::heading::Heading;
 use super::law::ContactLaw;
 use super::pace::Pace;
-use super::slip::{is_planar, length, present_direction};
+use super::slip::{is_planar, present_direction};
 use super::{Contact, Friction, Mode, Terms};
-use crate::linalg::vector::dot;
+use crate::linalg::vector::inner;
 use crate::scalar::Scalar;
-use crate::tolerance::IMPACT_ENERGY;
+use crate::tolerance::{BOUND, IMPACT_ENERGY};
 
 /// Speed of approach from which a contact is hit, as a multiple of the change by other forces.
 const HIT: f64 = 2.0;
@@ -47,7 +47,10 @@ const BISECTIONS: u32 = 20;
 /// Impulses over a step.
 pub(super) struct Impulses<S, const K: usize> {
     pub(super) impulses: [S; K],
+    /// Modes in which the step ends; friction that slips in a plane has directions instead.
     pub(super) modes: [Mode; K],
+    /// Components of the directions in which friction slips in planes; zero for others.
+    pub(super) directions: [S; K],
     /// The largest rate by which an impulse misses the law, and the index of this impulse.
     pub(super) residual: (S, usize),
     pub(super) is_exact: bool,
@@ -65,7 +68,7 @@ pub(super) struct ContactStep<'a, S, const N: usize, const K: usize> {
 
 impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     pub(super) fn new(terms: &'a Terms<S, N, K>, modes: &'a [Mode; K], h: S) -> Self {
-        let rate = |k: usize| dot(&terms.rows[k], &terms.free) + terms.drifts[k];
+        let rate = |k: usize| inner(&terms.rows[k], &terms.free) + terms.drifts[k];
         let free = array::from_fn(|k| h.multiply_add(rate(k), terms.rates[k]));
         ContactStep { terms, modes, h, free }
     }
@@ -77,7 +80,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         let slopes = terms.slopes.iter().flat_map(|slope| [&slope.kinetic, &slope.fixed]);
         let responses = terms.responses.iter().flatten();
         let values = self.free.iter().chain(&terms.gaps).chain(limits).chain(slopes).chain(responses);
-        { values }.all(|value| value.is_finite())
+        values.fold(true, |all, value| all & value.is_finite())
     }
 
     /// Searches for the impulses, starting from these. Contacts that are pushed together by others
@@ -92,30 +95,25 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
             let rates = self.rates(impulses);
             let also: [bool; K] = array::from_fn(|k| acts[k] || self.closes(k, rates[k]));
             if also == acts {
-                let modes = self.modes_after(&found.settled, &rates);
+                let (modes, directions) = self.modes_after(&found.settled, &rates);
                 let Approximation { settled, residual, is_exact, .. } = found;
-                return Impulses { impulses: settled.reactions, modes, residual, is_exact, iterations };
+                let impulses = settled.reactions;
+                return Impulses { impulses, modes, directions, residual, is_exact, iterations };
             }
             (acts, start) = (also, *impulses);
         }
     }
 
-    /// Computes the impulses whose displacements remove overlaps; `None` without overlaps. Overlaps
-    /// up to `least`, or up to their slits, are rounding.
-    pub(super) fn separation(&self, least: S, slits: impl FnOnce() -> [S; K]) -> Option<[S; K]> {
-        let overlaps = |k: usize| self.is_contact(k) && self.terms.gaps[k] < -least;
-        if !(0..K).any(overlaps) {
+    /// Computes the impulses whose displacements remove overlaps beyond these slits; `None` without
+    /// such overlaps.
+    pub(super) fn separation(&self, slits: &[S; K]) -> Option<[S; K]> {
+        if !(0..K).any(|k| self.is_contact(k) && self.terms.gaps[k] < -slits[k]) {
             return None;
         }
-        let slits = slits();
-        let is_beyond = |k: usize| overlaps(k) && self.terms.gaps[k] < -slits[k];
-        if !(0..K).any(is_beyond) {
-            return None;
-        }
-        let near = |k: usize| self.is_contact(k) && self.terms.gaps[k] <= slits[k];
-        let choices = array::from_fn(|k| if near(k) { Choice::Touch } else { Choice::Only(Rule::Absent) });
+        let near: [bool; K] = array::from_fn(|k| self.is_contact(k) && self.terms.gaps[k] <= slits[k]);
+        let choices = array::from_fn(|k| if near[k] { Choice::Touch } else { Choice::Only(Rule::Absent) });
         let share = S::from_f64(SHARE);
-        let values = array::from_fn(|k| if near(k) { share * self.terms.gaps[k] } else { S::ZERO });
+        let values = array::from_fn(|k| if near[k] { share * self.terms.gaps[k] } else { S::ZERO });
         let law = ContactLaw { terms: self.terms, offsets: values, presence: S::ZERO };
         Some(law.near(&choices, &[S::ZERO; K]).settled.reactions)
     }
@@ -127,7 +125,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     /// True if contact k would overlap at the end of the step with this rate.
     fn closes(&self, k: usize, rate: S) -> bool {
         let gap = self.terms.gaps[k];
-        let noise = S::epsilon().sqrt() * gap.abs();
+        let noise = BOUND.part::<S>() * gap.abs();
         self.is_contact(k) && self.h.multiply_add(rate, gap.max(S::ZERO)) < -noise
     }
 
@@ -196,7 +194,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     /// Returns the rates after these impulses.
     fn rates(&self, impulses: &[S; K]) -> [S; K] {
         let change = self.terms.change(impulses);
-        array::from_fn(|k| self.free[k] + dot(&self.terms.rows[k], &change))
+        array::from_fn(|k| self.free[k] + inner(&self.terms.rows[k], &change))
     }
 
     /// True if these impulses add more energy than rounding.
@@ -209,18 +207,19 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         work > IMPACT_ENERGY.part::<S>() * exchanged
     }
 
-    /// Returns the modes in which a step ends.
-    fn modes_after(&self, settled: &Settled<S, K>, rates: &[S; K]) -> [Mode; K] {
-        let mut modes = *self.modes;
+    /// Returns the modes in which a step ends, and the directions of friction that slips in planes.
+    fn modes_after(&self, settled: &Settled<S, K>, rates: &[S; K]) -> ([Mode; K], [S; K]) {
+        let (mut modes, mut directions) = (*self.modes, [S::ZERO; K]);
         for k in 0..K {
             modes[k] = match (self.modes[k], settled.rules[k]) {
                 (Mode::Contact(_), Rule::Holds) => Mode::Contact(Contact::Closed),
                 (Mode::Contact(_), _) => Mode::Contact(Contact::Open),
                 (Mode::Friction(_), Rule::Holds) => Mode::Friction(Friction::Sticks),
-                (Mode::Friction(_), Rule::Slips(_)) if is_planar(self.modes, k) => Mode::Friction(heading(
-                    [rates[k], rates[k + 1]],
-                    [k, k + 1].map(|k| settled.reactions[k]),
-                )),
+                (Mode::Friction(_), Rule::Slips(_)) if is_planar(self.modes, k) => {
+                    let [slip, force] = [[rates[k], rates[k + 1]], [k, k + 1].map(|k| settled.reactions[k])];
+                    [directions[k], directions[k + 1]] = direction(slip, force);
+                    Mode::Friction(Friction::Slips)
+                }
                 (Mode::Friction(_), Rule::Slips(along)) if along > S::ZERO => {
                     Mode::Friction(Friction::SlipsForwards)
                 }
@@ -233,14 +232,26 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
                 (Mode::Smooth, _) => Mode::Smooth,
             };
         }
-        modes
+        (modes, directions)
     }
 }
 
-/// Returns the mode of friction in a plane with this slip velocity, opposite to which this force
-/// acts.
-fn heading<S: Scalar>(slip: [S; 2], force: [S; 2]) -> Friction {
-    let against = present_direction(force).map(|direction| direction.map(|component| -component));
-    let direction = if length(&slip) > S::ZERO { present_direction(slip) } else { against };
-    direction.map_or(Friction::Slips, |direction| Friction::SlipsTowards(Heading::new(direction), Pace::ZERO))
+/// Returns the direction of this slip velocity, opposite to which this force acts; zero without a
+/// direction.
+fn direction<S: Scalar>(slip: [S; 2], force: [S; 2]) -> [S; 2] {
+    let against = || present_direction(force).map(|direction| direction.map(|component| -component));
+    present_direction(slip).or_else(against).unwrap_or([S::ZERO; 2])
+}
+
+/// Returns these modes with these directions of friction that slips in planes.
+pub(super) fn directed<S: Scalar, const K: usize>(modes: &[Mode; K], directions: &[S; K]) -> [Mode; K] {
+    let towards = |k: usize| match [directions[k], directions[k + 1]] {
+        direction if direction == [S::ZERO; 2] => Friction::Slips,
+        direction => Friction::SlipsTowards(Heading::new(direction), Pace::ZERO),
+    };
+    array::from_fn(|k| match modes[k] {
+        Mode::Friction(Friction::Slips) if is_planar(modes, k) => Mode::Friction(towards(k)),
+        Mode::Across(Friction::Slips) if k > 0 => Mode::Across(towards(k - 1)),
+        mode => mode,
+    })
 }

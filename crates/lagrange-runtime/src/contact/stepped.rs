@@ -2,8 +2,8 @@
 
 use core::array;
 
-use super::step::{ContactStep, Impulses};
-use super::{Contact, ContactSystem, Friction, Mode};
+use super::step::{ContactStep, Impulses, directed};
+use super::{Contact, ContactSystem, ForcedTerms, Friction, Mode};
 use crate::integrate::{FixedStepper, Formula, Memory, Method, Stepper, Work};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
@@ -176,7 +176,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Stepper<M> for Step
     }
 
     fn in_modes(&self, system: &M) -> Option<M> {
-        Some(system.in_modes(self.fixed.formula().modes.unwrap_or(free(system.modes()))))
+        Some(system.in_modes(self.fixed.formula().modes().unwrap_or(free(system.modes()))))
     }
 
     fn work(&self) -> Work {
@@ -209,12 +209,26 @@ pub struct ImpulseFormula<S, const N: usize, const K: usize> {
     impulses: [S; K],
     length: S,
     modes: Option<[Mode; K]>,
+    /// Directions in which friction slips in planes, which modes do not contain yet.
+    directions: [S; K],
 }
 
 impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
     fn new(largest_residual: S) -> Self {
-        let (zero, impulses) = (S::ZERO, [S::ZERO; K]);
-        ImpulseFormula { largest_residual, worst: zero, impulses, length: zero, modes: None }
+        let (zero, zeros) = (S::ZERO, [S::ZERO; K]);
+        ImpulseFormula {
+            largest_residual,
+            worst: zero,
+            impulses: zeros,
+            length: zero,
+            modes: None,
+            directions: zeros,
+        }
+    }
+
+    /// Returns the modes at the end of the last step, if there was one.
+    fn modes(&self) -> Option<[Mode; K]> {
+        Some(directed(&self.modes?, &self.directions))
     }
 
     /// Returns the impulses over a step of length h, if the forces do not change.
@@ -237,24 +251,47 @@ impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
             return Err(StepFailure::Residual { reaction: reactions[k], value: residual });
         }
         self.worst = self.worst.max(residual);
-        (self.impulses, self.length, self.modes) = (found.impulses, h, Some(found.modes));
+        (self.impulses, self.length) = (found.impulses, h);
+        (self.modes, self.directions) = (Some(found.modes), found.directions);
         Ok(())
     }
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Memory<S> for ImpulseFormula<S, N, K> {
     fn visit(&mut self, _t: S, each: &mut impl FnMut(&mut S)) {
-        let mut has_modes = if self.modes.is_some() { S::ONE } else { S::ZERO };
+        let present = self.modes();
+        let mut has_modes = if present.is_some() { S::ONE } else { S::ZERO };
         each(&mut has_modes);
         each(&mut self.length);
         self.impulses.iter_mut().for_each(&mut *each);
-        let modes = self.modes.unwrap_or([Mode::Smooth; K]).map(|mode| {
+        let modes = present.unwrap_or([Mode::Smooth; K]).map(|mode| {
             let mut numbers = mode.numbers();
             numbers.iter_mut().for_each(&mut *each);
             Mode::of_numbers(numbers)
         });
-        self.modes = (has_modes != S::ZERO).then_some(modes);
+        (self.modes, self.directions) = ((has_modes != S::ZERO).then_some(modes), [S::ZERO; K]);
     }
+}
+
+/// Returns the depths up to which overlaps are rounding, if there are overlaps.
+fn slits<M, const N: usize, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    forced: &ForcedTerms<M::Terms, M::Scalar, N>,
+) -> Option<[M::Scalar; K]>
+where
+    M: ContactSystem<N, K>,
+{
+    let terms = forced.terms();
+    let largest = q.as_ref().iter().fold(M::Scalar::ZERO, |largest, q| largest.max(q.abs()));
+    let least = CLOSED_GAP.part::<M::Scalar>() * largest;
+    if !terms.gaps.iter().any(|gap| *gap < -least) {
+        return None;
+    }
+    let (lengths, root) = (reach(system, t, q, q), M::Scalar::epsilon().sqrt());
+    let slit = |k: usize| (root * terms.size_of(k, &lengths)).max(least);
+    Some(array::from_fn(slit))
 }
 
 impl<M, const N: usize, const K: usize> Formula<M> for ImpulseFormula<M::Scalar, N, K>
@@ -275,9 +312,12 @@ where
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, v) = split::<M>(y);
-        let (terms, modes) = (system.damped_terms(t, &q, &v, h), system.modes());
+        let (mut forced, modes) = (system.step_terms(t, &q, &v, h), system.modes());
+        let slits = slits(system, t, &q, &forced);
+        let metric = forced.normalise();
+        let terms = forced.terms();
         work.evaluations += 1;
-        let step = ContactStep::new(&terms, &modes, h);
+        let step = ContactStep::new(terms, &modes, h);
         if !step.is_finite() {
             return Err(StepFailure::NotFinite);
         }
@@ -287,17 +327,13 @@ where
         work.iterations += u64::from(found.iterations);
         work.inexact += u64::from(!found.is_exact);
         self.keep(&found, h, &M::REACTIONS)?;
-        let change = terms.change(&found.impulses);
-        let to = array::from_fn(|i| h.multiply_add(terms.free[i], v[i]) + change[i]);
+        let change = metric.velocities(combined(&terms.change(&found.impulses), h, &terms.free));
+        let to = combined(&v, M::Scalar::ONE, &change);
         let rates = system.position_rates(t, &q, &to);
         let mut moved = combined(&q, h, &rates);
-        let largest = q.as_ref().iter().fold(M::Scalar::ZERO, |largest, q| largest.max(q.abs()));
-        let slits = || {
-            let lengths = reach(system, t, &q, &q);
-            array::from_fn(|k| M::Scalar::epsilon().sqrt() * terms.size_of(k, &lengths))
-        };
-        if let Some(shares) = step.separation(CLOSED_GAP.part::<M::Scalar>() * largest, slits) {
-            moved = displaced(system, t, &moved, shares.into_iter().zip(&terms.responses));
+        if let Some(shares) = slits.and_then(|slits| step.separation(&slits)) {
+            let displacement = metric.velocities(terms.change(&shares));
+            moved = displaced(system, t, &moved, [(M::Scalar::ONE, &displacement)]);
         }
         let end = join::<M>(&moved, &to);
         Ok(difference(&end, y))

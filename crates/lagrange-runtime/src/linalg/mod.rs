@@ -7,6 +7,7 @@ pub(crate) mod dense;
 pub(crate) mod eigenvalues;
 #[cfg(feature = "fit")]
 pub(crate) mod independent;
+pub(crate) mod ordered;
 pub(crate) mod orthogonal;
 pub(crate) mod pivoted;
 pub(crate) mod ranked;

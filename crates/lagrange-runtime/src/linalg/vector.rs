@@ -118,6 +118,29 @@ pub(crate) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
     }
 }
 
+/// Computes aᵀb for vectors of equal length, in four partial sums.
+#[inline]
+pub(crate) fn inner<S: Scalar>(a: &[S], b: &[S]) -> S {
+    let (a, b) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest = a.remainder().iter().zip(b.remainder());
+    let rest = rest.fold(S::ZERO, |sum, (a, b)| a.multiply_add(*b, sum));
+    let mut sums = [S::ZERO; 4];
+    for (a, b) in a.zip(b) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum = a.multiply_add(*b, *sum);
+        }
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+}
+
+/// Adds c x to y, for vectors of equal length.
+#[inline]
+pub(crate) fn add_scaled<S: Scalar>(y: &mut [S], c: S, x: &[S]) {
+    for (y, x) in y.iter_mut().zip(x) {
+        *y = x.multiply_add(c, *y);
+    }
+}
+
 /// Computes the sum of magnitudes, which neither overflows nor underflows if the components do not.
 #[inline(always)]
 pub(crate) fn l1_norm<S: Number, Y: StateVector<S>>(y: &Y) -> S {

@@ -5,7 +5,7 @@ use std::fmt::{Debug, Formatter};
 use std::sync::Arc;
 use std::vec::Vec;
 
-use crate::contact::{ContactSystem, Mode};
+use crate::contact::{ContactSystem, ForcedTerms, Mode};
 use crate::scalar::{Number, Scalar};
 use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::simulate::sampling::Grid;
@@ -202,8 +202,14 @@ where
         self.present(t, &join::<M>(q, v), |plant| plant.terms(t, q, v))
     }
 
-    fn damped_terms(&self, t: M::Scalar, q: &M::Coordinates, v: &[M::Scalar; N], h: M::Scalar) -> M::Terms {
-        self.present(t, &join::<M>(q, v), |plant| plant.damped_terms(t, q, v, h))
+    fn step_terms(
+        &self,
+        t: M::Scalar,
+        q: &M::Coordinates,
+        v: &[M::Scalar; N],
+        h: M::Scalar,
+    ) -> ForcedTerms<M::Terms, M::Scalar, N> {
+        self.present(t, &join::<M>(q, v), |plant| plant.step_terms(t, q, v, h))
     }
 
     fn event_of(&self, k: usize) -> usize {

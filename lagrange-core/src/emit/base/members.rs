@@ -23,7 +23,7 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) canonical: Vec<Method>,
     /// True for each constraint that contains positions.
     pub(in crate::emit) are_holonomic: Vec<bool>,
-    /// The body of `ContactSystem::terms`, or of `damped_terms` if there are dampers.
+    /// The body of `ContactSystem::step_terms`, or of `terms` if there are constraints.
     pub(in crate::emit) terms: TokenStream,
     /// Number of slopes of the limits of friction.
     pub(in crate::emit) slopes: usize,
@@ -31,6 +31,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) clocks: usize,
     /// The noises, if there are any.
     pub(in crate::emit) noise: Option<Noisy>,
+    /// True if forces and gradients of contacts or friction are divided by the inertia at run time.
+    pub(in crate::emit) is_forced: bool,
     /// True if there are dampers in addition to contacts or friction.
     pub(in crate::emit) is_damped: bool,
     /// The body of `SwitchedSystem::switch_times`, if any time is known.
@@ -97,6 +99,7 @@ impl Members {
             terms: TokenStream::new(),
             clocks: 0,
             noise: None,
+            is_forced: false,
             is_damped: false,
             is_tested: false,
             switch_times: None,

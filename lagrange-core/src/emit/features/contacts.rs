@@ -193,30 +193,34 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
     }
 }
 
-/// Writes `terms`, and `damped_terms` if there are dampers; `terms` is then a special case.
+/// Writes `terms` and, without constraints, `step_terms`, of which it is then a special case.
 fn terms_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, k) = (shape.krate, shape.scalar(), length(shape.reactions().len()));
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
-    let (body, step) = (&members.terms, local("step"));
+    let body = &members.terms;
+    let step = if members.is_damped { local("step") } else { local("_step") };
     let arguments = quote!(#time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
     let slopes = length(members.slopes);
     let of_system = quote! {
         type Terms = #krate::contact::Terms<#scalar, #nv, #k, [#krate::contact::LimitSlope<#scalar>; #slopes]>;
     };
-    let terms = quote!(Self::Terms);
-    if !members.is_damped {
-        return quote!(#of_system #[inline] fn terms(&self, #arguments) -> #terms { #body });
+    if !members.is_forced {
+        return quote!(#of_system #[inline] fn terms(&self, #arguments) -> Self::Terms { #body });
     }
     let zero = quote!(<#scalar as #krate::Number>::ZERO);
     quote! {
         #of_system
         #[inline]
-        fn terms(&self, #arguments) -> #terms {
-            #krate::contact::ContactSystem::damped_terms(self, #time, #positions, #velocities, #zero)
+        fn terms(&self, #arguments) -> Self::Terms {
+            #krate::contact::ContactSystem::step_terms(self, #time, #positions, #velocities, #zero).accelerated()
         }
         #[inline]
-        fn damped_terms(&self, #arguments, #step: #scalar) -> #terms {
+        fn step_terms(
+            &self,
+            #arguments,
+            #step: #scalar,
+        ) -> #krate::contact::ForcedTerms<Self::Terms, #scalar, #nv> {
             #body
         }
     }

@@ -11,8 +11,8 @@ use crate::model::ReactionKind;
 use lagrange_algebra::calculus::gradient;
 use lagrange_expr::expr::ExprId;
 
-/// Returns the body of `ContactSystem::terms`, or of `damped_terms` if there are dampers without
-/// constraints.
+/// Returns the body of `ContactSystem::terms` if there are constraints, and otherwise that of
+/// `step_terms`.
 pub(super) fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     let (n, k) = (writer.model.speeds.len(), writer.model.reactions.len());
     let zero = writer.model.graph.number(0);
@@ -54,6 +54,7 @@ pub(super) fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     let mut roots = fields.iter().flat_map(|(_, _, roots)| roots.iter().copied()).collect::<Vec<_>>();
     roots.extend(slopes.iter().flat_map(|(_, roots)| *roots));
     let inertia = if is_constrained { Vec::new() } else { inertia(writer) };
+    writer.members.is_forced = !is_constrained;
     writer.members.is_damped = inertia.len() > 1;
     roots.extend(inertia.iter().flatten());
     let (krate, scalar) = (writer.shape.krate, writer.shape.scalar());
@@ -87,8 +88,10 @@ pub(super) fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
         let (matrices, step) = (matrices.collect::<Vec<_>>(), local("step"));
         match &matrices[..] {
             [] => terms,
-            [mass] => quote!(#krate::contact::Terms::accelerated(#terms, &#mass)),
-            [mass, damping, ..] => quote!(#krate::contact::Terms::damped(#terms, &#mass, &#damping, #step)),
+            [mass] => quote!(#krate::contact::ForcedTerms::new(#terms, #mass)),
+            [mass, damping, ..] => {
+                quote!(#krate::contact::ForcedTerms::damped(#terms, #mass, &#damping, #step))
+            }
         }
     });
     body

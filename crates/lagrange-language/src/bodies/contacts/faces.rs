@@ -21,6 +21,9 @@ use crate::bodies::touching::{Touching, motion_at};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, CONTACT_POINT, CONTACT_POINT_LENGTH, Expression, SurfaceKind};
 
+/// Index of the first component of the tangent among the numbers of a contact point.
+const TANGENT: usize = 9;
+
 /// Returns the number of contact points of two such blocks.
 fn point_count(shapes: &[Outline; 2]) -> usize {
     let fewest = shapes.iter().map(|shape| match shape.variant {
@@ -108,15 +111,21 @@ pub(super) fn between_blocks(
         blocks.extend(numbers_of(translation, name, (link, shape)));
         blocks.push(around);
     }
+    let has_friction = statement.friction.or(statement.kinetic).is_some();
     let point = std::array::from_fn::<_, CONTACT_POINT_LENGTH, _>(|i| {
         let mut terms = translation.terms();
         let mut arguments =
             [index * CONTACT_POINT_LENGTH + i, count].map(|n| terms.number(n as i64)).to_vec();
         arguments.extend(&blocks);
         let value = terms.call(CONTACT_POINT, &arguments);
+        // Only friction needs the tangent.
+        if i >= TANGENT && !has_friction {
+            return value;
+        }
         translation.bind(&format!("{name}_number"), value)
     });
-    let [a, b, normal, tangent] = [0, 3, 6, 9].map(|from| [point[from], point[from + 1], point[from + 2]]);
+    let [a, b, normal, tangent] =
+        [0, 3, 6, TANGENT].map(|from| [point[from], point[from + 1], point[from + 2]]);
     let [a, b] = [(first, &shapes[0], a), (second, &shapes[1], b)].map(|(link, shape, own)| {
         let place = placed(translation, shape, own);
         place_on_link(translation, link, place)

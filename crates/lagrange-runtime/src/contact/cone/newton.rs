@@ -2,20 +2,21 @@
 
 use core::array;
 
-use super::{Cone, ForcePoint, TargetPiece};
+use super::targets::TargetPiece;
+use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::singular::{nearest, regular};
 use crate::scalar::Scalar;
 
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
     /// Returns a step of Newton's method with this damping. Undetermined steps are short.
-    pub(super) fn newton_step(&self, at: &ForcePoint<S, K>, damping: S) -> [S; K] {
-        nearest(&damped(self.slopes(at), damping), &self.errors(at), self.count)
+    pub(super) fn newton_step(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
+        nearest(&damped(self.slopes(&trial.at), damping), &trial.errors, self.count)
     }
 
     /// Returns a step of Levenberg's and Marquardt's method with this damping.
-    pub(super) fn short_step(&self, at: &ForcePoint<S, K>, damping: S) -> [S; K] {
-        let (slopes, errors) = normal(&self.slopes(at), &self.errors(at), self.count);
+    pub(super) fn short_step(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
+        let (slopes, errors) = normal(&self.slopes(&trial.at), &trial.errors, self.count);
         regular(&damped(slopes, damping), &errors, self.count)
     }
 
@@ -23,8 +24,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
         let mut slopes = [[S::ZERO; K]; K];
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
-            let components = if self.is_planar(k) { 2 } else { 1 };
-            for component in 0..components {
+            for component in 0..self.components(k).len() {
                 let target = self.slope(at, k, component);
                 slopes[k + component] = target.map(|slope| -slope);
                 slopes[k + component][k + component] = slopes[k + component][k + component] + S::ONE;

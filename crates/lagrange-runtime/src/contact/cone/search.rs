@@ -2,16 +2,20 @@
 
 use core::array;
 
-use super::{Cone, ForcePoint};
+use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
-use crate::linalg::vector::{combined, difference, dot};
+use crate::linalg::vector::{combined, difference};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
 
 /// Maximum number of starts of Newton's method; each follows twice as many sweeps as the last.
 const MOST_STARTS: u32 = 10;
+/// Maximum number of starts if the error is small already.
+const FEW_STARTS: u32 = 2;
 /// Maximum number of steps of Newton's method from each start.
 const MOST_STEPS: u32 = 24;
+/// Maximum number of steps of Newton's method near known reactions.
+const MOST_STEPS_NEAR: u32 = 12;
 /// Maximum number of short steps close to the shortest forces.
 const MOST_SHORT_STEPS: u32 = 60;
 /// Term added to the diagonal so that undetermined steps are short, relative to the root of the
@@ -19,8 +23,16 @@ const MOST_SHORT_STEPS: u32 = 60;
 const DAMPING: f64 = 0.1;
 /// Assumed change of the impulses from step to step, relative to the impulses.
 const LEFT: f64 = 1e-2;
-/// Maximum number of halvings of a step.
-const MOST_HALVINGS: i32 = 8;
+/// Error that may be left if searches near the start do not reduce it, relative to the forces and
+/// to the root of the rounding unit. Reactions that are not determined have such errors.
+const NEARLY: f64 = 1e-2;
+/// Maximum number of searches near reactions.
+const MOST_ANCHORS: u32 = 3;
+/// Number of parts of a step of Newton's method that are tried, each half of the one before. More
+/// of them would creep along a piece, where whole steps pass through larger errors to its end.
+const MOST_PARTS: i32 = 2;
+/// Number of parts of a short step that are tried.
+const MOST_SHORT_PARTS: i32 = 8;
 
 /// Factor by which leaps along the change of a sweep may raise the error.
 const DRIFT: f64 = 1.01;
@@ -41,48 +53,68 @@ enum Step {
 #[derive(Clone, Copy)]
 pub(super) struct ForceSearch<S, const K: usize> {
     /// The best reactions so far.
-    pub(super) forces: [S; K],
+    pub(super) best: TriedForces<S, K>,
     pub(super) iterations: u32,
     /// True if the reactions equal their targets up to rounding.
     pub(super) is_exact: bool,
     /// The error, relative to the forces, at which the search ends.
     goal: S,
-    /// True if forces that are undetermined may become large.
-    may_leap: bool,
+    /// The error, relative to the forces, up to which reactions obey the law.
+    rounding: S,
+    /// True for impulses over a step. Undetermined ones may become large, and a search ends where
+    /// only rounding is left.
+    is_of_step: bool,
 }
 
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
     /// Finds reactions that equal their targets up to rounding, starting near these or from zero.
     pub(super) fn solve(&self, near: [S; K]) -> Option<[S; K]> {
-        let mut search =
-            ForceSearch { forces: near, iterations: 0, goal: S::epsilon(), is_exact: false, may_leap: false };
-        let is_found = self.descend(&mut search, Step::Short) || self.restart(&mut search);
-        is_found.then_some(search.forces)
+        let mut search = ForceSearch {
+            best: self.tried(near),
+            iterations: 0,
+            is_exact: false,
+            goal: S::epsilon(),
+            rounding: BALANCED_BY_SEARCH.part(),
+            is_of_step: false,
+        };
+        let is_found = self.descend(&mut search, Step::Short, MOST_SHORT_STEPS)
+            || self.restart(&mut search, MOST_STARTS);
+        is_found.then_some(search.best.at.forces)
     }
 
     /// Finds the reactions of the least error, starting from these.
     pub(super) fn follow(&self, start: [S; K]) -> ForceSearch<S, K> {
-        let mut search =
-            ForceSearch { forces: start, iterations: 0, is_exact: false, goal: step_goal(), may_leap: true };
-        search.is_exact = self.descend(&mut search, Step::Newton) || self.fall_back(&mut search);
+        let mut search = ForceSearch {
+            best: self.tried(start),
+            iterations: 0,
+            is_exact: false,
+            goal: step_goal(),
+            // That of each reaction, in a norm of all.
+            rounding: BALANCED_BY_SEARCH.part::<S>() * S::from_f64(self.count.max(1) as f64).sqrt(),
+            is_of_step: true,
+        };
+        search.is_exact =
+            self.descend(&mut search, Step::Newton, MOST_STEPS_NEAR) || self.fall_back(&mut search, &start);
         search
     }
 
     /// Searches from zero by alternating sweeps and Newton's method.
-    fn restart(&self, search: &mut ForceSearch<S, K>) -> bool {
-        search.forces = [S::ZERO; K];
-        (0..MOST_STARTS).any(|start| {
+    fn restart(&self, search: &mut ForceSearch<S, K>, most: u32) -> bool {
+        let mut forces = [S::ZERO; K];
+        (0..most).any(|start| {
             let share = S::from_f64(if start % 2 == 0 { 1.0 } else { 0.5 });
-            let (mut at, mut before) = (self.point(search.forces), search.forces);
+            let (mut at, mut before) = (self.point(forces), forces);
             for _ in 0..1 << start {
                 before = at.forces;
                 self.sweep(&mut at, share);
             }
-            search.forces = match search.may_leap {
+            search.best = self.tried(match search.is_of_step {
                 true => self.leap(&at.forces, &difference(&at.forces, &before)),
                 false => at.forces,
-            };
-            self.descend(search, Step::Newton)
+            });
+            let is_found = self.descend(search, Step::Newton, MOST_STEPS);
+            forces = search.best.at.forces;
+            is_found
         })
     }
 
@@ -92,27 +124,50 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     /// last thousands of sweeps, until one of them sticks or slips.
     fn leap(&self, from: &[S; K], change: &[S; K]) -> [S; K] {
         let after = |doublings: i32| combined(from, S::from_f64(2.0).powi(doublings), change);
-        let error = |forces: &[S; K]| size(&self.errors(&self.point(*forces)));
+        let error = |forces: &[S; K]| self.tried(*forces).error;
         let allowed = S::from_f64(DRIFT) * error(from);
         let is_allowed = |doublings: &i32| error(&after(*doublings)) <= allowed;
         (0..MOST_DOUBLINGS).take_while(is_allowed).last().map_or(*from, after)
     }
 
-    /// Searches from zero, and then by short steps; keeps the best reactions found.
-    fn fall_back(&self, search: &mut ForceSearch<S, K>) -> bool {
-        let mut best = *search;
-        let error = |forces: [S; K]| size(&self.errors(&self.point(forces)));
-        let is_found = self.restart(search);
-        if is_found || error(search.forces) < error(best.forces) {
-            best.forces = search.forces;
+    /// Searches near the start, then from zero, and then by short steps; keeps the best reactions
+    /// found.
+    fn fall_back(&self, search: &mut ForceSearch<S, K>, start: &[S; K]) -> bool {
+        let mut centre = *start;
+        for _ in 0..MOST_ANCHORS {
+            if self.improved(search, |search| self.settle(search, &centre)) {
+                return true;
+            }
+            centre = search.best.at.forces;
         }
-        let is_found = is_found || {
-            search.forces = best.forces;
-            let is_found = self.descend(search, Step::Short);
-            best.forces = search.forces;
-            is_found
-        };
-        search.forces = best.forces;
+        let nearly = S::from_f64(NEARLY) * S::epsilon().sqrt();
+        if search.best.error <= nearly * self.scale(&search.best.at.forces) {
+            return self.improved(search, |search| self.restart(search, FEW_STARTS));
+        }
+        self.improved(search, |search| self.restart(search, MOST_STARTS))
+            || self.descend(search, Step::Short, MOST_SHORT_STEPS)
+    }
+
+    /// Searches for reactions close to these, which are in part undetermined.
+    fn settle(&self, search: &mut ForceSearch<S, K>, centre: &[S; K]) -> bool {
+        let anchored = self.anchored(centre);
+        search.best = anchored.tried(*centre);
+        anchored.descend(search, Step::Newton, MOST_STEPS_NEAR);
+        search.best = self.tried(search.best.at.forces);
+        self.descend(search, Step::Newton, MOST_STEPS_NEAR / 2)
+    }
+
+    /// Searches, and keeps the reactions before it if they are better.
+    fn improved(
+        &self,
+        search: &mut ForceSearch<S, K>,
+        find: impl FnOnce(&mut ForceSearch<S, K>) -> bool,
+    ) -> bool {
+        let before = search.best;
+        let is_found = find(search);
+        if !is_found && before.error <= search.best.error {
+            search.best = before;
+        }
         is_found
     }
 
@@ -125,8 +180,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
                 self.refresh(at, k, &velocities);
             }
             let targets = self.target(at, k);
-            let components = if self.is_planar(k) { 2 } else { 1 };
-            for (k, target) in (k..k + components).zip(targets) {
+            for (k, target) in self.components(k).zip(targets) {
                 let change = share * (target - at.forces[k]);
                 at.forces[k] = at.forces[k] + change;
                 at.pulls[k] = at.pulls[k] + change;
@@ -143,52 +197,59 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         }
     }
 
-    /// Finds the reactions of least error by such steps. If no part of a step reduces the error,
-    /// the whole step is taken, as the next piece may reduce it. Returns true if the reactions
-    /// equal their targets up to rounding.
-    fn descend(&self, search: &mut ForceSearch<S, K>, kind: Step) -> bool {
-        let start = self.point(search.forces);
-        let mut present = (start, size(&self.errors(&start)));
-        let mut best = present;
-        let most = match kind {
-            Step::Newton => MOST_STEPS,
-            Step::Short => MOST_SHORT_STEPS,
-        };
+    /// Finds the reactions of least error by at most so many steps. If no part of a step reduces
+    /// the error, the whole step is taken, as the next piece may reduce it. Returns true if the
+    /// reactions equal their targets up to rounding.
+    fn descend(&self, search: &mut ForceSearch<S, K>, kind: Step, most: u32) -> bool {
+        let half = S::from_f64(0.5);
+        let mut present = search.best;
         for _ in 0..most {
-            if best.1 <= search.goal * self.scale(&best.0.forces) {
+            let best = search.best.error;
+            if best <= search.goal * self.scale(&search.best.at.forces) {
                 break;
             }
             present = self.stepped(&present, kind);
             search.iterations += 1;
-            if present.1 < best.1 {
-                best = present;
+            if present.error < best {
+                search.best = present;
+            }
+            let is_slow = search.best.error > half * best;
+            if search.is_of_step && is_slow && self.is_balanced(search) {
+                break;
             }
         }
-        search.forces = best.0.forces;
-        best.1 <= BALANCED_BY_SEARCH.part::<S>() * self.scale(&search.forces)
+        self.is_balanced(search)
+    }
+
+    /// True if the best reactions equal their targets up to rounding.
+    fn is_balanced(&self, search: &ForceSearch<S, K>) -> bool {
+        search.best.error <= search.rounding * self.scale(&search.best.at.forces)
     }
 
     /// Returns the largest of these reactions and of the rates without reactions.
     pub(super) fn scale(&self, forces: &[S; K]) -> S {
-        forces.iter().chain(&self.offsets[..self.count]).fold(S::ZERO, |size, value| size.max(value.abs()))
+        let pairs = forces.iter().zip(&self.offsets).take(self.count);
+        pairs.fold(S::ZERO, |size, (force, offset)| size.max(force.abs().max(offset.abs())))
     }
 
-    /// Returns the end of the longest part of a step that reduces the error, or of the whole step,
-    /// and the error there.
-    fn stepped(&self, (at, error): &(ForcePoint<S, K>, S), kind: Step) -> (ForcePoint<S, K>, S) {
-        let least = S::from_f64(DAMPING) * S::epsilon().sqrt();
+    /// Returns the end of the longest part of a step that reduces the error, or of the whole step.
+    fn stepped(&self, present: &TriedForces<S, K>, kind: Step) -> TriedForces<S, K> {
+        let least = (S::from_f64(DAMPING) * S::epsilon().sqrt()).max(self.compliance);
+        let short = || present.error / self.scale(&present.at.forces);
         let step = match kind {
-            Step::Newton if D == 0 => self.step_of_velocities(at, least),
-            Step::Short if D == 0 => self.step_of_velocities(at, least.max(*error / self.scale(&at.forces))),
-            Step::Newton => self.newton_step(at, least),
-            Step::Short => self.short_step(at, *error / self.scale(&at.forces)),
+            Step::Newton if D == 0 => self.step_of_velocities(present, least),
+            Step::Short if D == 0 => self.step_of_velocities(present, least.max(short())),
+            Step::Newton => self.newton_step(present, least),
+            Step::Short => self.short_step(present, short()),
         };
-        let reached = |part: S| {
-            let end = self.point(array::from_fn(|k| step[k].multiply_add(part, at.forces[k])));
-            (end, size(&self.errors(&end)))
+        let reached =
+            |part: S| self.tried(array::from_fn(|k| step[k].multiply_add(part, present.at.forces[k])));
+        let parts = match kind {
+            Step::Newton => MOST_PARTS,
+            Step::Short => MOST_SHORT_PARTS,
         };
-        let halves = (0..MOST_HALVINGS).map(|halvings| reached(S::from_f64(0.5).powi(halvings)));
-        { halves }.find(|(_, least)| least < error).unwrap_or_else(|| reached(S::ONE))
+        let halves = (0..parts).map(|halvings| reached(S::from_f64(0.5).powi(halvings)));
+        { halves }.find(|end| end.error < present.error).unwrap_or_else(|| reached(S::ONE))
     }
 }
 
@@ -196,10 +257,4 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 /// Damping leaves about this part of the change from step to step.
 fn step_goal<S: Scalar>() -> S {
     (S::from_f64(LEFT * DAMPING) * S::epsilon().sqrt()).max(BOUND.part::<S>())
-}
-
-/// Returns the norm of a vector; infinite if a component is not finite.
-fn size<S: Scalar, const K: usize>(vector: &[S; K]) -> S {
-    let square = dot(vector, vector);
-    if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO }
 }

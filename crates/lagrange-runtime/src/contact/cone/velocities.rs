@@ -23,10 +23,11 @@
 
 use core::array;
 
-use super::{Cone, ForcePoint, TargetPiece};
+use super::targets::TargetPiece;
+use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
-use crate::linalg::singular::regular;
-use crate::linalg::vector::{add, combined, dot};
+use crate::linalg::ordered::solve_in_order;
+use crate::linalg::vector::{add_scaled, dot, inner};
 use crate::scalar::Scalar;
 
 /// A step of a reaction as a function of the change x of the velocities: `fixed` − `slope`·x.
@@ -37,13 +38,7 @@ struct Affine<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Affine<S, N> {
-    fn times(&self, factor: S) -> Self {
-        Affine { fixed: self.fixed * factor, slope: self.slope.map(|entry| entry * factor) }
-    }
-
-    fn plus(&self, other: &Self) -> Self {
-        Affine { fixed: self.fixed + other.fixed, slope: combined(&self.slope, S::ONE, &other.slope) }
-    }
+    const ZERO: Self = Affine { fixed: S::ZERO, slope: [S::ZERO; N] };
 }
 
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
@@ -58,12 +53,26 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Adds the velocities due to a reaction.
     pub(super) fn kick(&self, velocities: &mut [S; N], k: usize, force: S) {
-        add(velocities, force / self.units[k], &self.law.terms.responses[self.active[k]]);
+        let (from, to) = self.spans[k];
+        add_scaled(&mut velocities[from..to], force / self.units[k], self.response(k));
     }
 
     /// Returns rate k at these velocities.
     pub(super) fn rate(&self, k: usize, velocities: &[S; N]) -> S {
-        dot(&self.law.terms.rows[self.active[k]], velocities) / self.units[k]
+        let (from, to) = self.spans[k];
+        inner(self.row(k), &velocities[from..to]) / self.units[k]
+    }
+
+    /// Returns the part of the row of reaction k that is not zero.
+    fn row(&self, k: usize) -> &[S] {
+        let (from, to) = self.spans[k];
+        &self.law.terms.rows[self.active[k]][from..to]
+    }
+
+    /// Returns the part of the response to reaction k that is not zero.
+    fn response(&self, k: usize) -> &[S] {
+        let (from, to) = self.spans[k];
+        &self.law.terms.responses[self.active[k]][from..to]
     }
 
     /// Computes d of friction or contact k, and of the reactions that its limit depends on, at the
@@ -71,83 +80,119 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     pub(super) fn refresh(&self, at: &mut ForcePoint<S, K>, k: usize, velocities: &[S; N]) {
         let own = if self.is_planar(k) { [k, k + 1] } else { [k, k] };
         for k in self.slopes_of(k).map(|(place, _)| place).chain(own) {
-            at.pulls[k] = at.forces[k] - self.offsets[k] - self.rate(k, velocities);
+            let rate = self.compliance.multiply_add(at.forces[k], self.rate(k, velocities));
+            at.pulls[k] = at.forces[k] - self.offsets[k] - rate;
         }
     }
 
     /// Returns a step of Newton's method with this damping.
-    pub(super) fn step_of_velocities(&self, at: &ForcePoint<S, K>, damping: S) -> [S; K] {
-        let errors = self.errors(at);
-        let mut steps = [Affine { fixed: S::ZERO, slope: [S::ZERO; N] }; K];
-        let (mut columns, mut right) = ([[S::ZERO; N]; N], [S::ZERO; N]);
-        for (i, column) in columns.iter_mut().enumerate() {
-            column[i] = S::ONE;
+    pub(super) fn step_of_velocities(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
+        let mut steps = [Affine::ZERO; K];
+        let (mut matrix, mut right) = ([[S::ZERO; N]; N], [S::ZERO; N]);
+        for (i, row) in matrix.iter_mut().enumerate() {
+            row[i] = S::ONE;
         }
-        for k in 0..self.count {
-            if self.choices[k] != Choice::Across {
-                let found = self.affine_steps(at, &errors, &steps, k, damping);
-                let components = if self.is_planar(k) { 2 } else { 1 };
-                steps[k..k + components].copy_from_slice(&found[..components]);
-            }
-            let (step, response) = (&steps[k], &self.law.terms.responses[self.active[k]]);
-            self.kick(&mut right, k, step.fixed);
-            // Slopes are sparse: rates depend on the velocities between the contact and the ground.
-            for (column, slope) in columns.iter_mut().zip(&step.slope).filter(|(_, slope)| **slope != S::ZERO)
-            {
-                add(column, *slope / self.units[k], response);
+        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
+            if self.set_steps(trial, &mut steps, k, damping) {
+                for k in self.components(k) {
+                    self.couple(&mut matrix, &mut right, k, &steps[k]);
+                }
             }
         }
-        let matrix = array::from_fn(|i| array::from_fn(|j| columns[j][i]));
-        let change = regular(&matrix, &right, N);
-        array::from_fn(|k| steps[k].fixed - dot(&steps[k].slope, &change))
+        let change = solve_in_order(&matrix, &right);
+        let slope = |k: usize| {
+            let (from, to) = self.spans[k];
+            inner(&steps[k].slope[from..to], &change[from..to])
+        };
+        array::from_fn(|k| if k < self.count { steps[k].fixed - slope(k) } else { S::ZERO })
     }
 
-    /// Returns the steps of both components of reaction k. `before` are those of the reactions
-    /// before it.
-    fn affine_steps(
+    /// Adds W Z and W y of reaction k.
+    fn couple(&self, matrix: &mut [[S; N]; N], right: &mut [S; N], k: usize, step: &Affine<S, N>) {
+        let (from, to) = self.spans[k];
+        let (factor, slope) = (S::ONE / self.units[k], &step.slope[from..to]);
+        let lines = matrix[from..to].iter_mut().zip(&mut right[from..to]);
+        for ((line, right), response) in lines.zip(self.response(k)) {
+            let share = *response * factor;
+            *right = share.multiply_add(step.fixed, *right);
+            add_scaled(&mut line[from..to], share, slope);
+        }
+    }
+
+    /// Computes the steps of both components of reaction k, after those of the reactions before it.
+    /// Returns true if they change velocities.
+    fn set_steps(
         &self,
-        at: &ForcePoint<S, K>,
-        errors: &[S; K],
-        before: &[Affine<S, N>; K],
+        trial: &TriedForces<S, K>,
+        steps: &mut [Affine<S, N>; K],
         k: usize,
         damping: S,
-    ) -> [Affine<S, N>; 2] {
-        let places = if self.is_planar(k) { [k, k + 1] } else { [k, k] };
+    ) -> bool {
         let (free, held) = (S::ONE / (S::ONE + damping), S::ONE / damping);
-        match self.piece(at, k) {
-            TargetPiece::Absent => places.map(|k| Affine { fixed: errors[k] * free, slope: [S::ZERO; N] }),
+        let components = self.components(k);
+        match self.piece(&trial.at, k) {
+            TargetPiece::Absent => {
+                for k in components {
+                    steps[k].fixed = trial.errors[k] * free;
+                }
+                return trial.errors[self.components(k)].iter().any(|error| *error != S::ZERO);
+            }
             TargetPiece::Holds => {
-                places.map(|k| Affine { fixed: errors[k], slope: self.scaled_row(k) }.times(held))
+                for k in components {
+                    let (from, to) = self.spans[k];
+                    steps[k].fixed = trial.errors[k] * held;
+                    add_scaled(&mut steps[k].slope[from..to], held / self.units[k], self.row(k));
+                }
             }
             TargetPiece::Limited { direction, turning, .. } => {
-                // The parts of both components along the direction and across it.
-                let across = [-direction[1], direction[0]];
-                let errors = places.map(|k| errors[k]);
-                let rows = places.map(|k| self.scaled_row(k));
-                let limit = self.limit_step(at, before, k);
-                let along = Affine { fixed: dot(&direction, &errors) + limit.fixed, ..limit }.times(free);
-                let slope = array::from_fn(|i| turning * dot(&across, &rows.map(|row| row[i])));
-                let turned = Affine { fixed: dot(&across, &errors), slope };
-                let turned = turned.times(S::ONE / (S::ONE + damping - turning));
-                array::from_fn(|c| along.times(direction[c]).plus(&turned.times(across[c])))
+                let limit = self.limit_step(&trial.at, steps, k);
+                let turned = S::ONE / (S::ONE + damping - turning);
+                let (steps, factors) = (&mut steps[components], [free, turned]);
+                self.set_limited(trial, steps, k, (direction, turning), &limit, factors);
             }
         }
+        true
     }
 
-    /// Returns the row of reaction k in the units of the problem.
-    fn scaled_row(&self, k: usize) -> [S; N] {
-        let unit = S::ONE / self.units[k];
-        self.law.terms.rows[self.active[k]].map(|entry| entry * unit)
+    /// Computes the steps of friction k at its limit: along its direction with the limit, and
+    /// across it as it turns. The factors are those along and across.
+    fn set_limited(
+        &self,
+        trial: &TriedForces<S, K>,
+        steps: &mut [Affine<S, N>],
+        k: usize,
+        (direction, turning): ([S; 2], S),
+        limit: &Affine<S, N>,
+        factors: [S; 2],
+    ) {
+        let other = k + steps.len() - 1;
+        let across = [-direction[1], direction[0]];
+        let errors = [trial.errors[k], trial.errors[other]];
+        let along = factors[0] * (dot(&direction, &errors) + limit.fixed);
+        let turned = factors[1] * dot(&across, &errors);
+        let share = factors[1] * turning / self.units[k];
+        let (from, to) = self.spans[k];
+        let rows = self.row(k).iter().zip(self.row(other));
+        for (c, step) in steps.iter_mut().enumerate() {
+            step.fixed = along * direction[c] + turned * across[c];
+            let (own, [first, second]) =
+                (factors[0] * direction[c], across.map(|part| part * share * across[c]));
+            let entries = step.slope[from..to].iter_mut().zip(&limit.slope[from..to]).zip(rows.clone());
+            for ((entry, limit), (one, two)) in entries {
+                *entry = own * *limit + first * *one + second * *two;
+            }
+        }
     }
 
     /// Returns the step of the kinetic limit of friction k.
     fn limit_step(&self, at: &ForcePoint<S, K>, before: &[Affine<S, N>; K], k: usize) -> Affine<S, N> {
-        let mut limit = Affine { fixed: S::ZERO, slope: [S::ZERO; N] };
+        let mut limit = Affine::ZERO;
         for (j, share) in self.shares(at, k).filter(|(j, _)| *j < k) {
+            let (from, to) = self.spans[j];
             limit.fixed = share.multiply_add(before[j].fixed, limit.fixed);
-            add(&mut limit.slope, share, &before[j].slope);
+            add_scaled(&mut limit.slope[from..to], share, &before[j].slope[from..to]);
             if self.choices[j] == Choice::Touch {
-                add(&mut limit.slope, share / self.units[j], &self.law.terms.rows[self.active[j]]);
+                add_scaled(&mut limit.slope[from..to], share / self.units[j], self.row(j));
             }
         }
         limit

@@ -1,7 +1,7 @@
 //! Responses by one factorisation of the mass matrix.
 
 use super::systems::{TestTerms, nothing};
-use crate::contact::Terms;
+use crate::contact::{ForcedTerms, Terms};
 
 #[test]
 fn responses_solve_the_equations_of_definite_and_indefinite_masses() {
@@ -11,7 +11,7 @@ fn responses_solve_the_equations_of_definite_and_indefinite_masses() {
         [[0.0, 1.0, 0.5], [1.0, -3.0, -1.0], [0.5, -1.0, 2.0]],
     ];
     for mass in masses {
-        let terms: TestTerms<3, 2> = Terms { rows, ..nothing() }.accelerated(&mass);
+        let terms: TestTerms<3, 2> = ForcedTerms::new(Terms { rows, ..nothing() }, mass).accelerated();
         for (row, response) in rows.iter().zip(terms.responses) {
             for (entry, line) in row.iter().zip(mass) {
                 let product = line.iter().zip(response).map(|(m, w)| m * w).sum::<f64>();
@@ -19,14 +19,56 @@ fn responses_solve_the_equations_of_definite_and_indefinite_masses() {
             }
         }
     }
-    let singular: TestTerms<2, 1> = Terms { rows: [[1.0, 0.0]], ..nothing() }.accelerated(&[[1.0; 2]; 2]);
+    let terms: TestTerms<2, 1> = Terms { rows: [[1.0, 0.0]], ..nothing() };
+    let singular = ForcedTerms::new(terms, [[1.0; 2]; 2]).accelerated();
     assert!(!singular.responses[0][0].is_finite());
 }
 
 #[test]
 fn no_step_is_too_long_for_a_damper() {
     let terms: TestTerms<1, 1> = Terms { free: [-24.0], rows: [[1.0]], ..nothing() };
-    let damped = terms.damped(&[[2.0]], &[[6.0]], 1.0);
-    assert_eq!((damped.free, damped.responses), ([-3.0], [[0.125]]));
-    assert_eq!(terms.damped(&[[2.0]], &[[6.0]], 0.0), terms.accelerated(&[[2.0]]));
+    let damped = |h: f64| ForcedTerms::damped(terms, [[2.0]], &[[6.0]], h).accelerated();
+    assert_eq!((damped(1.0).free, damped(1.0).responses), ([-3.0], [[0.125]]));
+    assert_eq!(damped(0.0), ForcedTerms::new(terms, [[2.0]]).accelerated());
+}
+
+/// Products of rows and responses do not depend on the coordinates, and velocities return.
+#[test]
+fn coordinates_in_which_the_inertia_is_one_keep_all_products() {
+    // Two branches on a base of two degrees of freedom, and more rows than are solved together.
+    let mass = [[5.0, 1.0, 0.5, 0.25], [1.0, 4.0, -0.5, 0.75], [0.5, -0.5, 2.0, 0.0], [0.25, 0.75, 0.0, 3.0]];
+    let rows: [[f64; 4]; 7] =
+        std::array::from_fn(|k| std::array::from_fn(|i| ((3 * k + i * i) % 5) as f64 - 2.0));
+    let mut terms: TestTerms<4, 7> = Terms { rows, free: [1.0, -2.0, 3.0, 0.5], ..nothing() };
+    terms.rows[6] = [0.0, 0.0, 1.0, 0.0];
+    let plain = ForcedTerms::new(terms, mass).accelerated();
+    let mut forced = ForcedTerms::new(terms, mass);
+    let metric = forced.normalise();
+    let product = |a: &[f64; 4], b: &[f64; 4]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let normal = forced.terms();
+    for k in 0..7 {
+        let (one, other) = (product(&plain.rows[k], &plain.free), product(&normal.rows[k], &normal.free));
+        assert!((one - other).abs() < 1e-14, "{one} {other}");
+        for j in 0..7 {
+            let one = product(&plain.rows[k], &plain.responses[j]);
+            let other = product(&normal.rows[k], &normal.responses[j]);
+            assert!((one - other).abs() < 1e-14, "{one} {other}");
+        }
+    }
+    assert_eq!(normal.rows[6][3], 0.0, "the other branch");
+    let velocities = metric.velocities(normal.free);
+    assert!(velocities.iter().zip(plain.free).all(|(one, other)| (one - other).abs() < 1e-14));
+}
+
+/// Without a positive definite inertia, coordinates are the velocities.
+#[test]
+fn coordinates_of_indefinite_and_missing_inertias_are_velocities() {
+    let terms: TestTerms<2, 1> = Terms { rows: [[1.0, 0.0]], free: [2.0, 3.0], ..nothing() };
+    let mut forced = ForcedTerms::new(terms, [[-1.0, 0.0], [0.0, 2.0]]);
+    let metric = forced.normalise();
+    assert_eq!((forced.terms().free, forced.terms().responses), ([-2.0, 1.5], [[-1.0, 0.0]]));
+    assert_eq!(metric.velocities([4.0, 5.0]), [4.0, 5.0]);
+    let mut complete = ForcedTerms::complete(terms);
+    assert_eq!(complete.normalise().velocities([4.0, 5.0]), [4.0, 5.0]);
+    assert_eq!(complete.terms().free, [2.0, 3.0]);
 }
