@@ -22,6 +22,8 @@ pub const MAX_ORDER: usize = 40;
 pub trait TaylorSystem: OdeSystem {
     /// Storage for the series of products, reused by each expansion.
     type Series: Clone + core::fmt::Debug;
+    /// True if the [equations for lanes](super::LanesSystem) have series, too.
+    const IN_LANES: bool = false;
 
     /// Creates empty storage.
     fn series() -> Self::Series;
@@ -44,6 +46,10 @@ pub trait TaylorSystem: OdeSystem {
     }
 }
 
+/// Size of the largest numbers of which four groups are added up in one loop: those of a single
+/// motion.
+const LARGEST_TOGETHER: usize = 16;
+
 /// Four numbers that are added and multiplied lane by lane.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
@@ -55,12 +61,20 @@ impl<S: Number> Four<S> {
     /// Computes self + a b.
     #[inline(always)]
     fn plus(self, a: &Self, b: &Self) -> Self {
-        Four(core::array::from_fn(|lane| a.0[lane].multiply_add(b.0[lane], self.0[lane])))
+        let mut sum = self;
+        for lane in 0..4 {
+            sum.0[lane] = a.0[lane].multiply_add(b.0[lane], self.0[lane]);
+        }
+        sum
     }
 
     #[inline(always)]
-    fn sum(self, other: &Self) -> Self {
-        Four(core::array::from_fn(|lane| self.0[lane] + other.0[lane]))
+    fn sum(&self, other: &Self) -> Self {
+        let mut sum = *self;
+        for lane in 0..4 {
+            sum.0[lane] = self.0[lane] + other.0[lane];
+        }
+        sum
     }
 }
 
@@ -74,8 +88,19 @@ pub struct Products<S, const SHARED: usize, const GROUPS: usize, const ARGUMENTS
     first: SeriesFactors<S, SHARED, GROUPS>,
     /// Sums without the factors of order zero and without the newest ones.
     inner: [Four<S>; GROUPS],
+    /// Parts of the next such sums, of numbers in lanes.
+    ahead: [Four<S>; GROUPS],
     /// Arguments of tables.
     pieces: Pieces<S, ARGUMENTS>,
+}
+
+impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize> Default
+    for Products<S, SHARED, GROUPS, ARGUMENTS>
+{
+    #[inline(always)]
+    fn default() -> Self {
+        Self::EMPTY
+    }
 }
 
 /// Factors of one order.
@@ -90,6 +115,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         b: [[Four::ZERO; GROUPS]; MAX_ORDER],
         first: Self::NONE,
         inner: [Four::ZERO; GROUPS],
+        ahead: [Four::ZERO; GROUPS],
         pieces: Pieces {
             start: [S::ZERO; ARGUMENTS],
             ends: [[S::ZERO; 2]; ARGUMENTS],
@@ -111,6 +137,16 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     /// step.
     #[inline(always)]
     pub fn add_up<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
+        if size_of::<S>() > LARGEST_TOGETHER {
+            let (pairs, last) = shared.as_chunks::<2>();
+            for (pair, shared) in pairs.iter().enumerate() {
+                self.add_up_in_lanes(k, group + 2 * pair, *shared);
+            }
+            if let [shared] = last {
+                self.add_up_in_lanes(k, group + N - 1, [*shared]);
+            }
+            return;
+        }
         // Two sums, so that no product waits for the previous one.
         let (mut even, mut odd) = ([Four::ZERO; N], [Four::ZERO; N]);
         let inner = 1..k.saturating_sub(1);
@@ -135,6 +171,43 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         }
     }
 
+    /// Computes the sums of groups of products of numbers in lanes, which fill the registers.
+    ///
+    /// Loads of factors take most of the time. In every other step, the same factors also serve the
+    /// sums of the next one, from which two terms are then missing.
+    #[inline(always)]
+    fn add_up_in_lanes<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
+        for lane in 0..4 {
+            let (mut sums, mut next, mut last) = ([S::ZERO; N], [S::ZERO; N], [S::ZERO; N]);
+            let inner = 1..k.saturating_sub(1).max(1);
+            if k.is_multiple_of(2) {
+                let (a, b) = (&self.a[inner.clone()], &self.b[inner]);
+                for (a, b) in a.iter().zip(b.iter().rev()) {
+                    for place in 0..N {
+                        let (a, b) = (a[shared[place]].0[lane], b[group + place].0[lane]);
+                        sums[place] = a.multiply_add(b, sums[place]);
+                        next[place] = a.multiply_add(last[place], next[place]);
+                        last[place] = b;
+                    }
+                }
+            } else {
+                let ends = [(1, k.saturating_sub(2)), (k.saturating_sub(2), 1)];
+                let terms = k.saturating_sub(2).min(2);
+                for place in 0..N {
+                    sums[place] = self.ahead[group + place].0[lane];
+                    for (j, other) in ends.into_iter().take(terms) {
+                        let (a, b) = (&self.a[j][shared[place]], &self.b[other][group + place]);
+                        sums[place] = a.0[lane].multiply_add(b.0[lane], sums[place]);
+                    }
+                }
+            }
+            for place in 0..N {
+                self.inner[group + place].0[lane] = sums[place];
+                self.ahead[group + place].0[lane] = next[place];
+            }
+        }
+    }
+
     /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for all groups, after [`add_up`](Self::add_up) for each. The
     /// newest factors, with j = k − 1, are arguments: waiting until they are stored would double
     /// the time.
@@ -148,13 +221,15 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         // code into the loops, as permutations for each term.
         core::hint::black_box(&mut self.inner);
         let (first_a, first_b) = &self.first;
-        core::array::from_fn(|group| {
-            let a = shared[group];
-            core::array::from_fn(|lane| {
-                let sum = first_a[a][lane].multiply_add(newest_b[group][lane], self.inner[group].0[lane]);
-                newest_a[a][lane].multiply_add(first_b[group][lane], sum)
-            })
-        })
+        let mut sums = [[S::ZERO; 4]; GROUPS];
+        for (group, (sums, a)) in sums.iter_mut().zip(shared).enumerate() {
+            for (lane, sum) in sums.iter_mut().enumerate() {
+                let inner = self.inner[group].0[lane];
+                let first = first_a[a][lane].multiply_add(newest_b[group][lane], inner);
+                *sum = newest_a[a][lane].multiply_add(first_b[group][lane], first);
+            }
+        }
+        sums
     }
 
     /// Stores the factors found in step k.
@@ -163,11 +238,19 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         match k {
             0 => self.first.0 = *a,
             // The product of both factors of order zero occurs only once.
-            1 => self.first.1 = self.b[0].map(|Four(b)| b),
+            1 => {
+                for (first, b) in self.first.1.iter_mut().zip(&self.b[0]) {
+                    *first = b.0;
+                }
+            }
             _ => {}
         }
-        self.a[k] = a.map(Four);
-        self.b[k] = b.map(Four);
+        for (kept, a) in self.a[k].iter_mut().zip(a) {
+            *kept = Four(*a);
+        }
+        for (kept, b) in self.b[k].iter_mut().zip(b) {
+            *kept = Four(*b);
+        }
     }
 
     /// Begins to track arguments of tables from these values, in pieces with these ends.
@@ -210,7 +293,9 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
         };
         SeriesSolver(core::array::from_fn(column))
     }
+}
 
+impl<S: Number, const N: usize> SeriesSolver<S, N> {
     /// Inverts a positive definite matrix, which needs no pivoting.
     ///
     /// Gauss–Jordan elimination in place: Peters and Wilkinson, "On the stability of Gauss–Jordan
@@ -219,29 +304,44 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
     /// inverse, (1, −1) and (−1, 2).
     #[inline(always)]
     pub fn definite<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
-        let mut rows: [[S; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| entries[i * N + j]));
+        let mut rows = [[S::ZERO; N]; N];
+        for (row, entries) in rows.iter_mut().zip(entries.chunks_exact(N)) {
+            row.copy_from_slice(entries);
+        }
         for pivot in 0..N {
-            let reciprocal = S::ONE / rows[pivot][pivot];
-            rows[pivot][pivot] = S::ONE;
-            let scaled = rows[pivot].map(|entry| entry * reciprocal);
-            for (i, row) in rows.iter_mut().enumerate() {
+            let (mut scaled, reciprocal) = (rows[pivot], S::ONE / rows[pivot][pivot]);
+            scaled[pivot] = S::ONE;
+            for entry in &mut scaled {
+                *entry = *entry * reciprocal;
+            }
+            for row in &mut rows {
                 let factor = -row[pivot];
                 row[pivot] = S::ZERO;
-                let reduced = core::array::from_fn(|j| scaled[j].multiply_add(factor, row[j]));
-                *row = if i == pivot { scaled } else { reduced };
+                for (entry, scaled) in row.iter_mut().zip(scaled) {
+                    *entry = scaled.multiply_add(factor, *entry);
+                }
+            }
+            rows[pivot] = scaled;
+        }
+        let mut columns = [[S::ZERO; N]; N];
+        for (i, row) in rows.iter().enumerate() {
+            for (column, entry) in columns.iter_mut().zip(row) {
+                column[i] = -*entry;
             }
         }
-        SeriesSolver(core::array::from_fn(|j| core::array::from_fn(|i| -rows[i][j])))
+        SeriesSolver(columns)
     }
 
     /// Computes (a, λ) = −M⁻¹ r.
     #[inline(always)]
     pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
-        let mut columns = self.0.iter().zip(residuals);
-        let first = columns.next().map(|(column, residual)| column.map(|entry| entry * *residual));
-        columns.fold(first.unwrap_or([S::ZERO; N]), |sums, (column, residual)| {
-            core::array::from_fn(|i| column[i].multiply_add(*residual, sums[i]))
-        })
+        let mut sums = [S::ZERO; N];
+        for (j, (column, residual)) in self.0.iter().zip(residuals).enumerate() {
+            for (sum, entry) in sums.iter_mut().zip(column) {
+                *sum = if j == 0 { *entry * *residual } else { entry.multiply_add(*residual, *sum) };
+            }
+        }
+        sums
     }
 }
 
