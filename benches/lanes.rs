@@ -221,13 +221,15 @@ where
 
 /// Returns the sum of the ends of motions in equal steps.
 #[inline(always)]
-fn run_to_end<S, E>(motions: &mut impl LanesStepper<S, E>, equations: &E) -> f64
+fn run_to_end<S, E, L>(motions: &mut L, equations: &E) -> f64
 where
     S: SideBySide<Element = f64>,
     E: Equations<S, State = [S; 4]>,
+    L: LanesStepper<S, E>,
 {
+    let mut workspace = L::workspace();
     while motions.time().lane(0) < UNTIL {
-        motions.step(equations);
+        motions.step(equations, &mut workspace);
     }
     (0..S::LANES).map(|lane| motions.state()[0].lane(lane)).sum()
 }

@@ -4,10 +4,15 @@
 //! `cargo bench -p lagrange-benches --bench series`. The two alternate, and each time is the
 //! shortest of many. Errors are those of the final state, in its largest component, against a
 //! series of order 36.
+//!
+//! Further rows compare both in lanes, on one thread, with microseconds of one motion among many.
+//! Starts differ slightly, except that of the motion whose error is shown.
 
 use std::hint::black_box;
 use std::time::Instant;
 
+use lagrange::Ensembles;
+use lagrange::ensemble::SharedSystem;
 use lagrange::integrate::{Method, Stepper, Taylor, Verner98};
 use lagrange::system::{OdeSystem, TaylorSystem};
 
@@ -21,7 +26,7 @@ lagrange::system! {
     let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
     kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
     potential = m1 * g * y1 + m2 * g * y2;
-    emit { taylor }
+    emit { lanes, taylor }
 }
 
 lagrange::system! {
@@ -31,7 +36,7 @@ lagrange::system! {
     coord r, phi;
     kinetic = 1/2 * (dot(r)^2 + (r * dot(phi))^2);
     potential = -1 / r;
-    emit { taylor }
+    emit { lanes, taylor }
 }
 
 lagrange::system! {
@@ -46,7 +51,7 @@ lagrange::system! {
     }
     kinetic = sum(i in 0..6, 1/2 * m[i] * (dot(x[i])^2 + dot(y[i])^2));
     potential = sum(i in 0..6, m[i] * g * y[i]);
-    emit { taylor }
+    emit { lanes, taylor }
 }
 
 lagrange::system! {
@@ -61,6 +66,10 @@ lagrange::system! {
 }
 
 const REPEATS: usize = 40;
+/// Number of motions in an ensemble.
+const MOTIONS: usize = 32;
+/// Number of measurements of an ensemble.
+const ROUNDS: usize = 100;
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 
 /// Returns the end of a motion, and its number of steps.
@@ -69,12 +78,30 @@ fn end<M: OdeSystem<Scalar = f64>>(
     start: &M::State,
     end: f64,
     method: &impl Method<M>,
-) -> (M::State, u64) {
+) -> (M::State, String) {
     let mut stepper = method.start(system, 0.0, start, end).expect("starts");
     while stepper.time() < end {
         stepper.step(system, end).expect("goes on");
     }
-    (*stepper.state(), stepper.work().steps)
+    (*stepper.state(), stepper.work().steps.to_string())
+}
+
+/// Returns the end of the first motion of an ensemble on one thread, and no number of steps.
+fn first_end<M: SharedSystem<Scalar = f64>>(
+    system: &M,
+    start: &M::State,
+    end: f64,
+    method: &(impl Method<M> + Clone + Sync),
+) -> (M::State, String) {
+    let starts = |index, random: &mut lagrange::ensemble::Random| {
+        let (mut state, most) = (*start, if index == 0 { 0.0 } else { 1e-2 });
+        state.as_mut().iter_mut().for_each(|entry| *entry += most * random.normal());
+        state
+    };
+    let motions = system.ensemble(MOTIONS).start(starts).until(end).method(method.clone()).threads(1);
+    assert!(motions.is_in_lanes());
+    let ends = motions.run().expect("runs");
+    (ends.state(0).expect("ended"), "–".to_owned())
 }
 
 /// Returns the microseconds of a run.
@@ -84,23 +111,51 @@ fn microseconds<T>(run: impl FnOnce() -> T) -> f64 {
     1e6 * began.elapsed().as_secs_f64()
 }
 
+/// Returns the end of a motion by a method, and its number of steps.
+type EndOf<'a, M, K> = &'a dyn Fn(&K) -> (<M as OdeSystem>::State, String);
+
 fn compare<M: TaylorSystem<Scalar = f64>>(name: &str, system: &M, start: M::State, until: f64) {
     let exact = Taylor { order: Some(36), ..Taylor::tolerance(1e-17) };
     let (reference, _) = end(system, &start, until, &exact);
+    let ends: (EndOf<'_, M, _>, EndOf<'_, M, _>) =
+        (&|series| end(system, &start, until, series), &|pair| end(system, &start, until, pair));
+    table::<M>(name, &reference, ends, (REPEATS, 1));
+}
+
+fn compare_in_lanes<M: TaylorSystem<Scalar = f64> + SharedSystem>(
+    name: &str,
+    system: &M,
+    start: M::State,
+    until: f64,
+) {
+    let exact = Taylor { order: Some(36), ..Taylor::tolerance(1e-17) };
+    let (reference, _) = end(system, &start, until, &exact);
+    let ends: (EndOf<'_, M, _>, EndOf<'_, M, _>) =
+        (&|series| first_end(system, &start, until, series), &|pair| first_end(system, &start, until, pair));
+    table::<M>(&format!("{name} in lanes"), &reference, ends, (ROUNDS, MOTIONS));
+}
+
+/// Prints rows for both methods, with times of one of several motions.
+fn table<M: OdeSystem<Scalar = f64>>(
+    name: &str,
+    reference: &M::State,
+    (by_series, by_pair): (EndOf<'_, M, Taylor<f64>>, EndOf<'_, M, Verner98<f64>>),
+    (repeats, motions): (usize, usize),
+) {
     let error = |y: &M::State| {
         let pairs = y.as_ref().iter().zip(reference.as_ref());
         pairs.fold(0.0_f64, |most, (found, expected)| most.max((found - expected).abs()))
     };
     for tolerance in TOLERANCES {
         let (series, pair) = (Taylor::tolerance(tolerance), Verner98::tolerance(tolerance));
-        let [of_series, of_pair] = [end(system, &start, until, &series), end(system, &start, until, &pair)];
+        let [of_series, of_pair] = [by_series(&series), by_pair(&pair)];
         let (mut best, mut best_pair) = (f64::INFINITY, f64::INFINITY);
-        for _ in 0..REPEATS {
-            best = best.min(microseconds(|| end(system, &start, until, &series)));
-            best_pair = best_pair.min(microseconds(|| end(system, &start, until, &pair)));
+        for _ in 0..repeats {
+            best = best.min(microseconds(|| by_series(&series)) / motions as f64);
+            best_pair = best_pair.min(microseconds(|| by_pair(&pair)) / motions as f64);
         }
         println!(
-            "{name:>16} {tolerance:e}: series {:>5} steps {:.1e} {best:>8.1}   pair {:>5} steps {:.1e} {best_pair:>8.1}",
+            "{name:>24} {tolerance:e}: series {:>5} steps {:.1e} {best:>8.1}   pair {:>5} steps {:.1e} {best_pair:>8.1}",
             of_series.1,
             error(&of_series.0),
             of_pair.1,
@@ -118,5 +173,8 @@ fn main() {
     compare("Kepler", &Kepler, [0.4, 0.0, 0.0, 5.0], 20.0 * std::f64::consts::PI);
     let chain = [1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     compare("chain of six", &Chain::default(), chain, 3.0);
+    compare_in_lanes("double pendulum", &pendulum, [2.0, 1.5, 0.0, 0.0], 10.0);
+    compare_in_lanes("Kepler", &Kepler, [0.4, 0.0, 0.0, 5.0], 20.0 * std::f64::consts::PI);
+    compare_in_lanes("chain of six", &Chain::default(), chain, 3.0);
     compare("heavy top", &Top::default(), [0.9, 0.3, 0.1, 0.3, 0.1, 0.2, 5.0], 10.0);
 }

@@ -146,19 +146,19 @@ fn cases() -> Vec<Case> {
             "smooth, chaotic", "Double pendulum",
             "m = l = 1, g = 9.81, released at θ = (2, 1.5), 10 s. Chaotic.",
             "double_pendulum", double_pendulum {}, [2.0, 1.5, 0.0, 0.0], 10.0,
-            with [canonical, lanes]
+            with [canonical, lanes, taylor_lanes]
         ),
         case!(
             "smooth, for a long time", "Kepler",
             "e = 0.6, a = μ = 1, Cartesian coordinates, 100 periods from the pericentre. Separable.",
             "planet", planet {}, [0.4, 0.0, 0.0, 2.0], 100.0 * TAU,
-            with [separable, lanes]
+            with [separable, lanes, taylor_lanes]
         ),
         case!(
             "smooth, regular", "Heavy top",
             "I₁ = 1, I₃ = 0.5, m g l = 1, let go at θ = 0.5 with a spin of 10 rad/s, 10 s.",
             "heavy_top", heavy_top {}, [0.0, 0.5, 0.0, 0.0, 0.0, 10.0], 10.0,
-            with [canonical, lanes]
+            with [canonical, lanes, taylor_lanes]
         ),
         case!(
             "a body in space", "Free body",
@@ -186,7 +186,7 @@ fn cases() -> Vec<Case> {
             "stiff, not damped", "Elastic pendulum",
             "m = l = 1, g = 9.81, k = 10⁶, released at θ = 1 with the spring stretched by the load, 10 s.",
             "elastic_pendulum", elastic_pendulum {}, [1.0000053, 1.0, 0.0, 0.0], 10.0,
-            with [canonical, lanes], reduced on_a_rod
+            with [canonical, lanes, taylor_lanes], reduced on_a_rod
         ),
         case!(
             "stiff, damped", "Damped pendulum",
@@ -199,7 +199,7 @@ fn cases() -> Vec<Case> {
             "A classical electron about a proton in SI units: a mass of 1e-30, lengths of 1e-11, ten periods.\nErrors \
              are in units of 2.1e-11 m and 4.4e6 m/s.",
             "electron", planet { m: 9.1093837e-31, k: 2.3070776e-28 }, [2.1e-11, 0.0, 0.0, 4.4e6], 1.5e-15,
-            with [separable, lanes], sizes [2.1e-11, 2.1e-11, 4.4e6, 4.4e6]
+            with [separable, lanes, taylor_lanes], sizes [2.1e-11, 2.1e-11, 4.4e6, 4.4e6]
         ),
     ]
 }

@@ -11,9 +11,12 @@ mod lanes;
 mod late;
 mod noise;
 mod pictures;
+#[path = "../references/mod.rs"]
+mod references;
 mod refusals;
 mod runs;
 mod sensitivities;
+mod series;
 mod stochastic;
 
 lagrange::system! {

@@ -183,7 +183,8 @@ fn skeleton_of_regressor() -> Regressed {
 }
 
 fn skeleton_of_taylor() -> Taylor {
-    Taylor { shared: 0, groups: 0, followed: Vec::new(), body: quote!(::core::unreachable!()) }
+    let body = quote!(::core::unreachable!());
+    Taylor { shared: 0, groups: 0, followed: Vec::new(), is_in_lanes: false, body }
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {

@@ -251,6 +251,11 @@ impl<S: SideBySide, Y: AsRef<[S]>> SuspectStep<S, Y> {
 pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     /// Data of the last step in every lane for interpolation; empty unless requested.
     type LastStep: Copy;
+    /// Storage for steps that no copy of the stepper contains.
+    type Workspace;
+
+    /// Creates the storage.
+    fn workspace() -> Self::Workspace;
 
     /// Returns the data before any step.
     fn last_step(&self) -> Self::LastStep;
@@ -259,7 +264,7 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     fn begin(&self, last: &mut Self::LastStep);
 
     /// Tries a step in every lane, towards the end and not beyond.
-    fn step(&mut self, equations: &E);
+    fn step(&mut self, equations: &E, workspace: &mut Self::Workspace);
 
     /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have
     /// just taken a step. If the method estimates that interpolation is less accurate than the end
@@ -268,7 +273,7 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
 
     /// Returns the states at times within the last steps, in prepared lanes, or at their ends. For
     /// other times, the result is arbitrary.
-    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State;
+    fn interpolate(&self, workspace: &Self::Workspace, last: &Self::LastStep, t: S) -> E::State;
 
     /// Returns the present times: exactly the end if a motion has ended, NaN if it was abandoned.
     fn time(&self) -> S;

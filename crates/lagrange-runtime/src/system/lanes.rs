@@ -76,9 +76,18 @@ impl<T: Scalar, const N: usize, const FUSED: bool> SideBySide for Lanes<T, N, FU
 pub trait Equations<S: Number>: Copy {
     /// The state `[q…, v…]`.
     type State: StateVector<S>;
+    /// Storage for the Taylor series of the motion; `()` if there are none.
+    type Series: Default;
 
     /// Computes the right-hand side ẏ = f(t, y), as [`OdeSystem`](super::OdeSystem::rhs) does.
     fn rhs(&self, t: S, y: &Self::State) -> Self::State;
+
+    /// Computes the coefficients of the motion, as
+    /// [`TaylorSystem::expand`](super::TaylorSystem::expand) does; NaN if there are no series.
+    #[inline(always)]
+    fn expand(&self, _t: S, _y: &Self::State, _series: &mut Self::Series, coefficients: &mut [Self::State]) {
+        coefficients.iter_mut().for_each(|coefficients| coefficients.as_mut().fill(S::NAN));
+    }
 }
 
 /// A system that provides its equations for numbers in lanes. Emitted types implement it if the

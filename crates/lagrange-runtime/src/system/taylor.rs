@@ -27,6 +27,8 @@ pub const MAX_ORDER: usize = 40;
 pub trait TaylorSystem: OdeSystem {
     /// Storage for the series of products, reused by each expansion.
     type Series: Clone + core::fmt::Debug;
+    /// True if the [equations for lanes](super::LanesSystem) have series, too.
+    const IN_LANES: bool = false;
 
     /// Creates empty storage.
     fn series() -> Self::Series;
@@ -49,6 +51,10 @@ pub trait TaylorSystem: OdeSystem {
     }
 }
 
+/// Size of the largest numbers of which four groups are added up in one loop: those of a single
+/// motion.
+const LARGEST_TOGETHER: usize = 16;
+
 /// Four numbers that are added and multiplied lane by lane.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
@@ -60,12 +66,20 @@ impl<S: Number> Four<S> {
     /// Computes self + a b.
     #[inline(always)]
     fn plus(self, a: &Self, b: &Self) -> Self {
-        Four(core::array::from_fn(|lane| a.0[lane].multiply_add(b.0[lane], self.0[lane])))
+        let mut sum = self;
+        for lane in 0..4 {
+            sum.0[lane] = a.0[lane].multiply_add(b.0[lane], self.0[lane]);
+        }
+        sum
     }
 
     #[inline(always)]
-    fn sum(self, other: &Self) -> Self {
-        Four(core::array::from_fn(|lane| self.0[lane] + other.0[lane]))
+    fn sum(&self, other: &Self) -> Self {
+        let mut sum = *self;
+        for lane in 0..4 {
+            sum.0[lane] = self.0[lane] + other.0[lane];
+        }
+        sum
     }
 }
 
@@ -100,8 +114,19 @@ pub struct Products<S, const SHARED: usize, const GROUPS: usize, const ARGUMENTS
     first: SeriesFactors<S, SHARED, GROUPS>,
     /// Sums without the factors of order zero and without the newest ones.
     inner: [Four<S>; GROUPS],
+    /// Parts of the next such sums, of numbers in lanes.
+    ahead: [Four<S>; GROUPS],
     /// Arguments of tables.
     pieces: [TablePiece<S>; ARGUMENTS],
+}
+
+impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize> Default
+    for Products<S, SHARED, GROUPS, ARGUMENTS>
+{
+    #[inline(always)]
+    fn default() -> Self {
+        Self::EMPTY
+    }
 }
 
 /// Factors of one order.
@@ -117,6 +142,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         first: Self::NONE,
         inner: [Four::ZERO; GROUPS],
         pieces: [TablePiece::EMPTY; ARGUMENTS],
+        ahead: [Four::ZERO; GROUPS],
     };
     /// Factors of an order before the first one.
     pub const NONE: SeriesFactors<S, SHARED, GROUPS> = ([[S::ZERO; 4]; SHARED], [[S::ZERO; 4]; GROUPS]);
@@ -132,6 +158,16 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     /// step.
     #[inline(always)]
     pub fn add_up<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
+        if size_of::<S>() > LARGEST_TOGETHER {
+            let (pairs, last) = shared.as_chunks::<2>();
+            for (pair, shared) in pairs.iter().enumerate() {
+                self.add_up_in_lanes(k, group + 2 * pair, *shared);
+            }
+            if let [shared] = last {
+                self.add_up_in_lanes(k, group + N - 1, [*shared]);
+            }
+            return;
+        }
         let inner = 1..k.saturating_sub(1);
         let (a, b) = (self.a.get(inner.clone()), self.b.get(inner));
         let sums =
@@ -141,6 +177,43 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
                 }
             });
         self.inner[group..group + N].copy_from_slice(&sums);
+    }
+
+    /// Computes the sums of groups of products of numbers in lanes, which fill the registers.
+    ///
+    /// Loads of factors take most of the time. In every other step, the same factors also serve the
+    /// sums of the next one, from which two terms are then missing.
+    #[inline(always)]
+    fn add_up_in_lanes<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
+        for lane in 0..4 {
+            let (mut sums, mut next, mut last) = ([S::ZERO; N], [S::ZERO; N], [S::ZERO; N]);
+            let inner = 1..k.saturating_sub(1).max(1);
+            if k.is_multiple_of(2) {
+                let (a, b) = (&self.a[inner.clone()], &self.b[inner]);
+                for (a, b) in a.iter().zip(b.iter().rev()) {
+                    for place in 0..N {
+                        let (a, b) = (a[shared[place]].0[lane], b[group + place].0[lane]);
+                        sums[place] = a.multiply_add(b, sums[place]);
+                        next[place] = a.multiply_add(last[place], next[place]);
+                        last[place] = b;
+                    }
+                }
+            } else {
+                let ends = [(1, k.saturating_sub(2)), (k.saturating_sub(2), 1)];
+                let terms = k.saturating_sub(2).min(2);
+                for place in 0..N {
+                    sums[place] = self.ahead[group + place].0[lane];
+                    for (j, other) in ends.into_iter().take(terms) {
+                        let (a, b) = (&self.a[j][shared[place]], &self.b[other][group + place]);
+                        sums[place] = a.0[lane].multiply_add(b.0[lane], sums[place]);
+                    }
+                }
+            }
+            for place in 0..N {
+                self.inner[group + place].0[lane] = sums[place];
+                self.ahead[group + place].0[lane] = next[place];
+            }
+        }
     }
 
     /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for all groups, after [`add_up`](Self::add_up) for each. The
@@ -156,13 +229,15 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         // code into the loops, as permutations for each term.
         core::hint::black_box(&mut self.inner);
         let (first_a, first_b) = &self.first;
-        core::array::from_fn(|group| {
-            let a = shared[group];
-            core::array::from_fn(|lane| {
-                let sum = first_a[a][lane].multiply_add(newest_b[group][lane], self.inner[group].0[lane]);
-                newest_a[a][lane].multiply_add(first_b[group][lane], sum)
-            })
-        })
+        let mut sums = [[S::ZERO; 4]; GROUPS];
+        for (group, (sums, a)) in sums.iter_mut().zip(shared).enumerate() {
+            for (lane, sum) in sums.iter_mut().enumerate() {
+                let inner = self.inner[group].0[lane];
+                let first = first_a[a][lane].multiply_add(newest_b[group][lane], inner);
+                *sum = newest_a[a][lane].multiply_add(first_b[group][lane], first);
+            }
+        }
+        sums
     }
 
     /// Stores the factors found in step k.
@@ -171,11 +246,19 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         match k {
             0 => self.first.0 = *a,
             // The product of both factors of order zero occurs only once.
-            1 => self.first.1 = self.b[0].map(|Four(b)| b),
+            1 => {
+                for (first, b) in self.first.1.iter_mut().zip(&self.b[0]) {
+                    *first = b.0;
+                }
+            }
             _ => {}
         }
-        self.a[k] = a.map(Four);
-        self.b[k] = b.map(Four);
+        for (kept, a) in self.a[k].iter_mut().zip(a) {
+            *kept = Four(*a);
+        }
+        for (kept, b) in self.b[k].iter_mut().zip(b) {
+            *kept = Four(*b);
+        }
     }
 
     /// Begins to track arguments of tables from these values, in pieces with these ends.

@@ -175,7 +175,9 @@ pub(in crate::emit) struct Taylor {
     pub(in crate::emit) groups: usize,
     /// Tables with the indices of their tracked arguments.
     pub(in crate::emit) followed: Vec<(Opaque, usize)>,
-    /// The body of `TaylorSystem::expand`.
+    /// True if the type for numbers in lanes has the body.
+    pub(in crate::emit) is_in_lanes: bool,
+    /// The body of `TaylorSystem::expand`, or of `Equations::expand`.
     pub(in crate::emit) body: TokenStream,
 }
 

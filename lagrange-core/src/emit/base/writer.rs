@@ -233,15 +233,17 @@ impl<'a> MethodWriter<'a> {
         quote!(#bindings #statements #result)
     }
 
-    /// Writes a program as the body of a method.
+    /// Writes a program as the body of a method of the state, of the system or of the type for
+    /// numbers in lanes.
     pub(in crate::emit) fn lowered_program(
         &mut self,
         program: &Program,
-        arguments: Arguments,
+        is_in_lanes: bool,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         self.size.add(OperationCounts::of(program), program.outputs().len());
-        self.body(program, arguments, EmittedType::System, collect)
+        let emitted_type = if is_in_lanes { EmittedType::Lanes } else { EmittedType::System };
+        self.body(program, Arguments::Whole, emitted_type, collect)
     }
 
     /// Writes a program as a separate function.

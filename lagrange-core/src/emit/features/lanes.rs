@@ -7,6 +7,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::taylor::series_in_lanes;
 use crate::emit::base::docs;
 use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::fields::{entries, places};
@@ -112,12 +113,13 @@ pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Opti
             }
         }
     });
-    let system = system_impl(shape);
+    let (system, series) = (system_impl(shape), series_in_lanes(shape, members));
     Some(quote! {
         #sides
         #[automatically_derived]
         impl<#number: #krate::Number> #krate::system::Equations<#number> for #name<#number> {
             type State = [#number; #all];
+            #series
             #[inline(always)]
             fn rhs(&self, #time: #number, #state: &[#number; #all]) -> [#number; #all] {
                 #rhs

@@ -5,23 +5,24 @@
 //! ([`Groups`]).
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::series::{WithoutSeries, derived_series};
 use super::tables::piece_name;
 use crate::emit::base::members::{Members, Taylor};
-use crate::emit::base::method::Arguments;
 use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
-use lagrange_algebra::code::Names;
-use lagrange_algebra::program::{Program, optimise};
+use lagrange_algebra::code::{Names, Scalar};
+use lagrange_algebra::program::{Op, Program, optimise};
 use lagrange_algebra::series::{Groups, SeriesPrograms, Slot};
 use lagrange_expr::symbol::{Role, Symbols};
 
 /// Maximum number of groups whose sums share one loop; more would exhaust the registers.
 const LOOP: usize = 4;
+/// Maximum number of groups for numbers in lanes. Each takes 10 kB of a thread's stack.
+const MAX_GROUPS_IN_LANES: usize = 32;
 
 /// Writes the expansion of the motion, if it is requested.
 pub(in crate::emit) fn write_taylor(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
@@ -39,22 +40,43 @@ pub(in crate::emit) fn write_taylor(writer: &mut MethodWriter<'_>) -> Result<(),
 
 /// Writes the expansion; `None` if a constant is too large, which is recorded.
 fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<Taylor> {
-    let initial = optimise(&programs.initial, writer.model.accuracy);
-    let start = writer.lowered_program(&initial, Arguments::Whole, |values| quote!([#(#values),*]));
     let groups = Groups::new(&programs.sums);
-    let next = newest(writer, programs, &groups)?;
+    let is_in_lanes = groups.groups.len() <= MAX_GROUPS_IN_LANES && are_for_lanes(writer, programs);
+    let initial = optimise(&programs.initial, writer.model.accuracy);
+    let start = writer.lowered_program(&initial, is_in_lanes, |values| quote!([#(#values),*]));
+    let next = newest(writer, programs, &groups, is_in_lanes)?;
     let inversion = if writer.model.constraints.is_empty() { "definite" } else { "new" };
-    let body = expansion(writer.shape, programs, &groups, inversion, [&start, &next]);
+    let scalar = if is_in_lanes {
+        writer.shape.lanes_number().to_token_stream()
+    } else {
+        writer.shape.scalar().to_token_stream()
+    };
+    let body = expansion((writer.shape, &scalar), programs, &groups, inversion, [&start, &next]);
     let followed =
         programs.arguments.iter().map(|argument| (argument.table.clone(), argument.axis)).collect();
-    Some(Taylor { shared: groups.shared.len(), groups: groups.groups.len(), followed, body })
+    let (shared, groups) = (groups.shared.len(), groups.groups.len());
+    Some(Taylor { shared, groups, followed, is_in_lanes, body })
+}
+
+/// True if the series are written for numbers in lanes, which cannot stop at the ends of pieces of
+/// tables. Values of tables and solutions of equations are computed one by one.
+fn are_for_lanes(writer: &MethodWriter<'_>, programs: &SeriesPrograms) -> bool {
+    let mut all = [&programs.initial, &programs.expansion].into_iter().chain(&programs.correction);
+    let is_opaque = |program: &Program| program.values().any(|(_, op)| matches!(op, Op::Opaque(..)));
+    writer.members.lanes.is_some() && writer.shape.switches.is_empty() && !all.any(is_opaque)
 }
 
 /// Returns a block with the stored values of one order.
-fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, groups: &Groups) -> Option<TokenStream> {
-    let expansion = step(writer, programs, groups, &programs.expansion)?;
+fn newest(
+    writer: &mut MethodWriter<'_>,
+    programs: &SeriesPrograms,
+    groups: &Groups,
+    is_in_lanes: bool,
+) -> Option<TokenStream> {
+    let scalar = if is_in_lanes { writer.shape.lanes_computed_with() } else { writer.shape.computed_with() };
+    let expansion = step(writer, programs, groups, (&programs.expansion, &scalar))?;
     let Some(correction) = &programs.correction else { return Some(expansion) };
-    let correction = step(writer, programs, groups, correction)?;
+    let correction = step(writer, programs, groups, (correction, &scalar))?;
     let unknowns = writer.model.speeds.len() + writer.model.constraints.len();
     let (kept, n) = (length(programs.kept), length(unknowns));
     let [partial, acceleration, velocity] = ["partial", "acceleration", "velocity"].map(local);
@@ -69,13 +91,13 @@ fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, groups: &Gro
 
 /// Returns the loop over the orders.
 fn expansion(
-    shape: &Shape<'_>,
+    (shape, scalar): (&Shape<'_>, &TokenStream),
     programs: &SeriesPrograms,
     groups: &Groups,
     inversion: &str,
     [start_values, next_values]: [&TokenStream; 2],
 ) -> TokenStream {
-    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
+    let (krate, all) = (shape.krate, shape.state_length());
     let [start, now, next, sum, solver] = ["start", "now", "next", "sum", "solver"].map(local);
     let [order, integral, k] = ["present", "integral", "k"].map(local);
     let [series, coefficients, newest] = ["series", "coefficients", "newest"].map(local);
@@ -147,15 +169,14 @@ fn step(
     writer: &mut MethodWriter<'_>,
     programs: &SeriesPrograms,
     groups: &Groups,
-    program: &Program,
+    (program, scalar): (&Program, &Scalar),
 ) -> Option<TokenStream> {
     let program = optimise(program, writer.model.accuracy);
     let mut names = Names::new(ARRAYS);
     for (index, slot) in programs.slots.iter().enumerate() {
         names.assign(Role::Placeholder(index as u32), &variable(*slot));
     }
-    let scalar = writer.shape.computed_with();
-    let body = writer.lowered_apart(&program, &scalar, &mut names)?;
+    let body = writer.lowered_apart(&program, scalar, &mut names)?;
     let symbols = Symbols::default();
     let bindings = body.used.iter().filter_map(|&role| {
         let Role::Placeholder(index) = role else { return None };
@@ -216,23 +237,34 @@ fn variable(slot: Slot) -> String {
 
 /// Implements `TaylorSystem`, if series are requested.
 pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
-    let Taylor { shared, groups, followed, body } = members.taylor.as_ref()?;
+    let taylor = members.taylor.as_ref()?;
     let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
     let (scalar, all) = (shape.scalar(), shape.state_length());
-    let reach = (!followed.is_empty()).then(|| {
+    let reach = (!taylor.followed.is_empty()).then(|| {
         quote! {
             fn reach(series: &Self::Series, h: #scalar) -> #scalar {
                 series.reach(h)
             }
         }
     });
-    let [shared, groups, followed] = [*shared, *groups, followed.len()].map(length);
     let (time, state) = (&members.names.time, &members.names.state);
     let [series, coefficients] = ["series", "coefficients"].map(local);
+    let (products, own) = (products(krate, &scalar.to_token_stream(), taylor), &taylor.body);
+    let in_lanes = taylor.is_in_lanes.then(|| {
+        quote!(
+            const IN_LANES: ::core::primitive::bool = true;
+        )
+    });
+    let of_lanes = quote! {
+        let lanes = #krate::system::LanesSystem::lanes(self, |number| number);
+        #krate::system::Equations::expand(&lanes, #time, #state, #series, #coefficients);
+    };
+    let body = if taylor.is_in_lanes { &of_lanes } else { own };
     Some(quote! {
         #[automatically_derived]
         impl #bounds #krate::system::TaylorSystem for #name #generics {
-            type Series = #krate::private::Products<#scalar, #shared, #groups, #followed>;
+            type Series = #products;
+            #in_lanes
             fn series() -> Self::Series {
                 #krate::private::Products::EMPTY
             }
@@ -250,4 +282,36 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
             #reach
         }
     })
+}
+
+/// Returns the storage for products of series of these numbers.
+fn products(krate: &TokenStream, number: &TokenStream, taylor: &Taylor) -> TokenStream {
+    let [shared, groups, followed] = [taylor.shared, taylor.groups, taylor.followed.len()].map(length);
+    quote!(#krate::private::Products<#number, #shared, #groups, #followed>)
+}
+
+/// Returns the members of `Equations` for series of numbers in lanes.
+pub(in crate::emit) fn series_in_lanes(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let Some(taylor) = members.taylor.as_ref().filter(|taylor| taylor.is_in_lanes) else {
+        return quote!(
+            type Series = ();
+        );
+    };
+    let (number, all) = (shape.lanes_number().to_token_stream(), shape.state_length());
+    let (time, state, body) = (&members.names.time, &members.names.state, &taylor.body);
+    let [series, coefficients] = ["series", "coefficients"].map(local);
+    let products = products(shape.krate, &number, taylor);
+    quote! {
+        type Series = #products;
+        #[inline(always)]
+        fn expand(
+            &self,
+            #time: #number,
+            #state: &[#number; #all],
+            #series: &mut Self::Series,
+            #coefficients: &mut [[#number; #all]],
+        ) {
+            #body
+        }
+    }
 }

@@ -443,6 +443,7 @@ const _: () = {
     #[automatically_derived]
     impl<S: ::lagrange::Number> ::lagrange::system::Equations<S> for WinchLanes<S> {
         type State = [S; 4];
+        type Series = ();
         #[inline(always)]
         fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
             let Self { m, r, k, limit, stop, g, u } = *self;

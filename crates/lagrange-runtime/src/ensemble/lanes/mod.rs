@@ -60,8 +60,10 @@ where
     /// - the method is [`Verner98`](crate::integrate::Verner98),
     ///   [`RungeKutta4`](crate::integrate::RungeKutta4),
     ///   [`StormerVerlet`](crate::integrate::StormerVerlet),
-    ///   [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
-    ///   [`BlanesMoan4`](crate::integrate::BlanesMoan4);
+    ///   [`SymplecticEuler`](crate::integrate::SymplecticEuler),
+    ///   [`BlanesMoan4`](crate::integrate::BlanesMoan4) or, for
+    ///   [series in lanes](crate::system::TaylorSystem::IN_LANES),
+    ///   [`Taylor`](crate::integrate::Taylor);
     /// - only ends, samples and columns are requested: no laws, sensitivities, controllers, events
     ///   or restarts.
     ///

@@ -3,6 +3,7 @@
 //! Motions are started one by one, each in a single lane. The start of a method costs little at run
 //! time. A copy of it for all lanes would be a third of the compiled code.
 
+use std::boxed::Box;
 use std::vec::Vec;
 
 use super::dispatch::Task;
@@ -99,6 +100,9 @@ type LanesGroupOf<M, L, S> = LanesGroup<<M as LanesSystem>::Lanes<S>, StepperOf<
 /// Stepper of motions side by side.
 type StepperOf<M, L, S> = <L as LanesMethod<ScalarOf<M>>>::Stepper<S, <M as LanesSystem>::Lanes<S>>;
 
+/// Storage of the stepper.
+type WorkspaceOf<M, L, S> = <StepperOf<M, L, S> as LanesStepper<S, <M as LanesSystem>::Lanes<S>>>::Workspace;
+
 /// Sampler of motions side by side.
 type SamplerOf<M, L, S> = Sampler<
     S,
@@ -165,7 +169,9 @@ where
 {
     let mut running = queue.lanes::<L, S>(method);
     let sampler = queue.grid.filter(|_| SAMPLED).map(|grid| Sampler::new(grid, running.stepper.last_step()));
-    let mut progress = QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler };
+    let workspace = Box::new(<StepperOf<M, L, S> as LanesStepper<S, M::Lanes<S>>>::workspace());
+    let mut progress =
+        QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, workspace, sampler };
     progress.ends.resize_with(queue.starts.len(), || None);
     let domain = queue.system.domain();
     loop {
@@ -209,6 +215,7 @@ where
     next: usize,
     /// Number of motions in lanes.
     busy: usize,
+    workspace: Box<WorkspaceOf<M, L, S>>,
     /// `Some` if motions are `SAMPLED`.
     sampler: Option<SamplerOf<M, L, S>>,
 }
@@ -238,9 +245,9 @@ where
         if SAMPLED && let Some(sampler) = &mut self.sampler {
             sampler.begin(stepper);
         }
-        stepper.step(equations);
+        stepper.step(equations, &mut self.workspace);
         if SAMPLED && let Some(sampler) = &mut self.sampler {
-            sampler.keep(equations, stepper);
+            sampler.keep(equations, stepper, &self.workspace);
         }
     }
 

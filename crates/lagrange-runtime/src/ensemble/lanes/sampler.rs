@@ -61,10 +61,11 @@ where
     /// Keeps the samples within the last steps. Steps whose interpolation is not good enough are
     /// taken back.
     #[inline(always)]
-    pub(super) fn keep<E: Equations<S>>(
+    pub(super) fn keep<E: Equations<S>, L: LanesStepper<S, E, LastStep = W>>(
         &mut self,
         equations: &E,
-        stepper: &mut impl LanesStepper<S, E, LastStep = W>,
+        stepper: &mut L,
+        workspace: &L::Workspace,
     ) {
         let (next, reached) = (self.next, stepper.time());
         let are_within = self.are_due(reached) & !(next.less_equal(reached) & reached.less_equal(next));
@@ -76,7 +77,7 @@ where
             if !are_due.any() {
                 break;
             }
-            let states = stepper.interpolate(&self.last, self.next);
+            let states = stepper.interpolate(workspace, &self.last, self.next);
             self.push(are_due, states.as_ref());
         }
     }

@@ -12,19 +12,19 @@ use super::refill::{EndsOf, MotionStart, Queue, refilled};
 use crate::ensemble::progress::Counter;
 use crate::ensemble::{Ends, Ensemble, Ensembles, Moments};
 use crate::integrate::{
-    BlanesMoan4, GaussLegendre4, LanesMethod, Method, RungeKutta4, StormerVerlet, Verner98,
+    BlanesMoan4, GaussLegendre4, LanesMethod, Method, RungeKutta4, StormerVerlet, Taylor, Verner98,
 };
 use crate::scalar::{Lanes, Number, Scalar};
 use crate::simulate::Grid;
 use crate::system::{
     Equations, LanesSystem, LanesVisitor, MechanicalSystem, OdeSystem, SeparableSystem, SideBySide,
-    StepFailure, Unnamed,
+    StepFailure, TaylorSystem, Unnamed,
 };
 
 /// Declares a system of one or two degrees of freedom whose formulas are generic over the number
 /// type.
 macro_rules! system {
-    ($name:ident { $($parameter:ident = $value:expr),* }, $freedoms:literal, $names:expr, $rhs:expr) => {
+    ($name:ident { $($parameter:ident = $value:expr),* }, $freedoms:literal, $names:expr, $rhs:expr $(, $series:ident)?) => {
         #[derive(Clone, Copy, Debug)]
         struct $name<S> {
             $($parameter: S),*
@@ -38,11 +38,17 @@ macro_rules! system {
 
         impl<S: Number> Equations<S> for $name<S> {
             type State = [S; 2 * $freedoms];
+            type Series = ();
 
             #[inline(always)]
             fn rhs(&self, t: S, y: &[S; 2 * $freedoms]) -> [S; 2 * $freedoms] {
                 $rhs(self, t, y)
             }
+
+            $(#[inline(always)]
+            fn expand(&self, t: S, y: &Self::State, (): &mut (), coefficients: &mut [Self::State]) {
+                $series(self, t, y, coefficients);
+            })?
         }
 
         impl<S: Scalar> OdeSystem for $name<S> {
@@ -90,12 +96,23 @@ macro_rules! system {
 
 system!(DoublePendulum { ratio = 0.5, gravity = 9.81 }, 2, ["a", "b"], double_pendulum);
 system!(Root { end = 1.0 }, 1, ["x"], root);
-system!(Spring { stiffness = 1.0 }, 1, ["x"], spring);
+system!(Spring { stiffness = 1.0 }, 1, ["x"], spring, series_of_spring);
 
 system!(Pulse { time = 1.0 }, 1, ["x"], pulse);
 system!(Servo { damping = 1.0 }, 1, ["x"], servo);
 
 impl<S: Scalar> SeparableSystem for Spring<S> {}
+
+impl<S: Scalar> TaylorSystem for Spring<S> {
+    type Series = ();
+    const IN_LANES: bool = true;
+
+    fn series() {}
+
+    fn expand(&self, t: S, y: &[S; 2], series: &mut (), coefficients: &mut [[S; 2]]) {
+        Equations::expand(self, t, y, series, coefficients);
+    }
+}
 
 /// Returns accelerations of two masses on rods of unit length; `ratio` is the second mass as a
 /// fraction of both.
@@ -120,6 +137,17 @@ fn root<S: Number>(system: &Root<S>, t: S, [_, v]: &[S; 2]) -> [S; 2] {
 #[inline(always)]
 fn spring<S: Number>(system: &Spring<S>, _t: S, [x, v]: &[S; 2]) -> [S; 2] {
     [*v, -(system.stiffness * *x)]
+}
+
+/// Computes coefficients of the motion of a spring: of order k + 1, they are the rates at those of
+/// order k, divided by k + 1.
+#[inline(always)]
+fn series_of_spring<S: Number>(system: &Spring<S>, t: S, y: &[S; 2], coefficients: &mut [[S; 2]]) {
+    let mut last = *y;
+    for (k, coefficients) in coefficients.iter_mut().enumerate() {
+        last = spring(system, t, &last).map(|rate| rate / S::from_f64((k + 1) as f64));
+        *coefficients = last;
+    }
 }
 
 /// Returns ẍ = exp(−400 (t − time)²), which lasts for about a tenth of a second.
@@ -293,6 +321,8 @@ fn motions_fail_as_they_do_alone_and_others_continue() {
     assert_same_failures(move || springs(1e6).until(4.0).method(RungeKutta4 { step: 0.02 }), &[7]);
     assert_same_failures(move || springs(1e6).until(4.0).method(StormerVerlet { step: 0.02 }), &[7]);
     assert_same_failures(move || springs(1e6).until(-4.0).method(BlanesMoan4 { step: 0.02 }), &[7]);
+    assert_same_failures(move || springs(1e6).until(4.0).method(Taylor::tolerance(1e-9)).max_steps(90), &[7]);
+    assert_same_failures(move || springs(3.0).until(-1.0).method(Taylor::tolerance(1e-9)), &[]);
     assert_same_failures(move || springs(3.0).until(0.0), &[]);
     assert_same_failures(move || springs(3.0).until(-1.0).longest_step(0.1), &[]);
 }
@@ -344,6 +374,7 @@ fn steps_lost_in_the_rounding_of_time_are_refused_as_they_are_alone() {
     }
     assert_same_failures(move || springs(1e9, 1e9 + 1.0).method(StormerVerlet { step: 0.01 }), &[]);
     assert_same_failures(move || springs(1e9, 1e9 + 1.0), &[]);
+    assert_same_failures(move || springs(1e9, 1e9 + 1.0).method(Taylor::tolerance(1e-9)), &[]);
 }
 
 #[test]

@@ -218,6 +218,11 @@ where
 {
     type LastStep = FixedLastStep<S, E::State, F::End>;
 
+    type Workspace = ();
+
+    #[inline(always)]
+    fn workspace() {}
+
     #[inline(always)]
     fn last_step(&self) -> Self::LastStep {
         FixedLastStep { t: self.clock.time(), y: *self.state.value(), end: F::NO_END }
@@ -229,7 +234,7 @@ where
     }
 
     #[inline(always)]
-    fn step(&mut self, equations: &E) {
+    fn step(&mut self, equations: &E, (): &mut ()) {
         let (t, y, mut clock) = (self.clock.time(), *self.state.value(), self.clock);
         let h = clock.advance(self.end);
         let increment = self.formula.increment(equations, t, &y, h);
@@ -254,7 +259,7 @@ where
     }
 
     #[inline(always)]
-    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State {
+    fn interpolate(&self, (): &(), last: &Self::LastStep, t: S) -> E::State {
         let (to, y) = (self.clock.time(), self.state.value());
         let within = self.formula.interpolate((last.t, &last.y), (to, y), &last.end, t);
         chosen(is_equal(t, to), y, &within)

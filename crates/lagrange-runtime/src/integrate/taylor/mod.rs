@@ -11,10 +11,13 @@
 //! right angles, four coefficients and the check at the end are necessary.
 
 mod expansion;
+mod lanes;
+mod polynomial;
+mod rule;
 mod stepper;
 mod widest;
 
-use crate::integrate::method::Method;
+use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::integrate::verner::tolerance::check_settings;
 use crate::scalar::Scalar;
 use crate::system::{MAX_ORDER, SettingError, StepFailure, TaylorSystem};
@@ -71,8 +74,17 @@ impl<S: Scalar> Taylor<S> {
     /// Returns the order of the series: about −ln of the tolerance plus three. This is the cheapest
     /// choice if the cost grows with the order.
     fn chosen_order(&self) -> usize {
+        self.order_for(S::from_f64(3.0) - self.loosest().ln())
+    }
+
+    /// Returns the order of the series in lanes, where the cost grows with the square of the order.
+    fn order_in_lanes(&self) -> usize {
+        self.order_for(S::from_f64(4.0) - S::from_f64(0.55) * self.loosest().ln())
+    }
+
+    /// Returns the order of the settings, otherwise about this one.
+    fn order_for(&self, wanted: S) -> usize {
         self.order.unwrap_or_else(|| {
-            let wanted = S::from_f64(3.0) - self.loosest().ln();
             let is_wide = S::epsilon() < S::from_f64(f64::EPSILON);
             let highest = if is_wide { MAX_ORDER } else { HIGHEST_CHOSEN };
             let mut order = LOWEST_CHOSEN;
@@ -111,6 +123,10 @@ impl<M: TaylorSystem + ?Sized> Method<M> for Taylor<M::Scalar> {
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         Method::<M>::check(self)?;
         TaylorStepper::start(self, system, t, y, end)
+    }
+
+    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
+        if M::IN_LANES { Ok(visitor.visit(*self)) } else { Err(visitor) }
     }
 
     fn with_longest_step(self, longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>> {

@@ -1,7 +1,8 @@
 //! A motion followed along its Taylor series.
 
 use super::Taylor;
-use super::expansion::{Expansion, StepRule};
+use super::expansion::Expansion;
+use super::rule::StepRule;
 use super::widest::{WideTask, compute};
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
@@ -80,7 +81,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let (order, length) = (settings.chosen_order(), M::Scalar::ZERO);
         let expansion = Expansion { t, y: *y, order, length, coefficients: [M::State::ZERO; MAX_ORDER] };
         let mut stepper = TaylorStepper {
-            rule: StepRule::new(settings, end - t, system.domain()),
+            rule: StepRule::new(settings, order, end - t, system.domain()),
             max_steps: settings.max_steps,
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),

@@ -258,6 +258,11 @@ where
 {
     type LastStep = VernerLastStep<S, E::State>;
 
+    type Workspace = ();
+
+    #[inline(always)]
+    fn workspace() {}
+
     #[inline(always)]
     fn last_step(&self) -> Self::LastStep {
         VernerLastStep::new(self.clock, self.state)
@@ -269,7 +274,7 @@ where
     }
 
     #[inline(always)]
-    fn step(&mut self, equations: &E) {
+    fn step(&mut self, equations: &E, (): &mut ()) {
         let Settings { tolerated, end, most_steps, refuses_stiff, .. } = self.settings;
         let (t, y) = (self.clock.time(), *self.state.value());
         let length = self.control.step.min(self.longest);
@@ -312,7 +317,7 @@ where
     }
 
     #[inline(always)]
-    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State {
+    fn interpolate(&self, (): &(), last: &Self::LastStep, t: S) -> E::State {
         last.interpolate(self.reached(), t)
     }
 

@@ -31,7 +31,11 @@ impl<S: Number> Order<S> {
     #[inline(always)]
     #[must_use]
     pub fn divide<const N: usize>(self, coefficients: &[S; N]) -> [S; N] {
-        coefficients.map(|coefficient| coefficient / self.number)
+        let mut quotients = *coefficients;
+        for quotient in &mut quotients {
+            *quotient = *quotient / self.number;
+        }
+        quotients
     }
 }
 

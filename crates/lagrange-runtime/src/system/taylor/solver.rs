@@ -2,7 +2,7 @@
 
 use crate::linalg::pivoted::{Factors, Matrix};
 use crate::linalg::vector::StateVector;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// The negative inverse of the matrix of accelerations and multipliers in the residuals, in
 /// columns, for every order.
@@ -15,7 +15,9 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
         negative_inverse(&mut entries, &[S::ZERO; N]);
         Self::of_columns(&entries)
     }
+}
 
+impl<S: Number, const N: usize> SeriesSolver<S, N> {
     /// Inverts a positive definite matrix, which needs no pivoting.
     #[inline(always)]
     pub fn definite<const ENTRIES: usize>(mut entries: [S; ENTRIES]) -> Self {
@@ -25,17 +27,23 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
 
     #[inline(always)]
     fn of_columns(entries: &[S]) -> Self {
-        SeriesSolver(core::array::from_fn(|j| core::array::from_fn(|i| entries[j * N + i])))
+        let mut columns = [[S::ZERO; N]; N];
+        for (column, entries) in columns.iter_mut().zip(entries.chunks_exact(N.max(1))) {
+            column.copy_from_slice(entries);
+        }
+        SeriesSolver(columns)
     }
 
     /// Computes (a, λ) = −M⁻¹ r.
     #[inline(always)]
     pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
-        let mut columns = self.0.iter().zip(residuals);
-        let first = columns.next().map(|(column, residual)| column.map(|entry| entry * *residual));
-        columns.fold(first.unwrap_or([S::ZERO; N]), |sums, (column, residual)| {
-            core::array::from_fn(|i| column[i].multiply_add(*residual, sums[i]))
-        })
+        let mut sums = [S::ZERO; N];
+        for (j, (column, residual)) in self.0.iter().zip(residuals).enumerate() {
+            for (sum, entry) in sums.iter_mut().zip(column) {
+                *sum = if j == 0 { *entry * *residual } else { entry.multiply_add(*residual, *sum) };
+            }
+        }
+        sums
     }
 }
 
@@ -61,7 +69,7 @@ pub fn negative_inverse<S: Scalar, V: StateVector<S>>(entries: &mut [S], vector:
 /// (1, 1), the pivot 2 leads to (1/2, 1/2) and (−1/2, 1/2). The pivot 1/2 then leads to the
 /// inverse, (1, −1) and (−1, 2).
 #[inline(always)]
-pub fn negative_inverse_of_definite<S: Scalar>(entries: &mut [S], unknowns: usize) {
+pub fn negative_inverse_of_definite<S: Number>(entries: &mut [S], unknowns: usize) {
     let n = unknowns;
     for pivot in 0..n {
         let reciprocal = S::ONE / entries[pivot * n + pivot];

@@ -8,7 +8,7 @@ use crate::ensemble::lanes::refill::{EndsOf, MotionStart};
 use crate::ensemble::lanes::{ArrivalOf, is_fused};
 use crate::ensemble::{Ends, Ensemble, Ensembles, KeepSamples, Samples, Shard, SharedSystem};
 use crate::integrate::{
-    BlanesMoan4, LanesMethod, Method, RungeKutta4, StormerVerlet, SymplecticEuler, Verner98,
+    BlanesMoan4, LanesMethod, Method, RungeKutta4, StormerVerlet, SymplecticEuler, Taylor, Verner98,
 };
 use crate::scalar::Lanes;
 use crate::simulate::{Grid, Table, Undriven};
@@ -183,6 +183,7 @@ fn all_ways_lead_to_the_same_bits() {
     assert_same("runge_kutta", &|| pendulums(RungeKutta4 { step: 0.02 }));
     assert_same("euler", &|| springs(SymplecticEuler { step: 0.02 }));
     assert_same("verlet", &|| springs(StormerVerlet { step: 0.02 }));
+    assert_same("taylor", &|| springs(Taylor::tolerance(1e-9)));
     assert_same("blanes_moan", &|| springs(BlanesMoan4 { step: 0.05 }));
 }
 
