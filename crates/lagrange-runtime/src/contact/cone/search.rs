@@ -23,8 +23,8 @@ const MOST_SHORT_STEPS: u32 = 60;
 const DAMPING: f64 = 0.1;
 /// Assumed change of the impulses from step to step, relative to the impulses.
 const LEFT: f64 = 1e-2;
-/// Error that may be left if searches near the start do not reduce it, relative to the forces and
-/// to the root of the rounding unit. Reactions that are not determined have such errors.
+/// Error that may be left if steps or searches near the start do not reduce it, relative to the
+/// forces and to the root of the rounding unit. Reactions that are not determined have such errors.
 const NEARLY: f64 = 1e-2;
 /// Maximum number of searches near reactions.
 const MOST_ANCHORS: u32 = 3;
@@ -140,8 +140,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             }
             centre = search.best.at.forces;
         }
-        let nearly = S::from_f64(NEARLY) * S::epsilon().sqrt();
-        if search.best.error <= nearly * self.scale(&search.best.at.forces) {
+        if self.is_within(search, nearly()) {
             return self.improved(search, |search| self.restart(search, FEW_STARTS));
         }
         self.improved(search, |search| self.restart(search, MOST_STARTS))
@@ -214,7 +213,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
                 search.best = present;
             }
             let is_slow = search.best.error > half * best;
-            if search.is_of_step && is_slow && self.is_balanced(search) {
+            if search.is_of_step && is_slow && self.is_within(search, search.rounding.min(nearly())) {
                 break;
             }
         }
@@ -223,7 +222,12 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// True if the best reactions equal their targets up to rounding.
     fn is_balanced(&self, search: &ForceSearch<S, K>) -> bool {
-        search.best.error <= search.rounding * self.scale(&search.best.at.forces)
+        self.is_within(search, search.rounding)
+    }
+
+    /// True if the least error is within this one, relative to the forces.
+    fn is_within(&self, search: &ForceSearch<S, K>, relative: S) -> bool {
+        search.best.error <= relative * self.scale(&search.best.at.forces)
     }
 
     /// Returns the largest of these reactions and of the rates without reactions.
@@ -251,6 +255,11 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         let halves = (0..parts).map(|halvings| reached(S::from_f64(0.5).powi(halvings)));
         { halves }.find(|end| end.error < present.error).unwrap_or_else(|| reached(S::ONE))
     }
+}
+
+/// Returns the error, relative to the forces, that may be left if nothing reduces it.
+fn nearly<S: Scalar>() -> S {
+    S::from_f64(NEARLY) * S::epsilon().sqrt()
 }
 
 /// Returns the error, relative to the forces, at which the search for impulses over a step ends.
