@@ -9,9 +9,10 @@ use crate::method::NAMES;
 use crate::system::DynamicSystem;
 
 /// Measures the motion of a system from time zero to an end, by each method with coarse to fine
-/// settings. Taylor series are among them if the system has them. Variants of the report are names of a [`MethodChoice`](crate::MethodChoice). Settings
-/// finer than one that took `longest` seconds are not tried. Errors are differences from the finest
-/// run, and include the final time if an event stopped it.
+/// settings. Taylor series are among them if the system has them. Variants of the report are names
+/// of a [`MethodChoice`](crate::MethodChoice). Settings finer than one that took `longest` seconds
+/// are not tried. Errors are differences from the finest run, and include the final time if an
+/// event stopped it.
 pub fn trade(system: &DeclaredSystem, start: &[f64], end: f64, longest: f64) -> Report {
     system.visit(Contest { name: &system.programs().name, start, end, longest })
 }
