@@ -7,7 +7,7 @@ use crate::scalar::{Number, Scalar};
 use crate::simulate::sensitivity::{Sensitive, Stacked, Varied};
 use crate::system::{Action, MOST_LOCATED, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
 
-const TOGETHER: &str = "contacts or friction change at the same time, in an order that depends on the variables, so that there is no gradient: use `.sensitivities([…])`";
+const TOGETHER: &str = "contacts or friction change at the same time, in an order that depends on the variables, so that there is no gradient: start from a state in which they follow each other";
 /// Shifts of events that differ by this part are different.
 const APART: f64 = 1e-6;
 
