@@ -2,12 +2,13 @@
 
 use core::array;
 
+use super::padding::{filled, joined, own, parts};
 use super::step::{ContactStep, Impulses};
 use super::{Contact, ContactSystem, Friction, Mode};
 use crate::integrate::{FixedStepper, Formula, Memory, Method, Stepper, Work};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, SettingError, StepFailure, displaced, join, reach, split};
+use crate::system::{OdeSystem, SettingError, StepFailure, displaced, reach};
 use crate::tolerance::CLOSED_GAP;
 
 /// Residual of the law from which steps are rejected, relative to the rates.
@@ -230,11 +231,11 @@ impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
         &mut self,
         found: &Impulses<S, K>,
         h: S,
-        reactions: &[&'static str; K],
+        name: impl Fn(usize) -> &'static str,
     ) -> Result<(), StepFailure<S>> {
         let (residual, k) = found.residual;
         if residual > self.largest_residual || !residual.is_finite() {
-            return Err(StepFailure::Residual { reaction: reactions[k], value: residual });
+            return Err(StepFailure::Residual { reaction: name(k), value: residual });
         }
         self.worst = self.worst.max(residual);
         (self.impulses, self.length, self.modes) = (found.impulses, h, Some(found.modes));
@@ -274,32 +275,33 @@ where
         h: M::Scalar,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
-        let (q, v) = split::<M>(y);
+        let (q, v) = parts::<M, N>(y);
         let (terms, modes) = (system.damped_terms(t, &q, &v, h), system.modes());
         work.evaluations += 1;
         let step = ContactStep::new(&terms, &modes, h);
         if !step.is_finite() {
             return Err(StepFailure::NotFinite);
         }
-        let restitutions = terms.restitutions::<M>(&modes, |_| true)?;
-        terms.check_limits::<M>(&modes)?;
+        let restitutions = terms.restitutions(system, &modes, |_| true)?;
+        terms.check_limits(system, &modes)?;
         let found = step.solve(&restitutions, &self.expected(h));
         work.iterations += u64::from(found.iterations);
         work.inexact += u64::from(!found.is_exact);
-        self.keep(&found, h, &M::REACTIONS)?;
+        self.keep(&found, h, |k| system.reaction_name(k))?;
         let change = terms.change(&found.impulses);
         let to = array::from_fn(|i| h.multiply_add(terms.free[i], v[i]) + change[i]);
-        let rates = system.position_rates(t, &q, &to);
+        let rates = system.position_rates(t, &q, &own(system, &to));
         let mut moved = combined(&q, h, &rates);
         let largest = q.as_ref().iter().fold(M::Scalar::ZERO, |largest, q| largest.max(q.abs()));
         let slits = || {
-            let lengths = reach(system, t, &q, &q);
+            let lengths = filled::<M, N>(&reach(system, t, &q, &q));
             array::from_fn(|k| M::Scalar::epsilon().sqrt() * terms.size_of(k, &lengths))
         };
         if let Some(shares) = step.separation(CLOSED_GAP.part::<M::Scalar>() * largest, slits) {
-            moved = displaced(system, t, &moved, shares.into_iter().zip(&terms.responses));
+            let responses = terms.responses.each_ref().map(|response| own(system, response));
+            moved = displaced(system, t, &moved, shares.into_iter().zip(&responses));
         }
-        let end = join::<M>(&moved, &to);
+        let end = joined(system, &moved, &to);
         Ok(difference(&end, y))
     }
 
