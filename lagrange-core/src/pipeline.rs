@@ -33,7 +33,7 @@ use phases::{equations_of, items_of, model_of};
 pub use drawn::{DrawnScene, PlacedHeight, PlacedItem, PlacedPart};
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
-pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};
+pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock, TouchingPrograms};
 pub use routines::{Backend, Call, Code, LISTS, Numbers};
 pub use series::{MotionSeries, SlotPlaces};
 pub use system::{Derived, System, parse, parse_with};

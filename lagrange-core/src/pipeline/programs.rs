@@ -34,7 +34,8 @@ pub struct Programs {
     /// Rates of the positions.
     pub position_rates: Program,
     /// Accelerations, possibly followed by values that emitted code computes with them, and finally
-    /// the growth of their rounding errors.
+    /// the growth of their rounding errors. With contacts or friction, they are those without
+    /// reactions, and nothing follows.
     pub accelerations: Program,
     /// Inputs that are delayed signals, by index.
     pub delayed_inputs: Vec<usize>,
@@ -51,7 +52,8 @@ pub struct Programs {
     pub diffusion: Program,
     /// Dependence of the diffusions on the state.
     pub diffusion_kind: DiffusionKind,
-    /// Multipliers, followed by the same growth of rounding errors.
+    /// Multipliers, followed by the same growth of rounding errors. With contacts or friction, they
+    /// are functions of the reactions.
     pub multipliers: Program,
     /// Number of these growth values.
     pub growths: usize,
@@ -105,6 +107,21 @@ pub struct Programs {
     pub unknown_values: Program,
     /// Functions that solve equations.
     pub solutions: Vec<NewtonProgram>,
+    /// Terms of contacts and friction, if there are any.
+    pub touching: Option<TouchingPrograms>,
+}
+
+/// The terms of contacts and friction.
+#[derive(Clone, Debug)]
+pub struct TouchingPrograms {
+    /// Free accelerations, responses and rows; gaps, rates, drifts, restitutions, kinetic and static
+    /// limits; two slopes of limits for each pair in `slopes`. Without constraints, generalised
+    /// forces replace the accelerations, responses are zero, and the matrices follow.
+    pub terms: Program,
+    /// The limited reaction and the reaction on which its limits depend.
+    pub slopes: Vec<[usize; 2]>,
+    /// Number of matrices: the mass matrix, then that of the dampers.
+    pub matrices: usize,
 }
 
 /// The action at an event.
@@ -153,6 +170,8 @@ pub struct Layout {
     pub sides: usize,
     /// Multipliers, after the sides. They are followed by one acceleration per velocity.
     pub multipliers: usize,
+    /// Reactions of contacts and friction, after the accelerations.
+    pub reactions: usize,
 }
 
 /// Location of an argument.
@@ -180,7 +199,10 @@ impl Layout {
             Role::Side(i) => Place::Parameter(sides + i as usize),
             Role::Multiplier(i) => Place::Parameter(multipliers + i as usize),
             Role::Acceleration(i) => Place::Parameter(multipliers + self.multipliers + i as usize),
-            Role::Noise(_) | Role::Reaction(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
+            Role::Reaction(i) => {
+                Place::Parameter(multipliers + self.multipliers + self.velocities + i as usize)
+            }
+            Role::Noise(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
         })
     }
 
@@ -191,7 +213,7 @@ impl Layout {
 
     /// Returns the length of p.
     pub fn length(&self) -> usize {
-        self.fields() + self.sides + self.multipliers + self.velocities
+        self.fields() + self.sides + self.multipliers + self.velocities + self.reactions
     }
 }
 
@@ -220,7 +242,8 @@ impl Programs {
             .chain(&self.system_matrix)
             .chain(self.drawing.iter().flat_map(DrawnScene::programs))
             .chain(self.switch_times.iter().flatten())
-            .chain(of_series);
+            .chain(of_series)
+            .chain(self.touching.as_ref().map(|touching| &touching.terms));
         let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events).chain(of_delays);
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
     }
