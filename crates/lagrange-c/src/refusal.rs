@@ -28,7 +28,11 @@ impl Display for Refusal {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::Touching(names) => {
-                write!(f, "rigid contacts and friction run in compiled Rust only: {}", quoted(names))
+                write!(
+                    f,
+                    "rigid contacts and friction run in Rust, on the command line and in Python only: {}",
+                    quoted(names)
+                )
             }
             Refusal::Delays(names) => {
                 let runs = "compiled Rust, the command `lagrange simulate` and Python keep it";

@@ -58,8 +58,9 @@ Options:
       --trim U        search for the value of an input, too; once for each (linearise)
       --time TIME     time at which to linearise, 0 by default (linearise)
       --method NAME   integrate by `verner` (default), `taylor` for small errors, `radau` for
-                      stiff systems, or by `rk4` or `gauss` in equal steps; systems with noise by
-                      `maruyama` or `stochastic` (simulate, film, ensemble)
+                      stiff systems, or by `rk4` or `gauss` in equal steps; many contacts by
+                      `stepped`, systems with noise by `maruyama` or `stochastic` (simulate, film,
+                      ensemble)
       --tolerance E   tolerated error of a step, 1e-9 by default (simulate, film, ensemble)
       --fmi N         version of the interface, 2 by default, or 3 (fmu)
       --sources       leave the compilation to the program that imports the unit (fmu)

@@ -141,7 +141,7 @@ fn modules_of_c_are_two_files_in_a_folder_or_of_a_name() {
     assert_eq!(refused.status.code(), Some(1));
     assert_eq!(
         errors(&refused),
-        "error: <stdin>: rigid contacts and friction run in compiled Rust only: `floor`\n"
+        "error: <stdin>: rigid contacts and friction run in Rust, on the command line and in Python only: `floor`\n"
     );
     assert!(!folder.join("ball.h").exists() && !folder.join("ball.c").exists());
 }
@@ -170,7 +170,7 @@ fn units_of_fmi_are_archives_in_a_folder_or_of_a_name() {
     assert!(three.contains("fmiVersion=\"3.0\"") && three.contains("sources/buildDescription.xml"));
     for (declaration, options, code, message) in [
         ("coord h = 1; kinetic = dot(h)^2;", &["--fmi", "1"][..], 2, "write `--fmi 2` or `--fmi 3`"),
-        ("coord h; kinetic = dot(h)^2; event floor = h, falling => impact(1/2);", &[], 1, "`floor`"),
+        ("coord h = 1; kinetic = dot(h)^2; event floor = h, falling => impact(1/2);", &[], 1, "`floor`"),
         ("coord h = 1; param m; kinetic = m * dot(h)^2;", &[], 2, "`m` has no value: write `--set m=1`"),
         ("coord h; kinetic = dot(h)^2;", &[], 2, "the start of `h` is missing"),
         ("coord h = 1; kinetic = dot(h)^2;", &["--set", "k=2"], 2, "`k`"),
@@ -321,25 +321,29 @@ fn delays_are_refused_by_all_that_knows_no_past() {
 }
 
 #[test]
-fn contacts_of_boxes_are_refused_once_by_all_but_checks() {
+fn contacts_of_boxes_are_stepped_and_refused_once_by_all_exports() {
     let folder = temporary("stack");
     let file = folder.to_str().expect("UTF-8");
     let text = "struct Stack; gravity = (0, 0, -9.81); body floor { mass: 9; shape: cuboid(2, 2, 1); }
         weld ground to floor; body block { mass: 1; shape: cuboid(0.2, 0.2, 0.2); } free block;
         contact touch = block on floor { friction: 0.5; }";
-    let commands = [
-        &["simulate", "-", "--until", "1"][..],
-        &["film", "-", "--until", "1"],
-        &["ensemble", "-", "--until", "1", "--motions", "2"],
-        &["c", "-", "-o", file],
-        &["fmu", "-", "-o", file],
-        &["page", "-", "-o", file],
-    ];
-    for error in refusals(text, &commands) {
+    let values =
+        ["block_x=0", "block_y=0", "block_z=0.7", "block_qw=1", "block_qx=0", "block_qy=0", "block_qz=0"];
+    let start = values.iter().flat_map(|value| ["--start", value]).collect::<Vec<_>>();
+    let [fmu, page] = ["fmu", "page"].map(|command| [&[command, "-", "-o", file][..], &start].concat());
+    for error in refusals(text, &[&["c", "-", "-o", file], &fmu, &page]) {
         assert!(error.starts_with("error: ") && error.matches("error").count() == 1, "{error}");
-        assert!(error.contains("rigid contacts and friction run in compiled"), "{error}");
+        assert!(error.contains("rigid contacts and friction run in Rust"), "{error}");
         assert!(error.ends_with("only: `touch`\n"), "{error}");
     }
+    let run = |method: &[&'static str]| {
+        let simulate = ["simulate", "-", "--until", "1", "--every", "1"];
+        run_on(text, &[&simulate[..], &start, method].concat())
+    };
+    let landed = output(&run(&["--method", "stepped", "--step", "2 ms"]));
+    let last = landed.lines().last().and_then(|row| row.split(',').nth(3)).expect("a height");
+    assert!((last.parse::<f64>().expect("a number") - 0.6).abs() < 1e-6, "{landed}");
+    assert!(errors(&run(&[])).contains("`touch[0]` of faces and edges needs the method `Stepped`"));
     assert_eq!(output(&run_on(text, &["check", "-"])), "");
 }
 

@@ -41,6 +41,29 @@ fn table(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     (names, lines.map(row).collect())
 }
 
+/// Balls that fall from h on a floor without restitution lie there. Blocks with the speed v slide by
+/// v²/(2 μ g).
+#[test]
+fn balls_and_blocks_end_where_they_lie() {
+    let file = declaration(
+        "case.lag",
+        "param mu = 0.5, g = 10; coord x = 0, h = 0; start dot(x) = 2;
+        kinetic = 1/2 * (dot(x)^2 + dot(h)^2); potential = g * h;
+        event floor = h, falling => impact(0); friction rub = dot(x), mu * floor;",
+    );
+    let common = [&*file, "--until", "3", "--vary", "mu=0.2..0.8", "--motions", "4", "--threads", "3"];
+    for (method, error) in [(&[][..], 1e-8), (&["--method", "stepped", "--step", "1 ms"], 4e-3)] {
+        let (names, rows) = table(&[&common[..], method].concat());
+        let place = |name: &str| names.iter().position(|known| known == name).expect("a column");
+        assert_eq!(rows.len(), 4);
+        for row in rows {
+            let way = 4.0 / (2.0 * row[place("mu")] * 10.0);
+            assert!((row[place("x")] - way).abs() < error, "{row:?}");
+            assert!(row[place("h")].abs() < 1e-9 && row[place("x_dot")].abs() < 1e-9, "{row:?}");
+        }
+    }
+}
+
 const DIFFUSING: &str = "
 /// A particle in a liquid.
 pub struct Diffusing;

@@ -39,6 +39,54 @@ fn declaration(name: &str, text: &str) -> String {
     path.to_str().expect("UTF-8").to_owned()
 }
 
+/// A ball that falls from h with g hits the floor after √(2h/g), and then in intervals that shrink
+/// by the coefficient of restitution e, from 2 e √(2h/g).
+#[test]
+fn a_ball_bounces_at_the_times_of_geometric_series() {
+    let path = declaration(
+        "ball.lag",
+        "param g = 9.81, e = 0.6; coord h = 2; kinetic = 1/2 * dot(h)^2; potential = g * h;
+        event floor = h, falling => impact(e);",
+    );
+    let file = temporary("bounces.csv");
+    let file = file.to_str().expect("UTF-8");
+    let (_, states) =
+        rows(&[&path, "--until", "4", "--every", "4", "--tolerance", "1e-12", "--events", file]);
+    assert_eq!(states.last(), Some(&vec![4.0, 0.0, 0.0]), "it lies on the floor");
+    let events = fs::read_to_string(file).expect("written");
+    let times = events.lines().skip(1).filter_map(|line| line.split(',').find_map(|cell| cell.parse().ok()));
+    let times = times.collect::<Vec<f64>>();
+    let (fall, e) = ((4.0_f64 / 9.81).sqrt(), 0.6_f64);
+    let expected = |n: i32| fall * (1.0 + 2.0 * (e - e.powi(n + 1)) / (1.0 - e));
+    assert!(times.len() > 20, "{events}");
+    for (n, time) in times.iter().enumerate() {
+        assert!((time - expected(n as i32)).abs() < 1e-8, "{n}: {time} {}", expected(n as i32));
+    }
+    let stepped = rows(&[&path, "--until", "4", "--method", "stepped", "--step", "1 ms", "--every", "4"]);
+    let [_, height, rate] = stepped.1[1][..] else { panic!("{stepped:?}") };
+    assert!(height.abs() < 1e-9 && rate.abs() < 1e-9, "{stepped:?}");
+}
+
+/// A block with the speed v and dry friction μ m g comes to rest after v/(μ g) and v²/(2 μ g).
+#[test]
+fn a_block_slides_to_rest() {
+    let path = declaration(
+        "block.lag",
+        "param mu = 0.3, g = 9.81; coord x = 0; start dot(x) = 2; kinetic = 1/2 * dot(x)^2;
+        friction rub = dot(x), mu * g; output grip = rub;",
+    );
+    let way = 4.0 / (2.0 * 0.3 * 9.81);
+    for (method, error) in
+        [(&["--tolerance", "1e-12"][..], 1e-11), (&["--method", "stepped", "--step", "1ms"], 2e-3)]
+    {
+        let arguments = [&[&path, "--until", "2", "--every", "0.5"][..], method].concat();
+        let (head, rows) = rows(&arguments);
+        assert_eq!(head, "t,x,x_dot,grip");
+        assert!((rows[4][1] - way).abs() < error && rows[4][2].abs() < 1e-12, "{rows:?}");
+        assert!((rows[1][3] + 0.3 * 9.81).abs() < 1e-12 && rows[4][3].abs() < 1e-9, "{rows:?}");
+    }
+}
+
 /// θ = 2 arcsin(k sn(K(k) − √(g/l) t, k)) with k = sin(θ₀/2), by 200 000 integration steps of order
 /// four.
 #[test]
@@ -144,7 +192,7 @@ fn events_are_listed_in_a_file() {
 
 #[test]
 fn options_that_make_no_sense_are_named() {
-    let cases: [(&[&str], &str); 16] = [
+    let cases: [(&[&str], &str); 17] = [
         (&[], "the end is missing"),
         (&["--until", "soon"], "--until soon: unknown name `soon`"),
         (&["--until", "1 kg"], "--until 1 kg: "),
@@ -154,8 +202,9 @@ fn options_that_make_no_sense_are_named() {
         (&["--until", "1", "--set", "m"], "has no value"),
         (&["--until", "1", "--set", "m=1/0"], "--set m=1/0: "),
         (&["--until", "1", "--start", "phi=1"], "no `phi`; known are `theta`, `theta_dot`"),
-        (&["--until", "1", "--method", "euler"], "`gauss`, `maruyama`, `stochastic`"),
+        (&["--until", "1", "--method", "euler"], "`gauss`, `stepped`, `maruyama`, `stochastic`"),
         (&["--until", "1", "--method", "rk4"], "write `--step 0.01`"),
+        (&["--until", "1", "--method", "stepped"], "write `--step 0.01`"),
         (&["--until", "1", "--method", "taylor", "--step", "0.01"], "the method `taylor` has no `--step`"),
         (&["--until", "1", "--step", "0.1"], "has no `--step`"),
         (&["--until", "1", "--tolerance=-1"], "tolerances must be"),
@@ -274,12 +323,14 @@ fn a_motion_that_fails_is_written_up_to_its_last_good_state() {
 #[test]
 fn systems_that_need_a_compiler_are_refused_by_name() {
     let path = declaration(
-        "ball.lag",
-        "coord h = 1; kinetic = 1/2 * dot(h)^2; potential = h; event floor = h, falling => impact(0.5);",
+        "rows.lag",
+        "coord x[33]; kinetic = 1/2 * sum(i in 0..33, dot(x[i])^2);
+        for i in 0..33 { friction rub[i] = dot(x[i]), 0.3; }",
     );
     let result = simulate(&[&path, "--until", "1"]);
     assert_eq!(result.status.code(), Some(1));
-    assert!(text(&result.stderr).contains("rigid contacts and friction run in compiled code only: `floor`"));
+    let message = "33 velocities and 33 forces of contacts and friction, more than the 32 and 48";
+    assert!(text(&result.stderr).contains(message), "{}", text(&result.stderr));
     let mistake = simulate(&[&declaration("mistake.lag", "coord x; kinetic = dot(y)^2;"), "--until", "1"]);
     assert_eq!(mistake.status.code(), Some(1));
     assert!(text(&mistake.stderr).contains("mistake.lag:1:"), "{}", text(&mistake.stderr));

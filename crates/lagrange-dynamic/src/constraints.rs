@@ -21,17 +21,20 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
 
     pub(crate) fn put_on_constraints(&self, t: f64, y: &mut Inline<CAPACITY>) -> Outcome {
         match self.is_projected() {
-            true => constraint::correct(self, t, y),
-            false => self.normalised(y),
+            true => constraint::correct(self, t, y)?,
+            false => self.normalised(y)?,
         }
+        self.touches(t, y)
     }
 
     pub(crate) fn admit_to_constraints(&self, t: f64, y: &mut Inline<CAPACITY>) -> Outcome {
-        if self.is_held() { constraint::admit(self, t, y) } else { self.normalised(y) }
+        if self.is_held() { constraint::admit(self, t, y) } else { self.normalised(y) }?;
+        self.touches(t, y)
     }
 
     pub(crate) fn restore_to_constraints(&self, t: f64, y: &mut Inline<CAPACITY>) -> Outcome {
-        if self.is_held() { constraint::restore(self, t, y) } else { self.normalised(y) }
+        if self.is_held() { constraint::restore(self, t, y) } else { self.normalised(y) }?;
+        self.touches(t, y)
     }
 
     fn normalised(&self, y: &mut Inline<CAPACITY>) -> Outcome {
@@ -45,6 +48,10 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
     fn of_constraints(&self, product: Product, t: f64, q: &[f64], v: &[f64], length: usize) -> Vec<f64> {
         self.numeric.product(product, t, q, v).unwrap_or_else(|| vec![f64::NAN; length])
     }
+
+    fn touches(&self, t: f64, y: &mut Inline<CAPACITY>) -> Outcome {
+        if self.is_touching() { self.correct_touching(t, y) } else { Ok(()) }
+    }
 }
 
 impl<const CAPACITY: usize> ConstrainedSystem for DynamicSystem<CAPACITY> {
@@ -57,7 +64,12 @@ impl<const CAPACITY: usize> ConstrainedSystem for DynamicSystem<CAPACITY> {
     }
 
     fn multipliers(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
-        Inline::of(&self.numeric.multipliers(t, q.as_ref(), v.as_ref()))
+        let (q, v) = (q.as_ref(), v.as_ref());
+        if !self.is_touching() {
+            return Inline::of(&self.numeric.multipliers(t, q, v));
+        }
+        let [_, reactions] = self.accelerations_and_reactions(t, q, v);
+        Inline::of(&self.numeric.multipliers_under(t, q, v, &reactions))
     }
 
     /// Residuals do not depend on velocities, which are set to zero.

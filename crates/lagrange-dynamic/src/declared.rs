@@ -6,14 +6,18 @@ use lagrange_core::emit::Variables;
 use lagrange_core::opaque::Opaque;
 use lagrange_core::pipeline::{Backend, NumericSystem, Programs};
 use lagrange_core::program::Program;
-use lagrange_runtime::system::OutOfRange;
+use lagrange_runtime::manifold::{MOST_TOUCHES, TOUCH_LENGTH, touches};
+use lagrange_runtime::system::{OdeSystem, OutOfRange};
 
 use crate::names::{Names, names_of};
+use crate::reactions::Room;
 use crate::refusal::{NoSuchName, Refusal, StartError};
 use crate::system::DynamicSystem;
 
 /// Capacities of states for which code is compiled.
 const CAPACITIES: [usize; 3] = [8, 32, LARGEST];
+/// Numbers of the largest number of contact points of two blocks; fewer points have the first ones.
+const MOST_NUMBERS: usize = MOST_TOUCHES * TOUCH_LENGTH;
 /// Capacity of the largest states.
 pub(crate) const LARGEST: usize = 128;
 
@@ -42,7 +46,10 @@ impl DeclaredSystem {
     pub fn new(programs: Programs) -> Result<Self, Refusal> {
         check(&programs)?;
         let names = names_of(&programs);
-        Ok(DeclaredSystem { numeric: NumericSystem::of(Arc::new(programs)), names })
+        Ok(DeclaredSystem {
+            numeric: NumericSystem::of(Arc::new(programs)).with_contact_points(contact_points),
+            names,
+        })
     }
 
     /// Compiles programs on their first run instead of interpreting them. Results are the same.
@@ -151,6 +158,30 @@ impl DeclaredSystem {
         self.numeric.evaluate(program, 0.0, &[], &[])
     }
 
+    /// Computes the rates [q̇, v̇] at a state `[q…, v…]`. As in a new value of an emitted type,
+    /// contacts are open, and friction acts against its slip velocity.
+    ///
+    /// # Panics
+    /// If the state is longer or shorter than those of the system.
+    pub fn rates(&self, t: f64, state: &[f64]) -> Vec<f64> {
+        match self.programs().touching {
+            None => self.numeric.rhs(t, state),
+            Some(_) => self.visit(AtState { program: None, t, state }),
+        }
+    }
+
+    /// Runs a program at a state, with the forces of [`rates`](Self::rates).
+    ///
+    /// # Panics
+    /// If the state is longer or shorter than those of the system.
+    pub fn evaluate(&self, program: &Program, t: f64, state: &[f64]) -> Vec<f64> {
+        let (q, v) = state.split_at(self.programs().layout.positions);
+        match self.programs().touching {
+            None => self.numeric.evaluate(program, t, q, v),
+            Some(_) => self.visit(AtState { program: Some(program), t, state }),
+        }
+    }
+
     /// Computes with the system, in the smallest capacity that fits its state.
     pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         let [small, middle, _] = CAPACITIES;
@@ -166,6 +197,32 @@ impl DeclaredSystem {
     }
 }
 
+/// The evaluation of a program, or of the rates, at a state.
+struct AtState<'a> {
+    program: Option<&'a Program>,
+    t: f64,
+    state: &'a [f64],
+}
+
+impl Visitor for AtState<'_> {
+    type Output = Vec<f64>;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Vec<f64> {
+        let AtState { program, t, state } = self;
+        let state = system.state(state);
+        program.map_or_else(
+            || system.rhs(t, &state).as_ref().to_vec(),
+            |program| system.evaluate(program, t, &state),
+        )
+    }
+}
+
+/// Returns the numbers of the contact points of two blocks; none if those of the blocks are missing.
+fn contact_points(blocks: &[f64]) -> Vec<f64> {
+    <[f64; 32]>::try_from(blocks)
+        .map_or_else(|_| Vec::new(), |blocks| touches::<f64, MOST_NUMBERS>(blocks).into())
+}
+
 /// Returns the length of the longest vector of a system.
 fn room(programs: &Programs) -> usize {
     let layout = &programs.layout;
@@ -173,11 +230,12 @@ fn room(programs: &Programs) -> usize {
 }
 
 fn check(programs: &Programs) -> Result<(), Refusal> {
-    let touching = &programs.variables.touching;
-    if !touching.is_empty() {
-        return Err(Refusal::Touching(touching.clone()));
+    if Room::of(programs).is_none() && programs.touching.is_some() {
+        let (velocities, forces) = (programs.layout.velocities, programs.layout.reactions);
+        return Err(Refusal::Touching { velocities, forces });
     }
-    let functions = programs.functions();
+    let mut functions = programs.functions();
+    functions.retain(|function| !function.is_contact_point());
     if !functions.is_empty() {
         return Err(Refusal::Functions(functions.iter().map(Opaque::rust_name).collect()));
     }

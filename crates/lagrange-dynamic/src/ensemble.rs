@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
+use lagrange_runtime::contact::Stepped;
 use lagrange_runtime::ensemble::{self, Ends, Ensemble, Ensembles, Failure};
 use lagrange_runtime::integrate::{
     EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, StochasticRungeKutta4, Taylor, Verner98,
@@ -12,7 +13,8 @@ use lagrange_runtime::simulate::Drive;
 use lagrange_runtime::system::OdeSystem;
 
 use crate::declared::{DeclaredSystem, Visitor};
-use crate::method::{LAW, MethodChoice, WithoutSeries};
+use crate::method::{LAW, MethodChoice, NO_CONTACTS, Refused, STEPPED_LAW};
+use crate::reactions::in_room;
 use crate::refusal::NoSuchName;
 use crate::system::DynamicSystem;
 
@@ -180,7 +182,13 @@ impl Visitor for Motions<'_> {
         }
         let ends = match (*method, system.names.without_series) {
             (MethodChoice::Taylor { tolerance }, None) => ensemble.method(Taylor::tolerance(tolerance)).run(),
-            (MethodChoice::Taylor { .. }, Some(reason)) => ensemble.method(WithoutSeries(reason)).run(),
+            (MethodChoice::Taylor { .. }, Some(reason)) => ensemble.method(Refused(reason)).run(),
+            (MethodChoice::Stepped { step }, _) if system.is_touching() && !system.has_delays() => {
+                in_room!(system, V, R, ensemble.method(Stepped::<f64, V, R>::every(step)).run())
+            }
+            (MethodChoice::Stepped { .. }, _) if !system.is_touching() => {
+                ensemble.method(Refused(NO_CONTACTS)).run()
+            }
             _ if system.has_delays() => ends_by(*method, ensemble.with_history()),
             _ => ends_by(*method, ensemble),
         };
@@ -207,7 +215,8 @@ where
     match method {
         MethodChoice::Verner { tolerance } => ensemble.tolerance(tolerance).run(),
         MethodChoice::Radau { tolerance } => ensemble.method(Radau5::tolerance(tolerance)).run(),
-        MethodChoice::Taylor { .. } => ensemble.method(WithoutSeries(LAW)).run(),
+        MethodChoice::Taylor { .. } => ensemble.method(Refused(LAW)).run(),
+        MethodChoice::Stepped { .. } => ensemble.method(Refused(STEPPED_LAW)).run(),
         MethodChoice::RungeKutta4 { step } => ensemble.method(RungeKutta4 { step }).run(),
         MethodChoice::GaussLegendre { step } => ensemble.method(PlainGaussLegendre::<f64, 3> { step }).run(),
         MethodChoice::EulerMaruyama { step, seed } => {

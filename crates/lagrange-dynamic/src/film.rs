@@ -1,16 +1,17 @@
 //! Films of motions of declared systems.
 
+use std::borrow::Cow;
 use std::marker::PhantomData;
 use std::path::Path;
 
 use lagrange_core::pipeline::DrawnScene;
 use lagrange_draw::{DrawError, Drawing, DrawnSpace, Film, last_at_each};
 use lagrange_runtime::scene::{Item, Scene, Spatial};
-use lagrange_runtime::system::{Description, MechanicalSystem, OdeSystem, Unnamed};
+use lagrange_runtime::system::{Description, MechanicalSystem, OdeSystem, StepFailure, Unnamed};
 
 use crate::declared::{DeclaredSystem, LARGEST};
 use crate::inline::Inline;
-use crate::items::{NumberedSpace, visit_items};
+use crate::items::{NumberedSpace, visit_evaluated};
 use crate::system::DynamicSystem;
 
 /// A film of a declared system, in the plane or in space.
@@ -95,7 +96,7 @@ fn filmed<D: NumberedSpace + DrawnSpace>(
     has_forces: bool,
     samples: impl IntoIterator<Item = (f64, Inline<LARGEST>)>,
 ) -> Result<Film<D>, DrawError> {
-    let drawn = Drawn { system, scene, space: PhantomData };
+    let drawn = Drawn { system: Cow::Borrowed(system), scene, space: PhantomData };
     let drawing = Drawing::of(&drawn).title(&title(&system.numeric.programs().name));
     if has_forces { drawing.forces() } else { drawing }.film_of(samples)
 }
@@ -117,7 +118,7 @@ pub fn title(name: &str) -> String {
 
 /// A system and its scene, in the plane or in space.
 struct Drawn<'a, D> {
-    system: &'a DynamicSystem<LARGEST>,
+    system: Cow<'a, DynamicSystem<LARGEST>>,
     scene: &'a DrawnScene,
     space: PhantomData<D>,
 }
@@ -128,6 +129,14 @@ impl<D> OdeSystem for Drawn<'_, D> {
 
     fn rhs(&self, t: f64, y: &Inline<LARGEST>) -> Inline<LARGEST> {
         self.system.rhs(t, y)
+    }
+
+    fn begin(&self, t: f64, y: &Inline<LARGEST>) -> Result<Option<Self>, StepFailure<f64>> {
+        if !self.system.is_touching() {
+            return Ok(None);
+        }
+        let begun = self.system.begin(t, y)?;
+        Ok(begun.map(|system| Drawn { system: Cow::Owned(system), ..*self }))
     }
 }
 
@@ -165,7 +174,9 @@ impl<D: NumberedSpace> Scene for Drawn<'_, D> {
         v: &Inline<LARGEST>,
         visit: &mut dyn FnMut(Item<'_, f64, D>),
     ) {
-        visit_items(&self.system.numeric, self.scene, (t, q.as_ref(), v.as_ref()), visit);
+        let (q, v) = (q.as_ref(), v.as_ref());
+        let numbers = self.system.evaluate_at(&self.scene.program, t, q, v);
+        visit_evaluated(&self.system.numeric, self.scene, (t, q, v), &numbers, visit);
     }
 }
 

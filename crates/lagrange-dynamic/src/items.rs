@@ -34,7 +34,18 @@ pub fn visit_items<D: NumberedSpace>(
     visit: &mut dyn FnMut(Item<'_, f64, D>),
 ) {
     let numbers = system.evaluate(&scene.program, t, q, v);
-    let mut numbers = Numbers(&numbers);
+    visit_evaluated(system, scene, (t, q, v), &numbers, visit);
+}
+
+/// Visits the items of a system at a state, for which the program of the scene computed `numbers`.
+pub(crate) fn visit_evaluated<D: NumberedSpace>(
+    system: &NumericSystem,
+    scene: &DrawnScene,
+    (t, q, v): (f64, &[f64], &[f64]),
+    numbers: &[f64],
+    visit: &mut dyn FnMut(Item<'_, f64, D>),
+) {
+    let mut numbers = Numbers(numbers);
     for item in &scene.items {
         let height = |place| match &item.height {
             Some(height) => system.height(height, (t, q, v), place),

@@ -36,7 +36,7 @@
 //!
 //! The interpreter is several times slower than compiled code. [`DeclaredSystem::compiled_by`]
 //! replaces it by a compiler, such as that of `lagrange-jit`; timings are in `docs/performance.md`.
-//! Contacts, friction and functions of the user's crate are [rejected](Refusal). Numbers are `f64`,
+//! Functions of the user's crate and large systems are [rejected](Refusal). Numbers are `f64`,
 //! whatever scalar type is declared.
 //!
 //! Users of the macro do not compile this crate.
@@ -44,6 +44,7 @@
 
 mod analysis;
 mod constraints;
+mod contacts;
 mod declared;
 #[cfg(feature = "ensemble")]
 mod ensemble;
@@ -61,6 +62,7 @@ mod mechanics;
 mod method;
 mod motion;
 mod names;
+mod reactions;
 mod refusal;
 mod run;
 mod rust_file;
@@ -71,6 +73,7 @@ mod system;
 mod trade;
 
 pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
+pub use contacts::DynamicTerms;
 pub use declared::{DeclaredSystem, Visitor};
 #[cfg(feature = "ensemble")]
 pub use ensemble::{EnsembleEnds, EnsembleError, EnsembleSettings, FailedMotion};

@@ -21,7 +21,7 @@ impl<const CAPACITY: usize> MechanicalSystem for DynamicSystem<CAPACITY> {
     }
 
     fn acceleration(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
-        Inline::of(&self.numeric.acceleration(t, q.as_ref(), v.as_ref()))
+        Inline::of(&self.accelerations(t, q.as_ref(), v.as_ref()))
     }
 
     fn position_rates(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
@@ -57,7 +57,7 @@ impl<const CAPACITY: usize> MechanicalSystem for DynamicSystem<CAPACITY> {
 /// The energy is NaN if the declaration excludes it.
 impl<const CAPACITY: usize> EnergyFunction for DynamicSystem<CAPACITY> {
     fn energy(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> f64 {
-        let energy = self.numeric.product(Product::Energy, t, q.as_ref(), v.as_ref());
+        let energy = self.product(Product::Energy, t, q, v);
         energy.and_then(|values| values.first().copied()).unwrap_or(f64::NAN)
     }
 }
@@ -65,12 +65,12 @@ impl<const CAPACITY: usize> EnergyFunction for DynamicSystem<CAPACITY> {
 /// Values are NaN unless the declaration has `emit { tests }`.
 impl<const CAPACITY: usize> LagrangianSystem for DynamicSystem<CAPACITY> {
     fn lagrangian(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> f64 {
-        let lagrangian = self.numeric.product(Product::Lagrangian, t, q.as_ref(), v.as_ref());
+        let lagrangian = self.product(Product::Lagrangian, t, q, v);
         lagrangian.and_then(|values| values.first().copied()).unwrap_or(f64::NAN)
     }
 
     fn generalised_forces(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
-        let forces = self.numeric.product(Product::GeneralisedForces, t, q.as_ref(), v.as_ref());
+        let forces = self.product(Product::GeneralisedForces, t, q, v);
         Inline::of(&forces.unwrap_or_else(|| vec![f64::NAN; v.as_ref().len()]))
     }
 }
@@ -114,7 +114,7 @@ impl<const CAPACITY: usize> DelayedSystem for DynamicSystem<CAPACITY> {
     }
 
     fn signals(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
-        let signals = self.numeric.evaluate(&self.programs().delayed_signals, t, q.as_ref(), v.as_ref());
+        let signals = self.evaluate_at(&self.programs().delayed_signals, t, q.as_ref(), v.as_ref());
         Inline::of(&signals)
     }
 
@@ -143,6 +143,6 @@ impl<const CAPACITY: usize> OutputSystem for DynamicSystem<CAPACITY> {
 
     fn outputs(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Vec<f64> {
         let outputs = self.programs().outputs.iter();
-        outputs.flat_map(|(_, output)| self.numeric.evaluate(output, t, q.as_ref(), v.as_ref())).collect()
+        outputs.flat_map(|(_, output)| self.evaluate_at(output, t, q.as_ref(), v.as_ref())).collect()
     }
 }

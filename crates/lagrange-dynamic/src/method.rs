@@ -4,6 +4,7 @@ use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
 use lagrange_core::model::Product;
+use lagrange_runtime::contact::Stepped;
 use lagrange_runtime::integrate::{
     EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, SettingError, StepFailure,
     StochasticRungeKutta4, Taylor, Verner98, WienerPath,
@@ -11,12 +12,19 @@ use lagrange_runtime::integrate::{
 use lagrange_runtime::simulate::{Drive, Simulation, SimulationError, Trajectory};
 use lagrange_runtime::system::OdeSystem;
 
+use crate::reactions::in_room;
 use crate::system::DynamicSystem;
 
 /// Default error tolerance of a step.
 const TOLERANCE: f64 = 1e-9;
 /// Names of the methods; the first three have tolerances, the last two are for noise.
-pub(crate) const NAMES: [&str; 7] = ["verner", "radau", "taylor", "rk4", "gauss", "maruyama", "stochastic"];
+pub(crate) const NAMES: [&str; 8] =
+    ["verner", "radau", "taylor", "rk4", "gauss", "stepped", "maruyama", "stochastic"];
+/// The reason why systems without contacts are not stepped.
+pub(crate) const NO_CONTACTS: &str = "the method `stepped` needs contacts or friction: take `verner`";
+/// The reason why runs with a law, or with delayed signals, are not stepped.
+pub(crate) const STEPPED_LAW: &str =
+    "the method `stepped` has no inputs that change or are delayed: take `verner`";
 /// The reason why runs with a law have no series.
 pub(crate) const LAW: &str = "the method `taylor` has no series of inputs that change: take `verner`";
 
@@ -45,6 +53,11 @@ pub enum MethodChoice {
     },
     /// The Gauss–Legendre method of order 6, `gauss`.
     GaussLegendre {
+        /// Length of a step.
+        step: f64,
+    },
+    /// Steps over which contacts and friction act by impulses, `stepped`.
+    Stepped {
         /// Length of a step.
         step: f64,
     },
@@ -92,6 +105,7 @@ impl MethodChoice {
             ("taylor", _) => MethodChoice::Taylor { tolerance },
             ("rk4", Some(step)) => MethodChoice::RungeKutta4 { step },
             ("gauss", Some(step)) => MethodChoice::GaussLegendre { step },
+            ("stepped", Some(step)) => MethodChoice::Stepped { step },
             ("maruyama", Some(step)) => MethodChoice::EulerMaruyama { step, seed: 0 },
             (_, Some(step)) => MethodChoice::StochasticRungeKutta4 { step, seed: 0 },
             (_, None) => return Err(MethodError::WithoutStep(method)),
@@ -132,12 +146,17 @@ impl MethodChoice {
             (MethodChoice::Taylor { tolerance }, None) => {
                 simulation.method(Taylor::tolerance(tolerance)).run()
             }
-            (MethodChoice::Taylor { .. }, Some(reason)) => simulation.method(WithoutSeries(reason)).run(),
+            (MethodChoice::Taylor { .. }, Some(reason)) => simulation.method(Refused(reason)).run(),
+            (MethodChoice::Stepped { step }, _) if system.is_touching() => {
+                in_room!(system, V, R, simulation.method(Stepped::<f64, V, R>::every(step)).run())
+            }
+            (MethodChoice::Stepped { .. }, _) => simulation.method(Refused(NO_CONTACTS)).run(),
             _ => self.run(simulation),
         }
     }
 
-    /// Runs a simulation by this method. [`Taylor`] refuses it, since its inputs may change.
+    /// Runs a simulation by this method. [`Taylor`] and [`Stepped`] refuse it, since its inputs may
+    /// change.
     ///
     /// # Errors
     /// If the run fails, as in [`Simulation::run`].
@@ -157,7 +176,8 @@ impl MethodChoice {
         match self {
             MethodChoice::Verner { tolerance } => simulation.method(Verner98::tolerance(tolerance)).run(),
             MethodChoice::Radau { tolerance } => simulation.method(Radau5::tolerance(tolerance)).run(),
-            MethodChoice::Taylor { .. } => simulation.method(WithoutSeries(LAW)).run(),
+            MethodChoice::Taylor { .. } => simulation.method(Refused(LAW)).run(),
+            MethodChoice::Stepped { .. } => simulation.method(Refused(STEPPED_LAW)).run(),
             MethodChoice::RungeKutta4 { step } => simulation.method(RungeKutta4 { step }).run(),
             MethodChoice::GaussLegendre { step } => {
                 simulation.method(PlainGaussLegendre::<f64, 3> { step }).run()
@@ -172,11 +192,11 @@ impl MethodChoice {
     }
 }
 
-/// A method in place of Taylor series that refuses every system, with the reason.
+/// A method in place of one that a system does not have. It refuses every system, with the reason.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct WithoutSeries(pub(crate) &'static str);
+pub(crate) struct Refused(pub(crate) &'static str);
 
-impl<M> Method<M> for WithoutSeries
+impl<M> Method<M> for Refused
 where
     M: OdeSystem<Scalar = f64> + ?Sized,
     RungeKutta4<f64>: Method<M>,
@@ -184,7 +204,7 @@ where
     type Stepper = <RungeKutta4<f64> as Method<M>>::Stepper;
 
     fn name(&self) -> &'static str {
-        "Taylor series"
+        "none"
     }
 
     fn order(&self) -> u32 {

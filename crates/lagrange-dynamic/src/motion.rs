@@ -69,8 +69,11 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
 
     fn rhs(&self, t: f64, y: &Inline<CAPACITY>) -> Inline<CAPACITY> {
         let ((q, v), mut rates) = (y.parts(0), y.zeros());
-        self.numeric.rates(t, q, v, rates.as_mut());
-        rates
+        if !self.is_touching() {
+            self.numeric.rates(t, q, v, rates.as_mut());
+            return rates;
+        }
+        Inline::joined(&self.numeric.position_rates(t, q, v), &self.accelerations(t, q, v))
     }
 
     fn undefined(&self, t: f64, y: &Inline<CAPACITY>, rates: &Inline<CAPACITY>) -> Option<Undefined<f64>> {
@@ -137,7 +140,7 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
     }
 
     fn is_constrained(&self) -> bool {
-        self.is_projected() || !self.names.description.quaternions.is_empty()
+        self.is_touching() || self.is_projected() || !self.names.description.quaternions.is_empty()
     }
 
     fn correct(&self, t: f64, y: &mut Inline<CAPACITY>) -> Result<(), StepFailure<f64>> {
@@ -159,12 +162,18 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
     fn event_values(&self, t: f64, y: &Inline<CAPACITY>, values: &mut [f64]) {
         let found = self.evaluate(&self.programs().event_functions, t, y);
         values.iter_mut().zip(found).for_each(|(value, found)| *value = found);
+        if self.is_touching() {
+            self.touching_values(t, y, values);
+        }
         if self.programs().layout.sides > 0 {
             side_values(self, t, y, values);
         }
     }
 
-    fn react(&self, event: usize, t: f64, _elapsed: f64, y: &Inline<CAPACITY>) -> Reacted<Self> {
+    fn react(&self, event: usize, t: f64, elapsed: f64, y: &Inline<CAPACITY>) -> Reacted<Self> {
+        if self.is_of_touching(event) {
+            return self.react_touching(event, t, elapsed, y);
+        }
         match self.programs().reactions.get(event) {
             None => change_side(self, event, t, y),
             Some(Reaction::Stop) => Ok(Response::new(Action::Stop)),
@@ -177,7 +186,11 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
 
     fn begin(&self, t: f64, y: &Inline<CAPACITY>) -> Result<Option<Self>, StepFailure<f64>> {
         self.check_parameters()?;
-        Ok(self.on_sides(t, y))
+        let on_sides = self.on_sides(t, y);
+        if !self.is_touching() {
+            return Ok(on_sides);
+        }
+        Ok(on_sides.as_ref().unwrap_or(self).begin_touching(t, y)?.or(on_sides))
     }
 
     fn on_sides(&self, t: f64, y: &Inline<CAPACITY>) -> Option<Self> {

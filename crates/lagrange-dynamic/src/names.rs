@@ -9,12 +9,14 @@ use std::ops::Bound;
 use std::sync::OnceLock;
 use std::sync::{Mutex, PoisonError};
 
-use lagrange_core::emit::Variables;
+use lagrange_core::emit::{ReactionOfSystem, Variables};
 use lagrange_core::model::EntryLimits;
 use lagrange_core::pipeline::Programs;
 use lagrange_core::syntax::ast;
 use lagrange_runtime::event::{DeclaredEvent, Direction};
 use lagrange_runtime::system::{Description, Domain, EntryRange, MatrixLayout, RangedKind};
+
+use crate::reactions::{NamedReaction, Room};
 
 type Texts = &'static [&'static str];
 
@@ -31,6 +33,12 @@ pub(crate) struct Names {
     pub(crate) layout: MatrixLayout,
     /// Declared events, then the events of switches.
     pub(crate) events: &'static [DeclaredEvent],
+    /// Reactions of contacts and friction.
+    pub(crate) reactions: &'static [NamedReaction],
+    /// Room for them.
+    pub(crate) room: Room,
+    /// The reason why only steps can simulate the system, if there is one.
+    pub(crate) needs_steps: Option<&'static str>,
     /// Names of algebraic unknowns.
     pub(crate) unknowns: Texts,
     /// The reason why the motion has no Taylor series, if it has none.
@@ -82,10 +90,11 @@ fn without_series(programs: &Programs) -> Option<&str> {
 fn kept(programs: &Programs) -> &'static Names {
     let variables = &programs.variables;
     let units = variables.units.iter().map(|(name, unit)| (text(name), text(unit))).collect::<Vec<_>>();
-    let declared = variables
-        .events
-        .iter()
-        .map(|event| DeclaredEvent::new(text(&event.name), direction(event.direction)));
+    let declared = variables.events.iter().map(|event| match event.is_of_contact {
+        true => DeclaredEvent::switch(text(&event.name)),
+        false => DeclaredEvent::new(text(&event.name), direction(event.direction)),
+    });
+    let of_friction = variables.events_of_friction.iter().map(|name| DeclaredEvent::switch(text(name)));
     let sides = variables.switches.iter().map(|surface| DeclaredEvent::side(text(surface)));
     let description = Description {
         coordinates: texts(&variables.positions),
@@ -107,7 +116,10 @@ fn kept(programs: &Programs) -> &'static Names {
         domain: domain(variables),
         fields,
         layout,
-        events: Vec::leak(declared.chain(sides).collect()),
+        events: Vec::leak(declared.chain(of_friction).chain(sides).collect()),
+        reactions: Vec::leak(variables.reactions.iter().map(named).collect()),
+        room: Room::of(programs).unwrap_or(Room::Small),
+        needs_steps: variables.needs_steps.as_deref().map(text),
         unknowns: texts(&programs.unknowns),
         without_series: without_series(programs).map(text),
         #[cfg(feature = "fit")]
@@ -115,6 +127,13 @@ fn kept(programs: &Programs) -> &'static Names {
         #[cfg(feature = "fit")]
         filled: OnceLock::new(),
     }))
+}
+
+fn named(reaction: &ReactionOfSystem) -> NamedReaction {
+    let ReactionOfSystem { name, mode, event, restitution_varies, limit_reverses } = reaction;
+    let (mode, event) = (*mode, *event);
+    let (restitution_varies, limit_reverses) = (*restitution_varies, *limit_reverses);
+    NamedReaction { name: text(name), mode, event, restitution_varies, limit_reverses }
 }
 
 /// Returns the ranges and the nominal values of the entries of the state.

@@ -5,12 +5,19 @@ use std::fmt::{self, Display, Formatter};
 
 use lagrange_runtime::system::OutOfRange;
 
+use crate::reactions::MOST;
+
 /// The reason why a system cannot be run.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// The system declares rigid contacts or friction with these names.
-    Touching(Vec<String>),
+    /// The system has rigid contacts or friction, and exceeds the size supported for them.
+    Touching {
+        /// Number of velocities.
+        velocities: usize,
+        /// Number of forces of contacts and friction; two for friction in a plane.
+        forces: usize,
+    },
     /// The system calls these functions of the user's crate.
     Functions(Vec<String>),
     /// The system exceeds the supported size.
@@ -25,8 +32,13 @@ pub enum Refusal {
 impl Display for Refusal {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Refusal::Touching(names) => {
-                write!(f, "rigid contacts and friction run in compiled code only: {}", quoted(names))
+            Refusal::Touching { velocities, forces } => {
+                let [most_velocities, most_forces] = MOST;
+                write!(
+                    f,
+                    "there are {velocities} velocities and {forces} forces of contacts and friction, "
+                )?;
+                write!(f, "more than the {most_velocities} and {most_forces} that run without compilation")
             }
             Refusal::Functions(names) => {
                 write!(f, "functions of a crate are known to compiled code only: {}", quoted(names))

@@ -3,13 +3,16 @@
 use std::iter::repeat_n;
 
 use lagrange_core::limits::MAX_LOCATED;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, Programs};
 use lagrange_core::program::Program;
+use lagrange_runtime::contact::Mode;
 use lagrange_runtime::event::{SwitchedSystem, Switches};
 use lagrange_runtime::system::StateVector;
 
 use crate::inline::Inline;
 use crate::names::Names;
+use crate::reactions::initial_mode;
 
 /// An interpreted system with states of at most `CAPACITY` entries.
 #[derive(Clone, Debug)]
@@ -17,11 +20,14 @@ pub struct DynamicSystem<const CAPACITY: usize> {
     pub(crate) numeric: NumericSystem,
     pub(crate) names: &'static Names,
     switches: Switches,
+    /// Modes of contacts and friction.
+    pub(crate) modes: Vec<Mode>,
 }
 
 impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
     pub(crate) fn new(numeric: NumericSystem, names: &'static Names) -> Self {
-        DynamicSystem { numeric, names, switches: Switches::FREE }
+        let modes = names.reactions.iter().map(|reaction| initial_mode(reaction.mode)).collect();
+        DynamicSystem { numeric, names, switches: Switches::FREE, modes }
     }
 
     pub(crate) fn programs(&self) -> &Programs {
@@ -45,7 +51,28 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
     /// Runs a program at a state.
     pub(crate) fn evaluate(&self, program: &Program, t: f64, y: &Inline<CAPACITY>) -> Vec<f64> {
         let (q, v) = y.parts(0);
-        self.numeric.evaluate(program, t, q, v)
+        self.evaluate_at(program, t, q, v)
+    }
+
+    /// Runs a program with the accelerations, multipliers and reactions of the motion.
+    pub(crate) fn evaluate_at(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+        match self.is_touching() {
+            true => {
+                self.numeric.evaluate_under(program, (t, q, v), || self.accelerations_and_reactions(t, q, v))
+            }
+            false => self.numeric.evaluate(program, t, q, v),
+        }
+    }
+
+    /// Computes a product at a state; `None` if it was not derived.
+    pub(crate) fn product(
+        &self,
+        product: Product,
+        t: f64,
+        q: &Inline<CAPACITY>,
+        v: &Inline<CAPACITY>,
+    ) -> Option<Vec<f64>> {
+        Some(self.evaluate_at(self.programs().product(product)?, t, q.as_ref(), v.as_ref()))
     }
 }
 
@@ -54,7 +81,7 @@ impl<const CAPACITY: usize> SwitchedSystem<MAX_LOCATED> for DynamicSystem<CAPACI
     const FIRST: usize = 0;
 
     fn first(&self) -> usize {
-        self.programs().reactions.len()
+        self.programs().reactions.len() + self.programs().variables.events_of_friction.len()
     }
 
     fn switches(&self) -> Switches {

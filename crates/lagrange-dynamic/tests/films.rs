@@ -83,6 +83,18 @@ both_ways! {
     }
 }
 
+// A contact with friction.
+both_ways! {
+    SlidingDisk = SLIDING_DISK {
+        coord x, y, phi;
+        gravity = (0, -9.81);
+        line floor { through: (0, 0); angle: 0; }
+        body wheel { mass: 2; center: (x, y); angle: phi; shape: disk(0.3); }
+        contact touch = wheel on floor { friction: 0.2; restitution: 0.4; }
+        emit { drawing }
+    }
+}
+
 lagrange::system! {
     #[derive(Clone, Debug)]
     struct BallInDish;
@@ -126,6 +138,12 @@ fn films_in_the_plane_are_those_of_compiled_types() {
 #[test]
 fn forces_of_constraints_are_those_of_compiled_types() {
     compare(PINNED_ROD, &PinnedRod, [0.5, 0.0, 0.0, 0.0, 0.0, 0.0], "Pinned rod");
+}
+
+#[test]
+fn forces_of_contacts_are_those_of_compiled_types() {
+    compare(SLIDING_DISK, &SlidingDisk::default(), [0.0, 0.35, 0.0, 1.0, 0.0, 0.0], "Sliding disk");
+    compare(SLIDING_DISK, &SlidingDisk::default(), [0.0, 0.3, 0.0, 1.0, 0.0, 0.0], "Sliding disk");
 }
 
 #[test]

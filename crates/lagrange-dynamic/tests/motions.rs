@@ -296,14 +296,6 @@ fn everything_that_only_compiled_code_runs_is_refused_by_name() {
         let derived = parse(text).expect("a declaration").derive(StrategyChoice::Cheapest).expect("regular");
         DeclaredSystem::new(Programs::new(&derived)).expect_err("refused").to_string()
     };
-    let ball = "coord h; kinetic = 1/2 * dot(h)^2; potential = h; event floor = h, falling => impact(0.5);";
-    assert!(refused(ball).ends_with(": `floor`"), "{}", refused(ball));
-    let rub = "coord x; kinetic = 1/2 * dot(x)^2; friction rub = dot(x), 0.3;";
-    assert!(refused(rub).ends_with(": `rub`"), "{}", refused(rub));
-    let boxes = "gravity = (0, 0, -9.81); body low { mass: 1; shape: cuboid(1, 1, 1); } free low;
-        body high { mass: 1; shape: cuboid(1, 1, 1); } free high;
-        contact rest = low on ground { friction: 0.3; } contact touch = high on low { friction: 0.3; }";
-    assert!(refused(boxes).ends_with(": `rest`, `touch`"), "{}", refused(boxes));
     let road = "function road(x); coord x; kinetic = 1/2 * dot(x)^2; potential = road(x);";
     assert!(refused(road).contains("`road_derivative`"), "{}", refused(road));
     let long = "coord x[65]; kinetic = 1/2 * sum(i in 0..65, dot(x[i])^2);";

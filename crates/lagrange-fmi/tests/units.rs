@@ -362,7 +362,10 @@ fn refusals_name_what_is_missing() {
         MockupUnit::new(&programs, &start, Version::Two).expect_err("a refusal").to_string()
     };
     let touching = refused(&format!("{base} event floor = x, falling => impact(0.5);"), |_| {});
-    assert_eq!(touching, "rigid contacts and friction run in compiled Rust only: `floor`");
+    assert_eq!(
+        touching,
+        "rigid contacts and friction run in Rust, on the command line and in Python only: `floor`"
+    );
     let functions = refused(&format!("function road(x); {base} potential = road(x);"), |_| {});
     assert!(functions.contains("`road_derivative`"), "{functions}");
     let missing =

@@ -14,8 +14,8 @@ use lagrange_core::symbol::Role;
 use lagrange_jit::{CompileError, Compiler, LARGEST_PROGRAM};
 
 const LAYOUT: Layout =
-    Layout { positions: 3, velocities: 2, parameters: 2, inputs: 1, sides: 2, multipliers: 1 };
-const ROLES: [Role; 11] = [
+    Layout { positions: 3, velocities: 2, parameters: 2, inputs: 1, sides: 2, multipliers: 1, reactions: 2 };
+const ROLES: [Role; 12] = [
     Role::Time,
     Role::Coordinate(1),
     Role::State(2),
@@ -26,8 +26,9 @@ const ROLES: [Role; 11] = [
     Role::Side(1),
     Role::Multiplier(0),
     Role::Acceleration(1),
+    Role::Reaction(1),
     // This role has no number, so it is NaN.
-    Role::Reaction(0),
+    Role::Noise(0),
 ];
 const RELATIONS: [Relation; 4] =
     [Relation::Less, Relation::LessEqual, Relation::Greater, Relation::GreaterEqual];
@@ -175,9 +176,9 @@ fn short_lists_and_other_lengths_of_outputs_are_refused() {
     let compiler = Compiler::for_this_processor().expect("a known processor");
     let code = compiler.code(&builder.finish(&[sum]), &LAYOUT, &solving(&[])).expect("it is small");
     let run = |positions: &[f64], fields: &[f64], outputs: &mut [f64]| {
-        let [velocities, sides, multipliers, accelerations] = [&[][..]; 4];
+        let [velocities, sides, multipliers, accelerations, reactions] = [&[][..]; 5];
         code.run(
-            &Numbers { t: 0.0, positions, velocities, fields, sides, multipliers, accelerations },
+            &Numbers { t: 0.0, positions, velocities, fields, sides, multipliers, accelerations, reactions },
             outputs,
         )
     };

@@ -104,7 +104,7 @@ impl PySystem {
 
     fn rhs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         self.check(&y)?;
-        Ok(self.declared.numeric().rhs(t, &y).to_pyarray(py))
+        Ok(self.declared.rates(t, &y).to_pyarray(py))
     }
 
     fn accelerations<'py>(
@@ -113,8 +113,8 @@ impl PySystem {
         t: f64,
         y: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let (q, v) = self.parts(&y)?;
-        Ok(self.declared.numeric().acceleration(t, q, v).to_pyarray(py))
+        let positions = self.parts(&y)?.0.len();
+        Ok(self.declared.rates(t, &y)[positions..].to_pyarray(py))
     }
 
     fn energy(&self, t: f64, y: Vec<f64>) -> PyResult<f64> {
@@ -158,11 +158,11 @@ impl PySystem {
     }
 
     fn outputs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyDict>> {
-        let (q, v) = self.parts(&y)?;
+        self.check(&y)?;
         let outputs = PyDict::new(py);
-        for columns in &self.declared.variables().outputs {
-            let name = columns.first().map_or("", |column| column.split(['.', '[']).next().unwrap_or(column));
-            let values = self.declared.numeric().output(name, t, q, v).unwrap_or_default();
+        let programs = self.declared.programs().outputs.iter();
+        for (columns, (_, output)) in self.declared.variables().outputs.iter().zip(programs) {
+            let values = self.declared.evaluate(output, t, &y);
             for (column, value) in columns.iter().zip(values) {
                 outputs.set_item(column, value)?;
             }
@@ -427,8 +427,9 @@ impl PySystem {
     }
 
     fn product(&self, product: Product, name: &str, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
-        let (q, v) = self.parts(y)?;
-        let found = self.declared.numeric().product(product, t, q, v);
-        found.ok_or_else(|| PyValueError::new_err(format!("the declaration excludes the {name}")))
+        self.check(y)?;
+        let program = self.declared.programs().product(product);
+        let missing = || PyValueError::new_err(format!("the declaration excludes the {name}"));
+        Ok(self.declared.evaluate(program.ok_or_else(missing)?, t, y))
     }
 }

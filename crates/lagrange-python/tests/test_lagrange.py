@@ -88,6 +88,28 @@ def test_noise_follows_its_seed_and_has_its_density():
             system.ensemble(until=1, seed=1, **wrong)
 
 
+def test_a_ball_bounces_and_a_block_stops():
+    ball = lagrange.System(
+        "param g = 9.81, e = 0.6; coord h = 2; kinetic = 1/2 * dot(h)^2; potential = g * h;"
+        "event floor = h, falling => impact(e); output push = floor;"
+    )
+    motion = ball.simulate(until=4, tolerance=1e-12)
+    fall = (4 / 9.81) ** 0.5
+    bounces = [fall * (1 + 2 * (0.6 - 0.6 ** (n + 1)) / 0.4) for n in range(10)]
+    np.testing.assert_allclose([event[1] for event in motion.events][:10], bounces, rtol=1e-9)
+    assert motion["h"][-1] == 0 and abs(motion["push"][-1] - 9.81) < 1e-12
+    assert ball.accelerations(0, [1, 0]) == [-9.81] and ball.outputs(0, [1, 0]) == {"push": 0}
+    stepped = ball.simulate(until=4, method="stepped", step=1e-3)
+    assert abs(stepped["h"][-1]) < 1e-9
+    ends = ball.ensemble({"h": [1, 2]}, until=4, method="stepped", step=1e-3)
+    assert abs(ends.y).max() < 1e-9
+    with pytest.raises(ValueError, match="`stepped` needs contacts"):
+        lagrange.System(DOUBLE).simulate(until=1, method="stepped", step=1e-3)
+    block = lagrange.System("coord x = 0; start dot(x) = 2; kinetic = 1/2 * dot(x)^2; friction rub = dot(x), 3;")
+    assert abs(block.simulate(until=2)["x"][-1] - 2 / 3) < 1e-9
+    assert block.rhs(0, [0, 2]).tolist() == [2, -3]
+
+
 def test_motions_are_those_of_scipy():
     system = lagrange.System(DOUBLE)
     motion = system.simulate(until=5, every=0.5, tolerance=1e-12, energy=True)

@@ -2,7 +2,8 @@
 
 use proc_macro2::TokenStream;
 
-use super::base::shape::Shape;
+use super::base::shape::{Shape, Touch};
+use super::features::contacts::{events_of_rows, needs_steps, reversing_limits, varying_restitutions};
 use super::features::orientations::written_velocity;
 use super::features::ports::column_names;
 use super::features::regressor::regressor_names;
@@ -11,7 +12,7 @@ use super::features::units::units_by_name;
 use crate::derive::Equations;
 use crate::model::{EntryLimits, Model, Product};
 use lagrange_expr::collections::HashSet;
-use lagrange_language::syntax::ast::{Declaration, Direction};
+use lagrange_language::syntax::ast::{Action, Declaration, Direction};
 
 /// Names and units of a system's variables, as in the constants of its emitted type.
 #[derive(Clone, Debug)]
@@ -41,6 +42,12 @@ pub struct Variables {
     pub events: Vec<EventOfSystem>,
     /// Contacts and friction, with one name for all elements of an array.
     pub touching: Vec<String>,
+    /// Reactions of contacts and friction.
+    pub reactions: Vec<ReactionOfSystem>,
+    /// Events after the declared ones, at which friction changes its mode.
+    pub events_of_friction: Vec<String>,
+    /// The reason why only steps can simulate the system, if there is one.
+    pub needs_steps: Option<String>,
     /// Inputs that are delayed signals.
     pub delayed: Vec<String>,
     /// Surfaces of the switches whose sides runs fix.
@@ -91,6 +98,36 @@ pub struct EventOfSystem {
     pub name: String,
     /// Direction of the relevant zeros.
     pub direction: Direction,
+    /// True for an event of a contact.
+    pub is_of_contact: bool,
+}
+
+/// A reaction of a contact or friction.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ReactionOfSystem {
+    /// Name of the contact or friction.
+    pub name: String,
+    /// Its mode.
+    pub mode: ModeOfReaction,
+    /// Index of the event at which the mode changes.
+    pub event: Option<usize>,
+    /// True if the coefficient of restitution depends on time or the state.
+    pub restitution_varies: bool,
+    /// True if the limit of friction contains constraint forces.
+    pub limit_reverses: bool,
+}
+
+/// The kind of the mode of a reaction.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ModeOfReaction {
+    /// A contact, open or closed.
+    Contact,
+    /// Friction that sticks or slips.
+    Friction,
+    /// The second component of the friction before it.
+    Across,
+    /// Smooth friction.
+    Smooth,
 }
 
 /// Collects the names and units of a derived system.
@@ -130,9 +167,16 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
         events: shape
             .events
             .iter()
-            .map(|event| EventOfSystem { name: text(shape.written(&event.name)), direction: event.direction })
+            .map(|event| EventOfSystem {
+                name: text(shape.written(&event.name)),
+                direction: event.direction,
+                is_of_contact: matches!(event.action, Action::Impact(_)),
+            })
             .collect(),
         touching: touching_names(&shape),
+        reactions: reactions(&shape, model),
+        events_of_friction: events_of_friction(&shape),
+        needs_steps: needs_steps(&shape, model),
         delayed: model.delays.iter().map(|delay| model.inputs[delay.input].name.clone()).collect(),
         switches: shape.switches.clone(),
         outputs,
@@ -140,6 +184,30 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
         units: units.into_iter().map(|(name, unit)| (name, text(unit))).collect(),
         declared_units: declared_units.collect(),
     }
+}
+
+/// Returns the reactions in the order of their rows.
+fn reactions(shape: &Shape<'_>, model: &Model) -> Vec<ReactionOfSystem> {
+    let (places, events) = (shape.reactions(), events_of_rows(shape));
+    let (varying, reversing) = (varying_restitutions(model), reversing_limits(model));
+    let reaction = |(k, &place): (usize, &usize)| {
+        let (name, touch) = shape.touching[place];
+        let mode = match touch {
+            Touch::Contact => ModeOfReaction::Contact,
+            Touch::Planar if k > 0 && places[k - 1] == place => ModeOfReaction::Across,
+            Touch::Friction | Touch::Planar => ModeOfReaction::Friction,
+            Touch::Smooth => ModeOfReaction::Smooth,
+        };
+        let (restitution_varies, limit_reverses) = (varying[k], reversing[k]);
+        let name = shape.written(name).to_owned();
+        ReactionOfSystem { name, mode, event: events[k], restitution_varies, limit_reverses }
+    };
+    places.iter().enumerate().map(reaction).collect()
+}
+
+fn events_of_friction(shape: &Shape<'_>) -> Vec<String> {
+    let others = shape.event_names().into_iter().skip(shape.events.len());
+    others.map(|(name, _)| shape.written(name).to_owned()).collect()
 }
 
 /// Returns the declared names of contacts and friction. An array has one name, and so do the points

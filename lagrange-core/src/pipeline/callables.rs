@@ -8,12 +8,15 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::opaque::Opaque;
 
 type Callback = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
+/// Returns the numbers of the contact points of two blocks from those of the blocks.
+pub(super) type ContactPoints = fn(&[f64]) -> Vec<f64>;
 
 /// Functions by their names in emitted code, and solutions of equations.
 #[derive(Clone, Default)]
 pub(super) struct Callables {
     functions: HashMap<String, Callback>,
     solutions: Arc<[NewtonProgram]>,
+    pub(super) contact_points: Option<ContactPoints>,
 }
 
 impl fmt::Debug for Callables {
@@ -49,6 +52,9 @@ impl Callables {
     }
 
     fn named(&self, function: &Opaque, arguments: &[f64]) -> Vec<f64> {
+        if let Some(points) = self.contact_points.filter(|_| function.is_contact_point()) {
+            return points(arguments);
+        }
         vec![self.functions.get(&function.rust_name()).map_or(f64::NAN, |value| value(arguments))]
     }
 }

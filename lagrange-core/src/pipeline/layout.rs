@@ -17,6 +17,8 @@ pub struct Layout {
     pub sides: usize,
     /// Multipliers, after the sides. They are followed by one acceleration per velocity.
     pub multipliers: usize,
+    /// Reactions of contacts and friction, after the accelerations.
+    pub reactions: usize,
 }
 
 /// Location of an argument.
@@ -44,7 +46,10 @@ impl Layout {
             Role::Side(i) => Place::Parameter(sides + i as usize),
             Role::Multiplier(i) => Place::Parameter(multipliers + i as usize),
             Role::Acceleration(i) => Place::Parameter(multipliers + self.multipliers + i as usize),
-            Role::Noise(_) | Role::Reaction(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
+            Role::Reaction(i) => {
+                Place::Parameter(multipliers + self.multipliers + self.velocities + i as usize)
+            }
+            Role::Noise(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
         })
     }
 
@@ -55,6 +60,6 @@ impl Layout {
 
     /// Returns the length of p.
     pub fn length(&self) -> usize {
-        self.fields() + self.sides + self.multipliers + self.velocities
+        self.fields() + self.sides + self.multipliers + self.velocities + self.reactions
     }
 }

@@ -3,13 +3,13 @@
 use super::drawn::{DrawnScene, PlacedHeight, placed_items};
 use super::layout::Layout;
 use super::phases::DerivedPart;
-use super::programs::{Programs, Range, Reaction, TickingClock};
+use super::programs::{Programs, Range, Reaction, TickingClock, TouchingPrograms};
 use super::series::MotionSeries;
 use super::system::Derived;
 use crate::derive::Equations;
 use crate::emit::{
-    NamedRoots, Variables, by_fields, by_state, by_state_and_inputs, on_sides, series_programs,
-    system_matrix, variables,
+    NamedRoots, ReactionTerms, Variables, by_fields, by_state, by_state_and_inputs, on_sides,
+    separate_events, series_programs, system_matrix, variables,
 };
 use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, SampledHeight, Speed};
 use lagrange_algebra::calculus::gradient;
@@ -59,7 +59,9 @@ impl<'a> Lowering<'a> {
         let rates = self.model.position_rates();
         let unknowns = self.unknowns(&rates);
         let with_growth = |roots: &[ExprId]| [roots, &growth].concat();
-        let reactions = self.model.events.clone().iter().map(|event| self.reaction(event)).collect();
+        let (accelerations, multipliers) = motion(equations, &growth);
+        let events = separate_events(self.declaration, &self.model);
+        let reactions = events.iter().map(|event| self.reaction(event)).collect();
         let clocks = self.model.clocks.clone().iter().map(|clock| self.clock(clock)).collect();
         let located = &equations.switches[..self.variables.switches.len()];
         let switches = located.iter().map(|switch| switch.value).collect::<Vec<_>>();
@@ -72,8 +74,7 @@ impl<'a> Lowering<'a> {
             ranges: self.ranges(),
             start: (!self.model.start.is_empty()).then(|| self.as_declared(&self.model.start)),
             position_rates: self.on_sides(&rates),
-            accelerations: self
-                .on_sides(&[&equations.accelerations[..], &beside(equations), &growth].concat()),
+            accelerations: self.on_sides(&accelerations),
             delayed_inputs: self.model.delays.iter().map(|delay| delay.input).collect(),
             delayed_signals: self
                 .on_sides(&self.model.delays.iter().map(|delay| delay.signal).collect::<Vec<_>>()),
@@ -89,7 +90,7 @@ impl<'a> Lowering<'a> {
             noises: self.model.noises.iter().map(|noise| noise.name.clone()).collect(),
             diffusion: self.on_sides(&equations.diffusion.columns.concat()),
             diffusion_kind: equations.diffusion.kind,
-            multipliers: self.on_sides(&with_growth(&equations.constraints.multipliers)),
+            multipliers: self.on_sides(&multipliers),
             growths: growth.len(),
             is_redundant: equations.constraints.is_redundant,
             undivided: self.on_sides(&undivided(equations)),
@@ -99,7 +100,7 @@ impl<'a> Lowering<'a> {
             mass_times: self.mass_times(),
             switch_times: times.map(|time| time.map(|time| self.as_declared(&[time]))).collect(),
             switches: self.as_declared(&switches),
-            event_functions: self.event_functions(),
+            event_functions: self.event_functions(&events),
             reactions,
             clocks,
             products: self.products(),
@@ -115,6 +116,7 @@ impl<'a> Lowering<'a> {
             unknowns: unknowns.iter().map(|(_, name)| name.clone()).collect(),
             unknown_values: self.on_sides(&unknowns.iter().map(|(root, _)| *root).collect::<Vec<_>>()),
             solutions: self.solutions(),
+            touching: self.touching(),
             variables: self.variables,
         }
     }
@@ -127,6 +129,7 @@ impl<'a> Lowering<'a> {
             inputs: self.model.inputs.len(),
             sides: self.variables.switches.len(),
             multipliers: self.model.constraints.len(),
+            reactions: self.model.reactions.len(),
         }
     }
 
@@ -189,10 +192,10 @@ impl<'a> Lowering<'a> {
         self.on_sides(&roots)
     }
 
-    fn event_functions(&mut self) -> Program {
+    fn event_functions(&mut self, events: &[Event]) -> Program {
         let one = self.model.graph.number(1);
         let value = |event: &Event| if let Action::Impact(_) = event.action { one } else { event.value };
-        let values = self.model.events.iter().map(value).collect::<Vec<_>>();
+        let values = events.iter().map(value).collect::<Vec<_>>();
         self.on_sides(&values)
     }
 
@@ -269,6 +272,16 @@ impl<'a> Lowering<'a> {
         (!items.is_empty()).then(|| DrawnScene { is_in_space, items, program: self.on_sides(&roots) })
     }
 
+    /// Lowers the terms of contacts and friction, if there are any.
+    fn touching(&mut self) -> Option<TouchingPrograms> {
+        if self.model.reactions.is_empty() {
+            return None;
+        }
+        let terms = ReactionTerms::new(&mut self.model, self.equations);
+        let (slopes, matrices) = (terms.slopes.iter().map(|(pair, _)| *pair).collect(), terms.inertia.len());
+        Some(TouchingPrograms { terms: self.on_sides(&terms.roots()), slopes, matrices })
+    }
+
     /// Returns the algebraic unknowns in the rates, with their names.
     fn unknowns(&self, position_rates: &[ExprId]) -> Vec<(ExprId, String)> {
         let rates = [&self.equations.accelerations[..], position_rates].concat();
@@ -291,6 +304,16 @@ impl<'a> Lowering<'a> {
 
 fn lowered(graph: &Graph, roots: &[ExprId], labels: &Labels, accuracy: Accuracy) -> Program {
     optimise(&lower(graph, roots, labels), accuracy)
+}
+
+/// Returns the accelerations and the multipliers, each with the values after them.
+fn motion(equations: &Equations, growth: &[ExprId]) -> (Vec<ExprId>, Vec<ExprId>) {
+    let Equations { accelerations, constraints, reactions, .. } = equations;
+    if !reactions.rows.is_empty() {
+        return (accelerations.clone(), reactions.multipliers.clone());
+    }
+    let accelerations = [&accelerations[..], &beside(equations), growth].concat();
+    (accelerations, [&constraints.multipliers[..], growth].concat())
 }
 
 /// Returns values whose magnitude is the growth of rounding errors that triggers the second method.

@@ -67,6 +67,14 @@ impl NumericSystem {
         NumericSystem { routines, ..self }
     }
 
+    /// Defines the numbers of the contact points of two blocks as a function of those of the blocks.
+    /// Undefined numbers are NaN.
+    #[must_use]
+    pub fn with_contact_points(mut self, contact_points: fn(&[f64]) -> Vec<f64>) -> NumericSystem {
+        self.callables.contact_points = Some(contact_points);
+        self
+    }
+
     /// Returns the compiler of the programs, if there is one.
     pub fn backend(&self) -> Option<&Arc<dyn Backend>> {
         self.routines.backend.as_ref()
@@ -132,7 +140,7 @@ impl NumericSystem {
 
     fn at<'a>(&'a self, t: f64, q: &'a [f64], v: &'a [f64]) -> Numbers<'a> {
         let (positions, velocities, fields) = (q, v, &self.fields[..]);
-        Numbers { t, positions, velocities, fields, sides: &[], multipliers: &[], accelerations: &[] }
+        Numbers { t, positions, velocities, fields, ..Numbers::NONE }
     }
 
     /// Runs one of the programs of the system.
@@ -203,7 +211,7 @@ impl NumericSystem {
         self.interpreted(&height.program, self.at(t, q, v), given)[0]
     }
 
-    /// Computes q̈.
+    /// Computes q̈, without forces of contacts and friction.
     pub fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let mut accelerations = vec![f64::NAN; self.degrees_of_freedom()];
         self.accelerate(self.at(t, q, v), &mut accelerations);
@@ -211,14 +219,21 @@ impl NumericSystem {
     }
 
     fn accelerate(&self, at: Numbers<'_>, accelerations: &mut [f64]) {
+        if self.programs.touching.is_some() {
+            return self.run_into(&self.programs.accelerations, &at, accelerations);
+        }
         if !self.straight_way(at, accelerations) {
             let [found, _] = self.second_way(at);
             accelerations.copy_from_slice(&found);
         }
     }
 
-    /// Computes the multipliers in the order of the constraints.
+    /// Computes the multipliers in the order of the constraints, without forces of contacts and
+    /// friction.
     pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+        if self.programs.touching.is_some() {
+            return self.multipliers_under(t, q, v, &vec![0.0; self.programs.layout.reactions]);
+        }
         let at = self.at(t, q, v);
         let mut accelerations = vec![f64::NAN; self.degrees_of_freedom()];
         match self.trusted(&self.programs.multipliers, at) {
@@ -228,6 +243,11 @@ impl NumericSystem {
                 multipliers
             }
         }
+    }
+
+    /// Computes the multipliers under these reactions of contacts and friction.
+    pub fn multipliers_under(&self, t: f64, q: &[f64], v: &[f64], reactions: &[f64]) -> Vec<f64> {
+        self.run(&self.programs.multipliers, Numbers { reactions, ..self.at(t, q, v) })
     }
 
     /// Computes the accelerations by elimination. Returns false if they are not finite, or not
@@ -359,7 +379,24 @@ impl NumericSystem {
     }
 
     /// Runs a program of the system at a state, with the accelerations and multipliers of the
-    /// motion.
+    /// motion. `reactions` computes the accelerations and the reactions of contacts and friction.
+    pub fn evaluate_under(
+        &self,
+        program: &Program,
+        (t, q, v): (f64, &[f64], &[f64]),
+        reactions: impl FnOnce() -> [Vec<f64>; 2],
+    ) -> Vec<f64> {
+        let taken = self.routines.find(program).taken();
+        if !(taken.accelerations || taken.multipliers || taken.reactions) {
+            return self.run(program, self.at(t, q, v));
+        }
+        let [accelerations, reactions] = &reactions();
+        let multipliers = &self.multipliers_under(t, q, v, reactions);
+        self.run(program, Numbers { accelerations, multipliers, reactions, ..self.at(t, q, v) })
+    }
+
+    /// Runs a program of the system at a state, with the accelerations and multipliers of the
+    /// motion, without contacts and friction.
     pub fn evaluate(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let taken = self.routines.find(program).taken();
         let accelerations = if taken.accelerations { self.acceleration(t, q, v) } else { Vec::new() };

@@ -35,7 +35,8 @@ pub struct Programs {
     /// Rates of the positions.
     pub position_rates: Program,
     /// Accelerations, possibly followed by values that emitted code computes with them, and finally
-    /// the growth of their rounding errors.
+    /// the growth of their rounding errors. With contacts or friction, they are those without
+    /// reactions, and nothing follows.
     pub accelerations: Program,
     /// Inputs that are delayed signals, by index.
     pub delayed_inputs: Vec<usize>,
@@ -52,7 +53,8 @@ pub struct Programs {
     pub diffusion: Program,
     /// Dependence of the diffusions on the state.
     pub diffusion_kind: DiffusionKind,
-    /// Multipliers, followed by the same growth of rounding errors.
+    /// Multipliers, followed by the same growth of rounding errors. With contacts or friction, they
+    /// are functions of the reactions.
     pub multipliers: Program,
     /// Number of these growth values.
     pub growths: usize,
@@ -106,6 +108,21 @@ pub struct Programs {
     pub unknown_values: Program,
     /// Functions that solve equations.
     pub solutions: Vec<NewtonProgram>,
+    /// Terms of contacts and friction, if there are any.
+    pub touching: Option<TouchingPrograms>,
+}
+
+/// The terms of contacts and friction.
+#[derive(Clone, Debug)]
+pub struct TouchingPrograms {
+    /// Free accelerations, responses and rows; gaps, rates, drifts, restitutions, kinetic and static
+    /// limits; two slopes of limits for each pair in `slopes`. Without constraints, generalised
+    /// forces replace the accelerations, responses are zero, and the matrices follow.
+    pub terms: Program,
+    /// The limited reaction and the reaction on which its limits depend.
+    pub slopes: Vec<[usize; 2]>,
+    /// Number of matrices: the mass matrix, then that of the dampers.
+    pub matrices: usize,
 }
 
 /// The action at an event.
@@ -164,7 +181,8 @@ impl Programs {
             .chain(&self.system_matrix)
             .chain(self.drawing.iter().flat_map(DrawnScene::programs))
             .chain(self.switch_times.iter().flatten())
-            .chain(of_series);
+            .chain(of_series)
+            .chain(self.touching.as_ref().map(|touching| &touching.terms));
         let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events).chain(of_delays);
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
     }

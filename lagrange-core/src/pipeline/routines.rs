@@ -25,16 +25,18 @@ pub struct Numbers<'a> {
     pub velocities: &'a [f64],
     /// Parameters, then inputs.
     pub fields: &'a [f64],
-    /// Sides of the switches; like the two lists below, empty for programs that do not use them.
+    /// Sides of the switches; like the lists below, empty for programs that do not use them.
     pub sides: &'a [f64],
     /// Multipliers.
     pub multipliers: &'a [f64],
     /// Accelerations.
     pub accelerations: &'a [f64],
+    /// Reactions of contacts and friction.
+    pub reactions: &'a [f64],
 }
 
 /// Number of the lists.
-pub const LISTS: usize = 6;
+pub const LISTS: usize = 7;
 
 impl<'a> Numbers<'a> {
     /// No arguments.
@@ -46,13 +48,16 @@ impl<'a> Numbers<'a> {
         sides: &[],
         multipliers: &[],
         accelerations: &[],
+        reactions: &[],
     };
 
     /// Returns the lists in the order of [`Layout::entry`].
     pub fn lists(&self) -> [&'a [f64]; LISTS] {
         let of_state = [self.positions, self.velocities];
         let [positions, velocities] = of_state;
-        [positions, velocities, self.fields, self.sides, self.multipliers, self.accelerations]
+        let of_motion = [self.multipliers, self.accelerations, self.reactions];
+        let [multipliers, accelerations, reactions] = of_motion;
+        [positions, velocities, self.fields, self.sides, multipliers, accelerations, reactions]
     }
 }
 
@@ -62,7 +67,8 @@ impl Layout {
     pub fn entry(&self, place: Place) -> Option<(usize, usize)> {
         let of_state = [self.positions, self.velocities];
         let [positions, velocities] = of_state;
-        let lengths = [positions, velocities, self.fields(), self.sides, self.multipliers, velocities];
+        let (fields, multipliers, reactions) = (self.fields(), self.multipliers, self.reactions);
+        let lengths = [positions, velocities, fields, self.sides, multipliers, velocities, reactions];
         let (lists, mut index) = match place {
             Place::Time => return None,
             Place::State(index) => (0..of_state.len(), index),
@@ -101,6 +107,7 @@ pub(super) struct Taken {
     pub(super) sides: bool,
     pub(super) multipliers: bool,
     pub(super) accelerations: bool,
+    pub(super) reactions: bool,
 }
 
 impl Taken {
@@ -109,6 +116,7 @@ impl Taken {
             sides: takes(program, |role| matches!(role, Role::Side(_))),
             multipliers: takes(program, |role| matches!(role, Role::Multiplier(_))),
             accelerations: takes(program, |role| matches!(role, Role::Acceleration(_))),
+            reactions: takes(program, |role| matches!(role, Role::Reaction(_))),
         }
     }
 }

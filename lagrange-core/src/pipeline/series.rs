@@ -88,6 +88,7 @@ impl MotionSeries {
                 inputs: 0,
                 sides: 0,
                 multipliers: 0,
+                reactions: 0,
             },
             places,
             results,

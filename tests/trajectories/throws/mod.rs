@@ -9,7 +9,7 @@ use std::env;
 
 use lagrange::Simulate;
 use lagrange::contact::ContactSystem;
-use lagrange::system::{EnergyFunction, OdeSystem, split};
+use lagrange::system::{EnergyFunction, MechanicalSystem, split};
 
 use self::random::Random;
 use self::systems::{Board, Crate, Hexagon, Pentagon, Stack, Triangle, Walled};
@@ -46,7 +46,8 @@ fn throw<M, const L: usize, const N: usize, const K: usize>(
     start: [f64; L],
 ) -> Outcome
 where
-    M: ContactSystem<N, K> + EnergyFunction + OdeSystem<Scalar = f64, State = [f64; L]> + Clone,
+    M: ContactSystem<N, K> + EnergyFunction + Clone,
+    M: MechanicalSystem<Scalar = f64, State = [f64; L], Velocities = [f64; N]>,
 {
     let depth = |system: &M, t: f64, y: &[f64; L]| {
         let (q, v) = split::<M>(y);

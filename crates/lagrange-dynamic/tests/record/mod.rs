@@ -34,7 +34,9 @@ where
     motion.write_csv(&mut csv).expect("memory");
     lines.extend(String::from_utf8(csv).expect("text").lines().map(str::to_owned));
     let events = motion.events().iter();
-    lines.extend(events.map(|event| format!("{} {:?} {:?}", event.name, event.time, event.state)));
+    lines.extend(
+        events.map(|event| format!("{} {:?} {:?} {:?}", event.name, event.time, event.state, event.kind)),
+    );
     Record(lines)
 }
 

@@ -101,13 +101,13 @@ pub(crate) fn solving(solutions: &[NewtonProgram]) -> Call {
 }
 
 fn lengths(layout: &Layout) -> [usize; LISTS] {
-    let Layout { positions, velocities, sides, multipliers, .. } = *layout;
-    [positions, velocities, layout.fields(), sides, multipliers, velocities]
+    let Layout { positions, velocities, sides, multipliers, reactions, .. } = *layout;
+    [positions, velocities, layout.fields(), sides, multipliers, velocities, reactions]
 }
 
 fn numbers(t: f64, lists: &[Vec<f64>; LISTS]) -> Numbers<'_> {
-    let [positions, velocities, fields, sides, multipliers, accelerations] = lists;
-    Numbers { t, positions, velocities, fields, sides, multipliers, accelerations }
+    let [positions, velocities, fields, sides, multipliers, accelerations, reactions] = lists;
+    Numbers { t, positions, velocities, fields, sides, multipliers, accelerations, reactions }
 }
 
 fn interpreted(program: &Program, layout: &Layout, call: &Call, numbers: &Numbers<'_>) -> Vec<f64> {

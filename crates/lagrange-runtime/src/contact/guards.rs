@@ -4,12 +4,12 @@ use core::array;
 
 use super::forces::Forces;
 use super::pace::Pace;
+use super::padding::parts;
 use super::slip::{is_planar, length, present_direction};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
-use crate::system::split;
 use crate::tolerance::BOUND;
 
 /// Fraction of the pace (the speed from which slipping has a direction) by which friction that
@@ -20,11 +20,6 @@ const SLACK: f64 = 1e-3;
 /// Returns the limit below which friction is ignored.
 pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
-}
-
-/// True if an event ends this mode.
-pub(super) fn has_event(mode: Mode) -> bool {
-    !matches!(mode, Mode::Smooth | Mode::Across(_))
 }
 
 /// Computes a function for each reaction that is positive while its mode lasts and falls through
@@ -81,16 +76,17 @@ pub fn event_values<M, const N: usize, const K: usize>(
 ) where
     M: ContactSystem<N, K>,
 {
-    let (q, v) = split::<M>(y);
+    let (q, v) = parts::<M, N>(y);
     let modes = system.modes();
     let terms = system.terms(t, &q, &v);
     let found = switch_values(&terms, &modes);
-    for k in (0..K).filter(|k| has_event(modes[*k])) {
+    for k in 0..K {
+        let Some(event) = system.event_of(k) else { continue };
         let has_direction = |friction| !matches!(friction, Friction::Slips | Friction::Sticks);
         let is_slipping = matches!(modes[k], Mode::Friction(friction) if has_direction(friction));
         let noise = if is_slipping { terms.slip_noise(k, t, &v) } else { M::Scalar::ZERO };
         let value = found[k] + noise;
-        values[system.event_of(k)] = match modes[k] {
+        values[event] = match modes[k] {
             Mode::Friction(Friction::GivesWay(pace)) => {
                 let slack = M::Scalar::from_f64(SLACK) * pace.value::<M::Scalar>();
                 (value + slack).min(terms.pace_margin(k, pace))

@@ -7,13 +7,14 @@ use super::forces::Forces;
 use super::forces::reactions;
 use super::guards::nothing;
 use super::pace::Pace;
+use super::padding::{filled, parts};
 use super::reaction_forces::Balance;
 use super::slip::{is_planar, present_direction};
 use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
-use crate::system::{SettingError, StateVector, StepFailure, Violation, reach, split};
+use crate::system::{SettingError, StateVector, StepFailure, Violation, reach};
 use crate::tolerance::{INSTANT, TOUCHING};
 
 const NO_FORCES: &str = "no forces of contacts and friction are consistent with this state: friction is too \
@@ -40,20 +41,20 @@ pub fn begin<M, const N: usize, const K: usize>(
 where
     M: ContactSystem<N, K>,
 {
-    if let Some(reason) = M::NEEDS_STEPS {
+    if let Some(reason) = system.needs_steps() {
         return Err(SettingError::Invalid(reason).into());
     }
-    let (q, v) = split::<M>(y);
+    let (q, v) = parts::<M, N>(y);
     let (terms, modes) = (system.terms(t, &q, &v), system.modes());
     let is_finite = |values: &[M::Scalar; K]| values.iter().all(|value| value.is_finite());
     if !(is_finite(&terms.gaps) && is_finite(&terms.rates)) {
         return Err(StepFailure::NotFinite);
     }
-    terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
-    terms.check_limits::<M>(&modes)?;
+    terms.restitutions(system, &modes, |k| !system.restitution_varies(k))?;
+    terms.check_limits(system, &modes)?;
     let position = Position::of(system, &terms, [t, M::Scalar::ZERO], (&q, &v));
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
-        return Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])));
+        return Err(StepFailure::Violated(Violation::of_gap(system.reaction_name(k), terms.gaps[k])));
     }
     let settled = terms.settle(&modes, &position, None)?;
     Ok((settled != modes).then(|| system.in_modes(settled)))
@@ -80,7 +81,7 @@ impl<const K: usize> Position<K> {
     ) -> Self {
         let (modes, rounding) = (system.modes(), TOUCHING.part::<M::Scalar>());
         let share = |k: usize| if holds(modes[k]) { M::Scalar::epsilon().sqrt() } else { rounding };
-        let [own, lengths] = [*q, lengths(q)].map(|by| reach(system, t, q, &by));
+        let [own, lengths] = [*q, lengths(q)].map(|by| filled::<M, N>(&reach(system, t, q, &by)));
         let (speeds, forces) = (sizes(v), reactions(terms, &modes));
         let delay = (rounding * elapsed).max(INSTANT.part::<M::Scalar>() * t.abs());
         let near: [M::Scalar; K] = array::from_fn(|k| {

@@ -12,11 +12,11 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     ///
     /// # Errors
     /// If a limit is negative for all forces of the contacts.
-    pub(super) fn check_limits<M>(&self, modes: &[Mode; K]) -> Result<(), StepFailure<S>>
+    pub(super) fn check_limits<M>(&self, system: &M, modes: &[Mode; K]) -> Result<(), StepFailure<S>>
     where
-        M: ContactSystem<N, K>,
+        M: ContactSystem<N, K, Scalar = S>,
     {
-        for k in (0..K).filter(|&k| !M::LIMITS_REVERSE[k]) {
+        for k in (0..K).filter(|&k| !system.limit_reverses(k)) {
             let side = match modes[k] {
                 Mode::Contact(_) | Mode::Across(_) => continue,
                 // Its kinetic limit has the sign of the slip velocity.
@@ -29,7 +29,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             let negative = negative(side, self.kinetic[k], of(|slope| slope.kinetic), modes)
                 .or_else(|| negative(side, self.fixed[k], of(|slope| slope.fixed), modes));
             if let Some(value) = negative.filter(|value| self.is_felt(k, -*value)) {
-                return Err(StepFailure::FrictionLimit { friction: M::REACTIONS[k], value });
+                return Err(StepFailure::FrictionLimit { friction: system.reaction_name(k), value });
             }
         }
         Ok(())

@@ -78,6 +78,7 @@ mod lemke;
 mod limits;
 mod numbers;
 mod pace;
+mod padding;
 mod project;
 mod reaction_forces;
 mod responses;
@@ -96,6 +97,7 @@ pub use self::guards::{event_values, switch_values};
 pub use self::heading::Heading;
 pub use self::initial_modes::begin;
 pub use self::pace::Pace;
+pub(crate) use self::padding::own;
 pub use self::project::correct;
 pub use self::responses::ForcedTerms;
 pub use self::stepped::{ImpulseFormula, Stepped, SteppedStepper};
@@ -195,10 +197,12 @@ pub struct LimitSlope<S> {
     pub fixed: S,
 }
 
-/// A system with K reactions: contacts and dry friction. Emitted types implement it.
-pub trait ContactSystem<const N: usize, const K: usize>:
-    MechanicalSystem<Velocities = [<Self as crate::system::OdeSystem>::Scalar; N]> + Sized
-{
+/// A system with N velocities and K reactions: contacts and dry friction. Emitted types implement
+/// it.
+///
+/// If these numbers are known at run time only, N and K are larger. Velocities and rows then end
+/// with zeros, and further reactions are open contacts without rows and events, at a gap of one.
+pub trait ContactSystem<const N: usize, const K: usize>: MechanicalSystem + Sized {
     /// [`Terms`] with the number of slopes that the system has.
     type Terms: DerefMut<Target = Terms<Self::Scalar, N, K>>;
 
@@ -250,9 +254,37 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         ForcedTerms::complete(self.terms(t, q, v))
     }
 
-    /// Returns the declared event at which reaction `k` changes its mode. It is not called for
-    /// smooth friction, which has none, nor for second components.
-    fn event_of(&self, k: usize) -> usize;
+    /// Returns the declared event at which reaction `k` changes its mode. There is none for smooth
+    /// friction, nor for second components.
+    fn event_of(&self, k: usize) -> Option<usize>;
+
+    /// Returns the number of velocities.
+    #[inline]
+    fn velocities(&self) -> usize {
+        N
+    }
+
+    /// Returns the name of reaction `k`, for systems without constant names.
+    fn reaction_name(&self, k: usize) -> &'static str {
+        Self::REACTIONS[k]
+    }
+
+    /// Returns [`NEEDS_STEPS`](Self::NEEDS_STEPS), for systems in which it is no constant.
+    fn needs_steps(&self) -> Option<&'static str> {
+        Self::NEEDS_STEPS
+    }
+
+    /// Returns an entry of [`RESTITUTIONS_VARY`](Self::RESTITUTIONS_VARY), for systems in which it
+    /// is no constant.
+    fn restitution_varies(&self, k: usize) -> bool {
+        Self::RESTITUTIONS_VARY[k]
+    }
+
+    /// Returns an entry of [`LIMITS_REVERSE`](Self::LIMITS_REVERSE), for systems in which it is no
+    /// constant.
+    fn limit_reverses(&self, k: usize) -> bool {
+        Self::LIMITS_REVERSE[k]
+    }
 }
 
 impl<S: Scalar> LimitSlope<S> {

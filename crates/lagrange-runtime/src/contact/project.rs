@@ -5,12 +5,11 @@ use core::array;
 
 use super::choice::Rule;
 use super::initial_modes::{holds, lengths};
+use super::padding::{filled, joined, own, parts};
 use super::reaction_forces::Balance;
 use super::{Contact, ContactSystem, Mode, Terms};
 use crate::scalar::{Number, Scalar};
-use crate::system::{
-    StateVector, StepFailure, Violation, displaced, join, normalise_described, reach, split,
-};
+use crate::system::{StateVector, StepFailure, Violation, displaced, normalise_described, reach};
 use crate::tolerance::{BALANCED, CLOSED_GAP, SLIT};
 
 /// Maximum number of rounds in which gaps are made zero. Each round squares the errors.
@@ -41,13 +40,13 @@ where
         *y = unit;
         return Ok(());
     }
-    let (mut q, mut v) = split::<M>(&unit);
+    let (mut q, mut v) = parts::<M, N>(&unit);
     close(system, t, &mut q, &v, modes.map(|mode| mode == Mode::Contact(Contact::Closed)))?;
     halt(&system.terms(t, &q, &v), &mut v, is_held);
     if q.as_ref().iter().chain(&v).any(|entry| !entry.is_finite()) {
         return Err(StepFailure::NotFinite);
     }
-    *y = join::<M>(&q, &v);
+    *y = joined(system, &q, &v);
     Ok(())
 }
 
@@ -65,7 +64,7 @@ where
     if is_closed == [false; K] {
         return Ok(());
     }
-    let (mut closed, size) = (*q, reach(system, t, q, q));
+    let (mut closed, size) = (*q, filled::<M, N>(&reach(system, t, q, q)));
     for _ in 0..MOST_ROUNDS {
         let terms = system.terms(t, &closed, v);
         let before = closed;
@@ -79,14 +78,14 @@ where
     }
     // Gaps that are coordinates have no terms to which they could be compared. They are compared to
     // the coordinates instead.
-    let lengths = reach(system, t, q, &lengths(q));
+    let lengths = filled::<M, N>(&reach(system, t, q, &lengths(q)));
     if widest(&system.terms(t, &closed, v), &lengths, is_closed).is_none() {
         *q = closed;
         return Ok(());
     }
     let terms = system.terms(t, q, v);
     let k = widest(&terms, &size, is_closed).unwrap_or_default();
-    Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])))
+    Err(StepFailure::Violated(Violation::of_gap(system.reaction_name(k), terms.gaps[k])))
 }
 
 /// True if two vectors differ by no more than the rounding of a third. NaN differs from everything.
@@ -157,7 +156,7 @@ pub(super) fn part<M, const N: usize, const K: usize>(
 ) where
     M: ContactSystem<N, K>,
 {
-    let size = reach(system, t, q, q);
+    let size = filled::<M, N>(&reach(system, t, q, q));
     let slits: [M::Scalar; K] = array::from_fn(|k| SLIT.part::<M::Scalar>() * terms.size_of(k, &size));
     let is_parted: [bool; K] = array::from_fn(|k| are_touching[k] && terms.gaps[k] < slits[k]);
     if is_parted != [false; K] {
@@ -179,7 +178,8 @@ fn displace<M, const N: usize, const K: usize>(
     M: ContactSystem<N, K>,
 {
     let shares = shares(terms, gaps, is_held);
-    *q = displaced(system, t, q, shares.into_iter().zip(&terms.responses));
+    let responses = terms.responses.each_ref().map(|response| own(system, response));
+    *q = displaced(system, t, q, shares.into_iter().zip(&responses));
 }
 
 /// Returns the multiples of the responses that remove these values where they are held.

@@ -11,17 +11,18 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// If a `judged` coefficient is not from 0 to 1.
     pub(super) fn restitutions<M>(
         &self,
+        system: &M,
         modes: &[Mode; K],
         is_judged: impl Fn(usize) -> bool,
     ) -> Result<[S; K], StepFailure<S>>
     where
-        M: ContactSystem<N, K>,
+        M: ContactSystem<N, K, Scalar = S>,
     {
         let mut restitutions = [S::ZERO; K];
         for k in (0..K).filter(|k| matches!(modes[*k], Mode::Contact(_))) {
             let value = self.restitutions[k];
             if is_judged(k) && !(value >= S::ZERO && value <= S::ONE) {
-                return Err(StepFailure::Restitution { contact: M::REACTIONS[k], value });
+                return Err(StepFailure::Restitution { contact: system.reaction_name(k), value });
             }
             restitutions[k] = value;
         }

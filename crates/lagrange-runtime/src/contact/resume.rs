@@ -22,6 +22,7 @@ use core::array;
 use super::choice::{Choice, Rule};
 use super::forces::reactions;
 use super::initial_modes::{Position, holds};
+use super::padding::filled;
 use super::project::{energy, halt};
 use super::reaction_forces::Balance;
 use super::{ContactSystem, Mode, Terms};
@@ -113,7 +114,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         let limit = self.elapsed * M::Scalar::from_f64(SHORT).max(unresolved);
         let instant = unresolved * self.t.abs();
         let is_short = |k: usize| hops[k].as_ref().is_some_and(|hop| hop.time() <= limit.max(instant));
-        let size = reach(self.system, self.t, &self.q, &self.q);
+        let size = filled::<M, N>(&reach(self.system, self.t, &self.q, &self.q));
         let approached = |k: usize| position.is_touching[k] && before.rates[k] < M::Scalar::ZERO;
         let left = part_left(before, after, array::from_fn(|k| is_short(k) || approached(k)));
         array::from_fn(|k| {

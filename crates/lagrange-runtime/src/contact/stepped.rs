@@ -2,12 +2,13 @@
 
 use core::array;
 
+use super::padding::{filled, joined, own, parts};
 use super::step::{ContactStep, Impulses, directed};
 use super::{Contact, ContactSystem, ForcedTerms, Friction, Mode};
 use crate::integrate::{FixedStepper, Formula, Memory, Method, Stepper, Work};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, SettingError, StepFailure, displaced, join, reach, split};
+use crate::system::{OdeSystem, SettingError, StepFailure, displaced, reach};
 use crate::tolerance::CLOSED_GAP;
 
 /// Residual of the law from which steps are rejected, relative to the rates.
@@ -244,11 +245,11 @@ impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
         &mut self,
         found: &Impulses<S, K>,
         h: S,
-        reactions: &[&'static str; K],
+        name: impl Fn(usize) -> &'static str,
     ) -> Result<(), StepFailure<S>> {
         let (residual, k) = found.residual;
         if residual > self.largest_residual || !residual.is_finite() {
-            return Err(StepFailure::Residual { reaction: reactions[k], value: residual });
+            return Err(StepFailure::Residual { reaction: name(k), value: residual });
         }
         self.worst = self.worst.max(residual);
         (self.impulses, self.length) = (found.impulses, h);
@@ -289,7 +290,7 @@ where
     if !terms.gaps.iter().any(|gap| *gap < -least) {
         return None;
     }
-    let (lengths, root) = (reach(system, t, q, q), M::Scalar::epsilon().sqrt());
+    let (lengths, root) = (filled::<M, N>(&reach(system, t, q, q)), M::Scalar::epsilon().sqrt());
     let slit = |k: usize| (root * terms.size_of(k, &lengths)).max(least);
     Some(array::from_fn(slit))
 }
@@ -311,7 +312,7 @@ where
         h: M::Scalar,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
-        let (q, v) = split::<M>(y);
+        let (q, v) = parts::<M, N>(y);
         let (mut forced, modes) = (system.step_terms(t, &q, &v, h), system.modes());
         let slits = slits(system, t, &q, &forced);
         let metric = forced.normalise();
@@ -321,21 +322,21 @@ where
         if !step.is_finite() {
             return Err(StepFailure::NotFinite);
         }
-        let restitutions = terms.restitutions::<M>(&modes, |_| true)?;
-        terms.check_limits::<M>(&modes)?;
+        let restitutions = terms.restitutions(system, &modes, |_| true)?;
+        terms.check_limits(system, &modes)?;
         let found = step.solve(&restitutions, &self.expected(h));
         work.iterations += u64::from(found.iterations);
         work.inexact += u64::from(!found.is_exact);
-        self.keep(&found, h, &M::REACTIONS)?;
+        self.keep(&found, h, |k| system.reaction_name(k))?;
         let change = metric.velocities(combined(&terms.change(&found.impulses), h, &terms.free));
         let to = combined(&v, M::Scalar::ONE, &change);
-        let rates = system.position_rates(t, &q, &to);
+        let rates = system.position_rates(t, &q, &own(system, &to));
         let mut moved = combined(&q, h, &rates);
         if let Some(shares) = slits.and_then(|slits| step.separation(&slits)) {
-            let displacement = metric.velocities(terms.change(&shares));
+            let displacement = own(system, &metric.velocities(terms.change(&shares)));
             moved = displaced(system, t, &moved, [(M::Scalar::ONE, &displacement)]);
         }
-        let end = join::<M>(&moved, &to);
+        let end = joined(system, &moved, &to);
         Ok(difference(&end, y))
     }
 

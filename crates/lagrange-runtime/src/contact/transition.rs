@@ -2,8 +2,9 @@
 
 use super::choice::{Choice, Rule};
 use super::forces::{Forces, reactions};
-use super::guards::{has_event, nothing};
+use super::guards::nothing;
 use super::initial_modes::{Position, holds};
+use super::padding::{joined, parts};
 use super::project::{close, correct, halt, part};
 use super::reaction_forces::Balance;
 use super::resume::{Instant, SHORT};
@@ -11,7 +12,7 @@ use super::slip::{is_planar, length, present_direction};
 use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
 use crate::linalg::vector::dot;
 use crate::scalar::Number;
-use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
+use crate::system::{Action, EventKind, Impact, Reacted, Response};
 use crate::tolerance::HOP_TIME;
 
 /// Friction without a limit.
@@ -38,14 +39,14 @@ where
     M: ContactSystem<N, K>,
 {
     let modes = system.modes();
-    let Some(k) = (0..K).find(|k| has_event(modes[*k]) && system.event_of(*k) == event) else {
+    let Some(k) = (0..K).find(|k| system.event_of(*k) == Some(event)) else {
         return Ok(Response::new(Action::Continue));
     };
     let mut held = *y;
     correct(system, t, &mut held)?;
-    let (q, v) = split::<M>(&held);
+    let (q, v) = parts::<M, N>(&held);
     let instant = Instant { system, t, elapsed, q, v };
-    instant.terms(&v).check_limits::<M>(&modes)?;
+    instant.terms(&v).check_limits(system, &modes)?;
     match modes[k] {
         Mode::Contact(Contact::Open) => instant.hit(k),
         Mode::Contact(Contact::Closed) => instant.end(k, Choice::Only(Rule::Absent)),
@@ -73,7 +74,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         if position.is_still[k] || terms.rates[k] >= M::Scalar::ZERO {
             return self.graze(k, &terms, &position);
         }
-        let restitutions = terms.restitutions::<M>(&modes, |j| position.is_touching[j])?;
+        let restitutions = terms.restitutions(self.system, &modes, |j| position.is_touching[j])?;
         let collision = terms.impact(&self.v, &modes, &position.is_touching, &restitutions)?;
         let resumed = self.resume(&terms, collision.velocities, position.is_touching, collision.is_still)?;
         let impact = Impact { impulse: collision.impulses[k], energy_loss: collision.energy_loss };
@@ -97,7 +98,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             let are_touching = core::array::from_fn(|j| is_open(j) && position.is_touching[j]);
             let are_closed = resumed.modes.map(|mode| mode == Mode::Contact(Contact::Closed));
             part(self.system, self.t, terms, &mut q, (are_touching, are_closed));
-            let action = Action::Replace(join::<M>(&q, &resumed.velocities));
+            let action = Action::Replace(joined(self.system, &q, &resumed.velocities));
             let system = (resumed.modes != modes).then(|| self.system.in_modes(resumed.modes));
             return Ok(Response { system, ..Response::new(action) });
         }
@@ -243,7 +244,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         v: &[M::Scalar; N],
         kind: EventKind<M::Scalar>,
     ) -> Response<M, M::Scalar, M::State> {
-        let action = Action::Replace(join::<M>(&self.q, v));
+        let action = Action::Replace(joined(self.system, &self.q, v));
         Response { action, system: Some(self.system.in_modes(modes)), kind }
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::{Debug, Formatter};
 use std::sync::Arc;
 use std::vec::Vec;
 
-use crate::contact::{ContactSystem, ForcedTerms, Mode};
+use crate::contact::{ContactSystem, ForcedTerms, Mode, own};
 use crate::scalar::{Number, Scalar};
 use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::simulate::sampling::Grid;
@@ -199,7 +199,7 @@ where
     }
 
     fn terms(&self, t: M::Scalar, q: &M::Coordinates, v: &[M::Scalar; N]) -> M::Terms {
-        self.present(t, &join::<M>(q, v), |plant| plant.terms(t, q, v))
+        self.present(t, &join::<M>(q, &own(&self.plant, v)), |plant| plant.terms(t, q, v))
     }
 
     fn step_terms(
@@ -209,11 +209,32 @@ where
         v: &[M::Scalar; N],
         h: M::Scalar,
     ) -> ForcedTerms<M::Terms, M::Scalar, N> {
-        self.present(t, &join::<M>(q, v), |plant| plant.step_terms(t, q, v, h))
+        self.present(t, &join::<M>(q, &own(&self.plant, v)), |plant| plant.step_terms(t, q, v, h))
     }
 
-    fn event_of(&self, k: usize) -> usize {
+    fn event_of(&self, k: usize) -> Option<usize> {
         self.plant.event_of(k)
+    }
+
+    #[inline]
+    fn velocities(&self) -> usize {
+        self.plant.velocities()
+    }
+
+    fn reaction_name(&self, k: usize) -> &'static str {
+        self.plant.reaction_name(k)
+    }
+
+    fn needs_steps(&self) -> Option<&'static str> {
+        self.plant.needs_steps()
+    }
+
+    fn restitution_varies(&self, k: usize) -> bool {
+        self.plant.restitution_varies(k)
+    }
+
+    fn limit_reverses(&self, k: usize) -> bool {
+        self.plant.limit_reverses(k)
     }
 }
 

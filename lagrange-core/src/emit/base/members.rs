@@ -39,8 +39,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) switch_times: Option<TokenStream>,
     /// True for each reaction whose coefficient of restitution depends on time or the state.
     pub(in crate::emit) restitutions_vary: Vec<bool>,
-    /// The first contact of faces and edges.
-    pub(in crate::emit) of_faces: Option<String>,
+    /// The reason why only steps can simulate a system with contacts.
+    pub(in crate::emit) needs_steps: Option<String>,
     /// True for each friction whose limit contains constraint forces.
     pub(in crate::emit) limits_reverse: Vec<bool>,
     /// Methods called only by other methods.
@@ -104,7 +104,7 @@ impl Members {
             is_tested: false,
             switch_times: None,
             restitutions_vary: Vec::new(),
-            of_faces: None,
+            needs_steps: None,
             slopes: 0,
             limits_reverse: Vec::new(),
             hidden: TokenStream::new(),

@@ -12,7 +12,7 @@ use crate::emit::base::messages;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, Touch, identifier, length, local};
 use crate::emit::base::writer::MethodWriter;
-use crate::model::ReactionKind;
+use crate::model::{Model, ReactionKind};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::{Dependencies, ExprId, Node};
 use lagrange_expr::limits::MAX_EVENTS;
@@ -33,9 +33,9 @@ pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&st
         write_hooks(writer);
     }
     writer.members.terms = touching_terms(writer);
-    writer.members.restitutions_vary = varying_restitutions(writer);
-    writer.members.limits_reverse = reversing_limits(writer);
-    writer.members.of_faces = contact_of_faces(writer);
+    writer.members.restitutions_vary = varying_restitutions(writer.model);
+    writer.members.limits_reverse = reversing_limits(writer.model);
+    writer.members.needs_steps = needs_steps(writer.shape, writer.model);
     let krate = writer.shape.krate;
     let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
     let system = quote!(#krate::contact::ContactSystem);
@@ -86,30 +86,37 @@ fn write_acceleration(
 
 /// Returns true for each reaction with a coefficient of restitution that depends on time or the
 /// state.
-fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
-    let graph = &writer.model.graph;
+pub(in crate::emit) fn varying_restitutions(model: &Model) -> Vec<bool> {
+    let graph = &model.graph;
     let varies = |kind: &ReactionKind| match kind {
         ReactionKind::Contact { restitution, .. } => graph.dependencies(*restitution).may_change(),
         _ => false,
     };
-    writer.model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
+    model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
 }
 
-/// The first contact of faces and edges, whose gap contains a contact point.
-fn contact_of_faces(writer: &MethodWriter<'_>) -> Option<String> {
-    let graph = &writer.model.graph;
+/// Returns the reason why only steps can simulate a system, if there is one.
+pub(in crate::emit) fn needs_steps(shape: &Shape<'_>, model: &Model) -> Option<String> {
+    let of_faces = contact_of_faces(shape, model)
+        .map(|name| format!("the contact `{name}` of faces and edges needs the method `Stepped`"));
+    of_faces.or_else(|| shape.shares_event.then(|| messages::many_contacts(MAX_EVENTS)))
+}
+
+/// Returns the first contact of faces and edges, whose gap contains a contact point.
+fn contact_of_faces<'s>(shape: &'s Shape<'_>, model: &Model) -> Option<&'s str> {
+    let graph = &model.graph;
     let is_point = |id: ExprId| matches!(graph.node(id), Node::Opaque(point, _) if point.is_contact_point());
-    let place = writer.model.reactions.iter().position(|reaction| match reaction.kind {
+    let place = model.reactions.iter().position(|reaction| match reaction.kind {
         ReactionKind::Contact { gap, .. } => graph.reachable(&[gap]).into_iter().any(is_point),
         _ => false,
     })?;
-    let touching = writer.shape.reactions()[place];
-    Some(writer.shape.written(writer.shape.touching[touching].0).to_owned())
+    let touching = shape.reactions()[place];
+    Some(shape.written(shape.touching[touching].0))
 }
 
 /// Returns true for each friction whose limit contains constraint forces.
-fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
-    let graph = &writer.model.graph;
+pub(in crate::emit) fn reversing_limits(model: &Model) -> Vec<bool> {
+    let graph = &model.graph;
     let holds = |limit: ExprId| graph.dependencies(limit).intersects(Dependencies::MULTIPLIER);
     let reverses = |kind: &ReactionKind| match *kind {
         ReactionKind::Contact { .. } => false,
@@ -118,7 +125,7 @@ fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
         }
         ReactionKind::Smooth { limit, .. } => holds(limit),
     };
-    writer.model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
+    model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
 }
 
 /// Writes the declarations of the fields that store modes.
@@ -166,11 +173,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
             }
         }
     });
-    let of_faces = members.of_faces.as_ref();
-    let message =
-        of_faces.map(|name| format!("the contact `{name}` of faces and edges needs the method `Stepped`"));
-    let message = message.or_else(|| shape.shares_event.then(|| messages::many_contacts(MAX_EVENTS)));
-    let needs_steps = message.map(|message| {
+    let needs_steps = members.needs_steps.as_ref().map(|message| {
         quote! {
             const NEEDS_STEPS: ::core::option::Option<&'static ::core::primitive::str> =
                 ::core::option::Option::Some(#message);
@@ -266,20 +269,25 @@ fn mode_members(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
+/// Returns the event that switches the mode of each reaction; none for second components.
+pub(in crate::emit) fn events_of_rows(shape: &Shape<'_>) -> Vec<Option<usize>> {
+    let (events, places) = (shape.events_of_reactions(), shape.reactions());
+    let is_first = |k: usize| k == 0 || places[k - 1] != places[k];
+    places.iter().enumerate().map(|(k, &place)| events[place].filter(|_| is_first(k))).collect()
+}
+
 /// Writes the member that returns the event that switches the mode of a reaction.
 fn event_of(shape: &Shape<'_>) -> TokenStream {
-    let events = shape.events_of_reactions();
-    let reactions = shape.reactions().into_iter().enumerate();
-    let events = reactions.filter_map(|(k, place)| {
-        let (k, event) = (length(k), length(events[place]?));
-        Some(quote!(#k => #event,))
+    let events = events_of_rows(shape).into_iter().enumerate().filter_map(|(k, event)| {
+        let (k, event) = (length(k), length(event?));
+        Some(quote!(#k => ::core::option::Option::Some(#event),))
     });
     quote! {
         #[inline]
-        fn event_of(&self, k: ::core::primitive::usize) -> ::core::primitive::usize {
+        fn event_of(&self, k: ::core::primitive::usize) -> ::core::option::Option<::core::primitive::usize> {
             match k {
                 #(#events)*
-                _ => ::core::primitive::usize::MAX,
+                _ => ::core::option::Option::None,
             }
         }
     }

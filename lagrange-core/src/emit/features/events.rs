@@ -7,22 +7,21 @@ use super::switches::switch_events;
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, length, local};
+use crate::emit::base::size::shares_event;
 use crate::emit::base::state::state_variables;
 use crate::emit::base::writer::MethodWriter;
-use crate::model::{Action, Assignment};
-use lagrange_language::syntax::ast::{self, Direction};
+use crate::model::{Action, Assignment, Event, Model};
+use lagrange_language::syntax::ast::{self, Declaration, Direction};
 
 /// Writes the functions of the events, and the states after assignments.
 pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
-    let is_left_out =
-        |event: &crate::model::Event| writer.shape.shares_event && matches!(event.action, Action::Impact(_));
-    let events = writer.model.events.iter().filter(|event| !is_left_out(event)).cloned().collect::<Vec<_>>();
+    let events = separate_events(writer.shape.declaration, writer.model);
     if events.is_empty() {
         return;
     }
     // The function of a contact depends on its mode; run-time code supplies its value.
     let one = writer.model.graph.number(1);
-    let value = |event: &crate::model::Event| match event.action {
+    let value = |event: &Event| match event.action {
         Action::Impact(_) => one,
         _ => event.value,
     };
@@ -35,6 +34,13 @@ pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
             write_assignments(writer, &format!("after_event_{i}"), assignments);
         }
     }
+}
+
+/// Returns the declared events, without those of contacts that share one event.
+pub fn separate_events(declaration: &Declaration, model: &Model) -> Vec<Event> {
+    let shares_event = shares_event(declaration);
+    let is_separate = |event: &&Event| !(shares_event && matches!(event.action, Action::Impact(_)));
+    model.events.iter().filter(is_separate).cloned().collect()
 }
 
 /// Writes a hidden method that returns the state after assignments.

@@ -22,7 +22,7 @@ pub(super) mod ports;
 pub(super) mod prepared;
 pub(super) mod product;
 pub(super) mod ranges;
-mod reaction_terms;
+pub(super) mod reaction_terms;
 mod reconstruction;
 pub(super) mod reduced;
 pub(super) mod redundant;

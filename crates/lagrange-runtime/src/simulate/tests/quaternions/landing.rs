@@ -136,8 +136,8 @@ impl ContactSystem<6, 1> for Falling {
         }
     }
 
-    fn event_of(&self, k: usize) -> usize {
-        k
+    fn event_of(&self, k: usize) -> Option<usize> {
+        Some(k)
     }
 }
 
