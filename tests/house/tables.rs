@@ -126,18 +126,16 @@ const CORE: &[Layer] = &[
 ];
 
 const DYNAMIC: &[Layer] = &[
+    Layer { modules: &["reactions"], purpose: "forces of contacts and friction, and room for them" },
     Layer {
-        modules: &["inline", "items", "names", "reactions", "refusal", "rust_file"],
+        modules: &["inline", "items", "names", "refusal", "rust_file"],
         purpose: "vectors of a length known at run time; items to draw from their numbers; interned names; \
-                  forces of contacts and friction, and room for them; unsupported systems; declarations in \
-                  files of Rust",
+                  unsupported systems; declarations in files of Rust",
     },
     Layer { modules: &["source"], purpose: "texts with declarations" },
     Layer { modules: &["system"], purpose: "a system read at run time, with its switches" },
-    Layer {
-        modules: &["constraints", "contacts", "mechanics"],
-        purpose: "the traits of constraints, of contacts and of mechanics",
-    },
+    Layer { modules: &["contacts"], purpose: "the forces and the trait of contacts and friction" },
+    Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
     Layer {
         modules: &["linearised", "motion", "series"],
         purpose: "derivatives for linear models; differential equations, events and sides of switches; Taylor \

@@ -39,8 +39,8 @@ fn declaration(name: &str, text: &str) -> String {
     path.to_str().expect("UTF-8").to_owned()
 }
 
-/// A ball that falls from h with g hits the floor after √(2h/g), and then in intervals that shrink
-/// by the coefficient of restitution e, from 2 e √(2h/g).
+/// A ball that falls from h with g hits the floor after √(2h/g). The intervals after it begin with
+/// 2 e √(2h/g), and shrink by the coefficient of restitution e.
 #[test]
 fn a_ball_bounces_at_the_times_of_geometric_series() {
     let path = declaration(

@@ -2,9 +2,11 @@
 
 use std::ops::{Deref, DerefMut};
 
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::TouchingPrograms;
+use lagrange_core::program::Program;
 use lagrange_runtime::contact::{self, Contact, ContactSystem, ForcedTerms, LimitSlope, Mode, Terms};
-use lagrange_runtime::system::{Reacted, StepFailure};
+use lagrange_runtime::system::{Reacted, StateVector, StepFailure};
 
 use crate::inline::Inline;
 use crate::reactions::{MOST, in_room};
@@ -128,9 +130,31 @@ fn sized<const N: usize, const K: usize, const L: usize>(
 }
 
 impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
-    /// True if contacts or friction are declared.
-    pub(crate) fn is_touching(&self) -> bool {
-        !self.modes.is_empty()
+    /// Runs a program at a state.
+    pub(crate) fn evaluate(&self, program: &Program, t: f64, y: &Inline<CAPACITY>) -> Vec<f64> {
+        let (q, v) = y.parts(0);
+        self.evaluate_at(program, t, q, v)
+    }
+
+    /// Runs a program with the accelerations, multipliers and reactions of the motion.
+    pub(crate) fn evaluate_at(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+        match self.is_touching() {
+            true => {
+                self.numeric.evaluate_under(program, (t, q, v), || self.accelerations_and_reactions(t, q, v))
+            }
+            false => self.numeric.evaluate(program, t, q, v),
+        }
+    }
+
+    /// Computes a product at a state; `None` if it was not derived.
+    pub(crate) fn product(
+        &self,
+        product: Product,
+        t: f64,
+        q: &Inline<CAPACITY>,
+        v: &Inline<CAPACITY>,
+    ) -> Option<Vec<f64>> {
+        Some(self.evaluate_at(self.programs().product(product)?, t, q.as_ref(), v.as_ref()))
     }
 
     /// True if no reaction acts: all are those of open contacts.

@@ -2,19 +2,17 @@
 
 use lagrange_core::derive::DiffusionKind;
 use lagrange_core::model::Product;
-use lagrange_core::pipeline::{Range, Reaction, TickingClock};
+use lagrange_core::pipeline::{Reaction, TickingClock};
 use lagrange_runtime::event::{
     Action, DeclaredEvent, Response, beyond, change_side, choose_sides, earlier, free_sides,
     next_switch_time, next_tick, shortest_period, side_values, ticks,
 };
 use lagrange_runtime::integrate::undefined;
 use lagrange_runtime::system::{
-    Domain, NoiseKind, OdeSystem, OutOfRange, RangedKind, Reacted, StateVector, StepFailure, Undefined,
-    WhiteNoise,
+    Domain, NoiseKind, OdeSystem, Reacted, StateVector, StepFailure, Undefined, WhiteNoise,
 };
 
 use crate::inline::{Inline, Rows};
-use crate::names::bound;
 use crate::system::DynamicSystem;
 
 /// Maximum number of velocities for which the mass matrix is tested for singularity, as in emitted
@@ -22,26 +20,6 @@ use crate::system::DynamicSystem;
 const LARGEST_MASS_MATRIX: usize = 64;
 
 impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
-    /// Checks that parameters are in their declared ranges.
-    pub(crate) fn check_parameters(&self) -> Result<(), OutOfRange<f64>> {
-        let programs = self.programs();
-        programs.ranges.iter().try_for_each(|Range { parameter, bounds }| {
-            let name = self.names.fields[*parameter];
-            let units = self.names.description.units.iter();
-            let known = |(known, _): &&(&str, &str)| *known == name.split('[').next().unwrap_or(name);
-            let unit = units.clone().find(known).map_or("", |(_, unit)| unit);
-            let bounds = bounds.map(bound);
-            let unit = if unit == "1" { "" } else { unit };
-            OutOfRange::check(
-                RangedKind::Parameter,
-                name,
-                self.numeric.fields()[*parameter],
-                bounds.into(),
-                unit,
-            )
-        })
-    }
-
     /// Computes the mass matrix, if it determines the accelerations.
     fn mass_matrix(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Option<Rows<CAPACITY>> {
         let layout = &self.programs().layout;

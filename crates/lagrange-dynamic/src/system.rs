@@ -3,15 +3,13 @@
 use std::iter::repeat_n;
 
 use lagrange_core::limits::MAX_LOCATED;
-use lagrange_core::model::Product;
-use lagrange_core::pipeline::{NumericSystem, Programs};
-use lagrange_core::program::Program;
+use lagrange_core::pipeline::{NumericSystem, Programs, Range};
 use lagrange_runtime::contact::Mode;
 use lagrange_runtime::event::{SwitchedSystem, Switches};
-use lagrange_runtime::system::StateVector;
+use lagrange_runtime::system::{OutOfRange, RangedKind, StateVector};
 
 use crate::inline::Inline;
-use crate::names::Names;
+use crate::names::{Names, bound};
 use crate::reactions::initial_mode;
 
 /// An interpreted system with states of at most `CAPACITY` entries.
@@ -48,31 +46,29 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         !self.names.layout.outputs.is_empty()
     }
 
-    /// Runs a program at a state.
-    pub(crate) fn evaluate(&self, program: &Program, t: f64, y: &Inline<CAPACITY>) -> Vec<f64> {
-        let (q, v) = y.parts(0);
-        self.evaluate_at(program, t, q, v)
+    /// True if contacts or friction are declared.
+    pub(crate) fn is_touching(&self) -> bool {
+        !self.modes.is_empty()
     }
 
-    /// Runs a program with the accelerations, multipliers and reactions of the motion.
-    pub(crate) fn evaluate_at(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        match self.is_touching() {
-            true => {
-                self.numeric.evaluate_under(program, (t, q, v), || self.accelerations_and_reactions(t, q, v))
-            }
-            false => self.numeric.evaluate(program, t, q, v),
-        }
-    }
-
-    /// Computes a product at a state; `None` if it was not derived.
-    pub(crate) fn product(
-        &self,
-        product: Product,
-        t: f64,
-        q: &Inline<CAPACITY>,
-        v: &Inline<CAPACITY>,
-    ) -> Option<Vec<f64>> {
-        Some(self.evaluate_at(self.programs().product(product)?, t, q.as_ref(), v.as_ref()))
+    /// Checks that parameters are in their declared ranges.
+    pub(crate) fn check_parameters(&self) -> Result<(), OutOfRange<f64>> {
+        let programs = self.programs();
+        programs.ranges.iter().try_for_each(|Range { parameter, bounds }| {
+            let name = self.names.fields[*parameter];
+            let units = self.names.description.units.iter();
+            let known = |(known, _): &&(&str, &str)| *known == name.split('[').next().unwrap_or(name);
+            let unit = units.clone().find(known).map_or("", |(_, unit)| unit);
+            let bounds = bounds.map(bound);
+            let unit = if unit == "1" { "" } else { unit };
+            OutOfRange::check(
+                RangedKind::Parameter,
+                name,
+                self.numeric.fields()[*parameter],
+                bounds.into(),
+                unit,
+            )
+        })
     }
 }
 
@@ -96,7 +92,8 @@ impl<const CAPACITY: usize> SwitchedSystem<MAX_LOCATED> for DynamicSystem<CAPACI
 
     fn switch_values(&self, t: f64, y: &Inline<CAPACITY>) -> [f64; MAX_LOCATED] {
         let mut values = [f64::NAN; MAX_LOCATED];
-        let found = self.evaluate(&self.programs().switches, t, y);
+        let (q, v) = y.parts(0);
+        let found = self.numeric.evaluate(&self.programs().switches, t, q, v);
         values.iter_mut().zip(found).for_each(|(value, found)| *value = found);
         values
     }
