@@ -191,6 +191,24 @@ fn impacts_at_the_same_time() {
     compare(&Pair::default(), [1.0, 1.0, 0.0, 0.0], 0.8, ["g", "e", "f"], run!(0.8, WITH_CONTACTS), 1e-7);
 }
 
+/// If one ball is moved, the other one hits at another time than it.
+#[test]
+fn impacts_that_a_variable_separates_are_refused_in_words() {
+    let run = |a: f64| {
+        let pair = Pair::default();
+        pair.simulate([a, 1.0, 0.0, 0.0]).until(0.8).sensitivities(["a"]).run().map(|motion| {
+            let [by_a] = motion.sensitivities(motion.len() - 1).expect("requested")[..] else { panic!() };
+            by_a
+        })
+    };
+    let refusal = run(1.0).expect_err("they are together").to_string();
+    assert!(refusal.contains("contacts or friction change at the same time"), "{refusal}");
+    for a in [1.0 - 1e-5, 1.0 + 1e-5] {
+        let by_a = run(a).expect("one after the other");
+        assert!(by_a[0].abs() > 0.1 && by_a[1].abs() < 1e-9 && by_a[3].abs() < 1e-9, "{by_a:?}");
+    }
+}
+
 #[test]
 fn a_law_of_inputs() {
     let run = |system: &DoublePendulum, start: [f64; 4], names: Option<[&'static str; 2]>| {

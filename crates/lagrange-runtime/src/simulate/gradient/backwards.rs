@@ -127,7 +127,6 @@ where
     /// differentiated along the constraints only, on which the state before it remains. Off a
     /// closed contact, an impact would have another outcome.
     fn through_jump(&mut self, jump: &Jump<M>, slope: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
-        let company = jump.company();
         let sensitive = Sensitive::new(copy(&jump.system), Arc::default());
         self.through((&jump.system, &jump.state), slope, |variable, change| {
             let change = if jump.system.is_constrained() {
@@ -135,7 +134,6 @@ where
             } else {
                 change
             };
-            jump.check_company(&company, &variable, &change)?;
             jump.derivative(variable, change)
         })
     }

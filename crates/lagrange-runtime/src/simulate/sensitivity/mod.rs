@@ -1,5 +1,6 @@
 //! Derivatives of motions with respect to parameters, inputs and initial values.
 
+mod company;
 mod slope;
 mod stacked;
 mod system;

@@ -354,6 +354,9 @@ where
 
     fn react(&self, event: usize, t: M::Scalar, elapsed: M::Scalar, y: &Self::State) -> Reacted<Self> {
         let Response { action, system, kind } = self.closed.react(event, t, elapsed, &y.rows[0])?;
+        if !matches!(action, Action::Stop) {
+            self.check_company(event, (t, elapsed), y)?;
+        }
         let mut after = match action {
             Action::Stop => return Ok(Response { action: Action::Stop, system: None, kind }),
             Action::Continue if system.is_none() => {
