@@ -41,8 +41,8 @@ fn table(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     (names, lines.map(row).collect())
 }
 
-/// Balls that fall from h on a floor without restitution lie there. Blocks with the speed v slide by
-/// v²/(2 μ g).
+/// Balls that fall from h on a floor without restitution lie there. Blocks with the speed v slide
+/// by v²/(2 μ g).
 #[test]
 fn balls_and_blocks_end_where_they_lie() {
     let file = declaration(

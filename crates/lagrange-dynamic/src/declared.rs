@@ -217,7 +217,8 @@ impl Visitor for AtState<'_> {
     }
 }
 
-/// Returns the numbers of the contact points of two blocks; none if those of the blocks are missing.
+/// Returns the numbers of the contact points of two blocks; none if those of the blocks are
+/// missing.
 fn contact_points(blocks: &[f64]) -> Vec<f64> {
     <[f64; 32]>::try_from(blocks)
         .map_or_else(|_| Vec::new(), |blocks| touches::<f64, MOST_NUMBERS>(blocks).into())

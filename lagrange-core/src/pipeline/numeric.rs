@@ -67,8 +67,8 @@ impl NumericSystem {
         NumericSystem { routines, ..self }
     }
 
-    /// Defines the numbers of the contact points of two blocks as a function of those of the blocks.
-    /// Undefined numbers are NaN.
+    /// Defines the numbers of the contact points of two blocks as a function of those of the
+    /// blocks. Undefined numbers are NaN.
     #[must_use]
     pub fn with_contact_points(mut self, contact_points: fn(&[f64]) -> Vec<f64>) -> NumericSystem {
         self.callables.contact_points = Some(contact_points);

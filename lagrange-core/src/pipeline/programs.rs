@@ -115,9 +115,9 @@ pub struct Programs {
 /// The terms of contacts and friction.
 #[derive(Clone, Debug)]
 pub struct TouchingPrograms {
-    /// Free accelerations, responses and rows; gaps, rates, drifts, restitutions, kinetic and static
-    /// limits; two slopes of limits for each pair in `slopes`. Without constraints, generalised
-    /// forces replace the accelerations, responses are zero, and the matrices follow.
+    /// Free accelerations, responses and rows; gaps, rates, drifts, restitutions, kinetic and
+    /// static limits; two slopes of limits for each pair in `slopes`. Without constraints,
+    /// generalised forces replace the accelerations, responses are zero, and the matrices follow.
     pub terms: Program,
     /// The limited reaction and the reaction on which its limits depend.
     pub slopes: Vec<[usize; 2]>,

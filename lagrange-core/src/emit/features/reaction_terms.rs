@@ -16,7 +16,8 @@ use lagrange_expr::expr::ExprId;
 pub struct ReactionTerms {
     /// Name, shape and expressions of each field.
     fields: [(&'static str, Returns, Vec<ExprId>); 9],
-    /// The limited reaction, the reaction on which its limits depend, and the slopes of both limits.
+    /// The limited reaction, the reaction on which its limits depend, and the slopes of both
+    /// limits.
     pub slopes: Vec<([usize; 2], [ExprId; 2])>,
     /// The mass matrix and, if there are dampers, the matrix of their resistances. There is none
     /// with constraints.
