@@ -12,8 +12,8 @@ fn branches(skew: f64) -> [[f64; 4]; 4] {
     let rows = [[1.0, 2.0, 0.0, 0.0], [-3.0, 0.0, 0.5, 0.0], [0.25, 0.0, 0.0, 4.0]];
     let mut matrix: [[f64; 4]; 4] =
         std::array::from_fn(|i| std::array::from_fn(|j| rows.iter().map(|row| row[i] * row[j]).sum()));
-    for i in 0..4 {
-        matrix[i][i] += 1.0;
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row[i] += 1.0;
     }
     (matrix[0][2], matrix[2][0]) = (matrix[0][2] + skew, matrix[2][0] - skew);
     matrix
