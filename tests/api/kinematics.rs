@@ -21,7 +21,7 @@ mod planar {
 }
 use planar::Planar;
 
-/// The same links, with declared ranges of both joints.
+/// Two links in a plane with declared ranges of their joints.
 mod ranged {
     lagrange::system! {
         #[derive(Clone, Debug)]

@@ -107,7 +107,7 @@ fn values_have_units() {
     assert_eq!(plain, units);
 }
 
-/// As in the declaration, plain numbers are in the declared unit.
+/// Plain numbers are in the declared unit, as in the declaration.
 #[test]
 fn plain_numbers_are_in_the_declared_unit() {
     let file = declaration(

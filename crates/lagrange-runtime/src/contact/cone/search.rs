@@ -23,8 +23,8 @@ const MOST_SHORT_STEPS: u32 = 60;
 const DAMPING: f64 = 0.1;
 /// Assumed change of the impulses from step to step, relative to the impulses.
 const LEFT: f64 = 1e-2;
-/// Error that may be left if steps or searches near the start do not reduce it, relative to the
-/// forces and to the root of the rounding unit. Reactions that are not determined have such errors.
+/// Error, relative to the forces and to the root of the rounding unit, that may be left if nothing
+/// reduces it. Reactions that are not determined have such errors.
 const NEARLY: f64 = 1e-2;
 /// Maximum number of searches near reactions.
 const MOST_ANCHORS: u32 = 3;

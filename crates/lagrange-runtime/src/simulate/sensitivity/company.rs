@@ -6,69 +6,31 @@
 
 use std::vec::Vec;
 
-use super::stacked::Stacked;
-use super::system::{Sensitive, Varied};
 use crate::scalar::{Number, Scalar};
-use crate::simulate::closed_loop::ClosedLoop;
-use crate::system::{MOST_LOCATED, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
+use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
-const TOGETHER: &str = "contacts or friction change at the same time, in an order that depends on the variables, so that there is no derivative: start from a state in which they follow each other";
+const TOGETHER: &str = "contacts or friction change at the same time, which a variable would separate, so that there is no derivative: start where they follow each other";
 /// Shifts of events that differ by this part are different.
 const APART: f64 = 1e-6;
 
 /// Events at the same time, and the rates of all event functions.
-struct Company<S> {
+pub(super) struct Company<S> {
     events: Vec<usize>,
     rates: [S; MOST_LOCATED],
 }
 
-impl<M, L, const N: usize, const R: usize> Sensitive<M, L, N, R>
-where
-    M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
-    L: ClosedLoop<M> + OdeSystem<Scalar = ScalarOf<M>, State = [ScalarOf<M>; N]>,
-{
-    /// Checks that modes which change at the same time as an event do so for all values of the
-    /// variables.
-    ///
-    /// # Errors
-    /// If they do not.
-    pub(super) fn check_company(
-        &self,
+impl<S: Scalar> Company<S> {
+    /// Finds the contacts and frictions that change their modes at the same time as this event,
+    /// given the rates of all event functions. `None` if there are no others.
+    pub(super) fn of<L: OdeSystem<Scalar = S>>(
+        closed: &L,
         event: usize,
-        (t, elapsed): (M::Scalar, M::Scalar),
-        y: &Stacked<M::Scalar, N, R>,
-    ) -> Result<(), StepFailure<M::Scalar>> {
-        let state = &y.rows[0];
-        let Some(company) = self.company(event, (t, elapsed), state) else { return Ok(()) };
-        let pairs = self.variables.iter().zip(y.derivatives());
-        let mut are_together = pairs.map(|(variable, change)| {
-            let least = M::Scalar::from_f64(APART) * elapsed * part(variable, change, state);
-            let still = (Number::ZERO, change);
-            let slopes = self.along((t, state), still, Some(variable), event_values);
-            slopes.is_some_and(|slopes| company.stays_together(&slopes, least))
-        });
-        if are_together.all(|is_together| is_together) {
-            return Ok(());
-        }
-        Err(SettingError::Invalid(TOGETHER).into())
-    }
-
-    /// Finds the contacts and frictions that change their modes at the same time as this event.
-    fn company(
-        &self,
-        event: usize,
-        (t, elapsed): (M::Scalar, M::Scalar),
-        y: &M::State,
-    ) -> Option<Company<M::Scalar>> {
-        let declared = self.closed.events();
-        if !declared[event].is_of_mode() {
-            return None;
-        }
-        let forwards = (Number::ONE, &self.closed.rhs(t, y));
-        let rates = self.along((t, y), forwards, None, event_values)?;
-        let values = event_values(&self.closed, t, y)?;
-        let near = M::Scalar::epsilon().powf(M::Scalar::from_f64(0.4)) * elapsed;
-        let falls = |k: usize| rates[k] < Number::ZERO && values[k].abs() <= -near * rates[k];
+        (t, elapsed, y): (S, S, &L::State),
+        rates: [S; MOST_LOCATED],
+    ) -> Option<Self> {
+        let (declared, values) = (closed.events(), event_values(closed, t, y)?);
+        let near = S::epsilon().powf(S::from_f64(0.4)) * elapsed;
+        let falls = |k: usize| rates[k] < S::ZERO && values[k].abs() <= -near * rates[k];
         let others = (0..declared.len()).filter(|k| *k != event && declared[*k].is_of_mode() && falls(*k));
         let mut events: Vec<usize> = others.collect();
         if events.is_empty() {
@@ -77,31 +39,34 @@ where
         events.push(event);
         Some(Company { events, rates })
     }
-}
 
-impl<S: Scalar> Company<S> {
-    /// True if the events shift by the same time, given the derivatives of their functions. Times
-    /// that differ by less than `least` of the largest part are the same.
-    fn stays_together(&self, slopes: &[S; MOST_LOCATED], least: S) -> bool {
-        let shift = |event: usize| slopes[event] / self.rates[event];
+    /// Checks that the events shift by the same time, given the derivatives of their functions and
+    /// the time that counts as one.
+    ///
+    /// # Errors
+    /// If they do not, or derivatives are unknown.
+    pub(super) fn check(&self, slopes: Option<[S; MOST_LOCATED]>, unit: S) -> Result<(), StepFailure<S>> {
+        match slopes.is_some_and(|slopes| self.stays_together(&slopes, unit)) {
+            true => Ok(()),
+            false => Err(SettingError::Invalid(TOGETHER).into()),
+        }
+    }
+
+    fn stays_together(&self, slopes: &[S; MOST_LOCATED], unit: S) -> bool {
+        let (shift, part) = (|event: usize| slopes[event] / self.rates[event], S::from_f64(APART));
         let shifts = self.events.iter().map(|event| shift(*event));
         let most = shifts.clone().fold(S::ZERO, |most, shift| most.max(shift.abs()));
-        let apart = S::from_f64(APART) * most + S::from_f64(APART) * least;
+        let apart = part * (most + part * unit);
         { shifts }.all(|one| (one - shift(self.events[0])).abs() <= apart)
     }
 }
 
-/// Returns the relative change of a variable, which is one, or of the state.
-fn part<S: Scalar, const N: usize>(variable: &Varied<S>, change: &[S; N], state: &[S; N]) -> S {
-    let largest = |x: &[S; N]| x.iter().fold(S::ZERO, |most, entry| most.max(entry.abs()));
-    match variable.number() {
-        Some(_) => S::ONE,
-        None => largest(change) / largest(state).max(S::epsilon().powi(4)),
-    }
-}
-
 /// Returns the values of all event functions.
-fn event_values<L: OdeSystem>(closed: &L, t: L::Scalar, y: &L::State) -> Option<[L::Scalar; MOST_LOCATED]> {
+pub(super) fn event_values<L: OdeSystem>(
+    closed: &L,
+    t: L::Scalar,
+    y: &L::State,
+) -> Option<[L::Scalar; MOST_LOCATED]> {
     let mut values = [Number::ONE; MOST_LOCATED];
     let count = closed.events().len().min(MOST_LOCATED);
     closed.event_values(t, y, &mut values[..count]);

@@ -4,6 +4,7 @@ mod company;
 mod slope;
 mod stacked;
 mod system;
+mod variable;
 
 use std::format;
 use std::string::String;
@@ -13,8 +14,9 @@ use std::vec::Vec;
 #[cfg(feature = "fit")]
 pub(crate) use self::slope::slope;
 pub use self::stacked::Stacked;
-use self::system::VariedPlace;
-pub use self::system::{Sensitive, Varied};
+pub use self::system::Sensitive;
+pub use self::variable::Varied;
+use self::variable::VariedPlace;
 use crate::scalar::{Number, Scalar};
 use crate::simulate::builder::Simulation;
 use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};

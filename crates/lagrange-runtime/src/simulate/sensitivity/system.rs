@@ -15,72 +15,16 @@
 
 use std::sync::Arc;
 
+use super::company::{Company, event_values};
 use super::slope::slope;
 use super::stacked::Stacked;
+use super::variable::{Varied, VariedPlace};
 use crate::scalar::{Number, Scalar};
 use crate::simulate::closed_loop::ClosedLoop;
 use crate::system::{
     Action, Component, DeclaredEvent, Domain, EventSource, MOST_LOCATED, OdeSystem, ParametricSystem,
     Reacted, Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
 };
-
-/// A parameter, input or initial value by which a motion is differentiated.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Varied<S> {
-    /// Name of the variable.
-    pub(super) name: &'static str,
-    pub(super) place: VariedPlace,
-    /// Derivatives are stored as changes of the state per change of the variable by this amount.
-    pub(super) scale: S,
-    /// The scale as a relative change of the variable.
-    pub(super) weight: S,
-}
-
-/// The place of a variable.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum VariedPlace {
-    /// A parameter or an input, by its index.
-    Number(usize),
-    /// An entry of the initial state, by its index.
-    Initial(usize),
-}
-
-impl<S: Scalar> Varied<S> {
-    /// Returns the entry of the state with this index and name.
-    pub(in crate::simulate) fn initial<M: ParametricSystem<Scalar = S>>(
-        name: &'static str,
-        index: usize,
-        system: &M,
-        state: &M::State,
-    ) -> Self {
-        Varied { name, place: VariedPlace::Initial(index), scale: S::ONE, weight: S::ONE }
-            .scaled(system, state)
-    }
-
-    /// Returns the change of the variable that counts as one.
-    pub(in crate::simulate) fn scale(&self) -> S {
-        self.scale
-    }
-
-    /// Returns the index of a parameter or input; `None` for an entry of the state.
-    pub(in crate::simulate) fn number(&self) -> Option<usize> {
-        match self.place {
-            VariedPlace::Number(index) => Some(index),
-            VariedPlace::Initial(_) => None,
-        }
-    }
-
-    /// Returns the variable scaled by its value in a motion, or by one if that is zero.
-    pub(super) fn scaled<M: ParametricSystem<Scalar = S>>(self, system: &M, start: &M::State) -> Self {
-        let value = match self.place {
-            VariedPlace::Number(index) => system.number(index),
-            VariedPlace::Initial(index) => start.as_ref().get(index).copied(),
-        };
-        let size = value.map_or(S::ONE, Number::abs);
-        let size = if size > S::ZERO && size.is_finite() { size } else { S::ONE };
-        Varied { scale: self.weight * size, ..self }
-    }
-}
 
 /// A state that changes by more than this factor times a variable, both relatively, is moved
 /// without it. A common step, which suits the state, would be lost in the rounding of the variable.
@@ -235,6 +179,29 @@ where
         Ok(stacked)
     }
 
+    /// Checks that modes which change at the same time as an event do so for all values of the
+    /// variables.
+    ///
+    /// # Errors
+    /// If they do not.
+    fn check_company(
+        &self,
+        event: usize,
+        (t, elapsed): (M::Scalar, M::Scalar),
+        y: &Stacked<M::Scalar, N, R>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
+        let state = &y.rows[0];
+        let forwards = (Number::ONE, &self.closed.rhs(t, state));
+        let rates = self.along((t, state), forwards, None, event_values);
+        let company = rates.and_then(|rates| Company::of(&self.closed, event, (t, elapsed, state), rates));
+        let Some(company) = company else { return Ok(()) };
+        let mut pairs = self.variables.iter().zip(y.derivatives());
+        pairs.try_for_each(|(variable, change)| {
+            let slopes = self.along((t, state), (Number::ZERO, change), Some(variable), event_values);
+            company.check(slopes, elapsed * variable.part(change, state))
+        })
+    }
+
     /// Returns the state after a declared event, in the modes in which the motion continues.
     fn settled(
         closed: &L,
@@ -354,7 +321,7 @@ where
 
     fn react(&self, event: usize, t: M::Scalar, elapsed: M::Scalar, y: &Self::State) -> Reacted<Self> {
         let Response { action, system, kind } = self.closed.react(event, t, elapsed, &y.rows[0])?;
-        if !matches!(action, Action::Stop) {
+        if !matches!(action, Action::Stop) && self.closed.events()[event].is_of_mode() {
             self.check_company(event, (t, elapsed), y)?;
         }
         let mut after = match action {
