@@ -118,19 +118,20 @@ pub(crate) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
     }
 }
 
-/// Computes aᵀb for vectors of equal length, in four partial sums.
+/// Computes aᵀb for vectors of equal length, in four partial sums. Zeros at their ends change no
+/// bit.
 #[inline]
 pub(crate) fn inner<S: Scalar>(a: &[S], b: &[S]) -> S {
-    let (a, b) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest = a.remainder().iter().zip(b.remainder());
-    let rest = rest.fold(S::ZERO, |sum, (a, b)| a.multiply_add(*b, sum));
+    let ((a, last_of_a), (b, last_of_b)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
     let mut sums = [S::ZERO; 4];
-    for (a, b) in a.zip(b) {
+    let mut add = |a: &[S], b: &[S]| {
         for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
             *sum = a.multiply_add(*b, *sum);
         }
-    }
-    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+    };
+    a.iter().zip(b).for_each(|(a, b)| add(a, b));
+    add(last_of_a, last_of_b);
+    (sums[0] + sums[2]) + (sums[1] + sums[3])
 }
 
 /// Adds c x to y, for vectors of equal length.
