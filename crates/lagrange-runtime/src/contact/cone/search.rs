@@ -89,7 +89,8 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             iterations: 0,
             is_exact: false,
             goal: step_goal(),
-            // That of each reaction, in a norm of all. In single precision it would be a few percent.
+            // That of each reaction, in a norm of all. In single precision it would be a few
+            // percent.
             rounding: (BALANCED_BY_SEARCH.part::<S>() * S::from_f64(self.count.max(1) as f64).sqrt())
                 .min(S::epsilon().sqrt()),
             is_of_step: true,
