@@ -97,6 +97,7 @@ pub use self::guards::{event_values, switch_values};
 pub use self::heading::Heading;
 pub use self::initial_modes::begin;
 pub use self::pace::Pace;
+#[cfg(feature = "std")]
 pub(crate) use self::padding::own;
 pub use self::project::correct;
 pub use self::responses::ForcedTerms;
