@@ -1,6 +1,7 @@
 //! Cuboids and rods that touch with faces and edges, in steps, against closed forms.
 
 mod stacks;
+#[cfg(any(not(debug_assertions), clippy))]
 mod walls;
 
 use lagrange::Simulate;
