@@ -161,6 +161,6 @@ fn main() {
     compare("double pendulum", (&DoublePendulum::default(), DOUBLE_PENDULUM), [2.0, 1.5, 0.0, 0.0], 10.0);
     // Eccentricity 0.6, ten revolutions of length 2π.
     let revolutions = 20.0 * std::f64::consts::PI;
-    compare("Kepler", (&Kepler::default(), KEPLER), [0.4, 0.0, 0.0, 5.0], revolutions);
+    compare("Kepler", (&Kepler, KEPLER), [0.4, 0.0, 0.0, 5.0], revolutions);
     compare("chain of three", (&Chain::default(), CHAIN), [1.0, 1.3, 1.6, 0.0, 0.0, 0.0], 5.0);
 }
