@@ -5,6 +5,7 @@ use lagrange::integrate::RungeKutta4;
 
 use crate::beside::compare_with_differences;
 use crate::closed_forms::{AnyBall, slopes};
+use crate::differences::Pair;
 
 /// Returns the first position, and its slope.
 macro_rules! first {
@@ -184,29 +185,17 @@ fn no_steps_leave_the_start_on_closed_contacts() {
     assert!((gradient.by_start[0] - 0.5).abs() < 1e-12 && gradient.by_start[1] == 0.0);
 }
 
-lagrange::system! {
-    /// Two balls that hit the floor at the same time.
-    #[derive(Clone, Debug)]
-    struct Pair;
-    param g = 9.81, e = 0.8, f = 0;
-    coord a, b;
-    kinetic = 1/2 * (dot(a)^2 + dot(b)^2);
-    potential = g * (a + b);
-    event left = a, falling => impact(e);
-    event right = b, falling => impact(f);
-}
-
 /// One of them does not bounce: a parameter of value zero, at the end of its range.
 #[test]
 fn impacts_one_after_the_other_turn_adjoints() {
-    let pair = Pair::default();
+    let pair = Pair { f: 0.0, ..Pair::default() };
     let run = || pair.simulate([1.0, 1.5, 0.0, 0.0]).until(0.8).every(0.3).tolerance(1e-11);
     compare!(run(), ["g", "e", "f"], ["a", "b", "a_dot", "b_dot"], 1e-7);
 }
 
 #[test]
 fn impacts_at_the_same_time_are_refused_in_words() {
-    let pair = Pair { f: 0.6, ..Pair::default() };
+    let pair = Pair::default();
     let refusal = pair.simulate([1.0, 1.0, 0.0, 0.0]).until(0.8).gradient(["g"], first!()).unwrap_err();
     assert!(refusal.to_string().contains("contacts or friction change at the same time"), "{refusal}");
 }

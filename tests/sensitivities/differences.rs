@@ -177,7 +177,7 @@ fn a_constraint() {
 lagrange::system! {
     /// Two balls that hit the floor at the same time, and a wall that both may hit.
     #[derive(Clone, Debug)]
-    struct Pair;
+    pub(crate) struct Pair;
     param g = 9.81, e = 0.8, f = 0.6;
     coord a, b;
     kinetic = 1/2 * (dot(a)^2 + dot(b)^2);

@@ -116,7 +116,7 @@ fn accelerate<S: Scalar, const N: usize, const K: usize>(
     terms.responses = factors.solve(&terms.rows);
 }
 
-/// The coordinates of velocities in which [`ForcedTerms::normalised`] expresses terms.
+/// The coordinates of velocities in which [`ForcedTerms::normalise`] expresses terms.
 pub(super) struct Metric<S, const N: usize> {
     /// `None` if they are the velocities.
     factors: Option<TreeFactors<S, N>>,

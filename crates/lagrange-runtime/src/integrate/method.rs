@@ -9,7 +9,7 @@
 //! such as NaN, steps that are lost in rounding, or too many steps, it abandons the motion. A
 //! single run then reports the cause.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Mask, Scalar};
 use crate::system::{Domain, Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};
 
 /// A method of integration with its settings.
@@ -269,7 +269,8 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have
     /// just taken a step. If the method estimates that interpolation is less accurate than the end
     /// of the step, the step is reverted, as by [`Stepper::confirm`].
-    fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask);
+    #[inline(always)]
+    fn confirm(&mut self, _equations: &E, _last: &mut Self::LastStep, _asked: S::Mask) {}
 
     /// Returns the states at times within the last steps, in prepared lanes, or at their ends. For
     /// other times, the result is arbitrary.
@@ -282,7 +283,10 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     fn state(&self) -> &E::State;
 
     /// Returns the lanes whose last step indicated that the method is unsuitable for the motion.
-    fn suspicion(&self) -> S::Mask;
+    #[inline(always)]
+    fn suspicion(&self) -> S::Mask {
+        S::Mask::splat(false)
+    }
 
     /// Returns the suspect steps, for the lanes under suspicion.
     fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {

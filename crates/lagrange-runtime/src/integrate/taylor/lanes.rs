@@ -253,9 +253,6 @@ where
     }
 
     #[inline(always)]
-    fn confirm(&mut self, _equations: &E, _last: &mut Self::LastStep, _asked: S::Mask) {}
-
-    #[inline(always)]
     fn interpolate(&self, workspace: &Self::Workspace, last: &Self::LastStep, t: S) -> E::State {
         let mut within = last.y;
         let change = increment(&workspace.last[..self.rule.order], t - last.t);
@@ -273,11 +270,6 @@ where
     #[inline(always)]
     fn state(&self) -> &E::State {
         self.state.value()
-    }
-
-    #[inline(always)]
-    fn suspicion(&self) -> S::Mask {
-        S::Mask::splat(false)
     }
 
     fn limit_steps(&mut self, most: u64) {

@@ -331,11 +331,6 @@ where
         self.state.value()
     }
 
-    #[inline(always)]
-    fn suspicion(&self) -> S::Mask {
-        S::Mask::splat(false)
-    }
-
     fn limit_steps(&mut self, most: u64) {
         self.settings.most_steps = self.settings.most_steps.min(most);
     }
