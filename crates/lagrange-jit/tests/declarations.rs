@@ -12,8 +12,8 @@ use lagrange_core::pipeline::{Programs, parse};
 
 /// Smallest number of declarations that are derived.
 const FEWEST: usize = 400;
-/// Largest number of programs that are too large to be compiled, such as the linear model of a
-/// bicycle, or the terms of contacts of a wall.
+/// Largest number of programs that are too large to be compiled. Examples are the linear model of a
+/// bicycle and the contact terms of a wall.
 const MOST_TOO_LARGE: usize = 10;
 /// Length of the longest declaration, in characters.
 const LONGEST: usize = 20_000;
