@@ -2,7 +2,7 @@
 //!
 //! The unit is ε, the distance from one to the next number, times the magnitude in the third
 //! column. Each value is large enough for the effects of sums and eliminations on ε, and small
-//! enough to lose no intended value. The values leave a margin: no unit test of this crate fails if
+//! enough to lose no intended value. The values leave a margin: no test fails if
 //! one of them is halved or doubled. The last column names the first test, if any, that fails at
 //! 1/64 (or else 1/4096) and at 64 (or else 4096) times the value.
 //!
@@ -23,6 +23,7 @@
 //! | [`BALANCED_BY_SEARCH`] | 2¹⁶ | the same | Lemke's method exchanges many variables, and each exchange rounds the result of the previous one | × 1/64 and × 64: `rules_found_by_search_hold_to_more_than_rounding` |
 //! | [`HELD_TOGETHER`] | 2²⁰ | the same | the shortest of undetermined impulses ignore equations that are dependent up to rounding | × 1/64 and × 64: `contacts_at_one_place_are_held_together_up_to_what_undetermined_impulses_leave` |
 //! | [`BOUND`] | 64 | the terms of a force or slip velocity | more than the tolerance of balance, so that a body exactly at a bound does not alternate between modes | × 64: `a_block_at_rest_starts_when_the_drive_exceeds_the_static_limit` |
+//! | [`STEADY`] | 512 | the impulses of a step | impulses that hardly change from step to step repeat their error, which adds up | × 4096: `corners_share_a_load_evenly_in_each_step` |
 //! | [`IMPACT_ENERGY`] | 256 | the exchanged energy | squares of velocities from the solution of equations | × 1/4096: `an_impact_conserves_momentum_and_an_elastic_one_energy`; × 64: `no_impact_creates_energy` |
 //! | [`BERNSTEIN_COEFFICIENT`] | 512 | the largest value | the sums of magnitudes in the change to Bernstein coefficients | × 1/4096: `what_only_touches_zero_does_not_change`; × 64: `zeros_next_to_each_other_are_found` |
 //! | [`SAME_EVENT`] | 64 | time; the change of a function with the state | times and states differ by a few roundings after a restart | × 1/64: runs that do not end |
@@ -87,6 +88,8 @@ pub(crate) const BALANCED_BY_SEARCH: Roundings = Roundings(65_536.0);
 pub(crate) const HELD_TOGETHER: Roundings = Roundings(1_048_576.0);
 /// Amount by which forces may exceed their bounds before a mode ends.
 pub(crate) const BOUND: Roundings = Roundings(64.0);
+/// Error of impulses that hardly change from step to step.
+pub(crate) const STEADY: Roundings = Roundings(512.0);
 /// Difference of energies that count as equal.
 pub(crate) const IMPACT_ENERGY: Roundings = Roundings(256.0);
 /// Rounding error of Bernstein coefficients.

@@ -62,15 +62,18 @@ pub(super) struct ContactStep<'a, S, const N: usize, const K: usize> {
     terms: &'a Terms<S, N, K>,
     modes: &'a [Mode; K],
     h: S,
+    /// Gaps up to which contacts are closed, as they differ from zero by rounding. Supports that
+    /// differ by less share a load.
+    closed: S,
     /// Rates at the end of the step without impulses.
     free: [S; K],
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
-    pub(super) fn new(terms: &'a Terms<S, N, K>, modes: &'a [Mode; K], h: S) -> Self {
+    pub(super) fn new(terms: &'a Terms<S, N, K>, modes: &'a [Mode; K], h: S, closed: S) -> Self {
         let rate = |k: usize| inner(&terms.rows[k], &terms.free) + terms.drifts[k];
         let free = array::from_fn(|k| h.multiply_add(rate(k), terms.rates[k]));
-        ContactStep { terms, modes, h, free }
+        ContactStep { terms, modes, h, closed, free }
     }
 
     /// True if everything that impulses depend on is finite.
@@ -122,11 +125,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         matches!(self.modes[k], Mode::Contact(_))
     }
 
-    /// True if contact k would overlap at the end of the step with this rate.
+    /// True if contact k would overlap at the end of the step with this rate. A closed one need only
+    /// open by no more than rounding.
     fn closes(&self, k: usize, rate: S) -> bool {
+        let gap = self.open_gap(k);
+        let most = if gap > S::ZERO { -(BOUND.part::<S>() * gap) } else { self.closed };
+        self.is_contact(k) && self.h.multiply_add(rate, gap) <= most
+    }
+
+    /// Returns the distance by which contact k may close; zero if it overlaps.
+    fn open_gap(&self, k: usize) -> S {
         let gap = self.terms.gaps[k];
-        let noise = BOUND.part::<S>() * gap.abs();
-        self.is_contact(k) && self.h.multiply_add(rate, gap.max(S::ZERO)) < -noise
+        if gap > self.closed { gap } else { S::ZERO }
     }
 
     /// Computes the impulses with the largest fraction of the restitution that creates no energy.
@@ -162,7 +172,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
             true if self.is_hit(k, restitutions[k]) => {
                 restitutions[k].multiply_add(self.terms.rates[k], self.free[k])
             }
-            true => self.free[k] + self.terms.gaps[k].max(S::ZERO) / self.h,
+            true => self.free[k] + self.open_gap(k) / self.h,
             false => self.free[k],
         });
         let choices = self.choices(acts);

@@ -274,19 +274,19 @@ impl<S: Scalar, const N: usize, const K: usize> Memory<S> for ImpulseFormula<S, 
     }
 }
 
-/// Returns the depths up to which overlaps are rounding, if there are overlaps.
+/// Returns the depths up to which overlaps are rounding, if there are overlaps of more than this
+/// depth.
 fn slits<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
     q: &M::Coordinates,
     forced: &ForcedTerms<M::Terms, M::Scalar, N>,
+    least: M::Scalar,
 ) -> Option<[M::Scalar; K]>
 where
     M: ContactSystem<N, K>,
 {
     let terms = forced.terms();
-    let largest = q.as_ref().iter().fold(M::Scalar::ZERO, |largest, q| largest.max(q.abs()));
-    let least = CLOSED_GAP.part::<M::Scalar>() * largest;
     if !terms.gaps.iter().any(|gap| *gap < -least) {
         return None;
     }
@@ -314,11 +314,13 @@ where
     ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, v) = parts::<M, N>(y);
         let (mut forced, modes) = (system.step_terms(t, &q, &v, h), system.modes());
-        let slits = slits(system, t, &q, &forced);
+        let largest = q.as_ref().iter().fold(M::Scalar::ZERO, |largest, q| largest.max(q.abs()));
+        let closed = CLOSED_GAP.part::<M::Scalar>() * largest;
+        let slits = slits(system, t, &q, &forced, closed);
         let metric = forced.normalise();
         let terms = forced.terms();
         work.evaluations += 1;
-        let step = ContactStep::new(terms, &modes, h);
+        let step = ContactStep::new(terms, &modes, h, closed);
         if !step.is_finite() {
             return Err(StepFailure::NotFinite);
         }

@@ -6,7 +6,7 @@ use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::Scalar;
-use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
+use crate::tolerance::{BALANCED_BY_SEARCH, BOUND, STEADY};
 
 /// Maximum number of starts of Newton's method; each follows twice as many sweeps as the last.
 const MOST_STARTS: u32 = 10;
@@ -84,11 +84,13 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Finds the reactions of the least error, starting from these.
     pub(super) fn follow(&self, start: [S; K]) -> ForceSearch<S, K> {
+        let (best, goal) = (self.tried(start), step_goal::<S>());
+        let is_steady = best.error <= goal * self.scale(&start);
         let mut search = ForceSearch {
-            best: self.tried(start),
+            best,
             iterations: 0,
             is_exact: false,
-            goal: step_goal(),
+            goal: if is_steady { goal.min(STEADY.part()) } else { goal },
             // That of each reaction, in a norm of all. In single precision it would be a few
             // percent.
             rounding: (BALANCED_BY_SEARCH.part::<S>() * S::from_f64(self.count.max(1) as f64).sqrt())
@@ -265,7 +267,8 @@ fn nearly<S: Scalar>() -> S {
 }
 
 /// Returns the error, relative to the forces, at which the search for impulses over a step ends.
-/// Damping leaves about this part of the change from step to step.
+/// Damping leaves about this part of the change from step to step. Impulses that hardly change from
+/// step to step repeat their error and are therefore determined more accurately.
 fn step_goal<S: Scalar>() -> S {
     (S::from_f64(LEFT * DAMPING) * S::epsilon().sqrt()).max(BOUND.part::<S>())
 }
