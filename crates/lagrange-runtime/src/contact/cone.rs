@@ -14,13 +14,12 @@
 //! same with one component. Limits are affine in the reactions, with max(d, 0) for those of
 //! contacts. The equation is piecewise smooth: Newton's method takes the derivative of the piece at
 //! hand. If the error falls neither after a step nor after half of it, it takes the whole step.
-//! Where it fails, reactions are replaced by their targets, one after the other for some sweeps.
-//! Then it starts again. Of undetermined steps it takes the shortest.
+//! Of undetermined steps it takes the shortest.
 //!
 //! On redundant points of one body, reactions may change by much while the rates hardly do, and
-//! Newton's method cycles between pieces. A search is therefore repeated with reactions that yield
-//! slightly as they move away from the start. It determines them, and differs from the law by the
-//! compliance times the change, about 10⁻⁸. The search without compliance continues from there.
+//! Newton's method cycles between pieces. The search then starts again in a smooth law, in which
+//! contacts press a little before they touch, and friction yields a little before it slips. This
+//! law has one piece. Each time it is nearly met, it becomes twice as sharp, up to rounding.
 //!
 //! The first attempt starts near the shortest forces that hold all rates, with steps of Levenberg
 //! and Marquardt. If there are many solutions, they find one close to the start.
@@ -28,9 +27,8 @@
 //! Sources: Fan, Yuan, "On the quadratic convergence of the Levenberg–Marquardt method without
 //! nonsingularity assumption", *Computing* 74 (2005) 23–39; Alart, Curnier, "A mixed formulation
 //! for frictional contact problems prone to Newton like solution methods", *Comput. Methods Appl.
-//! Mech. Eng.* 92 (1991) 353–375; Rockafellar, "Monotone operators and the proximal point
-//! algorithm", *SIAM J. Control Optim.* 14 (1976) 877–898; Jean, "The non-smooth contact dynamics
-//! method", *Comput. Methods Appl. Mech. Eng.* 177 (1999) 235–257.
+//! Mech. Eng.* 92 (1991) 353–375; Chen, Mangasarian, "A class of smoothing functions for nonlinear
+//! and mixed complementarity problems", *Comput. Optim. Appl.* 5 (1996) 97–138.
 //!
 //! # A block on a floor in numbers
 //!
@@ -60,8 +58,6 @@ use crate::linalg::vector::{dot, inner};
 use crate::scalar::Scalar;
 use crate::tolerance::BALANCED_BY_SEARCH;
 
-/// Compliance of anchored reactions, relative to the root of the rounding unit.
-const COMPLIANCE: f64 = 0.7;
 /// Maximum number of reactions of systems whose responses are stored as a matrix.
 pub(super) const MOST_DENSE: usize = 64;
 
@@ -86,8 +82,8 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     matrix: [[S; K]; D],
     /// Rates without reactions.
     offsets: [S; K],
-    /// The change of each rate with its own reaction in addition to its response.
-    compliance: S,
+    /// Size of forces below which the pieces of targets merge smoothly; zero for the law.
+    smoothing: S,
     /// The range of velocities outside which the row and the response of each reaction are zero,
     /// as well as those on which its limit depends.
     spans: [(usize, usize); K],
@@ -209,7 +205,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
             units,
             matrix,
             offsets,
-            compliance: S::ZERO,
+            smoothing: S::ZERO,
             spans,
         }
     }
@@ -241,20 +237,9 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
                 }
                 None => self.rate(k, &velocities),
             };
-            pulls[k] = forces[k] - self.offsets[k] - change - self.compliance * forces[k];
+            pulls[k] = forces[k] - self.offsets[k] - change;
         }
         ForcePoint { forces, pulls }
-    }
-
-    /// Returns the problem in which reactions yield slightly as they move away from these. Of
-    /// undetermined reactions, it has those that are close to them.
-    fn anchored(&self, forces: &[S; K]) -> Self {
-        let mut cone = *self;
-        cone.compliance = S::from_f64(COMPLIANCE) * S::epsilon().sqrt();
-        for (k, force) in forces.iter().enumerate().take(self.count) {
-            cone.offsets[k] = (-cone.compliance).multiply_add(*force, cone.offsets[k]);
-        }
-        cone
     }
 
     /// Evaluates these reactions.

@@ -125,8 +125,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         matches!(self.modes[k], Mode::Contact(_))
     }
 
-    /// True if contact k would overlap at the end of the step with this rate. A closed one need only
-    /// open by no more than rounding.
+    /// True if contact k would overlap at the end of the step with this rate. A closed one need
+    /// only open by no more than rounding.
     fn closes(&self, k: usize, rate: S) -> bool {
         let gap = self.open_gap(k);
         let most = if gap > S::ZERO { -(BOUND.part::<S>() * gap) } else { self.closed };

@@ -2,7 +2,7 @@
 
 use core::array;
 
-use super::targets::TargetPiece;
+use super::targets::Target;
 use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::singular::{nearest, regular};
@@ -35,20 +35,28 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Computes the derivative of a component of a target.
     fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; K] {
-        match self.piece(at, k) {
-            TargetPiece::Absent => [S::ZERO; K],
-            TargetPiece::Holds => self.pull_slope(k + component),
-            TargetPiece::Limited { direction, turning, .. } => {
-                let mut slope = self.limit_slope(at, k).map(|slope| direction[component] * slope);
-                for other in (0..2).filter(|_| turning != S::ZERO) {
-                    let own = if other == component { S::ONE } else { S::ZERO };
-                    let share = turning * (own - direction[component] * direction[other]);
-                    let pull = self.pull_slope(k + other);
-                    slope = array::from_fn(|j| share.multiply_add(pull[j], slope[j]));
-                }
-                slope
+        let target = self.target(at, k);
+        match target.share() {
+            Some(share) if share == S::ZERO => [S::ZERO; K],
+            Some(share) => self.pull_slope(k + component).map(|slope| share * slope),
+            None => self.limited_slope(at, k, component, &target),
+        }
+    }
+
+    /// Computes the derivative of a component of the target of friction k at its limit.
+    fn limited_slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize, target: &Target<S>) -> [S; K] {
+        let Target { direction, along, across, limited, .. } = *target;
+        let own = limited * direction[component];
+        let mut slope = self.limit_slope(at, k).map(|slope| own * slope);
+        for other in self.components(k).map(|other| other - k) {
+            let is_own = if other == component { S::ONE } else { S::ZERO };
+            let share = (along - across) * direction[component] * direction[other] + across * is_own;
+            if share != S::ZERO {
+                let pull = self.pull_slope(k + other);
+                slope = array::from_fn(|j| share.multiply_add(pull[j], slope[j]));
             }
         }
+        slope
     }
 
     /// Computes the derivative of one component of d.

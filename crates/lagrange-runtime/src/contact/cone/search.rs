@@ -2,22 +2,16 @@
 
 use core::array;
 
-use super::{Cone, ForcePoint, TriedForces};
-use crate::contact::choice::Choice;
-use crate::linalg::vector::{combined, difference};
+use super::{Cone, TriedForces};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED_BY_SEARCH, BOUND, STEADY};
 
-/// Maximum number of starts of Newton's method; each follows twice as many sweeps as the last.
-const MOST_STARTS: u32 = 10;
-/// Maximum number of starts if the error is small already.
-const FEW_STARTS: u32 = 2;
-/// Maximum number of steps of Newton's method from each start.
-const MOST_STEPS: u32 = 24;
 /// Maximum number of steps of Newton's method near known reactions.
 const MOST_STEPS_NEAR: u32 = 12;
 /// Maximum number of short steps close to the shortest forces.
 const MOST_SHORT_STEPS: u32 = 60;
+/// Maximum number of steps in smooth laws.
+const MOST_SMOOTH_STEPS: u32 = 120;
 /// Term added to the diagonal so that undetermined steps are short, relative to the root of the
 /// rounding unit.
 const DAMPING: f64 = 0.1;
@@ -26,27 +20,29 @@ const LEFT: f64 = 1e-2;
 /// Error, relative to the forces and to the root of the rounding unit, that may be left if nothing
 /// reduces it. Reactions that are not determined have such errors.
 const NEARLY: f64 = 1e-2;
-/// Maximum number of searches near reactions.
-const MOST_ANCHORS: u32 = 3;
-/// Number of parts of a step of Newton's method that are tried, each half of the one before. More
-/// of them would creep along a piece, where whole steps pass through larger errors to its end.
-const MOST_PARTS: i32 = 2;
-/// Number of parts of a short step that are tried.
-const MOST_SHORT_PARTS: i32 = 8;
-
-/// Factor by which leaps along the change of a sweep may raise the error.
-const DRIFT: f64 = 1.01;
-/// Maximum number of doublings of a leap.
-const MOST_DOUBLINGS: i32 = 16;
-
 /// The kind of a step.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Step {
     /// A step of Newton's method.
     Newton,
     /// That of Levenberg and Marquardt, damped by the error. It stays short where reactions are
     /// nearly undetermined.
     Short,
+    /// A step of Newton's method in a smooth law.
+    Smooth,
+}
+
+impl Step {
+    /// Returns the number of parts that are tried, each half of the one before. More parts of a
+    /// step of Newton's method would creep along a piece, where whole steps pass through larger
+    /// errors to its end.
+    const fn parts(self) -> i32 {
+        match self {
+            Step::Newton => 2,
+            Step::Short => 8,
+            Step::Smooth => 12,
+        }
+    }
 }
 
 /// A search for reactions.
@@ -77,8 +73,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             rounding: BALANCED_BY_SEARCH.part(),
             is_of_step: false,
         };
-        let is_found = self.descend(&mut search, Step::Short, MOST_SHORT_STEPS)
-            || self.restart(&mut search, MOST_STARTS);
+        let is_found = self.descend(&mut search, Step::Short, MOST_SHORT_STEPS) || self.sharpen(&mut search);
         is_found.then_some(search.best.at.forces)
     }
 
@@ -98,106 +93,32 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             is_of_step: true,
         };
         search.is_exact =
-            self.descend(&mut search, Step::Newton, MOST_STEPS_NEAR) || self.fall_back(&mut search, &start);
+            self.descend(&mut search, Step::Newton, MOST_STEPS_NEAR) || self.sharpen(&mut search);
         search
     }
 
-    /// Searches from zero by alternating sweeps and Newton's method.
-    fn restart(&self, search: &mut ForceSearch<S, K>, most: u32) -> bool {
-        let mut forces = [S::ZERO; K];
-        (0..most).any(|start| {
-            let share = S::from_f64(if start % 2 == 0 { 1.0 } else { 0.5 });
-            let (mut at, mut before) = (self.point(forces), forces);
-            for _ in 0..1 << start {
-                before = at.forces;
-                self.sweep(&mut at, share);
-            }
-            search.best = self.tried(match search.is_of_step {
-                true => self.leap(&at.forces, &difference(&at.forces, &before)),
-                false => at.forces,
-            });
-            let is_found = self.descend(search, Step::Newton, MOST_STEPS);
-            forces = search.best.at.forces;
-            is_found
-        })
-    }
-
-    /// Repeats this change as often as the error stays about the same, in powers of two.
-    ///
-    /// Where reactions are undetermined, each sweep changes them by the same small amount. This may
-    /// last thousands of sweeps, until one of them sticks or slips.
-    fn leap(&self, from: &[S; K], change: &[S; K]) -> [S; K] {
-        let after = |doublings: i32| combined(from, S::from_f64(2.0).powi(doublings), change);
-        let error = |forces: &[S; K]| self.tried(*forces).error;
-        let allowed = S::from_f64(DRIFT) * error(from);
-        let is_allowed = |doublings: &i32| error(&after(*doublings)) <= allowed;
-        (0..MOST_DOUBLINGS).take_while(is_allowed).last().map_or(*from, after)
-    }
-
-    /// Searches near the start, then from zero, and then by short steps; keeps the best reactions
-    /// found.
-    fn fall_back(&self, search: &mut ForceSearch<S, K>, start: &[S; K]) -> bool {
-        let mut centre = *start;
-        for _ in 0..MOST_ANCHORS {
-            if self.improved(search, |search| self.settle(search, &centre)) {
-                return true;
-            }
-            centre = search.best.at.forces;
-        }
-        if self.is_within(search, nearly()) {
-            return self.improved(search, |search| self.restart(search, FEW_STARTS));
-        }
-        self.improved(search, |search| self.restart(search, MOST_STARTS))
-            || self.descend(search, Step::Short, MOST_SHORT_STEPS)
-    }
-
-    /// Searches for reactions close to these, which are in part undetermined.
-    fn settle(&self, search: &mut ForceSearch<S, K>, centre: &[S; K]) -> bool {
-        let anchored = self.anchored(centre);
-        search.best = anchored.tried(*centre);
-        anchored.descend(search, Step::Newton, MOST_STEPS_NEAR);
-        search.best = self.tried(search.best.at.forces);
-        self.descend(search, Step::Newton, MOST_STEPS_NEAR / 2)
-    }
-
-    /// Searches, and keeps the reactions before it if they are better.
-    fn improved(
-        &self,
-        search: &mut ForceSearch<S, K>,
-        find: impl FnOnce(&mut ForceSearch<S, K>) -> bool,
-    ) -> bool {
-        let before = search.best;
-        let is_found = find(search);
-        if !is_found && before.error <= search.best.error {
-            search.best = before;
-        }
-        is_found
-    }
-
-    /// Moves each reaction in turn by this fraction of the way to its target. A fraction of one
-    /// half ends some cycles.
-    fn sweep(&self, at: &mut ForcePoint<S, K>, share: S) {
-        let mut velocities = if D == 0 { self.velocities(&at.forces) } else { [S::ZERO; N] };
-        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
-            if D == 0 {
-                self.refresh(at, k, &velocities);
-            }
-            let targets = self.target(at, k);
-            for (k, target) in self.components(k).zip(targets) {
-                let change = share * (target - at.forces[k]);
-                at.forces[k] = at.forces[k] + change;
-                at.pulls[k] = at.pulls[k] + change;
-                for (pull, row) in at.pulls.iter_mut().zip(&self.matrix).take(self.count) {
-                    *pull = (-change).multiply_add(row[k], *pull);
-                }
-                if D == 0 {
-                    self.kick(&mut velocities, k, change);
+    /// Searches along smooth approximations of the law, which become sharper as they are solved.
+    fn sharpen(&self, search: &mut ForceSearch<S, K>) -> bool {
+        let half = S::from_f64(0.5);
+        let mut smooth = *self;
+        smooth.smoothing = self.scale(&search.best.at.forces);
+        let mut present = smooth.tried(search.best.at.forces);
+        for _ in 0..MOST_SMOOTH_STEPS {
+            present = smooth.stepped(&present, Step::Smooth);
+            search.iterations += 1;
+            let sharp = self.tried(present.at.forces);
+            if sharp.error < search.best.error {
+                search.best = sharp;
+                if self.is_balanced(search) {
+                    break;
                 }
             }
+            if present.error < half * smooth.smoothing {
+                smooth.smoothing = half * smooth.smoothing;
+                present = smooth.tried(present.at.forces);
+            }
         }
-        if D == 0 {
-            *at = self.point(at.forces);
-        }
+        self.descend(search, Step::Newton, MOST_STEPS_NEAR)
     }
 
     /// Finds the reactions of least error by at most so many steps. If no part of a step reduces
@@ -240,24 +161,30 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         pairs.fold(S::ZERO, |size, (force, offset)| size.max(force.abs().max(offset.abs())))
     }
 
-    /// Returns the end of the longest part of a step that reduces the error, or of the whole step.
+    /// Returns the end of the longest part of a step that reduces the error. If there is none, it
+    /// is the end of the whole step, or of the best part in a smooth law.
     fn stepped(&self, present: &TriedForces<S, K>, kind: Step) -> TriedForces<S, K> {
-        let least = (S::from_f64(DAMPING) * S::epsilon().sqrt()).max(self.compliance);
+        let least = S::from_f64(DAMPING) * S::epsilon().sqrt();
         let short = || present.error / self.scale(&present.at.forces);
         let step = match kind {
-            Step::Newton if D == 0 => self.step_of_velocities(present, least),
             Step::Short if D == 0 => self.step_of_velocities(present, least.max(short())),
-            Step::Newton => self.newton_step(present, least),
             Step::Short => self.short_step(present, short()),
+            _ if D == 0 => self.step_of_velocities(present, least),
+            _ => self.newton_step(present, least),
         };
         let reached =
             |part: S| self.tried(array::from_fn(|k| step[k].multiply_add(part, present.at.forces[k])));
-        let parts = match kind {
-            Step::Newton => MOST_PARTS,
-            Step::Short => MOST_SHORT_PARTS,
-        };
-        let halves = (0..parts).map(|halvings| reached(S::from_f64(0.5).powi(halvings)));
-        { halves }.find(|end| end.error < present.error).unwrap_or_else(|| reached(S::ONE))
+        let mut best = reached(S::ONE);
+        for halvings in 1..kind.parts() {
+            if best.error < present.error {
+                break;
+            }
+            let end = reached(S::from_f64(0.5).powi(halvings));
+            if end.error < present.error || (kind == Step::Smooth && end.error < best.error) {
+                best = end;
+            }
+        }
+        best
     }
 }
 

@@ -23,7 +23,7 @@
 
 use core::array;
 
-use super::targets::TargetPiece;
+use super::targets::Target;
 use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::ordered::solve_in_order;
@@ -75,16 +75,6 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         &self.law.terms.responses[self.active[k]][from..to]
     }
 
-    /// Computes d of friction or contact k, and of the reactions that its limit depends on, at the
-    /// velocities due to all reactions.
-    pub(super) fn refresh(&self, at: &mut ForcePoint<S, K>, k: usize, velocities: &[S; N]) {
-        let own = if self.is_planar(k) { [k, k + 1] } else { [k, k] };
-        for k in self.slopes_of(k).map(|(place, _)| place).chain(own) {
-            let rate = self.compliance.multiply_add(at.forces[k], self.rate(k, velocities));
-            at.pulls[k] = at.forces[k] - self.offsets[k] - rate;
-        }
-    }
-
     /// Returns a step of Newton's method with this damping.
     pub(super) fn step_of_velocities(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
         let mut steps = [Affine::ZERO; K];
@@ -128,55 +118,50 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         k: usize,
         damping: S,
     ) -> bool {
-        let (free, held) = (S::ONE / (S::ONE + damping), S::ONE / damping);
-        let components = self.components(k);
-        match self.piece(&trial.at, k) {
-            TargetPiece::Absent => {
-                for k in components {
-                    steps[k].fixed = trial.errors[k] * free;
-                }
-                return trial.errors[self.components(k)].iter().any(|error| *error != S::ZERO);
-            }
-            TargetPiece::Holds => {
-                for k in components {
-                    let (from, to) = self.spans[k];
-                    steps[k].fixed = trial.errors[k] * held;
-                    add_scaled(&mut steps[k].slope[from..to], held / self.units[k], self.row(k));
-                }
-            }
-            TargetPiece::Limited { direction, turning, .. } => {
-                let limit = self.limit_step(&trial.at, steps, k);
-                let turned = S::ONE / (S::ONE + damping - turning);
-                let (steps, factors) = (&mut steps[components], [free, turned]);
-                self.set_limited(trial, steps, k, (direction, turning), &limit, factors);
+        let target = self.target(&trial.at, k);
+        let Some(share) = target.share() else {
+            self.set_limited(trial, steps, k, &target, damping);
+            return true;
+        };
+        let factor = S::ONE / (S::ONE - share + damping);
+        for k in self.components(k) {
+            steps[k].fixed = trial.errors[k] * factor;
+            if share != S::ZERO {
+                let (from, to) = self.spans[k];
+                add_scaled(&mut steps[k].slope[from..to], share * factor / self.units[k], self.row(k));
             }
         }
-        true
+        share != S::ZERO || trial.errors[self.components(k)].iter().any(|error| *error != S::ZERO)
     }
 
-    /// Computes the steps of friction k at its limit: along its direction with the limit, and
-    /// across it as it turns. The factors are those along and across.
+    /// Computes the steps of friction k near its limit: along its direction with d and the limit,
+    /// and across it as it turns.
     fn set_limited(
         &self,
         trial: &TriedForces<S, K>,
-        steps: &mut [Affine<S, N>],
+        steps: &mut [Affine<S, N>; K],
         k: usize,
-        (direction, turning): ([S; 2], S),
-        limit: &Affine<S, N>,
-        factors: [S; 2],
+        target: &Target<S>,
+        damping: S,
     ) {
-        let other = k + steps.len() - 1;
-        let across = [-direction[1], direction[0]];
+        let limit = self.limit_step(&trial.at, steps, k);
+        let Target { direction, along, across, limited, .. } = *target;
+        let factors = [along, across].map(|share| S::ONE / (S::ONE - share + damping));
+        let normal = [-direction[1], direction[0]];
+        let components = self.components(k);
+        let other = components.end - 1;
         let errors = [trial.errors[k], trial.errors[other]];
-        let along = factors[0] * (dot(&direction, &errors) + limit.fixed);
-        let turned = factors[1] * dot(&across, &errors);
-        let share = factors[1] * turning / self.units[k];
+        let ahead = factors[0] * limited.multiply_add(limit.fixed, dot(&direction, &errors));
+        let aside = factors[1] * dot(&normal, &errors);
+        let shares = [factors[0] * along / self.units[k], factors[1] * across / self.units[k]];
         let (from, to) = self.spans[k];
         let rows = self.row(k).iter().zip(self.row(other));
-        for (c, step) in steps.iter_mut().enumerate() {
-            step.fixed = along * direction[c] + turned * across[c];
-            let (own, [first, second]) =
-                (factors[0] * direction[c], across.map(|part| part * share * across[c]));
+        for (c, step) in steps[components].iter_mut().enumerate() {
+            step.fixed = ahead * direction[c] + aside * normal[c];
+            let own = factors[0] * limited * direction[c];
+            let [first, second] = array::from_fn(|o| {
+                shares[0] * direction[c] * direction[o] + shares[1] * normal[c] * normal[o]
+            });
             let entries = step.slope[from..to].iter_mut().zip(&limit.slope[from..to]).zip(rows.clone());
             for ((entry, limit), (one, two)) in entries {
                 *entry = own * *limit + first * *one + second * *two;
