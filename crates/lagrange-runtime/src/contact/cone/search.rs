@@ -10,8 +10,10 @@ use crate::tolerance::{BALANCED_BY_SEARCH, BOUND, STEADY};
 const MOST_STEPS_NEAR: u32 = 12;
 /// Maximum number of short steps close to the shortest forces.
 const MOST_SHORT_STEPS: u32 = 60;
-/// Maximum number of steps in smooth laws.
-const MOST_SMOOTH_STEPS: u32 = 120;
+/// Factors of the smoothing from one smooth law to the next. Some problems need short strides.
+const STRIDES: [f64; 3] = [0.5, 0.7, 0.8];
+/// Maximum number of steps in one smooth law.
+const PATIENCE: u32 = 20;
 /// Term added to the diagonal so that undetermined steps are short, relative to the root of the
 /// rounding unit.
 const DAMPING: f64 = 0.1;
@@ -73,7 +75,8 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             rounding: BALANCED_BY_SEARCH.part(),
             is_of_step: false,
         };
-        let is_found = self.descend(&mut search, Step::Short, MOST_SHORT_STEPS) || self.sharpen(&mut search);
+        let is_found =
+            self.descend(&mut search, Step::Short, MOST_SHORT_STEPS) || self.sharpen(&mut search, &near);
         is_found.then_some(search.best.at.forces)
     }
 
@@ -93,29 +96,34 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             is_of_step: true,
         };
         search.is_exact =
-            self.descend(&mut search, Step::Newton, MOST_STEPS_NEAR) || self.sharpen(&mut search);
+            self.descend(&mut search, Step::Newton, MOST_STEPS_NEAR) || self.sharpen(&mut search, &start);
         search
     }
 
-    /// Searches along smooth approximations of the law, which become sharper as they are solved.
-    fn sharpen(&self, search: &mut ForceSearch<S, K>) -> bool {
+    /// Searches along smooth laws from these reactions, in ever shorter strides, and then from
+    /// zero.
+    fn sharpen(&self, search: &mut ForceSearch<S, K>, start: &[S; K]) -> bool {
+        STRIDES.iter().any(|stride| self.approach(search, start, S::from_f64(*stride)))
+            || self.approach(search, &[S::ZERO; K], S::from_f64(STRIDES[1]))
+    }
+
+    /// Searches along smooth approximations of the law. Each time one is nearly met, its smoothing
+    /// is multiplied by this stride. Keeps the best reactions.
+    fn approach(&self, search: &mut ForceSearch<S, K>, start: &[S; K], stride: S) -> bool {
         let half = S::from_f64(0.5);
         let mut smooth = *self;
-        smooth.smoothing = self.scale(&search.best.at.forces);
-        let mut present = smooth.tried(search.best.at.forces);
-        for _ in 0..MOST_SMOOTH_STEPS {
+        smooth.smoothing = self.scale(start);
+        let (mut present, mut patience) = (smooth.tried(*start), PATIENCE);
+        while patience > 0 && !self.is_balanced(search) {
             present = smooth.stepped(&present, Step::Smooth);
-            search.iterations += 1;
+            (patience, search.iterations) = (patience - 1, search.iterations + 1);
             let sharp = self.tried(present.at.forces);
             if sharp.error < search.best.error {
                 search.best = sharp;
-                if self.is_balanced(search) {
-                    break;
-                }
             }
             if present.error < half * smooth.smoothing {
-                smooth.smoothing = half * smooth.smoothing;
-                present = smooth.tried(present.at.forces);
+                smooth.smoothing = stride * smooth.smoothing;
+                (present, patience) = (smooth.tried(present.at.forces), PATIENCE);
             }
         }
         self.descend(search, Step::Newton, MOST_STEPS_NEAR)
