@@ -17,7 +17,7 @@
 //! Of undetermined steps it takes the shortest.
 //!
 //! On redundant points of one body, reactions may change by much while the rates hardly do, and
-//! Newton's method cycles between pieces. The search then starts again in a smooth law, in which
+//! Newton's method cycles between pieces. The search then starts again in a smooth law. In it,
 //! contacts press a little before they touch, and friction yields a little before it slips. This
 //! law has one piece. Each time it is nearly met, it becomes twice as sharp, up to rounding.
 //!
