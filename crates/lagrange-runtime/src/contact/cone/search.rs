@@ -12,7 +12,8 @@ const MOST_STEPS_NEAR: u32 = 12;
 const MOST_SHORT_STEPS: u32 = 60;
 /// Factors of the smoothing from one smooth law to the next. Some problems need short strides.
 const STRIDES: [f64; 3] = [0.5, 0.7, 0.8];
-/// Error after a search along smooth laws, as a multiple of `NEARLY`, from which another one follows.
+/// Error after a search along smooth laws, as a multiple of `NEARLY`, from which another one
+/// follows.
 const TRIFLE: f64 = 4.0;
 /// Maximum number of steps in one smooth law.
 const PATIENCE: u32 = 20;
@@ -102,8 +103,8 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         search
     }
 
-    /// Searches along smooth laws from these reactions, in ever shorter strides, and then from zero.
-    /// Small errors that are left after one search are left after others as well.
+    /// Searches along smooth laws from these reactions, in ever shorter strides, and then from
+    /// zero. Small errors that are left after one search are left after others as well.
     fn sharpen(&self, search: &mut ForceSearch<S, K>, start: &[S; K]) -> bool {
         let ends = |search: &ForceSearch<S, K>| self.is_within(search, S::from_f64(TRIFLE) * nearly());
         for stride in STRIDES {
