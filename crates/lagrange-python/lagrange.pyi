@@ -115,11 +115,10 @@ class System:
         Samples are kept `every` so many seconds, or after every step. Methods are `verner`, `taylor`
         and `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. `taylor`
         is for small errors; its series are derived the first time, and take constant inputs. `stepped`,
-        with a `step`, is for many contacts and for those of faces and edges; it takes constant inputs,
-        too. Systems with noise have `maruyama` and `stochastic` with a `step`, whose `seed`, 0 by
-        default, chooses the noise. `inputs` returns the inputs at a time and a state. What it raises is
-        raised here.
-        Without it, other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
+        with a `step`, is for many contacts and for those of faces and edges. Systems with noise have
+        `maruyama` and `stochastic` with a `step`, whose `seed`, 0 by default, chooses the noise.
+
+        `inputs` returns the inputs at a time and a state. What it raises is raised here. Without it, other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
         """
     def film(self, motion: Trajectory, *, energy: bool = True, forces: bool = False, height: int = 640) -> Film:
         """Returns the film of a motion, with the parameters of this system. Each sample is a picture,

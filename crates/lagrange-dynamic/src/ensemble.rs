@@ -13,7 +13,7 @@ use lagrange_runtime::simulate::Drive;
 use lagrange_runtime::system::OdeSystem;
 
 use crate::declared::{DeclaredSystem, Visitor};
-use crate::method::{LAW, MethodChoice, NO_CONTACTS, Refused, STEPPED_LAW};
+use crate::method::{LAW, MethodChoice, NO_CONTACTS, Refused, STEPPED_DELAY};
 use crate::reactions::in_room;
 use crate::refusal::NoSuchName;
 use crate::system::DynamicSystem;
@@ -216,7 +216,7 @@ where
         MethodChoice::Verner { tolerance } => ensemble.tolerance(tolerance).run(),
         MethodChoice::Radau { tolerance } => ensemble.method(Radau5::tolerance(tolerance)).run(),
         MethodChoice::Taylor { .. } => ensemble.method(Refused(LAW)).run(),
-        MethodChoice::Stepped { .. } => ensemble.method(Refused(STEPPED_LAW)).run(),
+        MethodChoice::Stepped { .. } => ensemble.method(Refused(STEPPED_DELAY)).run(),
         MethodChoice::RungeKutta4 { step } => ensemble.method(RungeKutta4 { step }).run(),
         MethodChoice::GaussLegendre { step } => ensemble.method(PlainGaussLegendre::<f64, 3> { step }).run(),
         MethodChoice::EulerMaruyama { step, seed } => {

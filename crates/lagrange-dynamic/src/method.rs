@@ -22,9 +22,8 @@ pub(crate) const NAMES: [&str; 8] =
     ["verner", "radau", "taylor", "rk4", "gauss", "stepped", "maruyama", "stochastic"];
 /// The reason why systems without contacts are not stepped.
 pub(crate) const NO_CONTACTS: &str = "the method `stepped` needs contacts or friction: take `verner`";
-/// The reason why runs with a law, or with delayed signals, are not stepped.
-pub(crate) const STEPPED_LAW: &str =
-    "the method `stepped` has no inputs that change or are delayed: take `verner`";
+/// The reason why runs with delayed signals are not stepped.
+pub(crate) const STEPPED_DELAY: &str = "the method `stepped` has no delayed signals: take `verner`";
 /// The reason why runs with a law have no series.
 pub(crate) const LAW: &str = "the method `taylor` has no series of inputs that change: take `verner`";
 
@@ -147,16 +146,44 @@ impl MethodChoice {
                 simulation.method(Taylor::tolerance(tolerance)).run()
             }
             (MethodChoice::Taylor { .. }, Some(reason)) => simulation.method(Refused(reason)).run(),
-            (MethodChoice::Stepped { step }, _) if system.is_touching() => {
+            _ => self.run_driven(simulation, system),
+        }
+    }
+
+    /// Runs a simulation of a system by this method. Its inputs may follow a law, which [`Taylor`]
+    /// refuses.
+    ///
+    /// # Errors
+    /// If the run fails, as in [`Simulation::run`].
+    pub fn run_driven<const CAPACITY: usize, K, D>(
+        self,
+        simulation: Simulation<'_, DynamicSystem<CAPACITY>, K, D>,
+        system: &DynamicSystem<CAPACITY>,
+    ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>>
+    where
+        D: Drive<DynamicSystem<CAPACITY>>,
+        Verner98<f64>: Method<D::Closed>,
+        Radau5<f64>: Method<D::Closed>,
+        RungeKutta4<f64>: Method<D::Closed>,
+        PlainGaussLegendre<f64, 3>: Method<D::Closed>,
+        EulerMaruyama<f64>: Method<D::Closed>,
+        StochasticRungeKutta4<f64>: Method<D::Closed>,
+        Stepped<f64, 8, 8>: Method<D::Closed>,
+        Stepped<f64, 8, 24>: Method<D::Closed>,
+        Stepped<f64, 32, 32>: Method<D::Closed>,
+        Stepped<f64, 32, 48>: Method<D::Closed>,
+    {
+        match self {
+            MethodChoice::Stepped { step } if system.is_touching() => {
                 in_room!(system, V, R, simulation.method(Stepped::<f64, V, R>::every(step)).run())
             }
-            (MethodChoice::Stepped { .. }, _) => simulation.method(Refused(NO_CONTACTS)).run(),
+            MethodChoice::Stepped { .. } => simulation.method(Refused(NO_CONTACTS)).run(),
             _ => self.run(simulation),
         }
     }
 
-    /// Runs a simulation by this method. [`Taylor`] and [`Stepped`] refuse it, since its inputs may
-    /// change.
+    /// Runs a simulation by this method. Its inputs may follow a law, and its signals may be
+    /// delayed, so that [`Taylor`] and [`Stepped`] refuse it.
     ///
     /// # Errors
     /// If the run fails, as in [`Simulation::run`].
@@ -177,7 +204,7 @@ impl MethodChoice {
             MethodChoice::Verner { tolerance } => simulation.method(Verner98::tolerance(tolerance)).run(),
             MethodChoice::Radau { tolerance } => simulation.method(Radau5::tolerance(tolerance)).run(),
             MethodChoice::Taylor { .. } => simulation.method(Refused(LAW)).run(),
-            MethodChoice::Stepped { .. } => simulation.method(Refused(STEPPED_LAW)).run(),
+            MethodChoice::Stepped { .. } => simulation.method(Refused(STEPPED_DELAY)).run(),
             MethodChoice::RungeKutta4 { step } => simulation.method(RungeKutta4 { step }).run(),
             MethodChoice::GaussLegendre { step } => {
                 simulation.method(PlainGaussLegendre::<f64, 3> { step }).run()

@@ -9,9 +9,10 @@ mod record;
 use lagrange::Simulate;
 use lagrange::contact::Stepped;
 use lagrange::integrate::{PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
+use lagrange::system::StateVector;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
-use lagrange_dynamic::{DeclaredSystem, DynamicSystem, MethodChoice, RunSettings, Visitor};
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Inline, MethodChoice, RunSettings, Visitor};
 
 use record::{Record, declared, record};
 
@@ -95,6 +96,15 @@ both_ways! {
         event ground = y - hill(x), falling => impact(0.4);
         friction rub = dot(x), 0.1 * ground;
         output load = ground;
+    }
+
+    Pushed = PUSHED {
+        coord x;
+        input u;
+        kinetic = 1/2 * dot(x)^2;
+        force x = u;
+        friction rub = dot(x), kinetic: 0.5, static: 0.7;
+        output grip = rub;
     }
 
     Switched = SWITCHED {
@@ -251,6 +261,46 @@ fn states_and_settings_are_refused_with_the_same_words() {
     let expected = record(run.method(method).run());
     assert!(expected.0[0].contains("restitution"), "{}", expected.0[0]);
     assert_eq!(ball.visit(Run(settings(&[1.0, 0.0], 1.0, MethodChoice::Verner { tolerance }))), expected);
+}
+
+/// A run whose inputs follow [`law`].
+struct DrivenRun(RunSettings);
+
+fn law(t: f64, state: &[f64]) -> f64 {
+    3.0 * (2.0 * t).sin() - state[0]
+}
+
+impl Visitor for DrivenRun {
+    type Output = Record;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Record {
+        let simulation = self.0.simulation(system);
+        let driven = simulation.drive(|_: &_, t, y: Inline<CAPACITY>| Inline::of(&[law(t, y.as_ref())]));
+        record(self.0.method.run_driven(driven, system))
+    }
+}
+
+#[test]
+fn inputs_follow_a_law_with_the_same_bits() {
+    let start = [0.0, 0.2];
+    let expected = {
+        let pushed = Pushed::default();
+        let run = pushed.simulate(start).until(3.0).every(0.06).outputs().energy();
+        let run = run.drive(|_: &Pushed, t, y: PushedState| PushedInputs { u: law(t, &[y.x, y.x_dot]) });
+        record(run.method(Stepped::every(0.005)).run())
+    };
+    let run = DrivenRun(settings(&start, 3.0, MethodChoice::Stepped { step: 0.005 }));
+    assert!(expected.0[0].starts_with("Reached"), "{}", expected.0[0]);
+    assert_eq!(declared(PUSHED).visit(run), expected);
+}
+
+#[test]
+fn steps_refuse_delayed_signals() {
+    let delayed = declared(
+        "struct Late; coord x; kinetic = 1/2 * dot(x)^2; friction rub = dot(x), 0.1; force x = -delay(x, 0.1);",
+    );
+    let found = delayed.visit(Run(settings(&[0.0, 1.0], 1.0, MethodChoice::Stepped { step: 0.1 })));
+    assert!(found.0[0].contains("the method `stepped` has no delayed signals"), "{}", found.0[0]);
 }
 
 #[test]

@@ -95,7 +95,8 @@ impl Visitor for DrivenRun<'_> {
                 Inline::of(&[])
             })
         };
-        let motion = ended(self.settings.method.run(self.settings.simulation(system).drive(law)));
+        let simulation = self.settings.simulation(system).drive(law);
+        let motion = ended(self.settings.method.run_driven(simulation, system));
         match raised.into_inner() {
             Some(error) => Err(error),
             None => motion.map_err(|failure| failure.exception(self.law.py())),

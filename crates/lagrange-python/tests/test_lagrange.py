@@ -108,6 +108,9 @@ def test_a_ball_bounces_and_a_block_stops():
     block = lagrange.System("coord x = 0; start dot(x) = 2; kinetic = 1/2 * dot(x)^2; friction rub = dot(x), 3;")
     assert abs(block.simulate(until=2)["x"][-1] - 2 / 3) < 1e-9
     assert block.rhs(0, [0, 2]).tolist() == [2, -3]
+    pushed = lagrange.System("coord x = 0; input u; kinetic = 1/2 * dot(x)^2; force x = u; friction rub = dot(x), 3;")
+    motion = pushed.simulate(until=2, method="stepped", step=1e-3, inputs=lambda t, y: 5.0 if t < 1 else 0.0)
+    assert abs(motion["x"][-1] - (1 + 2 / 3)) < 5e-3, "2 m/s after 1 s, and 2/3 s until it stops"
 
 
 def test_motions_are_those_of_scipy():
