@@ -118,7 +118,8 @@ class System:
         with a `step`, is for many contacts and for those of faces and edges. Systems with noise have
         `maruyama` and `stochastic` with a `step`, whose `seed`, 0 by default, chooses the noise.
 
-        `inputs` returns the inputs at a time and a state. What it raises is raised here. Without it, other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
+        `inputs` returns the inputs at a time and a state. What it raises is raised here. Without it,
+        other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
         """
     def film(self, motion: Trajectory, *, energy: bool = True, forces: bool = False, height: int = 640) -> Film:
         """Returns the film of a motion, with the parameters of this system. Each sample is a picture,
