@@ -153,9 +153,9 @@ fn advance<M: OdeSystem<Scalar = f64>>(
 ) -> Result<(M::State, u64), Box<dyn Error>> {
     // The servo is stiff relative to the swing, but not enough to justify an implicit method.
     let method = Verner98 { refuses_stiff: false, ..Verner98::tolerance(1e-10) };
-    let mut stepper = method.start(system, t, &state, end).map_err(|cause| cause.to_string())?;
+    let mut stepper = method.start(system, t, &state, end)?;
     while stepper.time() != end {
-        stepper.step(system, end).map_err(|cause| cause.to_string())?;
+        stepper.step(system, end)?;
     }
     Ok((*stepper.state(), stepper.work().evaluations))
 }

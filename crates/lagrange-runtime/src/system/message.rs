@@ -13,6 +13,8 @@ impl<S: Debug> Display for StepFailure<S> {
     }
 }
 
+impl<S: Debug> core::error::Error for StepFailure<S> {}
+
 impl<S: Debug> Display for DelayFault<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
