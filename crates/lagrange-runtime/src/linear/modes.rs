@@ -181,8 +181,13 @@ impl Display for Modes {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
         writeln!(f, "{:>12} {:>12} {:>10} {:>9}  shape", "real", "imaginary", "Hz", "damping")?;
         for mode in &self.modes {
-            let (ratio, frequency) = (mode.damping_ratio(), mode.frequency());
-            write!(f, "{:>12.5} {:>12.5} {frequency:>10.4} ", mode.real, mode.imaginary)?;
+            let (ratio, frequency) = (unsigned_zero(mode.damping_ratio(), 5e-5), mode.frequency());
+            write!(
+                f,
+                "{:>12.5} {:>12.5} {frequency:>10.4} ",
+                unsigned_zero(mode.real, 5e-6),
+                mode.imaginary
+            )?;
             // The mode of an ignorable coordinate has no damping ratio.
             match ratio.is_nan() {
                 true => write!(f, "{:>9} ", "–")?,
@@ -202,6 +207,12 @@ impl Display for Modes {
         }
         write!(f, "{}", self.stability())
     }
+}
+
+/// Returns the number, or zero if its size is less than this: its digits are zeros, and its sign is
+/// often that of a rounding error.
+fn unsigned_zero(number: f64, least: f64) -> f64 {
+    if number.abs() < least { 0.0 } else { number }
 }
 
 /// Returns the relative change of an eigenvalue by rounding, in a cluster of k: ε^(1/k), if they
