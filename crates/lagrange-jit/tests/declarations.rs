@@ -12,9 +12,9 @@ use lagrange_core::pipeline::{Programs, parse};
 
 /// Smallest number of declarations that are derived.
 const FEWEST: usize = 400;
-/// Largest number of programs that are too large to be compiled. Examples are the linear model of a
+/// One program in so many may be too large to be compiled. Examples are the linear model of a
 /// bicycle and the contact terms of a wall.
-const MOST_TOO_LARGE: usize = 10;
+const PROGRAMS_PER_TOO_LARGE: usize = 500;
 /// Length of the longest declaration, in characters.
 const LONGEST: usize = 20_000;
 
@@ -33,6 +33,6 @@ fn all_programs_of_all_declarations_have_the_bits_of_the_interpreter() {
     }
     println!("{systems} systems; {checked:?}");
     assert!(systems >= FEWEST, "{systems}");
-    assert!(checked.too_large <= MOST_TOO_LARGE, "{}", checked.too_large);
+    assert!(checked.too_large * PROGRAMS_PER_TOO_LARGE <= checked.programs, "{}", checked.too_large);
     assert_eq!(checked.kinds.len(), 21, "{:?}", checked.kinds);
 }

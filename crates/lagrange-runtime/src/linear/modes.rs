@@ -209,8 +209,8 @@ impl Display for Modes {
     }
 }
 
-/// Returns the number, or zero if its size is less than this: its digits are zeros, and its sign is
-/// often that of a rounding error.
+/// Returns the number, or zero if it is smaller than this. Its digits would be zeros after the sign
+/// of a rounding error.
 fn unsigned_zero(number: f64, least: f64) -> f64 {
     if number.abs() < least { 0.0 } else { number }
 }
