@@ -9,9 +9,10 @@ use lagrange_runtime::integrate::{
     EulerMaruyama, Method, PlainGaussLegendre, Radau5, RungeKutta4, SettingError, StepFailure,
     StochasticRungeKutta4, Taylor, Verner98, WienerPath,
 };
-use lagrange_runtime::simulate::{Drive, Simulation, SimulationError, Trajectory};
+use lagrange_runtime::simulate::{Drive, Law, Simulation, SimulationError, Trajectory};
 use lagrange_runtime::system::OdeSystem;
 
+use crate::inline::Inline;
 use crate::reactions::in_room;
 use crate::system::DynamicSystem;
 
@@ -146,32 +147,26 @@ impl MethodChoice {
                 simulation.method(Taylor::tolerance(tolerance)).run()
             }
             (MethodChoice::Taylor { .. }, Some(reason)) => simulation.method(Refused(reason)).run(),
-            _ => self.run_driven(simulation, system),
+            (MethodChoice::Stepped { step }, _) if system.is_touching() => {
+                in_room!(system, V, R, simulation.method(Stepped::<f64, V, R>::every(step)).run())
+            }
+            (MethodChoice::Stepped { .. }, _) => simulation.method(Refused(NO_CONTACTS)).run(),
+            _ => self.run(simulation),
         }
     }
 
-    /// Runs a simulation of a system by this method. Its inputs may follow a law, which [`Taylor`]
+    /// Runs a simulation of a system by this method. Its inputs follow a law, which [`Taylor`]
     /// refuses.
     ///
     /// # Errors
     /// If the run fails, as in [`Simulation::run`].
-    pub fn run_driven<const CAPACITY: usize, K, D>(
+    pub fn run_driven<const CAPACITY: usize, K, F>(
         self,
-        simulation: Simulation<'_, DynamicSystem<CAPACITY>, K, D>,
+        simulation: Simulation<'_, DynamicSystem<CAPACITY>, K, Law<F>>,
         system: &DynamicSystem<CAPACITY>,
     ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>>
     where
-        D: Drive<DynamicSystem<CAPACITY>>,
-        Verner98<f64>: Method<D::Closed>,
-        Radau5<f64>: Method<D::Closed>,
-        RungeKutta4<f64>: Method<D::Closed>,
-        PlainGaussLegendre<f64, 3>: Method<D::Closed>,
-        EulerMaruyama<f64>: Method<D::Closed>,
-        StochasticRungeKutta4<f64>: Method<D::Closed>,
-        Stepped<f64, 8, 8>: Method<D::Closed>,
-        Stepped<f64, 8, 24>: Method<D::Closed>,
-        Stepped<f64, 32, 32>: Method<D::Closed>,
-        Stepped<f64, 32, 48>: Method<D::Closed>,
+        F: Fn(&DynamicSystem<CAPACITY>, f64, Inline<CAPACITY>) -> Inline<CAPACITY>,
     {
         match self {
             MethodChoice::Stepped { step } if system.is_touching() => {

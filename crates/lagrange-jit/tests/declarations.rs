@@ -14,7 +14,7 @@ use lagrange_core::pipeline::{Programs, parse};
 const FEWEST: usize = 400;
 /// One program in so many may be too large to be compiled. Examples are the linear model of a
 /// bicycle and the contact terms of a wall.
-const PROGRAMS_PER_TOO_LARGE: usize = 500;
+const PROGRAMS_PER_TOO_LARGE: usize = 1000;
 /// Length of the longest declaration, in characters.
 const LONGEST: usize = 20_000;
 
