@@ -282,6 +282,7 @@ const RUNTIME: &[Layer] = &[
         purpose: "mass distributions; small matrices and vectors; algebraic unknowns and tables of \
                   declarations",
     },
+    Layer { modules: &["differences"], purpose: "derivatives of functions by differences of order four" },
     Layer { modules: &["body", "manifold"], purpose: "motion of a rigid body; contact points of blocks" },
     Layer {
         modules: &["system"],

@@ -2,6 +2,7 @@
 
 use lagrange::Simulate;
 use lagrange::integrate::{RungeKutta4, Verner98};
+use lagrange::system::{OdeSystem, ParametricSystem};
 
 use crate::beside::compare_with_differences;
 
@@ -273,4 +274,88 @@ fn the_normalisation_itself_is_differentiated() {
     let gradient = simulation.gradient(["k", "load_mass"], energy).expect("a gradient");
     let cost = |crane: &Crane| energy(0.0, &run(crane), &mut [0.0; 9]);
     compare_with_differences(&crane, &["k", "load_mass"], &gradient, cost, 1e-10);
+}
+
+lagrange::system! {
+    /// A body in space, one point of which is held.
+    #[derive(Clone, Debug)]
+    struct Held;
+    param m = 2.0, long = 0.3, a = 0.03, pull = 9.81;
+    gravity = (0, 0, -pull);
+    body load { mass: m; inertia: (a, 0.04, 0.02); }
+    free load;
+    pin hook = load.point(0.05, 0.1, long) to (0, 0, 0);
+    emit { jacobian }
+}
+
+/// Returns a start at rest in translation, which turns about the held point.
+fn held_start(held: &Held) -> [f64; 13] {
+    let point = [0.05, 0.1, held.long];
+    let turn = [1.5, -0.7, 2.0];
+    let cross = |k: usize| turn[(k + 1) % 3] * point[(k + 2) % 3] - turn[(k + 2) % 3] * point[(k + 1) % 3];
+    let ([x, y, z], [u, v, w]) = (point, [0, 1, 2].map(cross));
+    [-x, -y, -z, 1.0, 0.0, 0.0, 0.0, -u, -v, -w, 1.5, -0.7, 2.0]
+}
+
+/// Forward derivatives begin with differences of a search for the nearest positions, which have
+/// errors of 10⁻⁸.
+#[test]
+fn constraints_on_orientations_turn_adjoints() {
+    let held = Held::default();
+    let run = || held.simulate(held_start(&held)).until(1.0).every(0.25).tolerance(1e-13);
+    let states = ["load_x", "load_qx", "load_vy", "load_wz"];
+    compare!(run(), ["m", "long", "a", "pull"], states, 1e-7);
+}
+
+/// Steps are long, so that corrections depend on the state noticeably.
+#[test]
+fn corrections_of_orientations_are_differentiated() {
+    let held = Held::default();
+    let start = held_start(&held);
+    for step in [0.005, 0.05] {
+        let run = |held: &Held| {
+            let run = held.clone().simulate(start).until(1.0).method(RungeKutta4 { step }).run();
+            run.expect("a motion").last()
+        };
+        let gradient =
+            held.simulate(start).until(1.0).method(RungeKutta4 { step }).gradient(["m", "a", "pull"], energy);
+        let cost = |held: &Held| energy(0.0, &run(held), &mut [0.0; 13]);
+        compare_with_differences(&held, &["m", "a", "pull"], &gradient.expect("a gradient"), cost, 1e-9);
+    }
+}
+
+/// The projection of a state near the circle, by the definition of derivatives.
+#[test]
+fn adjoints_of_projections_are_those_of_small_corrections() {
+    let rod = Rod::<f64>::default();
+    let after = [0.3, -0.5, 0.7, 0.2];
+    let projected = |rod: &Rod<f64>, mut y: [f64; 4]| {
+        rod.correct(0.0, &mut y).expect("a projection");
+        y.iter().zip(after).map(|(entry, slope)| entry * slope).sum::<f64>()
+    };
+    for (off, tolerance) in [(0.0, 1e-11), (1e-7, 1e-11), (4e-6, 1e-10)] {
+        let near = [0.6 + off, -0.8, 0.4 + 0.1 * off, 0.3 - 1e3 * off];
+        let (mut slope, mut by) = (after, [9.0; 2]);
+        assert!(rod.correct_adjoint(0.0, &near, &mut slope, &[0, 1], &mut by));
+        let central = |change: &dyn Fn(f64) -> f64| {
+            let [wide, narrow] = [2e-3, 1e-3].map(|h| (change(h) - change(-h)) / (2.0 * h));
+            (4.0 * narrow - wide) / 3.0
+        };
+        for entry in 0..4 {
+            let wanted = central(&|h| {
+                let mut moved = near;
+                moved[entry] += h;
+                projected(&rod, moved)
+            });
+            assert!((slope[entry] - wanted).abs() < tolerance, "{off} {entry}: {} {wanted}", slope[entry]);
+        }
+        let wanted = central(&|h| projected(&Rod { l: rod.l + h, ..rod.clone() }, near));
+        assert!((by[0] - wanted).abs() < tolerance && by[1] == 0.0, "{off}: {by:?} {wanted}");
+    }
+    let mut slope = after;
+    assert!(!rod.correct_adjoint(0.0, &[0.601, -0.8, 0.4, 0.3], &mut slope, &[0], &mut [0.0]));
+    assert_eq!(slope, after);
+    assert!(!rod.correct_adjoint(0.0, &[0.0, 0.0, 0.4, 0.3], &mut slope, &[0], &mut [0.0]));
+    assert!(!rod.correct_adjoint(0.0, &[0.6, f64::NAN, 0.4, 0.3], &mut slope, &[0], &mut [0.0]));
+    assert_eq!(slope, after);
 }

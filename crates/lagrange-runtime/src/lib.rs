@@ -6,7 +6,7 @@
 //!
 //! | layer | what it holds |
 //! |---|---|
-//! | [`scalar`], `linalg` | numbers; vectors and small solvers |
+//! | [`scalar`], `linalg`, `differences` | numbers; vectors and small solvers; numerical derivatives |
 //! | [`system`] | traits of systems, and what passes between a system and a run |
 //! | [`body`], [`inertia`], [`scene`] | rigid bodies and what there is to draw of them |
 //! | [`table`], [`root`] | splines of tables in declarations; solutions of equations in them |
@@ -33,6 +33,7 @@ extern crate std;
 pub mod body;
 pub mod constraint;
 pub mod contact;
+mod differences;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod event;

@@ -9,7 +9,7 @@ use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments};
 use super::base::shape::{Shape, length, local};
 use super::features::clocks::{clock_members, next_tick};
-use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
+use super::features::constrained::{canonical_constraints, constrained_impl, is_projected, leapfrog_impl};
 use super::features::contacts::contact_impl;
 use super::features::delays::{delay_member, delayed_impl};
 use super::features::events::event_members;
@@ -175,8 +175,7 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let (is_held, is_touching) = (!members.constrained.is_empty(), !shape.touching.is_empty());
-    let is_oriented = !shape.quaternions.is_empty();
-    let is_projected = is_held && !shape.is_stabilised;
+    let (is_projected, is_oriented) = (is_projected(shape, members), !shape.quaternions.is_empty());
     let is_corrected = is_touching || is_projected || is_oriented;
     // Projections include this.
     let normalised =

@@ -50,6 +50,7 @@
 //! constraints and integrals of motion in dynamical systems*, Computer Methods in Applied Mechanics
 //! and Engineering 1 (1972), 1–16.
 
+mod adjoint;
 #[cfg(test)]
 pub(crate) mod doubles;
 mod indefinite;
@@ -60,6 +61,7 @@ mod regular;
 mod residuals;
 mod unprojected;
 
+pub use self::adjoint::correct_adjoint;
 pub use self::indefinite::indefinite_motion;
 pub use self::minimum_norm::{
     RedundantMotion, minimum_norm, rank_tolerance, redundant_correction, redundant_motion,

@@ -19,7 +19,7 @@ use crate::system::{
     normalise_described, normalise_positions, split,
 };
 
-type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
+pub(super) type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
 type StepOf<M> = Correction<ScalarOf<M>, Positions<M>, Velocities<M>>;
 
 /// Maximum number of corrections within a motion.
@@ -355,7 +355,7 @@ fn bring_velocities<M: ConstrainedSystem + ?Sized>(
 }
 
 #[inline]
-fn are_zero<S: Scalar>(residuals: &[S]) -> bool {
+pub(super) fn are_zero<S: Scalar>(residuals: &[S]) -> bool {
     residuals.iter().all(|residual| *residual == S::ZERO)
 }
 

@@ -6,10 +6,11 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::least_squares::Comparison;
+use crate::differences::slope;
 use crate::integrate::Method;
 use crate::linalg::dense::DenseMatrix;
 use crate::simulate::{
-    Differentiated, Drive, Plan, RunPlan, Sampling, Sensitive, Simulation, Trajectory, slope, varied,
+    Differentiated, Drive, Plan, RunPlan, Sampling, Sensitive, Simulation, Trajectory, varied,
 };
 use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, State};
 

@@ -115,9 +115,9 @@ pub(crate) use self::sampling::Grid;
 pub(crate) use self::sampling::Sampling;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::sensitivity::uncounted;
-pub use self::sensitivity::{Differentiated, Sensitive, Stacked, Variables, Varied};
 #[cfg(feature = "fit")]
-pub(crate) use self::sensitivity::{slope, varied};
+pub(crate) use self::sensitivity::varied;
+pub use self::sensitivity::{Differentiated, Sensitive, Stacked, Variables, Varied};
 pub use self::start::InitialState;
 #[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
 pub(crate) use self::table::TIME;

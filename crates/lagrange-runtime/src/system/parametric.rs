@@ -63,6 +63,23 @@ pub trait ParametricSystem: MechanicalSystem + Sized {
         false
     }
 
+    /// Multiplies derivatives of a cost by a projected state, `slope`, by the transposed derivative
+    /// of [`correct`](crate::system::OdeSystem::correct) at the state `y` before. Writes the
+    /// products with derivatives by the parameters and inputs at these indices to `by`. Returns
+    /// false, with the slope unchanged, if the derivative is not available. Emitted types with
+    /// constraints provide it.
+    #[inline]
+    fn correct_adjoint(
+        &self,
+        _t: Self::Scalar,
+        _y: &Self::State,
+        _slope: &mut Self::State,
+        _indices: &[usize],
+        _by: &mut [Self::Scalar],
+    ) -> bool {
+        false
+    }
+
     /// True if rates have kinks or jumps that are not [events](crate::system::OdeSystem::events),
     /// such as those between pieces of tables.
     #[inline]

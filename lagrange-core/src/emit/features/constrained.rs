@@ -186,6 +186,11 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
     }
 }
 
+/// True if states are projected onto constraints after each step.
+pub(in crate::emit) fn is_projected(shape: &Shape<'_>, members: &Members) -> bool {
+    !members.constrained.is_empty() && !shape.is_stabilised
+}
+
 /// Writes the implementation of `ConstrainedSystem`.
 pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     if members.constrained.is_empty() {

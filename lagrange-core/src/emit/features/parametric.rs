@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::constrained::is_projected;
 use super::switches::kept_switches;
 use crate::emit::base::fields::places;
 use crate::emit::base::members::Members;
@@ -40,6 +41,7 @@ pub(in crate::emit) fn parametric_impl(shape: &Shape<'_>, members: &Members) -> 
         },
     };
     let derivatives = derivatives(shape, members);
+    let adjoint = correct_adjoint(shape, members);
     let kinks = members.has_kinks.then(|| {
         quote! {
             fn has_kinks(&self) -> ::core::primitive::bool {
@@ -56,9 +58,31 @@ pub(in crate::emit) fn parametric_impl(shape: &Shape<'_>, members: &Members) -> 
             }
             #with_number
             #derivatives
+            #adjoint
             #kinks
         }
     }
+}
+
+/// Writes the member that differentiates projections onto constraints, if there are any.
+fn correct_adjoint(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
+    let ArgumentNames { time, state, .. } = &members.names;
+    let (slope, indices, by) = (local("slope"), local("indices"), local("by"));
+    (is_projected(shape, members) && shape.touching.is_empty()).then(|| {
+        quote! {
+            fn correct_adjoint(
+                &self,
+                #time: #scalar,
+                #state: &[#scalar; #all],
+                #slope: &mut [#scalar; #all],
+                #indices: &[::core::primitive::usize],
+                #by: &mut [#scalar],
+            ) -> ::core::primitive::bool {
+                #krate::constraint::correct_adjoint(self, #time, #state, #slope, #indices, #by)
+            }
+        }
+    })
 }
 
 /// Writes the member that returns columns of `parameter_jacobian`, if this method is emitted.

@@ -1195,6 +1195,16 @@ const _: () = {
             }
             other
         }
+        fn correct_adjoint(
+            &self,
+            t: f64,
+            state: &[f64; 8],
+            slope: &mut [f64; 8],
+            indices: &[::core::primitive::usize],
+            by: &mut [f64],
+        ) -> ::core::primitive::bool {
+            ::lagrange::constraint::correct_adjoint(self, t, state, slope, indices, by)
+        }
     }
     #[automatically_derived]
     impl ::core::convert::From<[f64; 1]> for HungArmInputs {

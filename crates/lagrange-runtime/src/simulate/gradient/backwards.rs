@@ -145,6 +145,13 @@ where
         slope: &mut M::State,
         project: Projection<M>,
     ) -> Result<(), StepFailure<M::Scalar>> {
+        let mut products = std::vec![M::Scalar::ZERO; self.by.len()];
+        if self.system.correct_adjoint(t, y, slope, &self.indices, &mut products) {
+            for (by, product) in self.by.iter_mut().zip(products) {
+                *by = *by + product;
+            }
+            return Ok(());
+        }
         let sensitive = Sensitive::new(copy(self.system), Arc::default());
         self.through((self.system, y), slope, |variable, change| {
             projected(&sensitive, (t, y), project, variable, &change)

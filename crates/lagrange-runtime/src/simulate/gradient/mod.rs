@@ -41,8 +41,8 @@ pub struct Gradient<S, const N: usize> {
 
 impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     /// Computes a cost of the motion with its derivatives by the named parameters and inputs, and
-    /// by the initial state. With `emit { jacobian }` and without constraints, the work hardly
-    /// depends on the number of names.
+    /// by the initial state. With `emit { jacobian }`, the work hardly depends on the number of
+    /// names; constraints add a few corrections per name.
     ///
     /// `cost` receives a time, the state and a vector of zeros, writes its derivatives by the state
     /// to the vector, and returns its value. It is called once for the end or, with
@@ -55,7 +55,7 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     ///
     /// With `emit { jacobian }`, rates are differentiated exactly. Otherwise, as for systems with
     /// contacts, finite differences have errors of about 10⁻¹² and one direction per variable and
-    /// entry of the state. So have projections onto constraints and of quaternions. At events,
+    /// entry of the state. So have projections onto closed contacts and of quaternions. At events,
     /// switches and ticks of clocks the adjoint jumps according to the transpose of the saltation
     /// matrix, which takes one reaction per direction.
     ///

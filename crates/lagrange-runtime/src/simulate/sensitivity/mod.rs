@@ -1,7 +1,6 @@
 //! Derivatives of motions with respect to parameters, inputs and initial values.
 
 mod company;
-mod slope;
 mod stacked;
 mod system;
 mod variable;
@@ -11,8 +10,6 @@ use std::string::String;
 use std::sync::Arc;
 use std::vec::Vec;
 
-#[cfg(feature = "fit")]
-pub(crate) use self::slope::slope;
 pub use self::stacked::Stacked;
 pub use self::system::Sensitive;
 pub use self::variable::Varied;

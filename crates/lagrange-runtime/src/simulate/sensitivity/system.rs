@@ -16,9 +16,9 @@
 use std::sync::Arc;
 
 use super::company::{Company, event_values};
-use super::slope::slope;
 use super::stacked::Stacked;
 use super::variable::{Varied, VariedPlace};
+use crate::differences::slope;
 use crate::scalar::{Number, Scalar};
 use crate::simulate::closed_loop::ClosedLoop;
 use crate::system::{

@@ -5,6 +5,7 @@
 //! 3·10⁻¹³ in double precision. Source: Fornberg, "Generation of finite difference formulas on
 //! arbitrarily spaced grids", 1988.
 
+use crate::linalg::vector::{StateVector, add, difference};
 use crate::scalar::Scalar;
 
 /// Rules with entries (w, [a, b]): the derivative is the sum of w (f(a h) − f(b h)), divided by 12
@@ -23,12 +24,12 @@ const MOST_REFINEMENTS: usize = 4;
 /// noticeably when its argument changes by 1/`rate`. The step is reduced if it changes faster.
 /// Differences are one-sided if the function is undefined on the other side; `None` if it is
 /// undefined on both.
-pub(crate) fn slope<S: Scalar, const N: usize>(
+pub(crate) fn slope<S: Scalar, V: StateVector<S>>(
     rate: S,
-    mut function: impl FnMut(S) -> Option<[S; N]>,
-) -> Option<[S; N]> {
+    mut function: impl FnMut(S) -> Option<V>,
+) -> Option<V> {
     if rate == S::ZERO {
-        return Some([S::ZERO; N]);
+        return Some(V::ZERO);
     }
     let mut step = S::epsilon().powf(S::from_f64(0.2)) / rate;
     let mut best = differences(step, rate, &mut function)?;
@@ -41,7 +42,7 @@ pub(crate) fn slope<S: Scalar, const N: usize>(
         if change < least {
             (least, best) = (change, last);
         }
-        if change <= agreement * distance(&last, &[S::ZERO; N]) {
+        if change <= agreement * distance(&last, &last.zeros()) {
             break;
         }
         last = finer;
@@ -55,32 +56,36 @@ pub(crate) fn slope<S: Scalar, const N: usize>(
 const ROUNDINGS: f64 = 4.0;
 
 /// Computes the differences with this step.
-fn differences<S: Scalar, const N: usize>(
+fn differences<S: Scalar, V: StateVector<S>>(
     step: S,
     rate: S,
-    function: &mut impl FnMut(S) -> Option<[S; N]>,
-) -> Option<[S; N]> {
+    function: &mut impl FnMut(S) -> Option<V>,
+) -> Option<V> {
     let least = S::from_f64(ROUNDINGS) * S::epsilon() / (rate * step);
     let mut slopes = |rule: Differences, step: S| {
-        let (mut sums, mut changes) = ([S::ZERO; N], [S::ZERO; N]);
+        let mut sums: Option<[V; 2]> = None;
         for &(weight, places) in rule {
             let [ahead, behind] = places.map(|place| function(S::from_f64(place) * step));
-            for (k, (ahead, behind)) in ahead?.into_iter().zip(behind?).enumerate() {
-                sums[k] = sums[k] + S::from_f64(weight) * (ahead - behind);
-                changes[k] = changes[k].max((ahead - behind).abs());
+            let change = difference(&ahead?, &behind?);
+            let [sum, largest] = sums.get_or_insert([change.zeros(); 2]);
+            add(sum, S::from_f64(weight), &change);
+            for (largest, change) in largest.as_mut().iter_mut().zip(change.as_ref()) {
+                *largest = largest.max(change.abs());
             }
         }
-        Some(core::array::from_fn(|k| {
-            let difference = sums[k] / S::from_f64(12.0);
-            if difference.abs() <= least * changes[k] { S::ZERO } else { difference / step }
-        }))
+        let [mut slopes, largest] = sums?;
+        for (slope, largest) in slopes.as_mut().iter_mut().zip(largest.as_ref()) {
+            let difference = *slope / S::from_f64(12.0);
+            *slope = if difference.abs() <= least * *largest { S::ZERO } else { difference / step };
+        }
+        Some(slopes)
     };
     { slopes(AROUND, step) }.or_else(|| slopes(ASIDE, step)).or_else(|| slopes(ASIDE, -step))
 }
 
 /// Returns the largest distance between two corresponding entries.
-fn distance<S: Scalar, const N: usize>(one: &[S; N], other: &[S; N]) -> S {
-    one.iter().zip(other).fold(S::ZERO, |most, (one, other)| most.max((*one - *other).abs()))
+fn distance<S: Scalar, V: StateVector<S>>(one: &V, other: &V) -> S {
+    difference(one, other).as_ref().iter().fold(S::ZERO, |most, entry| most.max(entry.abs()))
 }
 
 #[cfg(test)]
