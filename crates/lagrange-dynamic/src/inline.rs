@@ -55,7 +55,7 @@ impl<const CAPACITY: usize> StateVector<f64> for Inline<CAPACITY> {
     type Indices = [usize; CAPACITY];
 
     const ZERO: Self = Self::ZEROS;
-    const ZERO_SQUARE: Rows<CAPACITY> = Rows { rows: [Self::ZEROS; CAPACITY], length: CAPACITY };
+    const ZERO_SQUARE: Rows<CAPACITY> = Rows(Vec::new());
     const ZERO_INDICES: [usize; CAPACITY] = [0; CAPACITY];
 
     #[inline]
@@ -75,7 +75,7 @@ impl<const CAPACITY: usize> StateVector<f64> for Inline<CAPACITY> {
 
     #[inline]
     fn zero_square(&self) -> Rows<CAPACITY> {
-        Rows { rows: [self.zeros(); CAPACITY], length: self.length }
+        Rows(vec![self.zeros(); self.length])
     }
 
     #[inline]
@@ -100,12 +100,10 @@ impl<const CAPACITY: usize> StateVector<f64> for Inline<CAPACITY> {
     }
 }
 
-/// A square matrix of at most `CAPACITY` rows.
-#[derive(Clone, Copy)]
-pub struct Rows<const CAPACITY: usize> {
-    rows: [Inline<CAPACITY>; CAPACITY],
-    length: usize,
-}
+/// A square matrix of at most `CAPACITY` rows. It is on the heap, since a matrix of the largest
+/// capacity takes 130 KiB.
+#[derive(Clone)]
+pub struct Rows<const CAPACITY: usize>(Vec<Inline<CAPACITY>>);
 
 impl<const CAPACITY: usize> Rows<CAPACITY> {
     /// Returns the matrix of these entries in row-major order, with rows of this length.
@@ -121,14 +119,14 @@ impl<const CAPACITY: usize> Rows<CAPACITY> {
 impl<const CAPACITY: usize> AsRef<[Inline<CAPACITY>]> for Rows<CAPACITY> {
     #[inline]
     fn as_ref(&self) -> &[Inline<CAPACITY>] {
-        &self.rows[..self.length]
+        &self.0
     }
 }
 
 impl<const CAPACITY: usize> AsMut<[Inline<CAPACITY>]> for Rows<CAPACITY> {
     #[inline]
     fn as_mut(&mut self) -> &mut [Inline<CAPACITY>] {
-        &mut self.rows[..self.length]
+        &mut self.0
     }
 }
 

@@ -319,3 +319,33 @@ fn programs_are_shared_between_threads() {
     assert_shared::<DeclaredSystem>();
     assert_shared::<DynamicSystem<8>>();
 }
+
+/// Runs by implicit methods on a stack of 1 MiB, as the main threads of some platforms have.
+#[test]
+fn implicit_methods_run_large_systems_on_a_small_stack() {
+    struct Ends;
+
+    impl Visitor for Ends {
+        type Output = [Vec<f64>; 2];
+
+        fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+            let start = system.state(&[[1.0; 60], [0.0; 60]].concat());
+            let run = || system.simulate(start).until(0.2).every(0.2);
+            let stiff = run().method(Radau5::tolerance(1e-9)).run().expect("a motion");
+            let equal = run().method(PlainGaussLegendre::<f64, 3> { step: 0.01 }).run().expect("a motion");
+            [stiff, equal].map(|motion| motion.last().as_ref().to_vec())
+        }
+    }
+
+    let oscillators = "coord x[60];
+        kinetic = 1/2 * sum(i in 0..60, dot(x[i])^2);
+        potential = 1/2 * sum(i in 0..60, (i + 1) * x[i]^2);";
+    let ends = || declared(oscillators).visit(Ends);
+    let thread = std::thread::Builder::new().stack_size(1 << 20).spawn(ends).expect("a thread");
+    for (end, error) in thread.join().expect("a stack that suffices").iter().zip([1e-7, 1e-10]) {
+        for (i, x) in end[..60].iter().enumerate() {
+            let wanted = (0.2 * ((i + 1) as f64).sqrt()).cos();
+            assert!((x - wanted).abs() < error, "{i}: {x} {wanted}");
+        }
+    }
+}

@@ -97,7 +97,7 @@ pub fn undefined<M: MechanicalSystem>(
     }
     let (q, v) = split::<M>(y);
     let singular = mass_matrix(&q, &v).and_then(|mass| {
-        let (index, pivot) = lost_pivot::<M>(&mass)?;
+        let (index, pivot) = lost_pivot::<M>(mass)?;
         Some(Undefined::MassMatrix {
             velocity: Component::of_velocity(system.description(), index)?,
             pivot,
@@ -109,8 +109,8 @@ pub fn undefined<M: MechanicalSystem>(
 
 /// Returns the column and the value of the first pivot that is lost in rounding, if the mass matrix
 /// is singular.
-fn lost_pivot<M: MechanicalSystem>(mass: &VelocityMatrix<M>) -> Option<(usize, M::Scalar)> {
-    let rows: &[M::Velocities] = mass.as_ref();
-    let matrix = Matrix::<M::Scalar, M::Velocities>(*mass);
-    RankedFactors::new(matrix, rows.len())?.lost_pivot()
+fn lost_pivot<M: MechanicalSystem>(mass: VelocityMatrix<M>) -> Option<(usize, M::Scalar)> {
+    let matrix = Matrix::<M::Scalar, M::Velocities>(mass);
+    let rows = matrix.rows();
+    RankedFactors::new(matrix, rows)?.lost_pivot()
 }

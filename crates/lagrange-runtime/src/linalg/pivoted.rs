@@ -14,11 +14,9 @@ pub(crate) struct Matrix<S: Scalar, Y: StateVector<S>>(pub(crate) Y::Square);
 
 impl<S: Scalar, Y: StateVector<S>> Clone for Matrix<S, Y> {
     fn clone(&self) -> Self {
-        *self
+        Matrix(self.0.clone())
     }
 }
-
-impl<S: Scalar, Y: StateVector<S>> Copy for Matrix<S, Y> {}
 
 impl<S: Scalar, Y: StateVector<S>> Index<(usize, usize)> for Matrix<S, Y> {
     type Output = S;
@@ -60,7 +58,7 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     /// Creates the matrix with these entries and the size of this one.
     #[inline]
     pub(crate) fn with(&self, entry: impl Fn(usize, usize) -> S) -> Self {
-        let mut matrix = *self;
+        let mut matrix = self.clone();
         for row in 0..matrix.rows() {
             for column in 0..matrix.rows() {
                 matrix[(row, column)] = entry(row, column);
@@ -97,7 +95,7 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
 }
 
 /// The factors L and U of a real matrix with exchanged rows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Factors<S: Scalar, Y: StateVector<S>> {
     /// L below the diagonal, without its diagonal of ones, and U above; the reciprocals of pivots
     /// on the diagonal.
@@ -110,7 +108,8 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
     /// Factors a matrix; `None` if it is singular or not finite.
     #[inline]
     pub(crate) fn new(matrix: Matrix<S, Y>) -> Option<Self> {
-        Self::leading(matrix, matrix.rows())
+        let count = matrix.rows();
+        Self::leading(matrix, count)
     }
 
     /// Factors the first `count` rows and columns; `None` if they are singular or not finite.
@@ -177,7 +176,7 @@ fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, rows: Rang
 }
 
 /// The factors L and U of a complex matrix with exchanged rows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct ComplexFactors<S: Scalar, Y: StateVector<S>> {
     /// Real part, in the format of [`Factors`].
     real: Matrix<S, Y>,
@@ -189,14 +188,15 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
     /// Factors a matrix; `None` if it is singular or not finite.
     #[inline]
     pub(crate) fn new(real: Matrix<S, Y>, imaginary: Matrix<S, Y>) -> Option<Self> {
-        Self::leading(real, imaginary, real.rows())
+        let count = real.rows();
+        Self::leading(real, imaginary, count)
     }
 
     /// Factors the first `count` rows and columns; `None` if they are singular or not finite.
     #[inline(always)]
     pub(crate) fn leading(real: Matrix<S, Y>, imaginary: Matrix<S, Y>, count: usize) -> Option<Self> {
-        let mut factors = ComplexFactors { real, imaginary, exchanged: Y::ZERO_INDICES };
         let count = count.min(real.rows());
+        let mut factors = ComplexFactors { real, imaginary, exchanged: Y::ZERO_INDICES };
         for k in 0..count {
             factors.exchange(k..count);
             let pivot = factors.at(k, k);

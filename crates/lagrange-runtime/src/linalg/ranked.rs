@@ -10,7 +10,7 @@ use crate::tolerance::DEPENDENT_PIVOT;
 /// Rows and columns are scaled to largest entries of one, so that their units are irrelevant. If
 /// equations are dependent, the undetermined unknowns are zero. Source: Golub, Van Loan, *Matrix
 /// Computations*, 4th ed., §3.4.8.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct RankedFactors<S: Scalar, Y: StateVector<S>> {
     /// L below the diagonal, without its diagonal of ones, and U above.
     factors: Matrix<S, Y>,

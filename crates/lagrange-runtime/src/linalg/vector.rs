@@ -8,13 +8,14 @@ use crate::scalar::{Number, Scalar};
 /// time, the type specifies only the maximum length.
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
     /// A square matrix in rows, such as `[[S; K]; K]`.
-    type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
+    type Square: Clone + Debug + AsRef<[Self]> + AsMut<[Self]>;
     /// An array of indices with the length of the vector, such as `[usize; K]`.
     type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
 
     /// The zero vector, of maximum length.
     const ZERO: Self;
-    /// The zero matrix, of maximum size.
+    /// The zero matrix, of maximum size. Matrices of a length known at run time only may be on the
+    /// heap; this one is then empty.
     const ZERO_SQUARE: Self::Square;
     /// The array of zero indices, of maximum length.
     const ZERO_INDICES: Self::Indices;

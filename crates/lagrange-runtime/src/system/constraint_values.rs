@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 /// values.push_holonomic((x * x + y * y - 1.0) / 2.0, x * u + y * v, &[x, y]);
 /// assert_eq!(values.count(), 1);
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ConstraintValues<S: Scalar, Q: StateVector<S>> {
     /// Residuals of positions; zero for constraints on velocities.
     pub(crate) positions: Q,

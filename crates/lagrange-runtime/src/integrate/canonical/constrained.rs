@@ -90,7 +90,7 @@ impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::State, 1> for Pinned<'
 }
 
 /// The factors of the equations M x = f + Aᵀμ, A x = d.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Saddle<S: Scalar, Q: StateVector<S>> {
     factors: Factors<S, Q>,
     /// ρ
@@ -107,7 +107,7 @@ impl<S: Scalar, Q: StateVector<S>> Saddle<S, Q> {
         if !(finite(mass.0.as_ref()) && finite(values.jacobian.as_ref())) {
             return Err(StepFailure::NotFinite);
         }
-        let (factors, stiffness) = match Factors::new(*mass) {
+        let (factors, stiffness) = match Factors::new(mass.clone()) {
             Some(factors) => (factors, S::ZERO),
             None => {
                 let stiffness = stiffness(mass, values);
@@ -121,7 +121,7 @@ impl<S: Scalar, Q: StateVector<S>> Saddle<S, Q> {
         }
         let mobility = Matrix::of(|i, j| dot(values.row(i), &moved.as_ref()[j]));
         let mobility = RankedFactors::new(mobility, values.count()).ok_or(StepFailure::NotFinite)?;
-        Ok(Saddle { factors, stiffness, values: *values, moved, mobility })
+        Ok(Saddle { factors, stiffness, values: values.clone(), moved, mobility })
     }
 
     fn solve(&self, force: &Q, rates: &Q) -> (Q, Q) {

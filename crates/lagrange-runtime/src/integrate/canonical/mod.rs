@@ -57,7 +57,13 @@ pub(super) struct Reached<M: CanonicalSystem + ?Sized> {
 
 impl<M: CanonicalSystem + ?Sized> Clone for Reached<M> {
     fn clone(&self) -> Self {
-        Reached { ..*self }
+        let Reached { velocities, mass, mass_rate, next } = self;
+        Reached {
+            velocities: *velocities,
+            mass: mass.clone(),
+            mass_rate: mass_rate.clone(),
+            next: next.clone(),
+        }
     }
 }
 
@@ -139,10 +145,10 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
 
     /// Continues from the end of the step of length `h`.
     pub(super) fn accept(&mut self, h: M::Scalar) {
-        let (velocities, mass) = self.next;
+        let (velocities, mass) = &self.next;
         self.mass_rate = Matrix::of(|i, j| (mass[(i, j)] - self.mass[(i, j)]) / h);
-        self.mass = mass;
-        self.velocities = velocities;
+        self.mass.clone_from(mass);
+        self.velocities = *velocities;
     }
 
     /// Computes the derivatives of the equations in the middle of a step with the mean velocity

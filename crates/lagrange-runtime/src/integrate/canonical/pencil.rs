@@ -6,7 +6,7 @@ use crate::system::StateVector;
 
 /// The matrix constant − λ linear − μ quadratic. A method replaces λ and μ by its coefficients; μ
 /// is of second order in them. The matrices contain the length of the step.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::integrate) struct Pencil<S: Scalar, Y: StateVector<S>> {
     pub(in crate::integrate) constant: Matrix<S, Y>,
     /// The matrices linear and quadratic, if derivatives are available.

@@ -35,7 +35,7 @@ pub(in crate::integrate) fn factors<S: Scalar, Y: StateVector<S>>(
     if !finite(mass.0.as_ref()) {
         return Err(StepFailure::NotFinite);
     }
-    Factors::new(*mass).ok_or(StepFailure::SingularMassMatrix)
+    Factors::new(mass.clone()).ok_or(StepFailure::SingularMassMatrix)
 }
 
 /// The equations ∂L/∂v = p for v.

@@ -18,7 +18,7 @@ type Real<S, Y, const K: usize> = (EigenMode<f64, K>, Factors<S, Y>);
 type Complex<S, Y, const K: usize> = (EigenMode<(f64, f64), K>, ComplexFactors<S, Y>);
 
 /// The factors of the equations of all stages.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Linearised<S: Scalar, Y: StateVector<S>, const K: usize> {
     /// Each stage separately.
     Constant(Factors<S, Y>),
@@ -41,7 +41,7 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
             };
             Some(Linearised::Modes(real, complex))
         });
-        modes.or_else(|| Some(Linearised::Constant(Factors::new(pencil.constant)?)))
+        modes.or_else(|| Some(Linearised::Constant(Factors::new(pencil.constant.clone())?)))
     }
 
     /// Computes the solution for a right-hand side.

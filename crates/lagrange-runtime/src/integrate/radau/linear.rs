@@ -57,7 +57,7 @@ fn only_one<S: Scalar, Y: StateVector<S>>(row: &Y) -> Option<usize> {
 }
 
 /// A Jacobian and its structure.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct LinearSystem<S: Scalar, Y: StateVector<S>> {
     jacobian: Matrix<S, Y>,
     positions: LeadingPositions,
@@ -106,7 +106,7 @@ impl<S: Scalar, Y: StateVector<S>> LinearSystem<S, Y> {
 }
 
 /// The factors for a real μ.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct RealShift<S: Scalar, Y: StateVector<S>> {
     reciprocal: S,
     factors: Factors<S, Y>,
@@ -156,7 +156,7 @@ impl<S: Scalar, Y: StateVector<S>> RealShift<S, Y> {
 }
 
 /// The factors for a complex μ.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct ComplexShift<S: Scalar, Y: StateVector<S>> {
     reciprocal: (S, S),
     factors: ComplexFactors<S, Y>,

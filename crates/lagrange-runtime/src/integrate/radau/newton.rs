@@ -18,7 +18,7 @@ pub(super) const MOST_ITERATIONS: u32 = 7;
 pub(super) type StageChanges<Y> = [Y; STAGES];
 
 /// The factors of the equations of all stages for steps of one length.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct StageFactors<S: Scalar, Y: StateVector<S>> {
     pub(super) h: S,
     pub(super) real: RealShift<S, Y>,

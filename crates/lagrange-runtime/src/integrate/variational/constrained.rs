@@ -55,7 +55,7 @@ impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
         ends: &[M::Coordinates; 2],
     ) -> Result<Self, StepFailure<M::Scalar>> {
         let values = places(step, ends).map(|(t, q, v)| step.system.constraint_values(t, &q, &v));
-        let coupled = Coupled::new(&derivatives, values, step.h)?;
+        let coupled = Coupled::new(&derivatives, values.clone(), step.h)?;
         let [first, middle, last] = values;
         let (start, known) = ((first, ends[0]), Some([middle, last]));
         Ok(ConstrainedEquations { step, derivatives, coupled, start, known, change: Vector::<M>::ZERO })

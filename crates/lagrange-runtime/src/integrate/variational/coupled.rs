@@ -131,7 +131,7 @@ fn linearised<M: CanonicalSystem + ?Sized>(
     }
     let stiffness = stiffness(&pencil.constant, middle);
     let constant = stiffened(&pencil.constant, middle, stiffness);
-    match Linearised::new(&Pencil { constant, ..*pencil }) {
+    match Linearised::new(&Pencil { constant: constant.clone(), derivatives: pencil.derivatives.clone() }) {
         Some(linearised) => Ok((linearised, stiffness)),
         None => Err(factors(&constant).err().unwrap_or(StepFailure::NotFinite)),
     }
@@ -144,7 +144,7 @@ fn moved<M: CanonicalSystem + ?Sized>(
     places: &[AtPlace<M>; 3],
     h: M::Scalar,
 ) -> [[Square<M>; 2]; 2] {
-    let mut moved = [[Vector::<M>::ZERO_SQUARE; 2]; 2];
+    let mut moved = [(); 2].map(|()| [Vector::<M>::ZERO_SQUARE, Vector::<M>::ZERO_SQUARE]);
     for ((moved, place), parts) in moved.iter_mut().zip(places).zip(FORCES) {
         for (i, row) in place.rows().enumerate() {
             let loads = parts.map(|part| {

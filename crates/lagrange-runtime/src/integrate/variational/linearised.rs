@@ -16,7 +16,7 @@ pub(super) const QUADRATIC: [[f64; 2]; 2] = [[-1.0 / 16.0, -1.0 / 48.0], [5.0 / 
 const TURNED: [[f64; 2]; 2] = [[1.0, -1.0 / 3.0], [1.0, 2.0 / 3.0]];
 
 /// The factors of the equations, by blocks.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Linearised<S: Scalar, Y: StateVector<S>> {
     first: Factors<S, Y>,
     /// Result of the elimination of the first velocity: the remainder and the off-diagonal blocks,
@@ -24,7 +24,7 @@ pub(super) struct Linearised<S: Scalar, Y: StateVector<S>> {
     rest: Option<Rest<S, Y>>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Rest<S: Scalar, Y: StateVector<S>> {
     second: Factors<S, Y>,
     upper: Matrix<S, Y>,
@@ -49,7 +49,7 @@ impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
             let second = Factors::new(Matrix::of(|k, l| corner[(k, l)] - product[(k, l)]))?;
             Some(Linearised { first, rest: Some(Rest { second, upper, lower }) })
         });
-        coupled.or_else(|| Some(Linearised { first: Factors::new(pencil.constant)?, rest: None }))
+        coupled.or_else(|| Some(Linearised { first: Factors::new(pencil.constant.clone())?, rest: None }))
     }
 
     /// Returns the corrections of both velocities for the residuals of the equations.

@@ -14,7 +14,7 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
 fn a_solution_satisfies_its_equations() {
     let matrix = Matrix::<f64, [f64; 3]>(REAL);
     let right = [1.0, -2.0, 0.25];
-    let solution = Factors::new(matrix).expect("regular").solve(&right);
+    let solution = Factors::new(matrix.clone()).expect("regular").solve(&right);
     assert!(difference(matrix.apply(&solution), right) < 1e-15);
 }
 
@@ -22,7 +22,8 @@ fn a_solution_satisfies_its_equations() {
 fn a_complex_solution_satisfies_its_equations() {
     let (real, imaginary) = (Matrix::<f64, [f64; 3]>(REAL), Matrix(IMAGINARY));
     let right = ([1.0, -2.0, 0.25], [0.5, 3.0, -1.0]);
-    let (x, y) = ComplexFactors::new(real, imaginary).expect("regular").solve((&right.0, &right.1));
+    let (x, y) =
+        ComplexFactors::new(real.clone(), imaginary.clone()).expect("regular").solve((&right.0, &right.1));
     let subtract = |a: [f64; 3], b: [f64; 3]| core::array::from_fn(|i| a[i] - b[i]);
     let add = |a: [f64; 3], b: [f64; 3]| core::array::from_fn(|i| a[i] + b[i]);
     assert!(difference(subtract(real.apply(&x), imaginary.apply(&y)), right.0) < 1e-14);
@@ -41,7 +42,7 @@ fn singular_matrices_and_those_that_are_not_finite_have_no_factors() {
         [[1.0, 1.0], [1.0, f64::NAN]],
     ] {
         assert!(Factors::<f64, [f64; 2]>::new(Matrix(matrix)).is_none(), "{matrix:?}");
-        assert!(ComplexFactors::<f64, [f64; 2]>::new(Matrix(matrix), zero).is_none(), "{matrix:?}");
+        assert!(ComplexFactors::<f64, [f64; 2]>::new(Matrix(matrix), zero.clone()).is_none(), "{matrix:?}");
     }
 }
 
