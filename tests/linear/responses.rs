@@ -102,6 +102,13 @@ fn margins_of_three_lags_are_known() {
     let crossover = (2.0_f64.powf(2.0 / 3.0) - 1.0).sqrt();
     let expected = std::f64::consts::PI - 3.0 * crossover.atan();
     assert!((at - crossover).abs() < 1e-9 && (lag - expected).abs() < 1e-9, "{lag} {at}");
+    // Ten times the gain: the loop is unstable, and stable below 8/20 of it.
+    let large = Lags { gain: 20.0, ..Lags::default() }.linearise(0.0, [0.0; 3]).unwrap();
+    let transfer = large.transfer("u", "y").unwrap();
+    let margins = transfer.frequency_response(&transfer.frequencies()).margins();
+    let (factor, at) = margins.reduction.unwrap();
+    assert!((factor - 0.4).abs() < 1e-9 && (at - 3.0_f64.sqrt()).abs() < 1e-9, "{factor} {at}");
+    assert_eq!(margins.gain, None);
     // A loop of small gain never reaches one.
     let small = Lags { gain: 0.5, ..Lags::default() }.linearise(0.0, [0.0; 3]).unwrap();
     let transfer = small.transfer("u", "y").unwrap();
@@ -231,5 +238,6 @@ fn optimal_loops_are_no_nearer_to_instability_than_one() {
         }
         let margins = cut.frequency_response(&cut.frequencies()).margins();
         assert!(margins.gain.is_none() && margins.phase.is_none_or(|(phase, _)| phase > 1.047));
+        assert!(margins.reduction.is_none_or(|(factor, _)| factor < 0.5));
     }
 }

@@ -1,11 +1,10 @@
 //! Errors in making pictures.
 
-use std::fmt::{Display, Formatter};
+use std::fmt::{Debug, Display, Formatter};
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// The reason why a picture could not be made or written.
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum DrawError {
     /// A number is not finite; such a moment cannot be drawn.
@@ -87,6 +86,13 @@ impl Display for DrawError {
             DrawError::Film(reason) => f.write_str(reason),
             DrawError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
         }
+    }
+}
+
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
+impl Debug for DrawError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        write!(f, "DrawError({self})")
     }
 }
 

@@ -5,7 +5,7 @@
 //! and Ito, *Color Universal Design* (2008), and are distinguishable with any colour vision. The
 //! colours of more than seven curves range from blue to yellow.
 
-use std::fmt::{Display, Formatter};
+use std::fmt::{Debug, Display, Formatter};
 use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
@@ -116,7 +116,6 @@ impl Figure {
 }
 
 /// The reason why a plot could not be made.
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum PlotError {
     /// There is no column with this name.
@@ -177,6 +176,13 @@ impl Display for PlotError {
             PlotError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
             PlotError::Backend(error) => write!(f, "the plot could not be drawn: {error}"),
         }
+    }
+}
+
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
+impl Debug for PlotError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        write!(f, "PlotError({self})")
     }
 }
 

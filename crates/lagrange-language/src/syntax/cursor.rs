@@ -236,6 +236,12 @@ impl Cursor {
         self.ident().is_some_and(|word| last.as_deref() == Some(word.to_string().as_str()))
     }
 
+    /// True if the next token ends a name whose index is before its end, as in `case[i]_z`.
+    pub(super) fn at_suffix(&self) -> bool {
+        let is_indexed = matches!(self.previous(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket);
+        is_indexed && self.ident().is_some_and(|word| word.to_string().starts_with('_'))
+    }
+
     /// Consumes the next token if it is an identifier.
     pub(super) fn eat_ident(&mut self) -> Option<Ident> {
         let ident = self.ident().cloned()?;

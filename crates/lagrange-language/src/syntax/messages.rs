@@ -177,6 +177,7 @@ messages! {
     ARGUMENT_HELP = "write the argument of a function in parentheses: `cos(x)`";
     TYPE_HELP = "`#[scalar(f32)]` or `struct Name<S>;` specifies the type of all numbers";
     MATRIX_PRODUCT_HELP = "write `*` for the product of a matrix and a vector, `A * v`";
+    INDEX_LAST_HELP = "indices are at the end of names: `case_z[i]` for `z` of `case[i]`";
     PRODUCT_HELP = "write `*` between the factors of a product";
     keyword_as_value(word) = "the keyword {} has no value", quoted(word);
     KEYWORD_AS_VALUE_HELP = "give the expression a name with `let` and use that name in both places";

@@ -95,6 +95,7 @@ impl Parser<'_> {
         }
         let Some((pair, origin)) = cursor.pair() else {
             let message = messages::expected("`=`", cursor.peek());
+            let help = if cursor.at_suffix() { messages::INDEX_LAST_HELP } else { help };
             let reported = self.fail_with_help(cursor.here(), message, help);
             return cursor.eat(':').map(|_| ()).ok_or(reported);
         };

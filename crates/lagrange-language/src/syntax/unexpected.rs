@@ -147,6 +147,7 @@ fn operator_help(cursor: &Cursor, wanted: &str) -> String {
     let help = match cursor.peek() {
         _ if wanted.contains('{') => messages::COMPARISON_PLACE_HELP,
         None => habits::LONELY_CHARACTER_HELP,
+        _ if cursor.at_suffix() => messages::INDEX_LAST_HELP,
         Some(TokenTree::Ident(word))
             if ["if", "else", "then", "where", "when"].iter().any(|other| word == other) =>
         {

@@ -203,6 +203,11 @@ pub struct LimitSlope<S> {
 ///
 /// If these numbers are known at run time only, N and K are larger. Velocities and rows then end
 /// with zeros, and further reactions are open contacts without rows and events, at a gap of one.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has neither rigid contacts nor dry friction",
+    label = "this system has nothing for `Stepped` to solve",
+    note = "declare a `contact` without stiffness, a `friction` or an event with `impact`; without them, `RungeKutta4` takes equal steps"
+)]
 pub trait ContactSystem<const N: usize, const K: usize>: MechanicalSystem + Sized {
     /// [`Terms`] with the number of slopes that the system has.
     type Terms: DerefMut<Target = Terms<Self::Scalar, N, K>>;

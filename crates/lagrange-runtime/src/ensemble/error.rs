@@ -1,6 +1,6 @@
 //! Errors of ensembles.
 
-use core::fmt::{Display, Formatter};
+use core::fmt::{Debug, Display, Formatter};
 use std::any::Any;
 use std::error::Error;
 use std::io;
@@ -9,7 +9,6 @@ use std::string::{String, ToString};
 
 /// An error that kept an ensemble from being computed completely. Failed motions are not errors:
 /// they are listed among the failures of the results.
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum EnsembleError {
     /// A setting is invalid; the text describes it.
@@ -102,6 +101,13 @@ impl Display for EnsembleError {
                 path.display()
             ),
         }
+    }
+}
+
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
+impl Debug for EnsembleError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        write!(f, "EnsembleError({self})")
     }
 }
 

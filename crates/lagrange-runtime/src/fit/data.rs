@@ -1,6 +1,6 @@
 //! Measured columns.
 
-use std::fmt::{Display, Formatter, Result as Written};
+use std::fmt::{Debug, Display, Formatter, Result as Written};
 use std::path::PathBuf;
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -61,7 +61,7 @@ impl Data {
 }
 
 /// An error in reading data from a file.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DataError {
     /// The operating system cannot read the file.
@@ -114,6 +114,13 @@ impl Display for DataError {
             ),
             DataError::OpenQuotation { line } => write!(f, "a quotation in line {line} does not end there"),
         }
+    }
+}
+
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
+impl Debug for DataError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        write!(f, "DataError({self})")
     }
 }
 

@@ -237,11 +237,16 @@ impl Told {
     }
 }
 
+/// Returns the name of the column of fitted values.
+pub(super) fn fitted_name(column: &str) -> String {
+    format!("{column} (fit)")
+}
+
 /// Returns the table of measured and fitted values and residuals, and the size of the residuals of
 /// each column.
 fn tabulated(data: &Data, points: &[Datum], residuals: &[f64]) -> (Table<f64>, Vec<(String, usize, f64)>) {
     let names = data.columns.iter().map(|column| &column.name);
-    let names = names.flat_map(|name| [name.clone(), format!("{name} (fit)"), format!("{name} (residual)")]);
+    let names = names.flat_map(|name| [name.clone(), fitted_name(name), format!("{name} (residual)")]);
     let mut table = Table::new(names.collect());
     let mut rows = std::vec![std::vec![f64::NAN; 3 * data.columns.len()]; data.times.len()];
     let mut sums = std::vec![(0, 0.0); data.columns.len()];

@@ -81,14 +81,10 @@ pub enum EquilibriumCause<S> {
     },
 }
 
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
 impl<M: MechanicalSystem> Debug for EquilibriumError<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        f.debug_struct("EquilibriumError")
-            .field("cause", &self.cause)
-            .field("state", &self.state)
-            .field("inputs", &self.inputs)
-            .field("iterations", &self.iterations)
-            .finish()
+        write!(f, "EquilibriumError({self})")
     }
 }
 
@@ -139,7 +135,7 @@ fn listed<A: Display, B: Display, C: Display>(
 }
 
 /// The cause of a linearisation without a result.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LinearisationError<S> {
     /// The state, or a rate at it, is NaN or infinite.
@@ -166,6 +162,13 @@ impl<S: Copy + Debug + PartialEq> Display for LinearisationError<S> {
             ),
             LinearisationError::Derivative(entry) => write!(f, "there is no linear model: {entry}"),
         }
+    }
+}
+
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
+impl<S: Copy + Debug + PartialEq> Debug for LinearisationError<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "LinearisationError({self})")
     }
 }
 

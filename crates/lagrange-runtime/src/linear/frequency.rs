@@ -29,6 +29,9 @@ pub struct FrequencyResponse {
 pub struct StabilityMargins {
     /// The smallest factor above one of G, and its frequency, at which G = −1; `None` without one.
     pub gain: Option<(f64, f64)>,
+    /// The largest factor below one of G, and its frequency, at which G = −1; `None` without one.
+    /// It limits loops that are unstable without feedback.
+    pub reduction: Option<(f64, f64)>,
     /// The smallest lag of G, in radians, and its frequency, at which G = −1; `None` without one.
     pub phase: Option<(f64, f64)>,
 }
@@ -82,15 +85,20 @@ impl FrequencyResponse {
         // −180° is crossed where the imaginary part vanishes left of zero.
         let behind = self.crossings(|(_, imaginary)| imaginary).into_iter().filter_map(|frequency| {
             let (real, _) = self.transfer.at(frequency);
-            (real < 0.0).then(|| (-1.0 / real, frequency)).filter(|(factor, _)| *factor > 1.0)
+            (real < 0.0).then(|| (-1.0 / real, frequency))
         });
-        let gain = behind.min_by(|(a, _), (b, _)| a.total_cmp(b));
+        let (above, below): (Vec<_>, Vec<_>) = behind.partition(|(factor, _)| *factor > 1.0);
         let lags = self.crossings(|(real, imaginary)| real.hypot(imaginary) - 1.0).into_iter();
         let lags = lags.map(|frequency| {
             let (real, imaginary) = self.transfer.at(frequency);
             ((imaginary.atan2(real) + PI).rem_euclid(TAU), frequency)
         });
-        StabilityMargins { gain, phase: lags.min_by(|(a, _), (b, _)| a.total_cmp(b)) }
+        let smaller = |(a, _): &(f64, f64), (b, _): &(f64, f64)| a.total_cmp(b);
+        StabilityMargins {
+            gain: above.into_iter().min_by(smaller),
+            reduction: below.into_iter().max_by(smaller),
+            phase: lags.min_by(smaller),
+        }
     }
 
     /// Frequencies at which a function of G changes its sign.

@@ -6,7 +6,7 @@
 //! and B. Its gain is Kᵀ. Source: Kwakernaak, Sivan, *Linear Optimal Control Systems*, 1972, §§3,
 //! 4, 6.
 
-use std::fmt::{Display, Formatter, Result as Written};
+use std::fmt::{Debug, Display, Formatter, Result as Written};
 use std::string::String;
 
 use super::riccati;
@@ -67,7 +67,7 @@ impl DesignMatrix {
 }
 
 /// The reason why a regulator or an observer does not exist.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum DesignError {
     /// The size of a matrix differs from the number of states, inputs or outputs.
@@ -115,6 +115,13 @@ impl Display for DesignError {
                 write!(f, "the {} leave out a mode that neither grows nor decays", matrix.words())
             }
         }
+    }
+}
+
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
+impl Debug for DesignError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        write!(f, "DesignError({self})")
     }
 }
 

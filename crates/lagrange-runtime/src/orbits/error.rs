@@ -1,11 +1,11 @@
 //! Errors in the search for orbits.
 
 use std::error::Error;
-use std::fmt::{Display, Formatter, Result as Written};
+use std::fmt::{Debug, Display, Formatter, Result as Written};
 use std::string::String;
 
 /// The reason why no orbit was found.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum OrbitError {
     /// A setting is invalid, for this reason.
@@ -51,6 +51,13 @@ impl Display for OrbitError {
                  start nearer to an orbit"
             ),
         }
+    }
+}
+
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
+impl Debug for OrbitError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        write!(f, "OrbitError({self})")
     }
 }
 

@@ -45,13 +45,10 @@ impl<M: MechanicalSystem> SimulationError<M> {
     }
 }
 
+/// Shows the message, since `main` and `unwrap` print errors by `Debug`.
 impl<M: MechanicalSystem> Debug for SimulationError<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        f.debug_struct("SimulationError")
-            .field("cause", &self.cause)
-            .field("time", &self.time())
-            .field("state", &self.state())
-            .finish_non_exhaustive()
+        write!(f, "SimulationError({self}, in the state {:?})", self.state())
     }
 }
 

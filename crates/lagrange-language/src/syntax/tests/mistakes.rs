@@ -157,6 +157,20 @@ fn missing_pieces_of_statements_are_reported() {
 }
 
 #[test]
+fn an_index_before_the_end_of_a_name_is_reported() {
+    let (_, report) = read_wrong("start case[0]_z = 1;\nlet a = case[0]_z;\nlet b = c _z;");
+    let expected = "\
+error at 1:14: expected `=`, found `_z`
+  help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
+error at 2:16: expected an operator or `;`, found `_z`
+  help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
+error at 3:11: expected an operator or `;`, found `_z`
+  help: write `*` between the factors of a product
+";
+    assert_eq!(report, expected);
+}
+
+#[test]
 fn untokenisable_texts_are_located() {
     let cases = [
         ("let a = (b", "error at 1:9: `(` is never closed"),
