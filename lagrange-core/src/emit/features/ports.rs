@@ -8,7 +8,7 @@ use super::switches::kept_switches;
 use crate::emit::base::fields::{entries, places};
 use crate::emit::base::lints::{name_exception, type_name_exception};
 use crate::emit::base::members::Members;
-use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
+use crate::emit::base::method::{Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, identifier, length, local};
 use lagrange_algebra::code::Names;
 use lagrange_expr::collections::HashMap;
@@ -123,8 +123,7 @@ pub(in crate::emit) fn has_outputs(shape: &Shape<'_>, members: &Members) -> bool
 /// Writes `OutputSystem`, if there are outputs.
 pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (krate, [parameters, passed]) = (shape.krate, Arguments::State.written(shape, &members.names));
     let (mut texts, mut statements, mut all) = (Vec::new(), TokenStream::new(), Vec::new());
     for (output, returns) in outputs(shape, members) {
         let (first, count) = (all.len(), returns.count());
@@ -134,7 +133,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
             _ => quote!([#(#values),*]),
         };
         let method = identifier(output);
-        statements.extend(quote!(let #pattern = self.#method(#time, #positions, #velocities);));
+        statements.extend(quote!(let #pattern = self.#method(#passed);));
         texts.extend(column_names(shape, output, count));
         all.extend(values);
     }
@@ -145,12 +144,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
             type Outputs = [#scalar; #k];
             const OUTPUTS: &'static [&'static ::core::primitive::str] = &[#(#texts),*];
             #[inline]
-            fn outputs(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> [#scalar; #k] {
+            fn outputs(&self, #parameters) -> [#scalar; #k] {
                 #statements
                 [#(#all),*]
             }
