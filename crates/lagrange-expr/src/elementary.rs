@@ -85,9 +85,9 @@ pub struct Row {
 }
 
 impl Row {
-    /// Creates the row of a function that is defined everywhere. It has no parity, no rational value
-    /// at zero and may be negative; in Rust it has the same name. There is a partial derivative for
-    /// each argument.
+    /// Creates the row of a function that is defined everywhere. It has no parity, no rational
+    /// value at zero and may be negative. In Rust it has the same name. There is a partial
+    /// derivative for each argument.
     const fn new(
         function: Function,
         name: &'static str,

@@ -92,8 +92,8 @@ impl<M: OdeSystem + ?Sized> Within<'_, M> {
         cubic(self.place(), [self.from.1, self.to.1], [&f0, &f1])
     }
 
-    /// Interpolates from states at both ends, with the rates there and at two intermediate points on
-    /// the cubic. The error is O(h⁵).
+    /// Interpolates from the states at both ends, with the rates there and at two intermediate
+    /// points on the cubic. The error is O(h⁵).
     fn fifth_order(&self, work: &mut Work) -> M::State {
         work.evaluations += 4;
         let (ends, Place { h, s }, [f0, f1]) = ([self.from.1, self.to.1], self.place(), self.rates());
