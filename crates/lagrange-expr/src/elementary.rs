@@ -7,6 +7,10 @@
 
 mod domain;
 
+use Function::{
+    Abs, Acos, Asin, Atan, Atan2, Cos, Cosh, Exp, Hypot, Ln, MagnitudeSlope, Max, Min, Power, Sign, Sin,
+    Sinh, Sqrt, Tan, Tanh,
+};
 use Partial::{
     Add, Argument, Call, Constant, Divide, Half, Less, Linear, Multiply, Negate, NotLess, Reciprocal,
     ReciprocalRoot, Square, Value,
@@ -81,6 +85,31 @@ pub struct Row {
 }
 
 impl Row {
+    /// Creates the row of a function that is defined everywhere. It has no parity, no rational
+    /// value at zero and may be negative. In Rust it has the same name. There is a partial
+    /// derivative for each argument.
+    const fn new(
+        function: Function,
+        name: &'static str,
+        latex: &'static str,
+        value: fn(&[f64]) -> f64,
+        partials: &'static [Partial],
+    ) -> Self {
+        Row {
+            function,
+            name,
+            arity: partials.len(),
+            parity: Parity::Neither,
+            domain: Domain::Everywhere,
+            at_zero: None,
+            is_nonnegative: false,
+            latex,
+            rust: name,
+            value,
+            partials,
+        }
+    }
+
     /// True if it is defined everywhere.
     pub fn is_total(&self) -> bool {
         self.domain == Domain::Everywhere
@@ -120,270 +149,154 @@ const SQUARED_RADIUS: Partial = Add(&Square(&X), &Square(&Y));
 /// Every function, in the order of [`Function`].
 pub const ROWS: [Row; 20] = [
     Row {
-        function: Function::Sin,
-        name: "sin",
-        arity: 1,
         parity: Parity::Odd,
-        domain: Domain::Everywhere,
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\sin\left(#1\right)",
-        rust: "sin",
-        value: |x| x[0].sin(),
-        partials: &[Call(Function::Cos, &[X])],
+        ..Row::new(Sin, "sin", r"\sin\left(#1\right)", |x| x[0].sin(), &[Call(Cos, &[X])])
     },
     Row {
-        function: Function::Cos,
-        name: "cos",
-        arity: 1,
         parity: Parity::Even,
-        domain: Domain::Everywhere,
         at_zero: Some(1),
-        is_nonnegative: false,
-        latex: r"\cos\left(#1\right)",
-        rust: "cos",
-        value: |x| x[0].cos(),
-        partials: &[Negate(&Call(Function::Sin, &[X]))],
+        ..Row::new(Cos, "cos", r"\cos\left(#1\right)", |x| x[0].cos(), &[Negate(&Call(Sin, &[X]))])
     },
     Row {
-        function: Function::Tan,
-        name: "tan",
-        arity: 1,
         parity: Parity::Odd,
         domain: Domain::AwayFrom("odd multiples of π/2"),
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\tan\left(#1\right)",
-        rust: "tan",
-        value: |x| x[0].tan(),
-        partials: &[Linear(1, 1, &Square(&Value))],
+        ..Row::new(Tan, "tan", r"\tan\left(#1\right)", |x| x[0].tan(), &[Linear(1, 1, &Square(&Value))])
     },
     Row {
-        function: Function::Asin,
-        name: "asin",
-        arity: 1,
         parity: Parity::Odd,
         domain: Domain::WithinOne,
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\arcsin\left(#1\right)",
-        rust: "asin",
-        value: |x| x[0].asin(),
-        partials: &[ReciprocalRoot(&Linear(1, -1, &Square(&X)))],
+        ..Row::new(
+            Asin,
+            "asin",
+            r"\arcsin\left(#1\right)",
+            |x| x[0].asin(),
+            &[ReciprocalRoot(&Linear(1, -1, &Square(&X)))],
+        )
     },
     Row {
-        function: Function::Acos,
-        name: "acos",
-        arity: 1,
-        parity: Parity::Neither,
         domain: Domain::WithinOne,
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"\arccos\left(#1\right)",
-        rust: "acos",
-        value: |x| x[0].acos(),
-        partials: &[Negate(&ReciprocalRoot(&Linear(1, -1, &Square(&X))))],
+        ..Row::new(
+            Acos,
+            "acos",
+            r"\arccos\left(#1\right)",
+            |x| x[0].acos(),
+            &[Negate(&ReciprocalRoot(&Linear(1, -1, &Square(&X))))],
+        )
     },
     Row {
-        function: Function::Atan,
-        name: "atan",
-        arity: 1,
         parity: Parity::Odd,
-        domain: Domain::Everywhere,
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\arctan\left(#1\right)",
-        rust: "atan",
-        value: |x| x[0].atan(),
-        partials: &[Reciprocal(&Linear(1, 1, &Square(&X)))],
+        ..Row::new(
+            Atan,
+            "atan",
+            r"\arctan\left(#1\right)",
+            |x| x[0].atan(),
+            &[Reciprocal(&Linear(1, 1, &Square(&X)))],
+        )
     },
     Row {
-        function: Function::Atan2,
-        name: "atan2",
-        arity: 2,
-        parity: Parity::Neither,
         domain: Domain::AwayFrom("the origin"),
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"\operatorname{atan2}\left(#1, #2\right)",
-        rust: "atan2",
-        value: |x| x[0].atan2(x[1]),
-        partials: &[Divide(&Y, &SQUARED_RADIUS), Negate(&Divide(&X, &SQUARED_RADIUS))],
+        ..Row::new(
+            Atan2,
+            "atan2",
+            r"\operatorname{atan2}\left(#1, #2\right)",
+            |x| x[0].atan2(x[1]),
+            &[Divide(&Y, &SQUARED_RADIUS), Negate(&Divide(&X, &SQUARED_RADIUS))],
+        )
     },
     Row {
-        function: Function::Sinh,
-        name: "sinh",
-        arity: 1,
         parity: Parity::Odd,
-        domain: Domain::Everywhere,
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\sinh\left(#1\right)",
-        rust: "sinh",
-        value: |x| x[0].sinh(),
-        partials: &[Call(Function::Cosh, &[X])],
+        ..Row::new(Sinh, "sinh", r"\sinh\left(#1\right)", |x| x[0].sinh(), &[Call(Cosh, &[X])])
     },
     Row {
-        function: Function::Cosh,
-        name: "cosh",
-        arity: 1,
         parity: Parity::Even,
-        domain: Domain::Everywhere,
         at_zero: Some(1),
         is_nonnegative: true,
-        latex: r"\cosh\left(#1\right)",
-        rust: "cosh",
-        value: |x| x[0].cosh(),
-        partials: &[Call(Function::Sinh, &[X])],
+        ..Row::new(Cosh, "cosh", r"\cosh\left(#1\right)", |x| x[0].cosh(), &[Call(Sinh, &[X])])
     },
     Row {
-        function: Function::Tanh,
-        name: "tanh",
-        arity: 1,
         parity: Parity::Odd,
-        domain: Domain::Everywhere,
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\tanh\left(#1\right)",
-        rust: "tanh",
-        value: |x| x[0].tanh(),
-        partials: &[Linear(1, -1, &Square(&Value))],
+        ..Row::new(Tanh, "tanh", r"\tanh\left(#1\right)", |x| x[0].tanh(), &[Linear(1, -1, &Square(&Value))])
     },
     Row {
-        function: Function::Exp,
-        name: "exp",
-        arity: 1,
-        parity: Parity::Neither,
-        domain: Domain::Everywhere,
         at_zero: Some(1),
         is_nonnegative: true,
-        latex: r"\exp\left(#1\right)",
-        rust: "exp",
-        value: |x| x[0].exp(),
-        partials: &[Value],
+        ..Row::new(Exp, "exp", r"\exp\left(#1\right)", |x| x[0].exp(), &[Value])
     },
     Row {
-        function: Function::Ln,
-        name: "ln",
-        arity: 1,
-        parity: Parity::Neither,
         domain: Domain::AboveZero,
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"\ln\left(#1\right)",
-        rust: "ln",
-        value: |x| x[0].ln(),
-        partials: &[Reciprocal(&X)],
+        ..Row::new(Ln, "ln", r"\ln\left(#1\right)", |x| x[0].ln(), &[Reciprocal(&X)])
     },
     Row {
-        function: Function::Sqrt,
-        name: "sqrt",
-        arity: 1,
-        parity: Parity::Neither,
         domain: Domain::FromZero,
         at_zero: Some(0),
         is_nonnegative: true,
-        latex: r"\sqrt{#1}",
-        rust: "sqrt",
-        value: |x| x[0].sqrt(),
-        partials: &[Half(&ReciprocalRoot(&X))],
+        ..Row::new(Sqrt, "sqrt", r"\sqrt{#1}", |x| x[0].sqrt(), &[Half(&ReciprocalRoot(&X))])
     },
     Row {
-        function: Function::Abs,
-        name: "abs",
-        arity: 1,
         parity: Parity::Even,
-        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: true,
-        latex: r"\left|#1\right|",
-        rust: "abs",
-        value: |x| x[0].abs(),
-        partials: &[Call(Function::MagnitudeSlope, &[X])],
+        ..Row::new(Abs, "abs", r"\left|#1\right|", |x| x[0].abs(), &[Call(MagnitudeSlope, &[X])])
     },
     Row {
-        function: Function::Sign,
-        name: "sign",
-        arity: 1,
         parity: Parity::Odd,
-        domain: Domain::Everywhere,
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\operatorname{sign}\left(#1\right)",
-        rust: "sign",
-        value: |x| sign(x[0]),
-        partials: &[Constant(0)],
+        ..Row::new(Sign, "sign", r"\operatorname{sign}\left(#1\right)", |x| sign(x[0]), &[Constant(0)])
     },
+    // The comparisons are arranged so that NaN in either argument propagates.
+    Row::new(
+        Min,
+        "min",
+        r"\min\left(#1, #2\right)",
+        |x| if x[0] < x[1] || x[0].is_nan() { x[0] } else { x[1] },
+        &[Less(&X, &Y), NotLess(&X, &Y)],
+    ),
+    Row::new(
+        Max,
+        "max",
+        r"\max\left(#1, #2\right)",
+        |x| if x[0] > x[1] || x[0].is_nan() { x[0] } else { x[1] },
+        &[Less(&Y, &X), NotLess(&Y, &X)],
+    ),
+    // Unlike `powf` of the platform, for which 1^NaN and NaN^0 are one.
     Row {
-        function: Function::Min,
-        name: "min",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: Domain::Everywhere,
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"\min\left(#1, #2\right)",
-        rust: "min",
-        // The comparisons are arranged so that NaN in either argument propagates.
-        value: |x| if x[0] < x[1] || x[0].is_nan() { x[0] } else { x[1] },
-        partials: &[Less(&X, &Y), NotLess(&X, &Y)],
-    },
-    Row {
-        function: Function::Max,
-        name: "max",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: Domain::Everywhere,
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"\max\left(#1, #2\right)",
-        rust: "max",
-        value: |x| if x[0] > x[1] || x[0].is_nan() { x[0] } else { x[1] },
-        partials: &[Less(&Y, &X), NotLess(&Y, &X)],
-    },
-    Row {
-        function: Function::Power,
-        name: "pow",
-        arity: 2,
-        parity: Parity::Neither,
         domain: Domain::BaseAboveZero,
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"{#1}^{#2}",
         rust: "powf",
-        // Unlike `powf` of the platform, for which 1^NaN and NaN^0 are one.
-        value: |x| if x[0].is_nan() || x[1].is_nan() { f64::NAN } else { x[0].powf(x[1]) },
-        partials: &[
-            Multiply(&Y, &Call(Function::Power, &[X, Linear(-1, 1, &Y)])),
-            Multiply(&Value, &Call(Function::Ln, &[X])),
-        ],
+        ..Row::new(
+            Power,
+            "pow",
+            r"{#1}^{#2}",
+            |x| if x[0].is_nan() || x[1].is_nan() { f64::NAN } else { x[0].powf(x[1]) },
+            &[Multiply(&Y, &Call(Power, &[X, Linear(-1, 1, &Y)])), Multiply(&Value, &Call(Ln, &[X]))],
+        )
     },
     Row {
-        function: Function::Hypot,
-        name: "hypot",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: Domain::Everywhere,
-        at_zero: None,
         is_nonnegative: true,
-        latex: r"\sqrt{\left(#1\right)^{2} + \left(#2\right)^{2}}",
-        rust: "hypot",
-        value: |x| x[0].hypot(x[1]),
-        partials: &[Divide(&X, &Value), Divide(&Y, &Value)],
+        ..Row::new(
+            Hypot,
+            "hypot",
+            r"\sqrt{\left(#1\right)^{2} + \left(#2\right)^{2}}",
+            |x| x[0].hypot(x[1]),
+            &[Divide(&X, &Value), Divide(&Y, &Value)],
+        )
     },
     // Written as the sign, which has the same value; only products distinguish them.
     Row {
-        function: Function::MagnitudeSlope,
-        name: "sign",
-        arity: 1,
         parity: Parity::Odd,
-        domain: Domain::Everywhere,
         at_zero: Some(0),
-        is_nonnegative: false,
-        latex: r"\operatorname{sign}\left(#1\right)",
-        rust: "sign",
-        value: |x| sign(x[0]),
-        partials: &[Constant(0)],
+        ..Row::new(
+            MagnitudeSlope,
+            "sign",
+            r"\operatorname{sign}\left(#1\right)",
+            |x| sign(x[0]),
+            &[Constant(0)],
+        )
     },
 ];
 

@@ -75,6 +75,26 @@ impl Dimensions {
 }
 
 impl Solid {
+    /// Creates a solid with these lengths that has its centre of mass at the origin and does not
+    /// roll.
+    const fn new(
+        name: &'static str,
+        lengths: &'static [&'static str],
+        outline: &'static str,
+        inertia: Formula<ExprId>,
+    ) -> Self {
+        Solid {
+            name,
+            dimensions: Dimensions::Scalars(lengths),
+            inertia,
+            centroid: None,
+            is_impossible: has_negative,
+            condition: LENGTHS,
+            outline,
+            radius: None,
+        }
+    }
+
     /// Returns the spelling as a shape: `rectangle(a, b)`.
     pub fn shape_usage(&self) -> String {
         format!("{}({})", self.name, self.dimensions.written())
@@ -118,38 +138,16 @@ pub fn nearest(name: &str) -> Option<&'static str> {
     diagnostics::nearest(name, SOLIDS.iter().map(|solid| solid.name))
 }
 
-const SLENDER_ROD: Solid = Solid {
-    name: "slender_rod",
-    dimensions: Dimensions::Scalars(&["l"]),
-    inertia: |g, x| sum_of_squares(g, x, 1, 12),
-    centroid: None,
-    is_impossible: has_negative,
-    condition: LENGTHS,
-    outline: "SlenderRod",
-    radius: None,
-};
+const SLENDER_ROD: Solid =
+    Solid::new("slender_rod", &["l"], "SlenderRod", |g, x| sum_of_squares(g, x, 1, 12));
 
 const SOLID_CYLINDER: Solid = Solid {
-    name: "solid_cylinder",
-    dimensions: Dimensions::Scalars(&["r"]),
-    inertia: |g, x| sum_of_squares(g, x, 1, 2),
-    centroid: None,
-    is_impossible: has_negative,
-    condition: LENGTHS,
-    outline: "Disk",
     radius: Some(0),
+    ..Solid::new("solid_cylinder", &["r"], "Disk", |g, x| sum_of_squares(g, x, 1, 2))
 };
 
-const RECTANGLE: Solid = Solid {
-    name: "rectangle",
-    dimensions: Dimensions::Scalars(&["a", "b"]),
-    inertia: |g, x| sum_of_squares(g, x, 1, 12),
-    centroid: None,
-    is_impossible: has_negative,
-    condition: LENGTHS,
-    outline: "Rectangle",
-    radius: None,
-};
+const RECTANGLE: Solid =
+    Solid::new("rectangle", &["a", "b"], "Rectangle", |g, x| sum_of_squares(g, x, 1, 12));
 
 const LENGTHS: &str = "lengths are not negative";
 const INNER_AND_OUTER: &str =
@@ -161,138 +159,63 @@ fn has_negative(x: &[f64]) -> bool {
 
 /// Every solid; other names of one follow it.
 pub const SOLIDS: [Solid; 19] = [
-    Solid {
-        name: "point_mass",
-        dimensions: Dimensions::Scalars(&[]),
-        inertia: |g, _| g.number(0),
-        centroid: None,
-        is_impossible: has_negative,
-        condition: LENGTHS,
-        outline: "PointMass",
-        radius: None,
-    },
+    Solid::new("point_mass", &[], "PointMass", |g, _| g.number(0)),
     SLENDER_ROD,
     Solid { name: "rod", ..SLENDER_ROD },
     SOLID_CYLINDER,
     Solid { name: "disk", ..SOLID_CYLINDER },
     Solid {
-        name: "hollow_cylinder",
-        dimensions: Dimensions::Scalars(&["inner", "outer"]),
-        inertia: |g, x| sum_of_squares(g, x, 1, 2),
-        centroid: None,
         is_impossible: |x| has_negative(x) || x[0] > x[1],
         condition: INNER_AND_OUTER,
-        outline: "Annulus",
         radius: Some(1),
+        ..Solid::new("hollow_cylinder", &["inner", "outer"], "Annulus", |g, x| sum_of_squares(g, x, 1, 2))
     },
-    Solid {
-        name: "thin_ring",
-        dimensions: Dimensions::Scalars(&["r"]),
-        inertia: |g, x| g.square(x[0]),
-        centroid: None,
-        is_impossible: has_negative,
-        condition: LENGTHS,
-        outline: "Ring",
-        radius: Some(0),
-    },
+    Solid { radius: Some(0), ..Solid::new("thin_ring", &["r"], "Ring", |g, x| g.square(x[0])) },
     RECTANGLE,
     Solid { name: "cuboid", ..RECTANGLE },
     Solid {
-        name: "semicircular_disk",
-        dimensions: Dimensions::Scalars(&["r"]),
-        inertia: |g, x| {
+        centroid: Some(semicircular_center),
+        ..Solid::new("semicircular_disk", &["r"], "SemicircularDisk", |g, x| {
             let [_, s] = semicircular_center(g, x);
             about_center(g, x[0], s)
-        },
-        centroid: Some(semicircular_center),
-        is_impossible: has_negative,
-        condition: LENGTHS,
-        outline: "SemicircularDisk",
-        radius: None,
+        })
     },
     Solid {
-        name: "circular_sector",
-        dimensions: Dimensions::Scalars(&["r", "angle"]),
-        inertia: |g, x| {
-            let [s, _] = sector_center(g, x);
-            about_center(g, x[0], s)
-        },
         centroid: Some(sector_center),
         is_impossible: |x| x[0] < 0.0 || x[1] <= 0.0 || x[1] > std::f64::consts::TAU,
         condition: "the radius is a length, and the angle is positive and no more than a full turn, in radians",
-        outline: "CircularSector",
-        radius: None,
+        ..Solid::new("circular_sector", &["r", "angle"], "CircularSector", |g, x| {
+            let [s, _] = sector_center(g, x);
+            about_center(g, x[0], s)
+        })
     },
     Solid {
-        name: "right_triangle",
-        dimensions: Dimensions::Scalars(&["a", "b"]),
-        inertia: |g, x| sum_of_squares(g, x, 1, 18),
         centroid: Some(|g, x| [0, 1].map(|i| fraction(g, 1, x[i], 3))),
-        is_impossible: has_negative,
-        condition: LENGTHS,
-        outline: "RightTriangle",
-        radius: None,
+        ..Solid::new("right_triangle", &["a", "b"], "RightTriangle", |g, x| sum_of_squares(g, x, 1, 18))
     },
     Solid {
-        name: "triangle",
-        dimensions: Dimensions::Scalars(&["a", "b", "c"]),
-        inertia: |g, x| sum_of_squares(g, x, 1, 36),
         centroid: Some(triangle_center),
         is_impossible: |x| has_negative(x) || x.iter().any(|&side| 2.0 * side > x.iter().sum()),
         condition: "sides are lengths, and none is longer than the other two together",
-        outline: "Triangle",
-        radius: None,
+        ..Solid::new("triangle", &["a", "b", "c"], "Triangle", |g, x| sum_of_squares(g, x, 1, 36))
     },
+    Solid::new("ellipse", &["a", "b"], "Ellipse", |g, x| sum_of_squares(g, x, 1, 4)),
     Solid {
-        name: "ellipse",
-        dimensions: Dimensions::Scalars(&["a", "b"]),
-        inertia: |g, x| sum_of_squares(g, x, 1, 4),
-        centroid: None,
-        is_impossible: has_negative,
-        condition: LENGTHS,
-        outline: "Ellipse",
-        radius: None,
-    },
-    Solid {
-        name: "regular_polygon",
-        dimensions: Dimensions::Scalars(&["n", "r"]),
-        inertia: regular_polygon,
-        centroid: None,
         is_impossible: |x| has_negative(x) || x[0] < 3.0 || x[0].fract() > 0.0,
         condition: "the first number is that of corners, a whole number from 3 upwards, the second the radius of the circle on which they lie",
-        outline: "RegularPolygon",
-        radius: None,
+        ..Solid::new("regular_polygon", &["n", "r"], "RegularPolygon", regular_polygon)
     },
     Solid {
-        name: "solid_sphere",
-        dimensions: Dimensions::Scalars(&["r"]),
-        inertia: |g, x| sum_of_squares(g, x, 2, 5),
-        centroid: None,
-        is_impossible: has_negative,
-        condition: LENGTHS,
-        outline: "Disk",
         radius: Some(0),
+        ..Solid::new("solid_sphere", &["r"], "Disk", |g, x| sum_of_squares(g, x, 2, 5))
     },
     Solid {
-        name: "hollow_sphere",
-        dimensions: Dimensions::Scalars(&["inner", "outer"]),
-        inertia: hollow_sphere,
-        centroid: None,
         is_impossible: |x| has_negative(x) || x[0] > x[1] || x[1] <= 0.0,
         condition: INNER_AND_OUTER,
-        outline: "Annulus",
         radius: Some(1),
+        ..Solid::new("hollow_sphere", &["inner", "outer"], "Annulus", hollow_sphere)
     },
-    Solid {
-        name: "thin_sphere",
-        dimensions: Dimensions::Scalars(&["r"]),
-        inertia: |g, x| sum_of_squares(g, x, 2, 3),
-        centroid: None,
-        is_impossible: has_negative,
-        condition: LENGTHS,
-        outline: "Ring",
-        radius: Some(0),
-    },
+    Solid { radius: Some(0), ..Solid::new("thin_sphere", &["r"], "Ring", |g, x| sum_of_squares(g, x, 2, 3)) },
     Solid {
         name: "polygon",
         dimensions: Dimensions::Corners,

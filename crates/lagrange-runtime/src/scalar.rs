@@ -208,7 +208,6 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
 
     /// Computes `self * factor + addend` for [`Lanes`]. `f64` and `f32` round once on every target;
     /// without the instruction, this is a library call.
-    /// [`Lanes`]: where it is no instruction it is a call of a library.
     #[inline(always)]
     fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
         self.multiply_add(factor, addend)

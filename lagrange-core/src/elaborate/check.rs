@@ -21,7 +21,7 @@ use super::smoothness::{check_smoothness, without_kinks};
 use super::solve::check_names_of_solvers;
 use super::stabilisation::check_stabilisation;
 use super::start::{check_starts, initial_state};
-use super::states::{check_states, positions_of_states, report_states_in_momenta, warn_of_constant_states};
+use super::states::{check_states, positions_of_states, warn_of_constant_states};
 use super::tables::{check_names_of_derivatives, check_tables};
 use crate::model::{Energies, Model, Product, Reduction, Speed};
 use lagrange_algebra::calculus::{AccelerationTerms, Rates, gradient};
@@ -323,19 +323,26 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
         holds_states |= dependencies.intersects(Dependencies::STATE);
     }
     if holds_states {
-        report_states_in_momenta(elaborator);
+        let help = messages::states::IN_KINETIC_HELP;
+        report_in_kinetic(elaborator, Dependencies::STATE, |name| messages::states::in_kinetic(name), help);
     }
     if needs_input_rate {
-        report_input_in_kinetic(elaborator);
+        let help = messages::RATE_OF_INPUT_HELP;
+        report_in_kinetic(elaborator, Dependencies::INPUT, |name| messages::input_in_kinetic(name), help);
     }
 }
 
-fn report_input_in_kinetic(elaborator: &mut Elaborator<'_>) {
+/// Reports energies in which symbols of this kind multiply velocities.
+fn report_in_kinetic(
+    elaborator: &mut Elaborator<'_>,
+    kind: Dependencies,
+    message: impl Fn(&str) -> String,
+    help: &str,
+) {
     for term in elaborator.kinetic.iter().chain(&elaborator.lagrangian) {
-        if elaborator.evaluator.graph.dependencies(term.value).intersects(Dependencies::INPUT) {
-            let (place, name) = elaborator.evaluator.blame(term.syntax, Dependencies::INPUT);
-            let error = elaborator.evaluator.report.error(place, messages::input_in_kinetic(&name));
-            error.help(messages::RATE_OF_INPUT_HELP);
+        if elaborator.evaluator.graph.dependencies(term.value).intersects(kind) {
+            let (place, name) = elaborator.evaluator.blame(term.syntax, kind);
+            elaborator.evaluator.report.error(place, message(&name)).help(help);
         }
     }
 }

@@ -1,7 +1,6 @@
 //! Delayed signals: inputs whose values come from the past of the motion.
 
-use super::elaborator::{Elaborator, UNKNOWNS};
-use super::expression::value_of;
+use super::elaborator::Elaborator;
 use super::messages::delays as words;
 use super::operand::Operand;
 use super::scope::NameKind;
@@ -13,7 +12,8 @@ use lagrange_language::syntax::ast::{AstId, Name};
 
 /// Declares a delayed signal.
 pub(super) fn define_delay(elaborator: &mut Elaborator<'_>, name: &Name, [signal, lag]: [AstId; 2]) {
-    let (signal, lag) = (signal_of(elaborator, signal), lag_of(elaborator, lag));
+    let signal = elaborator.known_scalar(signal, words::SIGNAL, words::SIGNAL_HELP);
+    let lag = lag_of(elaborator, lag);
     let index = elaborator.inputs.len();
     let graph = &mut elaborator.evaluator.graph;
     let (symbol, zero) = (graph.symbol(&name.text, Role::Input(index as u32)), graph.number(0));
@@ -22,13 +22,6 @@ pub(super) fn define_delay(elaborator: &mut Elaborator<'_>, name: &Name, [signal
     elaborator.declare(name, NameKind::Input, Some(Operand::Scalar(symbol)));
     let delay = signal.zip(lag).map(|(signal, lag)| Delay { input: index, signal, lag, before: None });
     elaborator.delays.extend(delay.map(|delay| (delay, name.span)));
-}
-
-fn signal_of(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
-    value_of(&mut elaborator.evaluator, syntax)?;
-    let value = elaborator.evaluator.scalar(syntax, words::SIGNAL)?;
-    elaborator.forbid(UNKNOWNS, (syntax, value), words::SIGNAL, words::SIGNAL_HELP)?;
-    Some(value)
 }
 
 fn lag_of(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {

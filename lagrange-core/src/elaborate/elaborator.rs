@@ -293,6 +293,14 @@ impl<'a> Elaborator<'a> {
         self.forbid(UNKNOWNS, (syntax, value), what, help)
     }
 
+    /// Returns a scalar, which may depend on time, positions, velocities, states and inputs.
+    pub(super) fn known_scalar(&mut self, syntax: AstId, what: &str, help: &str) -> Option<ExprId> {
+        value_of(&mut self.evaluator, syntax)?;
+        let value = self.evaluator.scalar(syntax, what)?;
+        self.forbid(UNKNOWNS, (syntax, value), what, help)?;
+        Some(value)
+    }
+
     /// Reports an expression that depends on one of these kinds.
     pub(super) fn forbid(
         &mut self,

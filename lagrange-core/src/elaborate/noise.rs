@@ -1,7 +1,6 @@
 //! White noise: its declaration, the places where it may act, and its factors in forces and rates.
 
-use super::elaborator::{DeclaredNoise, Elaborator, UNKNOWNS};
-use super::expression::value_of;
+use super::elaborator::{DeclaredNoise, Elaborator};
 use super::messages::noise as words;
 use super::operand::Operand;
 use super::scope::NameKind;
@@ -30,9 +29,7 @@ pub(super) fn define_noise(elaborator: &mut Elaborator<'_>, definition: &Definit
 
 /// Evaluates a spectral density, which must not be a negative number.
 fn density(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
-    value_of(&mut elaborator.evaluator, syntax)?;
-    let value = elaborator.evaluator.scalar(syntax, words::DENSITY)?;
-    elaborator.forbid(UNKNOWNS, (syntax, value), words::DENSITY, words::DENSITY_HELP)?;
+    let value = elaborator.known_scalar(syntax, words::DENSITY, words::DENSITY_HELP)?;
     if elaborator.numeric(value).is_some_and(|number| !(0.0..).contains(&number)) {
         elaborator.evaluator.refuse::<()>(syntax, words::NEGATIVE.to_owned(), words::DENSITY_HELP.to_owned());
     }

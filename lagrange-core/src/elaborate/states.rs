@@ -1,7 +1,6 @@
 //! First-order states, and the equations for their rates.
 
-use super::elaborator::{DeclaredState, Elaborator, UNKNOWNS};
-use super::expression::value_of;
+use super::elaborator::{DeclaredState, Elaborator};
 use super::messages::states as words;
 use super::operand::Operand;
 use super::rate_equations::{report_frozen_coupled_states, report_undetermined_rates, set_rate};
@@ -9,7 +8,6 @@ use super::scope::NameKind;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{Action, Coordinate, EntryLimits};
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{AstId, Mode, Name, StateKind};
 
@@ -71,7 +69,7 @@ pub(super) fn state_named(elaborator: &Elaborator<'_>, name: &str) -> Option<usi
 
 /// Adds `dot(a) = e;`.
 pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
-    let rate = rate_value(elaborator, syntax);
+    let rate = elaborator.known_scalar(syntax, words::RATE, words::RATE_HELP);
     let Some(position) = state_named(elaborator, &name.text) else {
         return report_no_state(elaborator, name);
     };
@@ -91,14 +89,6 @@ pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, synta
     let graph = &mut elaborator.evaluator.graph;
     let rate = rate.unwrap_or_else(|| graph.number(0));
     set_rate(elaborator, syntax, place, rate);
-}
-
-/// Returns a rate, which may depend on time, positions, velocities, states and inputs.
-fn rate_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
-    value_of(&mut elaborator.evaluator, syntax)?;
-    let value = elaborator.evaluator.scalar(syntax, words::RATE)?;
-    elaborator.forbid(UNKNOWNS, (syntax, value), words::RATE, words::RATE_HELP)?;
-    Some(value)
 }
 
 /// Reports a name that is not a state.
@@ -149,17 +139,6 @@ pub(super) fn warn_of_constant_states(elaborator: &mut Elaborator<'_>) {
         if state.kind == StateKind::Discrete && !assigned.contains(&index) && !text.starts_with('_') {
             let warning = elaborator.evaluator.report.doubtful(state.name.span, words::never_assigned(text));
             warning.help(words::never_assigned_help(text));
-        }
-    }
-}
-
-/// Reports energies in which states multiply velocities.
-pub(super) fn report_states_in_momenta(elaborator: &mut Elaborator<'_>) {
-    for term in elaborator.kinetic.iter().chain(&elaborator.lagrangian) {
-        if elaborator.evaluator.graph.dependencies(term.value).intersects(Dependencies::STATE) {
-            let (place, name) = elaborator.evaluator.blame(term.syntax, Dependencies::STATE);
-            let error = elaborator.evaluator.report.error(place, words::in_kinetic(&name));
-            error.help(words::IN_KINETIC_HELP);
         }
     }
 }

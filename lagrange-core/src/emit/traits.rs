@@ -222,7 +222,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, columns, state) = (shape.krate, shape.columns_name(), shape.state_name());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     let coordinates = shape.coordinates.iter().map(|name| shape.written(name));
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     let parameter = parameter_member(shape);
@@ -239,13 +239,8 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #units
             const FINGERPRINT: ::core::primitive::u64 = #fingerprint;
             #[inline]
-            fn acceleration(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> [#scalar; #nv] {
-                self.acceleration(#time, #positions, #velocities)
+            fn acceleration(&self, #parameters) -> [#scalar; #nv] {
+                self.acceleration(#passed)
             }
             #rates
             #oriented
@@ -277,14 +272,13 @@ fn parameter_member(shape: &Shape<'_>) -> Option<TokenStream> {
 
 fn energy_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (krate, [parameters, passed]) = (shape.krate, Arguments::State.written(shape, &members.names));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::EnergyFunction for #name #generics {
             #[inline]
-            fn energy(&self, #time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]) -> #scalar {
-                self.energy(#time, #positions, #velocities)
+            fn energy(&self, #parameters) -> #scalar {
+                self.energy(#passed)
             }
         }
     }
@@ -293,26 +287,25 @@ fn energy_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
 fn canonical_impl(shape: &Shape<'_>, members: &Members, name: &Ident) -> TokenStream {
     let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let mut mass_matrix = members.methods.iter().filter(|method| method.name == "mass_matrix");
     let arguments = mass_matrix.next().map_or(Arguments::State, |method| method.arguments);
-    let vectors = arguments.vectors(&members.names);
-    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
-    let constrained = canonical_constraints(shape, members, &parameters);
+    let [_, configuration] = arguments.written(shape, &members.names);
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
+    let constrained = canonical_constraints(shape, members);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::CanonicalSystem for #name #generics {
             #[inline]
-            fn momenta(#parameters) -> [#scalar; #n] {
-                self.momenta(#time, #positions, #velocities)
+            fn momenta(&self, #parameters) -> [#scalar; #n] {
+                self.momenta(#passed)
             }
             #[inline]
-            fn momentum_rates(#parameters) -> [#scalar; #n] {
-                self.momentum_rates(#time, #positions, #velocities)
+            fn momentum_rates(&self, #parameters) -> [#scalar; #n] {
+                self.momentum_rates(#passed)
             }
             #[inline]
-            fn mass_matrix(#parameters) -> [[#scalar; #n]; #n] {
-                self.mass_matrix(#time, #(#vectors),*)
+            fn mass_matrix(&self, #parameters) -> [[#scalar; #n]; #n] {
+                self.mass_matrix(#configuration)
             }
             #constrained
         }

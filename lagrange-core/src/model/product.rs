@@ -135,6 +135,23 @@ pub struct ProductRow {
     pub method: Option<ProductMethod>,
 }
 
+impl ProductRow {
+    /// Creates the row of a product without a method.
+    const fn new(product: Product, name: &'static str, when: Availability) -> Self {
+        ProductRow { product, name, when, method: None }
+    }
+
+    /// Adds a method with these arguments, result and documentation.
+    const fn with_method(
+        self,
+        arguments: ProductArguments,
+        returns: ProductShape,
+        docs: &'static [&'static str],
+    ) -> Self {
+        ProductRow { method: Some(ProductMethod { arguments, returns, docs }), ..self }
+    }
+}
+
 impl Product {
     /// Every product, in the order in which they are emitted.
     pub const ALL: [Product; ROWS.len()] = {

@@ -43,10 +43,10 @@ pub use collect::collect;
 pub use content::{content, safe_quotient};
 pub use contract::{contract, contract_all};
 pub use open::{count_opened, factors_to_open, is_no_difference, open};
-pub use present::{multiply_out, present, present_all, proves_zero};
+pub use present::{multiply_out, present, present_all, proves_zero, somewhere};
 pub use rules::{RULES, Rule, RuleArguments};
 pub use sign::{has_one_sign, never_vanishes};
-pub use vanishing::{ROUNDING, somewhere, vanishing};
+pub use vanishing::{ROUNDING, vanishing};
 
 #[cfg(test)]
 mod tests;

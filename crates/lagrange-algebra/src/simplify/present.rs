@@ -71,26 +71,29 @@ pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
 /// True if the value at a point without symmetries differs from zero by more than rounding. This is
 /// true of most expressions, and the test is much cheaper than expansion.
 fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
-    let value = evaluate(graph, &[expr], |role| {
-        let (kind, index) = match role {
-            Role::Parameter(index) => (1.0, index),
-            Role::Input(index) => (2.0, index),
-            Role::Time => (3.0, 0),
-            Role::Coordinate(index) => (4.0, index),
-            Role::Velocity(index) => (5.0, index),
-            Role::Acceleration(index) => (6.0, index),
-            Role::Multiplier(index) => (7.0, index),
-            Role::Reaction(index) => (8.0, index),
-            Role::Side(index) => (9.0, index),
-            Role::Placeholder(index) => (10.0, index),
-            Role::State(index) => (11.0, index),
-            Role::Operand(index) => (12.0, index),
-            Role::Discrete(index) => (13.0, index),
-            Role::Noise(index) => (14.0, index),
-        };
-        // Multiples of the golden ratio modulo one stay distinct for any number of symbols.
-        let golden = (f64::from(index) + 0.171 * kind) * 0.618_033_988_749_895;
-        0.4 + golden.fract()
-    });
+    let value = evaluate(graph, &[expr], somewhere);
     value[0].is_finite() && value[0].abs() > LARGEST_RESIDUE
+}
+
+/// Returns a number between 1/2 and 3/2 for each symbol, at a point without symmetries.
+pub fn somewhere(role: Role) -> f64 {
+    let (kind, index) = match role {
+        Role::Parameter(index) => (1.0, index),
+        Role::Input(index) => (2.0, index),
+        Role::Time => (3.0, 0),
+        Role::Coordinate(index) => (4.0, index),
+        Role::Velocity(index) => (5.0, index),
+        Role::Acceleration(index) => (6.0, index),
+        Role::Multiplier(index) => (7.0, index),
+        Role::Reaction(index) => (8.0, index),
+        Role::Side(index) => (9.0, index),
+        Role::Placeholder(index) => (10.0, index),
+        Role::State(index) => (11.0, index),
+        Role::Operand(index) => (12.0, index),
+        Role::Discrete(index) => (13.0, index),
+        Role::Noise(index) => (14.0, index),
+    };
+    // Multiples of the golden ratio modulo one stay distinct for any number of symbols.
+    let golden = (f64::from(index) + 0.171 * kind) * 0.618_033_988_749_895;
+    0.5 + golden.fract()
 }

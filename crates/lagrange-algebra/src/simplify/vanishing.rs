@@ -1,10 +1,9 @@
 //! Proofs that values are zero everywhere, with a quick rejection of nonzero values.
 
-use super::present::proves_zero;
+use super::present::{proves_zero, somewhere};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{ExprId, Graph};
-use lagrange_expr::symbol::Role;
 
 /// Number of monomials up to which a value is expanded to prove that it vanishes; sufficient for
 /// any readable formula.
@@ -38,27 +37,4 @@ fn differ_from_zero(graph: &Graph, values: &[ExprId]) -> Vec<bool> {
     let at_point = parts.into_iter().zip(at_point).collect::<HashMap<_, _>>();
     let at = |value: &ExprId| at_point.get(value).copied().unwrap_or(f64::NAN);
     values.iter().map(|value| at(value).is_finite() && at(value).abs() > ROUNDING * largest).collect()
-}
-
-/// Returns a number between 1/2 and 3/2 for each symbol: multiples of the golden ratio are spread
-/// evenly.
-pub fn somewhere(role: Role) -> f64 {
-    const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
-    let (kind, index) = match role {
-        Role::Parameter(i) => (0, i),
-        Role::Input(i) => (1, i),
-        Role::Time => (2, 0),
-        Role::Coordinate(i) => (3, i),
-        Role::Velocity(i) => (4, i),
-        Role::Acceleration(i) => (5, i),
-        Role::Multiplier(i) => (6, i),
-        Role::Reaction(i) => (7, i),
-        Role::Placeholder(i) => (8, i),
-        Role::Side(i) => (9, i),
-        Role::State(i) => (10, i),
-        Role::Operand(i) => (11, i),
-        Role::Discrete(i) => (12, i),
-        Role::Noise(i) => (13, i),
-    };
-    0.5 + (f64::from(7 * index + kind + 1) * GOLDEN_RATIO).fract()
 }

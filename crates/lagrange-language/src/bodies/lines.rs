@@ -35,26 +35,33 @@ pub(super) fn translate_line(translation: &mut Translation<'_>, statement: ast::
 
 /// Returns the body with this name; other names are reported.
 pub(super) fn carrier(translation: &mut Translation<'_>, name: &ast::Name) -> Option<usize> {
-    match translation.names.find(&name.text) {
-        Some(Object::Body(body)) => Some(*body),
-        other => {
-            let found = other.map(Object::describe);
-            report_no_object(translation, name, "a body", found, |object| matches!(object, Object::Body(_)));
-            None
-        }
-    }
+    object(translation, name, "a body", |object| match object {
+        Object::Body(body) => Some(*body),
+        _ => None,
+    })
 }
 
 /// Returns the line with this name; other names are reported.
 pub(super) fn track(translation: &mut Translation<'_>, name: &ast::Name) -> Option<usize> {
-    match translation.names.find(&name.text) {
-        Some(Object::Line(line)) => Some(*line),
-        other => {
-            let found = other.map(Object::describe);
-            report_no_object(translation, name, "a line", found, |object| matches!(object, Object::Line(_)));
-            None
-        }
+    object(translation, name, "a line", |object| match object {
+        Object::Line(line) => Some(*line),
+        _ => None,
+    })
+}
+
+/// Returns the index of the wanted object with this name; other names are reported.
+fn object(
+    translation: &mut Translation<'_>,
+    name: &ast::Name,
+    wanted: &str,
+    index: impl Fn(&Object) -> Option<usize>,
+) -> Option<usize> {
+    let object = translation.names.find(&name.text);
+    let (found, described) = (object.and_then(&index), object.map(Object::describe));
+    if found.is_none() {
+        report_no_object(translation, name, wanted, described, |object| index(object).is_some());
     }
+    found
 }
 
 pub(super) fn report_no_object(

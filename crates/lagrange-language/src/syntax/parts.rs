@@ -8,7 +8,6 @@ use super::messages;
 use super::messages::forms::form;
 use super::messages::parts as words;
 use super::parser::{Declared, Parsed, Parser, Reported};
-use super::tables::string;
 
 /// An array of parts: the variable and its values.
 type Count = Option<(Name, Range)>;
@@ -126,16 +125,7 @@ impl Parser<'_> {
 
     /// Reads `"parts/leg.lag"` after the word `include`.
     pub(super) fn include(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
-        let path = match cursor.peek() {
-            Some(TokenTree::Literal(literal)) => string(literal),
-            _ => None,
-        };
-        let Some(path) = path else {
-            let message = messages::expected(words::PATH, cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, form("include")));
-        };
-        cursor.skip_one();
-        Ok(StatementKind::Block(Block::Include(path)))
+        Ok(StatementKind::Block(Block::Include(self.string(words::PATH, form("include"), cursor)?)))
     }
 }
 

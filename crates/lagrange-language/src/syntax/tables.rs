@@ -1,6 +1,6 @@
 //! Statements that tabulate functions.
 
-use proc_macro2::{Delimiter, Group, Literal, Span, TokenTree};
+use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::ast::{AstId, Name, TableDefinition, TableSource};
 use super::cursor::{Cursor, group_origin};
@@ -56,16 +56,22 @@ impl Parser<'_> {
                 self.inside(&group, |parser, cursor| parser.points(components, cursor))?,
             ));
         }
-        let path = match cursor.peek() {
-            Some(TokenTree::Literal(literal)) => string(literal),
+        let path = self.string(words::POINTS, form("table"), cursor)?;
+        Ok(TableSource::File { path, contents: None })
+    }
+
+    /// Reads a string; anything else is reported, with what was expected instead.
+    pub(super) fn string(&mut self, expected: &str, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
+        let literal = match cursor.peek() {
+            Some(TokenTree::Literal(literal)) => syn::parse2(TokenTree::Literal(literal.clone()).into()).ok(),
             _ => None,
         };
-        let Some(path) = path else {
-            let message = messages::expected(words::POINTS, cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, form("table")));
+        let Some(string): Option<syn::LitStr> = literal else {
+            let message = messages::expected(expected, cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, help));
         };
         cursor.skip_one();
-        Ok(TableSource::File { path, contents: None })
+        Ok(Name::new(string.value(), string.span()))
     }
 
     fn points(&mut self, components: usize, cursor: &mut Cursor) -> Parsed<Vec<(Vec<AstId>, Origin)>> {
@@ -158,10 +164,4 @@ impl Parser<'_> {
         cursor.skip_one();
         Ok(way)
     }
-}
-
-/// Returns the contents of a string literal, if it is one.
-pub(super) fn string(literal: &Literal) -> Option<Name> {
-    let string = syn::parse2::<syn::LitStr>(TokenTree::Literal(literal.clone()).into()).ok()?;
-    Some(Name::new(string.value(), literal.span()))
 }

@@ -22,6 +22,13 @@ const MOST_ITERATIONS: usize = 200;
 /// A fit ready to be run: the data, the variables, and the method for motions.
 #[must_use = "nothing happens before `.run()`"]
 pub struct FitSearch<'a, M: ParametricSystem<Scalar = f64>, K, D = Undriven> {
+    settings: FitSettings<'a, M>,
+    method: K,
+    drive: D,
+}
+
+/// The data, the variables and the search, independent of the method.
+struct FitSettings<'a, M: ParametricSystem<Scalar = f64>> {
     system: &'a M,
     start: M::State,
     data: Data,
@@ -31,13 +38,11 @@ pub struct FitSearch<'a, M: ParametricSystem<Scalar = f64>, K, D = Undriven> {
     from: Option<f64>,
     starts: usize,
     most_iterations: usize,
-    method: K,
-    drive: D,
 }
 
 impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
     pub(super) fn new(system: &'a M, start: M::State, data: Data) -> Self {
-        FitSearch {
+        let settings = FitSettings {
             system,
             start,
             data,
@@ -47,9 +52,8 @@ impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
             from: None,
             starts: 1,
             most_iterations: MOST_ITERATIONS,
-            method: default_method(),
-            drive: Undriven,
-        }
+        };
+        FitSearch { settings, method: default_method(), drive: Undriven }
     }
 }
 
@@ -69,21 +73,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K> FitSearch<'a, M, K, Undriven> {
         M: ControlledSystem,
         F: Fn(&M, f64, M::NamedState) -> M::Inputs,
     {
-        let FitSearch { system, start, data, varied, noise, measured, from, starts, .. } = self;
-        let (most_iterations, method, drive) = (self.most_iterations, self.method, Law::new(law));
-        FitSearch {
-            system,
-            start,
-            data,
-            varied,
-            noise,
-            measured,
-            from,
-            starts,
-            most_iterations,
-            method,
-            drive,
-        }
+        FitSearch { settings: self.settings, method: self.method, drive: Law::new(law) }
     }
 }
 
@@ -96,21 +86,21 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
             Bound::Unbounded => otherwise,
         };
         let (low, high) = (range.start_bound(), range.end_bound());
-        self.varied.push((name, (end(low, f64::NEG_INFINITY), end(high, f64::INFINITY))));
+        self.settings.varied.push((name, (end(low, f64::NEG_INFINITY), end(high, f64::INFINITY))));
         self
     }
 
     /// Sets the standard deviation of the noise in a column, in units of the column. With several
     /// columns, or if any column has a level, all columns need one.
     pub fn noise(mut self, column: &str, level: f64) -> Self {
-        self.noise.push((column.to_string(), level));
+        self.settings.noise.push((column.to_string(), level));
         self
     }
 
     /// Defines the quantity in the column of this name: a smooth function of system, time and
     /// state. Columns of states need no definition.
     pub fn measure(mut self, column: &str, value: impl Fn(&M, f64, &M::State) -> f64 + 'a) -> Self {
-        self.measured.push((column.to_string(), MeasuredQuantity::Function(Box::new(value))));
+        self.settings.measured.push((column.to_string(), MeasuredQuantity::Function(Box::new(value))));
         self
     }
 
@@ -119,7 +109,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
     where
         M: OutputSystem,
     {
-        for (index, name) in self.system.output_names().iter().enumerate() {
+        for (index, name) in self.settings.system.output_names().iter().enumerate() {
             self = self.measure(name, move |system, t, y| {
                 let (q, v) = split::<M>(y);
                 system.outputs(t, &q, &v).as_ref()[index]
@@ -130,7 +120,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
 
     /// Starts motions at this time instead of the first time of the data.
     pub fn from(mut self, time: f64) -> Self {
-        self.from = Some(time);
+        self.settings.from = Some(time);
         self
     }
 
@@ -138,33 +128,19 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
     /// best result. Points fill the bounds evenly and reproducibly. Without a bound they are within
     /// a factor of ten of the value.
     pub fn starts(mut self, count: usize) -> Self {
-        self.starts = count;
+        self.settings.starts = count;
         self
     }
 
     /// Sets the maximum number of iterations from each start, 200 by default.
     pub fn max_iterations(mut self, most: usize) -> Self {
-        self.most_iterations = most;
+        self.settings.most_iterations = most;
         self
     }
 
     /// Computes motions by this method instead of the adaptive one.
     pub fn method<L>(self, method: L) -> FitSearch<'a, M, L, D> {
-        let FitSearch { system, start, data, varied, noise, measured, from, starts, .. } = self;
-        let (most_iterations, drive) = (self.most_iterations, self.drive);
-        FitSearch {
-            system,
-            start,
-            data,
-            varied,
-            noise,
-            measured,
-            from,
-            starts,
-            most_iterations,
-            method,
-            drive,
-        }
+        FitSearch { settings: self.settings, method, drive: self.drive }
     }
 
     /// Searches for the values with the smallest sum of squares.
@@ -179,8 +155,9 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         D::Closed: OdeSystem<State = [f64; N]>,
         K: Method<Sensitive<M, D::Closed, N, ROWS>> + Clone,
     {
-        let (count, most_iterations, has_noise) = (self.starts, self.most_iterations, !self.noise.is_empty());
-        let (problem, data) = self.checked()?;
+        let (count, most_iterations, has_noise) =
+            (self.settings.starts, self.settings.most_iterations, !self.settings.noise.is_empty());
+        let (problem, data) = self.settings.checked(self.method, self.drive)?;
         let bounds = problem.variables.iter().map(|variable| variable.bounds).collect::<Vec<_>>();
         let values = problem.values();
         let search =
@@ -198,9 +175,11 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
             (true, true) => Ok(*fitted),
         }
     }
+}
 
+impl<'a, M: ParametricSystem<Scalar = f64>> FitSettings<'a, M> {
     /// Returns the problem specified by the settings, and the data.
-    fn checked(mut self) -> Result<Checked<'a, M, K, D>, FitError<M>> {
+    fn checked<K, D>(mut self, method: K, drive: D) -> Result<Checked<'a, M, K, D>, FitError<M>> {
         let states = state_names(self.system.description()).collect::<Vec<_>>();
         let begin = self.from.or(self.data.times.first().copied()).unwrap_or(0.0);
         check_data(&self.data, begin)?;
@@ -217,7 +196,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         }
         let times = self.data.times.clone();
         let span = [begin, times.last().copied().unwrap_or(begin)];
-        let FitSearch { system, start, method, drive, .. } = self;
+        let FitSettings { system, start, .. } = self;
         Ok((FitProblem { system, start, span, times, data, quantities, variables, method, drive }, self.data))
     }
 

@@ -83,16 +83,19 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
     #[inline]
     fn jump(&self, _at: M::Scalar) {}
 
-    /// Returns the state after an event of a run, from which the plant goes on at `after`.
+    /// Returns the state after an event of a run, from which the plant goes on at `after`. The
+    /// default is a new start from there.
     ///
     /// # Errors
     /// If the rest of the state does not follow from that of the plant.
     fn after_event(
         &self,
-        _at: (M::Scalar, &Self::State),
+        at: (M::Scalar, &Self::State),
         after: M::State,
         _event: &mut dyn GivenEvent<M>,
-    ) -> Result<Self::State, StepFailure<M::Scalar>>;
+    ) -> Result<Self::State, StepFailure<M::Scalar>> {
+        Ok(self.extended(at.0, &after))
+    }
 }
 
 /// An event that a run was given, as a function of time and state.
@@ -138,14 +141,5 @@ impl<M: MechanicalSystem> ClosedLoop<M> for M {
     #[inline]
     fn state_of_plant(y: &M::State) -> M::State {
         *y
-    }
-
-    fn after_event(
-        &self,
-        _at: (M::Scalar, &M::State),
-        after: M::State,
-        _event: &mut dyn GivenEvent<M>,
-    ) -> Result<M::State, StepFailure<M::Scalar>> {
-        Ok(after)
     }
 }

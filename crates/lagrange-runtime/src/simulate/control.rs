@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use crate::contact::{ContactSystem, ForcedTerms, Mode, own};
 use crate::scalar::{Number, Scalar};
-use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
+use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
 use crate::system::{
@@ -111,15 +111,6 @@ where
     #[inline]
     fn state_of_plant(y: &M::State) -> M::State {
         *y
-    }
-
-    fn after_event(
-        &self,
-        _at: (M::Scalar, &M::State),
-        after: M::State,
-        _event: &mut dyn GivenEvent<M>,
-    ) -> Result<M::State, StepFailure<M::Scalar>> {
-        Ok(after)
     }
 }
 

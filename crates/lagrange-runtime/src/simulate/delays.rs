@@ -8,7 +8,7 @@ use std::vec::Vec;
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
 use crate::simulate::builder::Simulation;
-use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
+use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::control::{Drive, Undriven};
 use crate::simulate::history::{History, unknown};
 use crate::simulate::observer::{columns_of, inputs};
@@ -287,14 +287,5 @@ impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
 
     fn jump(&self, at: M::Scalar) {
         self.reach(at, &[], true);
-    }
-
-    fn after_event(
-        &self,
-        _at: (M::Scalar, &M::State),
-        after: M::State,
-        _event: &mut dyn GivenEvent<M>,
-    ) -> Result<M::State, StepFailure<M::Scalar>> {
-        Ok(after)
     }
 }

@@ -11,6 +11,7 @@ use lagrange_algebra::code::Names;
 use lagrange_expr::opaque::Opaque;
 
 /// Members of the emitted type, its documentation, and data for its traits.
+#[derive(Default)]
 pub(in crate::emit) struct Members {
     /// Documentation of the struct, after the user's own.
     pub(in crate::emit) docs: Vec<String>,
@@ -89,45 +90,7 @@ pub(in crate::emit) struct Members {
 impl Members {
     /// Creates empty members.
     pub(in crate::emit) fn new(names: ArgumentNames) -> Members {
-        Members {
-            docs: Vec::new(),
-            default: None,
-            methods: Vec::new(),
-            constrained: Vec::new(),
-            canonical: Vec::new(),
-            are_holonomic: Vec::new(),
-            terms: TokenStream::new(),
-            clocks: 0,
-            noise: None,
-            is_forced: false,
-            is_damped: false,
-            is_tested: false,
-            switch_times: None,
-            restitutions_vary: Vec::new(),
-            needs_steps: None,
-            slopes: 0,
-            limits_reverse: Vec::new(),
-            hidden: TokenStream::new(),
-            motions: TokenStream::new(),
-            limits: Vec::new(),
-            ranges: None,
-            start: None,
-            items: None,
-            prepared: None,
-            kernel: None,
-            lanes: None,
-            taylor: None,
-            constants: TokenStream::new(),
-            names,
-            functions: BTreeSet::new(),
-            callees: Vec::new(),
-            solvers: TokenStream::new(),
-            unknowns: None,
-            regressor: None,
-            is_separable: false,
-            has_kinks: false,
-            has_rounded_constants: false,
-        }
+        Members { names, ..Members::default() }
     }
 }
 

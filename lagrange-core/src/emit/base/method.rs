@@ -85,6 +85,13 @@ impl ArgumentNames {
     }
 }
 
+/// The names where the user has none.
+impl Default for ArgumentNames {
+    fn default() -> Self {
+        ArgumentNames::beside(&[])
+    }
+}
+
 impl Arguments {
     /// Returns the arguments that are vectors.
     pub(in crate::emit) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
@@ -98,6 +105,19 @@ impl Arguments {
             Arguments::Residuals => vec![positions, velocities, residuals],
             Arguments::Shares => vec![positions, shares],
         }
+    }
+
+    /// Returns the parameters of a method, with their types, and the arguments of its calls.
+    pub(in crate::emit) fn written(self, shape: &Shape<'_>, names: &ArgumentNames) -> [TokenStream; 2] {
+        let (scalar, time, vectors) = (shape.scalar(), &names.time, self.vectors(names));
+        let lengths = vectors.iter().map(|&vector| match vector {
+            _ if *vector == names.state => shape.state_length(),
+            _ if *vector == names.residuals => length(shape.constraints.len()),
+            _ if *vector == names.positions => shape.positions_length(),
+            _ => shape.velocities_length(),
+        });
+        let parameters = quote!(#time: #scalar, #(#vectors: &[#scalar; #lengths]),*);
+        [parameters, quote!(#time, #(#vectors),*)]
     }
 }
 
@@ -120,20 +140,10 @@ impl Method {
 
     fn function(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
         let Method { name, body, .. } = self;
-        let (scalar, time) = (shape.scalar(), &names.time);
-        let length = |vector: &Ident| match vector {
-            _ if *vector == names.state => shape.state_length(),
-            _ if *vector == names.residuals => length(shape.constraints.len()),
-            _ if *vector == names.positions => shape.positions_length(),
-            _ => shape.velocities_length(),
-        };
-        let vectors = self.arguments.vectors(names).into_iter().map(|vector| {
-            let length = length(vector);
-            quote!(#vector: &[#scalar; #length])
-        });
-        let returns = self.returns.tokens(&scalar);
+        let ([parameters, _], returns) =
+            (self.arguments.written(shape, names), self.returns.tokens(&shape.scalar()));
         quote! {
-            fn #name(&self, #time: #scalar, #(#vectors),*) -> #returns {
+            fn #name(&self, #parameters) -> #returns {
                 #body
             }
         }

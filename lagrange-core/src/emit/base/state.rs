@@ -2,7 +2,7 @@
 //! columns.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::fields::{Field, entries, places};
 use super::lints::{name_exception, type_name_exception};
@@ -11,8 +11,7 @@ use super::shape::{Shape, doc, length, local};
 use lagrange_algebra::code::Names;
 
 pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
-    let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
-    let visibility = &shape.declaration.visibility;
+    let scalar = shape.scalar_path();
     let positions = if shape.states > 0 { "positions, first-order states" } else { "positions" };
     let title = doc(&format!("State of [`{}`]: {positions}, then velocities.", shape.declaration.name.text));
     let entries = shape.coordinates.iter().copied().chain(shape.velocities.iter().map(|v| &v.name));
@@ -26,8 +25,18 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
         let (identifier, of_type) = (&field.identifier, field.type_of(&scalar));
         Some(quote!(#docs pub #identifier: #of_type,))
     });
-    let (fields, names) = (fields.collect::<Vec<_>>(), name_exception(shape));
-    let type_name = type_name_exception(shape);
+    named_values(shape, &title, &shape.state_name(), &fields.collect())
+}
+
+/// Returns a struct of numbers under their names.
+pub(in crate::emit) fn named_values(
+    shape: &Shape<'_>,
+    title: &TokenStream,
+    name: &Ident,
+    fields: &TokenStream,
+) -> TokenStream {
+    let (generics, visibility) = (shape.generics(), &shape.declaration.visibility);
+    let (names, type_name) = (name_exception(shape), type_name_exception(shape));
     let allow = (!generics.is_empty()).then(
         || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
     );
@@ -38,7 +47,36 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
         #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
-            #(#fields)*
+            #fields
+        }
+    }
+}
+
+/// Returns the conversions of such a struct from and to an array, given a variable for each number.
+pub(in crate::emit) fn array_conversions(
+    shape: &Shape<'_>,
+    (name, value): (&Ident, &Ident),
+    fields: &[Field],
+    variables: &[Ident],
+) -> TokenStream {
+    let (generics, scalar, count) = (shape.generics(), shape.scalar(), length(variables.len()));
+    let (copied, places) = (shape.copied_generics(fields), places(fields));
+    let values = variables.iter().map(|variable| quote!(#variable)).collect::<Vec<_>>();
+    let entries = entries(fields, &values);
+    quote! {
+        #[automatically_derived]
+        impl #generics ::core::convert::From<[#scalar; #count]> for #name #generics {
+            #[inline]
+            fn from([#(#variables),*]: [#scalar; #count]) -> Self {
+                Self { #(#entries),* }
+            }
+        }
+        #[automatically_derived]
+        impl #copied ::core::convert::From<#name #generics> for [#scalar; #count] {
+            #[inline]
+            fn from(#value: #name #generics) -> Self {
+                [#(#value.#places),*]
+            }
         }
     }
 }
@@ -50,10 +88,8 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     let (places, copied) = (places(&fields), shape.copied_generics(&fields));
     let (positions, velocities) = places.split_at(shape.coordinates.len());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let all = shape.state_length();
-    let variables = state_variables(shape);
-    let values = variables.iter().map(|variable| quote!(#variable)).collect::<Vec<_>>();
-    let entries = entries(&fields, &values);
+    let conversions =
+        array_conversions(shape, (&state, &format_ident!("state")), &fields, &state_variables(shape));
     let positions_docs = match shape.states {
         0 => doc("The coordinates in their order."),
         _ => doc("The coordinates in their order, then the states."),
@@ -74,20 +110,7 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
                 [#(self.#velocities),*]
             }
         }
-        #[automatically_derived]
-        impl #generics ::core::convert::From<[#scalar; #all]> for #state #generics {
-            #[inline]
-            fn from([#(#variables),*]: [#scalar; #all]) -> Self {
-                Self { #(#entries),* }
-            }
-        }
-        #[automatically_derived]
-        impl #copied ::core::convert::From<#state #generics> for [#scalar; #all] {
-            #[inline]
-            fn from(state: #state #generics) -> Self {
-                [#(state.#places),*]
-            }
-        }
+        #conversions
     }
 }
 

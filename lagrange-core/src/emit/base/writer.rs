@@ -93,22 +93,10 @@ impl<'a> MethodWriter<'a> {
     }
 
     /// Adds a method of the state that only other methods call.
-    pub(in crate::emit) fn push_hidden(&mut self, name: &str, returns: Returns, body: &TokenStream) {
-        let (name, scalar) = (format_ident!("{name}"), self.shape.scalar());
-        let (nq, nv) = (self.shape.positions_length(), self.shape.velocities_length());
-        let ArgumentNames { time, positions, velocities, .. } = &self.members.names;
-        let returns = returns.tokens(&scalar);
-        self.members.hidden.extend(quote! {
-            #[inline]
-            fn #name(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> #returns {
-                #body
-            }
-        });
+    pub(in crate::emit) fn push_hidden(&mut self, name: &str, returns: Returns, body: TokenStream) {
+        let (name, docs) = (format_ident!("{name}"), TokenStream::new());
+        let method = Method { name, docs, arguments: Arguments::State, returns, body };
+        self.members.hidden.extend(method.of_trait(self.shape, &self.members.names));
     }
 
     /// Returns a body that computes `roots` on the current sides of the switches, and forms its

@@ -66,9 +66,9 @@ fn write_guarded(
     roots: &[ExprId],
     field: &str,
 ) -> OperationCounts {
-    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    let [_, passed] = Arguments::State.written(writer.shape, &writer.members.names);
     let field = local(field);
-    let otherwise = quote!(self.redundant_motion(#time, #positions, #velocities).#field);
+    let otherwise = quote!(self.redundant_motion(#passed).#field);
     let (body, counts) = guarded(writer, roots, Arguments::State, &otherwise);
     writer.push_method(name, docs, roots.len(), body, counts);
     counts
@@ -112,8 +112,8 @@ fn is_guarded(writer: &MethodWriter<'_>) -> bool {
 /// Writes `ConstrainedSystem::correction`.
 fn write_correction(writer: &mut MethodWriter<'_>) {
     let roots = writer.equations.constraints.correction.clone();
-    let ArgumentNames { time, positions, velocities, residuals, .. } = &writer.members.names;
-    let otherwise = quote!(self.redundant_correction(#time, #positions, #velocities, #residuals));
+    let [_, passed] = Arguments::Residuals.written(writer.shape, &writer.members.names);
+    let otherwise = quote!(self.redundant_correction(#passed));
     let (body, _) = guarded(writer, &roots, Arguments::Residuals, &otherwise);
     writer.push_constrained("correction", Arguments::Residuals, Returns::Vector(roots.len()), body);
 }
@@ -153,6 +153,7 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
     let (krate, scalar) = (shape.krate, shape.scalar());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     let violation = quote!(#krate::constraint::Violation<#scalar>);
     quote! {
         /// Takes positions and velocities to the nearest ones that satisfy the constraints: first
@@ -167,7 +168,7 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
             #positions: &mut [#scalar; #nq],
             #velocities: &mut [#scalar; #nv],
         ) -> ::core::result::Result<(), #violation> {
-            #krate::constraint::project(self, #time, #positions, #velocities)
+            #krate::constraint::project(self, #passed)
         }
 
         /// The nearest velocities that satisfy the constraints at these positions.
@@ -175,13 +176,8 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
         /// # Errors
         /// If there are none.
         #[inline]
-        pub fn consistent_velocity(
-            &self,
-            #time: #scalar,
-            #positions: &[#scalar; #nq],
-            #velocities: &[#scalar; #nv],
-        ) -> ::core::result::Result<[#scalar; #nv], #violation> {
-            #krate::constraint::consistent_velocity(self, #time, #positions, #velocities)
+        pub fn consistent_velocity(&self, #parameters) -> ::core::result::Result<[#scalar; #nv], #violation> {
+            #krate::constraint::consistent_velocity(self, #passed)
         }
     }
 }
@@ -198,9 +194,7 @@ pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) ->
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, m) = (shape.krate, length(shape.constraints.len()));
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
-    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     let methods = members.constrained.iter().map(|method| method.of_trait(shape, &members.names));
     let names = shape.constraints.iter().map(|name| shape.written(name));
     let has_scales = members.constrained.iter().any(|method| method.name == "residual_scales");
@@ -211,12 +205,12 @@ pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) ->
             type Multipliers = [#scalar; #m];
             const CONSTRAINTS: &'static [&'static ::core::primitive::str] = &[#(#names),*];
             #[inline]
-            fn multipliers(#parameters) -> [#scalar; #m] {
-                self.multipliers(#time, #positions, #velocities)
+            fn multipliers(&self, #parameters) -> [#scalar; #m] {
+                self.multipliers(#passed)
             }
             #[inline]
-            fn velocity_residuals(#parameters) -> [#scalar; #m] {
-                self.constraint_velocity(#time, #positions, #velocities)
+            fn velocity_residuals(&self, #parameters) -> [#scalar; #m] {
+                self.constraint_velocity(#passed)
             }
             #scales
             #(#methods)*
@@ -227,17 +221,12 @@ pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) ->
 /// Writes `residual_scales` by means of the Jacobian of the constraints.
 fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, shares) = (shape.krate, shape.scalar(), local("shares"));
-    let (nq, nv, m) = (shape.positions_length(), shape.velocities_length(), length(shape.constraints.len()));
-    let ArgumentNames { time, positions, .. } = &members.names;
+    let (nv, m) = (shape.velocities_length(), length(shape.constraints.len()));
+    let [parameters, passed] = Arguments::Positions.written(shape, &members.names);
     quote! {
         #[inline]
-        fn residual_scales(
-            &self,
-            #time: #scalar,
-            #positions: &[#scalar; #nq],
-            #shares: &[#scalar; #nv],
-        ) -> [#scalar; #m] {
-            #krate::constraint::weighed(&self.constraint_jacobian(#time, #positions), #shares)
+        fn residual_scales(&self, #parameters, #shares: &[#scalar; #nv]) -> [#scalar; #m] {
+            #krate::constraint::weighed(&self.constraint_jacobian(#passed), #shares)
         }
     }
 }
@@ -245,16 +234,13 @@ fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
 /// Writes the members about constraints for methods that are symplectic for any mass matrix. If
 /// there are more constraints than coordinates, some are dependent, and states are corrected after
 /// steps.
-pub(in crate::emit) fn canonical_constraints(
-    shape: &Shape<'_>,
-    members: &Members,
-    parameters: &TokenStream,
-) -> TokenStream {
+pub(in crate::emit) fn canonical_constraints(shape: &Shape<'_>, members: &Members) -> TokenStream {
     if members.constrained.is_empty() || shape.constraints.len() > shape.coordinates.len() {
         return TokenStream::new();
     }
     let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let ArgumentNames { time, positions, .. } = &members.names;
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     let methods = members.canonical.iter().map(|method| method.of_trait(shape, &members.names));
     let [residuals, rates, rows, values] = ["residuals", "rates", "rows", "values"].map(local);
     let pushes = members.are_holonomic.iter().enumerate().map(|(i, is_holonomic)| {
@@ -274,9 +260,9 @@ pub(in crate::emit) fn canonical_constraints(
         const SAYS_CONSTRAINTS: ::core::primitive::bool = #is_all;
         #(#methods)*
         #[inline]
-        fn constraint_values(#parameters) -> #krate::constraint::ConstraintValues<#scalar, [#scalar; #n]> {
+        fn constraint_values(&self, #parameters) -> #krate::constraint::ConstraintValues<#scalar, [#scalar; #n]> {
             #position_residuals
-            let #rates = self.constraint_velocity(#time, #positions, #velocities);
+            let #rates = self.constraint_velocity(#passed);
             let #rows = self.constraint_jacobian(#time, #positions);
             let mut #values = #krate::constraint::ConstraintValues::NONE;
             #(#pushes)*
@@ -289,7 +275,8 @@ pub(in crate::emit) fn canonical_constraints(
 pub(in crate::emit) fn leapfrog_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let ArgumentNames { time, positions, .. } = &members.names;
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     let [later, to] = ["later", "to"].map(local);
     let system = quote!(#krate::constraint::ConstrainedSystem);
     quote! {
@@ -309,14 +296,9 @@ pub(in crate::emit) fn leapfrog_impl(shape: &Shape<'_>, members: &Members) -> To
                 #system::correction(self, #time, #positions, #positions, &residuals)
             }
             #[inline]
-            fn velocity_correction(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
-            ) -> [#scalar; #n] {
-                let residuals = self.constraint_velocity(#time, #positions, #velocities);
-                #system::correction(self, #time, #positions, #velocities, &residuals)
+            fn velocity_correction(&self, #parameters) -> [#scalar; #n] {
+                let residuals = self.constraint_velocity(#passed);
+                #system::correction(self, #passed, &residuals)
             }
         }
     }

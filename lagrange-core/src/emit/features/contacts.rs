@@ -199,29 +199,28 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
 /// Writes `terms` and, without constraints, `step_terms`, of which it is then a special case.
 fn terms_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, k) = (shape.krate, shape.scalar(), length(shape.reactions().len()));
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (nv, [parameters, passed]) =
+        (shape.velocities_length(), Arguments::State.written(shape, &members.names));
     let body = &members.terms;
     let step = if members.is_damped { local("step") } else { local("_step") };
-    let arguments = quote!(#time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
     let slopes = length(members.slopes);
     let of_system = quote! {
         type Terms = #krate::contact::Terms<#scalar, #nv, #k, [#krate::contact::LimitSlope<#scalar>; #slopes]>;
     };
     if !members.is_forced {
-        return quote!(#of_system #[inline] fn terms(&self, #arguments) -> Self::Terms { #body });
+        return quote!(#of_system #[inline] fn terms(&self, #parameters) -> Self::Terms { #body });
     }
     let zero = quote!(<#scalar as #krate::Number>::ZERO);
     quote! {
         #of_system
         #[inline]
-        fn terms(&self, #arguments) -> Self::Terms {
-            #krate::contact::ContactSystem::step_terms(self, #time, #positions, #velocities, #zero).accelerated()
+        fn terms(&self, #parameters) -> Self::Terms {
+            #krate::contact::ContactSystem::step_terms(self, #passed, #zero).accelerated()
         }
         #[inline]
         fn step_terms(
             &self,
-            #arguments,
+            #parameters,
             #step: #scalar,
         ) -> #krate::contact::ForcedTerms<Self::Terms, #scalar, #nv> {
             #body

@@ -6,7 +6,7 @@ use quote::quote;
 use super::switches::kept_switches;
 use crate::emit::base::fields::places;
 use crate::emit::base::members::Members;
-use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
+use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::writer::MethodWriter;
 
@@ -24,11 +24,11 @@ pub(in crate::emit) fn write_delays(writer: &mut MethodWriter<'_>) {
     let lags = lags_method(writer.shape, &lags);
     writer.members.hidden.extend(lags);
     let returns = Returns::Vector(delays.len());
-    writer.push_hidden("signals_to_delay", returns, &signals);
+    writer.push_hidden("signals_to_delay", returns, signals);
     if writer.shape.has_history {
         let before = delays.iter().filter_map(|delay| delay.before).collect::<Vec<_>>();
         let (before, _) = writer.lowered_as_declared(&before, Arguments::State, collect);
-        writer.push_hidden("signals_before_start", returns, &before);
+        writer.push_hidden("signals_before_start", returns, before);
     }
 }
 
@@ -49,8 +49,7 @@ pub(in crate::emit) fn delayed_impl(shape: &Shape<'_>, members: &Members) -> Opt
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, count) = (shape.krate, length(shape.delays.len()));
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     let (values, delayed) = (local("values"), local("delayed"));
     let first = shape.fields.len() - shape.inputs.len();
     let places = places(&shape.number_fields());
@@ -59,12 +58,11 @@ pub(in crate::emit) fn delayed_impl(shape: &Shape<'_>, members: &Members) -> Opt
         quote!(#delayed.#place = #values[#number];)
     });
     let (kept, switches) = (shape.kept_fields(|_| true), kept_switches(shape));
-    let state = quote!(#time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
     let before = shape.has_history.then(|| {
         quote! {
             #[inline]
-            fn signals_before(&self, #state) -> ::core::option::Option<[#scalar; #count]> {
-                ::core::option::Option::Some(self.signals_before_start(#time, #positions, #velocities))
+            fn signals_before(&self, #parameters) -> ::core::option::Option<[#scalar; #count]> {
+                ::core::option::Option::Some(self.signals_before_start(#passed))
             }
         }
     });
@@ -76,8 +74,8 @@ pub(in crate::emit) fn delayed_impl(shape: &Shape<'_>, members: &Members) -> Opt
                 self.lags_of_delays()
             }
             #[inline]
-            fn signals(&self, #state) -> [#scalar; #count] {
-                self.signals_to_delay(#time, #positions, #velocities)
+            fn signals(&self, #parameters) -> [#scalar; #count] {
+                self.signals_to_delay(#passed)
             }
             #before
             #[inline]

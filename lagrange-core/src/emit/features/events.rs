@@ -28,7 +28,7 @@ pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
     let values = events.iter().map(value).collect::<Vec<_>>();
     let returns = Returns::Vector(values.len());
     let (body, _) = writer.lowered(&values, Arguments::State, |results| returns.collect(results));
-    writer.push_hidden("event_functions", returns, &body);
+    writer.push_hidden("event_functions", returns, body);
     for (i, event) in events.iter().enumerate() {
         if let Action::Assign(assignments) = &event.action {
             write_assignments(writer, &format!("after_event_{i}"), assignments);
@@ -48,7 +48,7 @@ pub(super) fn write_assignments(writer: &mut MethodWriter<'_>, method: &str, ass
     let state = writer.model.state_after(assignments);
     let returns = Returns::Vector(state.len());
     let (body, _) = writer.lowered(&state, Arguments::State, |results| returns.collect(results));
-    writer.push_hidden(method, returns, &body);
+    writer.push_hidden(method, returns, body);
 }
 
 /// Writes the members of `OdeSystem` for events.

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::emit::base::attributes::conditions;
 use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::members::Members;
-use crate::emit::base::method::ArgumentNames;
+use crate::emit::base::method::Arguments;
 use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::Shape;
 use crate::emit::base::writer::MethodWriter;
@@ -35,18 +35,17 @@ pub(in crate::emit) fn lagrangian_impl(shape: &Shape<'_>, members: &Members) -> 
     let has = |product: Product| members.methods.iter().any(|method| method.name == product.name());
     let is_there = [Product::Energy, Product::Lagrangian, Product::GeneralisedForces].into_iter().all(has);
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
-    let arguments = quote!(#time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
+    let (krate, nv) = (shape.krate, shape.velocities_length());
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     is_there.then(|| {
         quote! {
             #[automatically_derived]
             impl #bounds #krate::system::LagrangianSystem for #name #generics {
-                fn lagrangian(&self, #arguments) -> #scalar {
-                    self.lagrangian(#time, #positions, #velocities)
+                fn lagrangian(&self, #parameters) -> #scalar {
+                    self.lagrangian(#passed)
                 }
-                fn generalised_forces(&self, #arguments) -> [#scalar; #nv] {
-                    self.generalised_forces(#time, #positions, #velocities)
+                fn generalised_forces(&self, #parameters) -> [#scalar; #nv] {
+                    self.generalised_forces(#passed)
                 }
             }
         }

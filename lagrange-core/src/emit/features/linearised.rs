@@ -7,7 +7,7 @@ use super::jacobian::{along_displacements, linearised};
 use super::ports::has_outputs;
 use crate::derive::Equations;
 use crate::emit::base::members::Members;
-use crate::emit::base::method::{ArgumentNames, Method, Returns};
+use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, length};
 use crate::model::{Model, Product};
 use lagrange_algebra::calculus::{jacobian, substitute_all};
@@ -135,19 +135,14 @@ fn layout(shape: &Shape<'_>, members: &Members) -> TokenStream {
 
 /// Writes `LinearisedSystem::residuals`, if there are constraints.
 fn residuals(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
-    let (krate, scalar) = (shape.krate, shape.scalar());
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (krate, scalar, ArgumentNames { time, positions, .. }) =
+        (shape.krate, shape.scalar(), &members.names);
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     (!members.constrained.is_empty()).then(|| {
         quote! {
-            fn residuals(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> [impl ::core::convert::AsRef<[#scalar]>; 2] {
+            fn residuals(&self, #parameters) -> [impl ::core::convert::AsRef<[#scalar]>; 2] {
                 let of_positions = #krate::constraint::ConstrainedSystem::position_residuals(self, #time, #positions);
-                [of_positions, self.constraint_velocity(#time, #positions, #velocities)]
+                [of_positions, self.constraint_velocity(#passed)]
             }
         }
     })

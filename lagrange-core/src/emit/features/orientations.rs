@@ -29,8 +29,7 @@ pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
 
 /// Writes `MechanicalSystem::position_rates`.
 pub(in crate::emit) fn position_rates(shape: &Shape<'_>, members: &Members) -> TokenStream {
-    let scalar = shape.scalar();
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
+    let (scalar, nq, nv) = (shape.scalar(), shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (time, positions, rates) = match shape.velocities_are_rates() {
         true => (quote!(_), quote!(_), quote!(*#velocities)),
@@ -77,21 +76,14 @@ pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members)
 
 /// Writes `MechanicalSystem::position_change`, which leaves first-order states unchanged.
 fn position_change(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
-    let (krate, scalar) = (shape.krate, shape.scalar());
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
-    let change = local("change");
+    let (krate, scalar, nq) = (shape.krate, shape.scalar(), shape.positions_length());
+    let ([parameters, passed], change) = (Arguments::State.written(shape, &members.names), local("change"));
     let states = (shape.coordinates.len() - shape.states..shape.coordinates.len()).map(length);
     (shape.states > 0).then(|| {
         quote! {
             #[inline]
-            fn position_change(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> [#scalar; #nq] {
-                let mut #change = self.position_rates(#time, #positions, #velocities);
+            fn position_change(&self, #parameters) -> [#scalar; #nq] {
+                let mut #change = self.position_rates(#passed);
                 #(#change[#states] = <#scalar as #krate::Number>::ZERO;)*
                 #change
             }

@@ -5,11 +5,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::switches::kept_switches;
-use crate::emit::base::fields::{entries, places};
-use crate::emit::base::lints::{name_exception, type_name_exception};
 use crate::emit::base::members::Members;
-use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
+use crate::emit::base::method::{Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, identifier, length, local};
+use crate::emit::base::state::{array_conversions, named_values};
 use lagrange_algebra::code::Names;
 use lagrange_expr::collections::HashMap;
 use lagrange_language::syntax::ast::Name;
@@ -20,25 +19,9 @@ const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 /// Writes the struct of the inputs, if there are any.
 pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
     let inputs = inputs(shape);
-    let (name, generics, scalar) = (inputs_name(shape), shape.generics(), shape.scalar_path());
-    let visibility = &shape.declaration.visibility;
     let title = doc(&format!("Inputs of [`{}`].", shape.declaration.name.text));
-    let fields = shape.declared_fields(&inputs, &scalar);
-    let (names, type_name) = (name_exception(shape), type_name_exception(shape));
-    let allow = (!generics.is_empty()).then(
-        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
-    );
-    let item = quote! {
-        #title
-        #names
-        #type_name
-        #allow
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name #generics {
-            #fields
-        }
-    };
-    (!inputs.is_empty()).then_some(item)
+    let fields = shape.declared_fields(&inputs, &shape.scalar_path());
+    (!inputs.is_empty()).then(|| named_values(shape, &title, &inputs_name(shape), &fields))
 }
 
 /// Writes conversions between inputs and arrays, and `ControlledSystem`.
@@ -49,29 +32,14 @@ pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
     let k = length(inputs.len());
     let texts = inputs.iter().map(|input| shape.written(input));
     let of_inputs = shape.fields_of(&inputs);
-    let (copied, places) = (shape.copied_generics(&of_inputs), places(&of_inputs));
     let fields = of_inputs.iter().map(|field| &field.identifier).collect::<Vec<_>>();
     let mut names = Names::default();
     let variables = inputs.iter().map(|input| names.fresh(&input.text)).collect::<Vec<_>>();
-    let entries =
-        entries(&of_inputs, &variables.iter().map(|variable| quote!(#variable)).collect::<Vec<_>>());
     let values = local("inputs");
+    let conversions = array_conversions(shape, (&name, &values), &of_inputs, &variables);
     let (others, switches) = (shape.kept_fields(|field| !shape.is_input(field)), kept_switches(shape));
     let impls = quote! {
-        #[automatically_derived]
-        impl #generics ::core::convert::From<[#scalar; #k]> for #name #generics {
-            #[inline]
-            fn from([#(#variables),*]: [#scalar; #k]) -> Self {
-                Self { #(#entries),* }
-            }
-        }
-        #[automatically_derived]
-        impl #copied ::core::convert::From<#name #generics> for [#scalar; #k] {
-            #[inline]
-            fn from(#values: #name #generics) -> Self {
-                [#(#values.#places),*]
-            }
-        }
+        #conversions
         #[automatically_derived]
         impl #bounds #krate::system::ControlledSystem for #system #generics {
             type Inputs = #name #generics;
@@ -123,8 +91,7 @@ pub(in crate::emit) fn has_outputs(shape: &Shape<'_>, members: &Members) -> bool
 /// Writes `OutputSystem`, if there are outputs.
 pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (krate, [parameters, passed]) = (shape.krate, Arguments::State.written(shape, &members.names));
     let (mut texts, mut statements, mut all) = (Vec::new(), TokenStream::new(), Vec::new());
     for (output, returns) in outputs(shape, members) {
         let (first, count) = (all.len(), returns.count());
@@ -134,7 +101,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
             _ => quote!([#(#values),*]),
         };
         let method = identifier(output);
-        statements.extend(quote!(let #pattern = self.#method(#time, #positions, #velocities);));
+        statements.extend(quote!(let #pattern = self.#method(#passed);));
         texts.extend(column_names(shape, output, count));
         all.extend(values);
     }
@@ -145,12 +112,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
             type Outputs = [#scalar; #k];
             const OUTPUTS: &'static [&'static ::core::primitive::str] = &[#(#texts),*];
             #[inline]
-            fn outputs(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> [#scalar; #k] {
+            fn outputs(&self, #parameters) -> [#scalar; #k] {
                 #statements
                 [#(#all),*]
             }

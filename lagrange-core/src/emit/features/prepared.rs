@@ -247,9 +247,8 @@ fn inputs_impl(shape: &Shape<'_>, prepared: &Prepared) -> Option<TokenStream> {
 /// Implements `OutputSystem`, if there are outputs.
 fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (name, system, krate) = (shape.prepared_name(), shape.name(), shape.krate);
-    let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (generics, bounds) = (shape.generics(), shape.bounds());
+    let [parameters, passed] = Arguments::State.written(shape, &members.names);
     let inner = quote!(<#system #generics as #krate::system::OutputSystem>);
     has_outputs(shape, members).then(|| {
         quote! {
@@ -258,13 +257,8 @@ fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
                 type Outputs = #inner::Outputs;
                 const OUTPUTS: &'static [&'static ::core::primitive::str] = #inner::OUTPUTS;
                 #[inline]
-                fn outputs(
-                    &self,
-                    #time: #scalar,
-                    #positions: &[#scalar; #nq],
-                    #velocities: &[#scalar; #nv],
-                ) -> Self::Outputs {
-                    #inner::outputs(&self.system, #time, #positions, #velocities)
+                fn outputs(&self, #parameters) -> Self::Outputs {
+                    #inner::outputs(&self.system, #passed)
                 }
             }
         }

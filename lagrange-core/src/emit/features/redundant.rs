@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
+use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::length;
 use crate::emit::base::writer::MethodWriter;
 use lagrange_expr::expr::ExprId;
@@ -28,18 +28,13 @@ pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
             )
         }
     });
-    let (scalar, nq, n, m) = (writer.shape.scalar(), writer.shape.positions_length(), length(n), length(m));
-    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    let (scalar, n, m) = (writer.shape.scalar(), length(n), length(m));
+    let [parameters, _] = Arguments::State.written(writer.shape, &writer.members.names);
     writer.members.hidden.extend(quote! {
         /// Accelerations and the least multipliers where constraints depend on each other.
         #[cold]
         #[inline(never)]
-        fn redundant_motion(
-            &self,
-            #time: #scalar,
-            #positions: &[#scalar; #nq],
-            #velocities: &[#scalar; #n],
-        ) -> #krate::constraint::RedundantMotion<#scalar, #n, #m> {
+        fn redundant_motion(&self, #parameters) -> #krate::constraint::RedundantMotion<#scalar, #n, #m> {
             #body
         }
     });
@@ -54,19 +49,13 @@ pub(in crate::emit) fn write_redundant_correction(writer: &mut MethodWriter<'_>)
         let [mass_matrix, jacobian] = matrices(results, n, m);
         quote!(#krate::constraint::redundant_correction(&#mass_matrix, &#jacobian, #residuals))
     });
-    let (scalar, nq, n, m) = (writer.shape.scalar(), writer.shape.positions_length(), length(n), length(m));
-    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    let (scalar, n) = (writer.shape.scalar(), length(n));
+    let [parameters, _] = Arguments::Residuals.written(writer.shape, &writer.members.names);
     writer.members.hidden.extend(quote! {
         /// The correction where constraints depend on each other.
         #[cold]
         #[inline(never)]
-        fn redundant_correction(
-            &self,
-            #time: #scalar,
-            #positions: &[#scalar; #nq],
-            #velocities: &[#scalar; #n],
-            #residuals: &[#scalar; #m],
-        ) -> [#scalar; #n] {
+        fn redundant_correction(&self, #parameters) -> [#scalar; #n] {
             #body
         }
     });

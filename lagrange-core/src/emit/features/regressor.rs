@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::derive::Equations;
 use crate::emit::base::members::{Members, Regressed};
-use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
+use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, length};
 use crate::emit::base::writer::MethodWriter;
@@ -62,16 +62,8 @@ pub(in crate::emit) fn regressor_impl(shape: &Shape<'_>, members: &Members) -> O
     let mut methods = members.methods.iter();
     methods.find(|method| method.name == Product::InverseDynamics.name())?;
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, accelerations, .. } = &members.names;
-    let count = length(names.len());
-    let arguments = quote! {
-        #time: #scalar,
-        #positions: &[#scalar; #nq],
-        #velocities: &[#scalar; #nv],
-        #accelerations: &[#scalar; #nv],
-    };
-    let values = quote!(#time, #positions, #velocities, #accelerations);
+    let (krate, nv, count) = (shape.krate, shape.velocities_length(), length(names.len()));
+    let [parameters, passed] = Arguments::Motion.written(shape, &members.names);
     Some(quote! {
         #[automatically_derived]
         impl #bounds #krate::system::RegressorSystem for #name #generics {
@@ -79,16 +71,16 @@ pub(in crate::emit) fn regressor_impl(shape: &Shape<'_>, members: &Members) -> O
             type Regressor = [[#scalar; #count]; #nv];
             const REGRESSOR_PARAMETERS: &'static [&'static ::core::primitive::str] = &Self::REGRESSOR_PARAMETERS;
             #[inline]
-            fn regressor(&self, #arguments) -> [[#scalar; #count]; #nv] {
-                self.regressor(#values)
+            fn regressor(&self, #parameters) -> [[#scalar; #count]; #nv] {
+                self.regressor(#passed)
             }
             #[inline]
             fn regressor_parameters(&self) -> [#scalar; #count] {
                 self.regressor_parameters()
             }
             #[inline]
-            fn inverse_dynamics(&self, #arguments) -> [#scalar; #nv] {
-                self.inverse_dynamics(#values)
+            fn inverse_dynamics(&self, #parameters) -> [#scalar; #nv] {
+                self.inverse_dynamics(#passed)
             }
         }
     })

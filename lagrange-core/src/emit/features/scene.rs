@@ -88,20 +88,14 @@ pub(in crate::emit) fn motion_method(
     docs: &TokenStream,
     content: &TokenStream,
 ) -> TokenStream {
-    let (krate, scalar) = (shape.krate, shape.scalar());
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let (name, ArgumentNames { time, positions, velocities, .. }) = (motion_name(body), names);
+    let (krate, scalar, name) = (shape.krate, shape.scalar(), motion_name(body));
+    let [parameters, _] = Arguments::State.written(shape, names);
     let motion = local(if shape.declaration.is_in_space { "SpatialMotion" } else { "Motion" });
     quote! {
         #docs
         #[must_use]
         #[inline]
-        pub fn #name(
-            &self,
-            #time: #scalar,
-            #positions: &[#scalar; #nq],
-            #velocities: &[#scalar; #nv],
-        ) -> #krate::body::#motion<#scalar> {
+        pub fn #name(&self, #parameters) -> #krate::body::#motion<#scalar> {
             #content
         }
     }
@@ -111,8 +105,8 @@ pub(in crate::emit) fn motion_method(
 pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let Some(items) = &members.items else { return TokenStream::new() };
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, visit, .. } = &members.names;
+    let (krate, visit) = (shape.krate, &members.names.visit);
+    let [parameters, _] = Arguments::State.written(shape, &members.names);
     let space = local(if shape.declaration.is_in_space { "Spatial" } else { "Plane" });
     quote! {
         #[automatically_derived]
@@ -122,9 +116,7 @@ pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, members: &Members) -> Token
             #[inline]
             fn items(
                 &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
+                #parameters,
                 #visit: &mut dyn ::core::ops::FnMut(#krate::scene::Item<'_, #scalar, #krate::scene::#space>),
             ) {
                 #items

@@ -83,12 +83,12 @@ pub(in crate::emit) fn write_switches(writer: &mut MethodWriter<'_>) {
     let times = switches.iter().map(|switch| switch.time).collect::<Vec<_>>();
     let returns = Returns::Vector(values.len());
     let (body, _) = writer.lowered_as_declared(&values, Arguments::State, |results| returns.collect(results));
-    writer.push_hidden("switch_functions", returns, &body);
+    writer.push_hidden("switch_functions", returns, body);
     let (krate, field) = (writer.shape.krate, switches_field(writer.shape));
     let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
     let call = quote!(self.switch_functions(#time, #positions, #velocities));
     let body = quote!(#krate::event::Switches::signs(self.#field, || #call));
-    writer.push_hidden("sides", returns, &body);
+    writer.push_hidden("sides", returns, body);
     write_switch_times(writer, &times);
 }
 

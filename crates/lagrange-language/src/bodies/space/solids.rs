@@ -24,6 +24,16 @@ pub(super) struct SolidInSpace {
 }
 
 impl SolidInSpace {
+    /// Creates a solid with its centre of mass at the origin.
+    const fn new(
+        name: &'static str,
+        variant: &'static str,
+        dimensions: &'static [&'static str],
+        moments: fn(&mut TermWriter<'_>, &[AstId]) -> Triple,
+    ) -> Self {
+        SolidInSpace { name, variant, dimensions, moments, centroid: |t, _| zero_triple(t) }
+    }
+
     /// Returns the spelling as a shape: `cuboid(a, b, c)`.
     pub(super) fn usage(&self) -> String {
         format!("{}({})", self.name, self.dimensions.join(", "))
@@ -49,118 +59,51 @@ pub(super) fn nearest(name: &str) -> Option<&'static str> {
 
 /// Every solid.
 pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
-    SolidInSpace {
-        name: "point_mass",
-        variant: "PointMass",
-        dimensions: &[],
-        moments: |t, _| zero_triple(t),
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "slender_rod",
-        variant: "SlenderRod",
-        dimensions: &["l"],
-        moments: |t, x| {
-            let across = fraction_of_squares(t, &[(1, 12, x[0])]);
-            [t.number(0), across, across]
-        },
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "solid_sphere",
-        variant: "Sphere",
-        dimensions: &["r"],
-        moments: |t, x| [fraction_of_squares(t, &[(2, 5, x[0])]); 3],
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "thin_sphere",
-        variant: "Sphere",
-        dimensions: &["r"],
-        moments: |t, x| [fraction_of_squares(t, &[(2, 3, x[0])]); 3],
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "ellipsoid",
-        variant: "Ellipsoid",
-        dimensions: &["a", "b", "c"],
-        moments: |t, x| {
-            [[1, 2], [2, 0], [0, 1]].map(|sides| fraction_of_squares(t, &sides.map(|side| (1, 5, x[side]))))
-        },
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "cuboid",
-        variant: "Cuboid",
-        dimensions: &["a", "b", "c"],
-        moments: |t, x| {
-            [[1, 2], [2, 0], [0, 1]].map(|sides| fraction_of_squares(t, &sides.map(|side| (1, 12, x[side]))))
-        },
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "disk",
-        variant: "Disk",
-        dimensions: &["r"],
-        moments: |t, x| {
-            let across = fraction_of_squares(t, &[(1, 4, x[0])]);
-            [across, across, fraction_of_squares(t, &[(1, 2, x[0])])]
-        },
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "thin_ring",
-        variant: "Ring",
-        dimensions: &["r"],
-        moments: |t, x| {
-            let across = fraction_of_squares(t, &[(1, 2, x[0])]);
-            [across, across, fraction_of_squares(t, &[(1, 1, x[0])])]
-        },
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "solid_cylinder",
-        variant: "Cylinder",
-        dimensions: &["r", "h"],
-        moments: |t, x| {
-            let across = fraction_of_squares(t, &[(1, 4, x[0]), (1, 12, x[1])]);
-            [across, across, fraction_of_squares(t, &[(1, 2, x[0])])]
-        },
-        centroid: at_origin,
-    },
-    SolidInSpace {
-        name: "hollow_cylinder",
-        variant: "HollowCylinder",
-        dimensions: &["inner", "outer", "h"],
-        moments: |t, x| {
-            let across = fraction_of_squares(t, &[(1, 4, x[0]), (1, 4, x[1]), (1, 12, x[2])]);
-            [across, across, fraction_of_squares(t, &[(1, 2, x[0]), (1, 2, x[1])])]
-        },
-        centroid: at_origin,
-    },
+    SolidInSpace::new("point_mass", "PointMass", &[], |t, _| zero_triple(t)),
+    SolidInSpace::new("slender_rod", "SlenderRod", &["l"], |t, x| {
+        let across = fraction_of_squares(t, &[(1, 12, x[0])]);
+        [t.number(0), across, across]
+    }),
+    SolidInSpace::new("solid_sphere", "Sphere", &["r"], |t, x| [fraction_of_squares(t, &[(2, 5, x[0])]); 3]),
+    SolidInSpace::new("thin_sphere", "Sphere", &["r"], |t, x| [fraction_of_squares(t, &[(2, 3, x[0])]); 3]),
+    SolidInSpace::new("ellipsoid", "Ellipsoid", &["a", "b", "c"], |t, x| {
+        [[1, 2], [2, 0], [0, 1]].map(|sides| fraction_of_squares(t, &sides.map(|side| (1, 5, x[side]))))
+    }),
+    SolidInSpace::new("cuboid", "Cuboid", &["a", "b", "c"], |t, x| {
+        [[1, 2], [2, 0], [0, 1]].map(|sides| fraction_of_squares(t, &sides.map(|side| (1, 12, x[side]))))
+    }),
+    SolidInSpace::new("disk", "Disk", &["r"], |t, x| about_axis(t, &[(1, 4, x[0])], &[(1, 2, x[0])])),
+    SolidInSpace::new("thin_ring", "Ring", &["r"], |t, x| about_axis(t, &[(1, 2, x[0])], &[(1, 1, x[0])])),
+    SolidInSpace::new("solid_cylinder", "Cylinder", &["r", "h"], |t, x| {
+        about_axis(t, &[(1, 4, x[0]), (1, 12, x[1])], &[(1, 2, x[0])])
+    }),
+    SolidInSpace::new("hollow_cylinder", "HollowCylinder", &["inner", "outer", "h"], |t, x| {
+        about_axis(t, &[(1, 4, x[0]), (1, 4, x[1]), (1, 12, x[2])], &[(1, 2, x[0]), (1, 2, x[1])])
+    }),
     // Its base is at z = 0, its tip at z = h.
     SolidInSpace {
-        name: "cone",
-        variant: "Cone",
-        dimensions: &["r", "h"],
-        moments: |t, x| {
-            let across = fraction_of_squares(t, &[(3, 20, x[0]), (3, 80, x[1])]);
-            [across, across, fraction_of_squares(t, &[(3, 10, x[0])])]
-        },
         centroid: |t, x| {
             let [_, _, up] = zero_triple(t);
             let four = t.number(4);
             [up, up, t.divide(x[1], four)]
         },
+        ..SolidInSpace::new("cone", "Cone", &["r", "h"], |t, x| {
+            about_axis(t, &[(3, 20, x[0]), (3, 80, x[1])], &[(3, 10, x[0])])
+        })
     },
 ];
 
-fn at_origin(terms: &mut TermWriter<'_>, _: &[AstId]) -> Triple {
-    zero_triple(terms)
+/// Squares of lengths, each with the numerator and the denominator of its factor.
+type Squares<'a> = &'a [(i64, i64, AstId)];
+
+/// Returns the moments of a solid that is symmetric about the z-axis, across and along this axis.
+fn about_axis(terms: &mut TermWriter<'_>, across: Squares<'_>, along: Squares<'_>) -> Triple {
+    let [across, along] = [across, along].map(|parts| fraction_of_squares(terms, parts));
+    [across, across, along]
 }
 
 /// Returns Σ n/d x².
-fn fraction_of_squares(terms: &mut TermWriter<'_>, parts: &[(i64, i64, AstId)]) -> AstId {
+fn fraction_of_squares(terms: &mut TermWriter<'_>, parts: Squares<'_>) -> AstId {
     let mut sum = terms.number(0);
     for &(numerator, denominator, length) in parts {
         let square = terms.square(length);

@@ -12,7 +12,7 @@
 
 use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
 use crate::integrate::fixed::Formula;
-use crate::integrate::gauss_legendre::dense;
+use crate::integrate::gauss_legendre::dense::Within;
 use crate::integrate::gauss_legendre::linearised::Linearised;
 use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::jacobian::Source;
@@ -113,7 +113,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         t: M::Scalar,
         work: &mut Work,
     ) -> M::State {
-        dense::between::<M, K>(system, from, to, t, work)
+        Within { system, from, to, t }.state::<K>(work)
     }
 }
 

@@ -13,107 +13,96 @@ use crate::system::{CanonicalSystem, OdeSystem, StateVector, join, split};
 /// A state with its time.
 type At<'a, M> = (<M as OdeSystem>::Scalar, &'a <M as OdeSystem>::State);
 
-/// Computes the state between the ends of a step of the method with K stages, with an error of the
-/// order of the method.
-pub(super) fn between<M: CanonicalSystem + ?Sized, const K: usize>(
-    system: &M,
-    from: At<'_, M>,
-    to: At<'_, M>,
-    t: M::Scalar,
-    work: &mut Work,
-) -> M::State {
-    match K {
-        1 => linear::<M>(from, to, t),
-        2 => third_degree(system, from, to, t, work),
-        _ => sixth_order(system, from, to, t, work),
+/// A time within a step between two states.
+pub(super) struct Within<'a, M: OdeSystem + ?Sized> {
+    pub(super) system: &'a M,
+    pub(super) from: At<'a, M>,
+    pub(super) to: At<'a, M>,
+    pub(super) t: M::Scalar,
+}
+
+impl<M: CanonicalSystem + ?Sized> Within<'_, M> {
+    /// Computes the state in a step of the method with K stages, with an error of the order of the
+    /// method.
+    pub(super) fn state<const K: usize>(&self, work: &mut Work) -> M::State {
+        match K {
+            1 => self.linear(),
+            2 => self.third_degree(work),
+            _ => self.sixth_order(work),
+        }
+    }
+
+    /// Interpolates coordinates by the quintic through states and accelerations at the ends.
+    /// Velocities follow from these and from the accelerations at two intermediate points on the
+    /// quintic. The error is O(h⁶).
+    fn sixth_order(&self, work: &mut Work) -> M::State {
+        work.evaluations += 4;
+        let (Within { system, from, to, .. }, Place { h, s }) = (self, self.place());
+        let ((q0, v0), (q1, v1)) = (split::<M>(from.1), split::<M>(to.1));
+        let (a0, a1) = (system.acceleration(from.0, &q0, &v0), system.acceleration(to.0, &q1, &v1));
+        let change = combined(&q1, -M::Scalar::ONE, &q0);
+        let motion = Motion { change, velocities: [v0, v1], accelerations: [a0, a1] };
+        let moved = |s| {
+            let (change, velocities) = quintic(Place { h, s }, &motion);
+            (combined(&q0, M::Scalar::ONE, &change), velocities)
+        };
+        let [first, second] = thirds().map(|s| {
+            let (q, v) = moved(s);
+            system.acceleration(s.multiply_add(h, from.0), &q, &v)
+        });
+        join::<M>(&moved(s).0, &integrated([&v0, &v1], &[a0, first, second, a1], Place { h, s }))
     }
 }
 
-/// Interpolates like [`between`] for a system whose velocities need not be rates of coordinates.
-/// For three stages the error is O(h⁵).
-pub(super) fn plainly_between<M: OdeSystem + ?Sized, const K: usize>(
-    system: &M,
-    from: At<'_, M>,
-    to: At<'_, M>,
-    t: M::Scalar,
-    work: &mut Work,
-) -> M::State {
-    match K {
-        1 => linear::<M>(from, to, t),
-        2 => third_degree(system, from, to, t, work),
-        _ => fifth_order(system, from, to, t, work),
+impl<M: OdeSystem + ?Sized> Within<'_, M> {
+    /// Computes the state like [`state`](Self::state) for a system whose velocities need not be
+    /// rates of coordinates. For three stages the error is O(h⁵).
+    pub(super) fn plain_state<const K: usize>(&self, work: &mut Work) -> M::State {
+        match K {
+            1 => self.linear(),
+            2 => self.third_degree(work),
+            _ => self.fifth_order(work),
+        }
     }
-}
 
-/// Interpolates linearly between the ends. The error is O(h²).
-fn linear<M: OdeSystem + ?Sized>(from: At<'_, M>, to: At<'_, M>, t: M::Scalar) -> M::State {
-    let part = (t - from.0) / (to.0 - from.0);
-    let mut y = *from.1;
-    for (y, end) in y.as_mut().iter_mut().zip(to.1.as_ref()) {
-        *y = (*end - *y).multiply_add(part, *y);
+    fn place(&self) -> Place<M::Scalar> {
+        let h = self.to.0 - self.from.0;
+        Place { h, s: (self.t - self.from.0) / h }
     }
-    y
-}
 
-/// Interpolates by the cubic with the right rates at the ends. The error is O(h⁴).
-fn third_degree<M: OdeSystem + ?Sized>(
-    system: &M,
-    from: At<'_, M>,
-    to: At<'_, M>,
-    t: M::Scalar,
-    work: &mut Work,
-) -> M::State {
-    work.evaluations += 2;
-    let h = to.0 - from.0;
-    let rates = [system.rhs(from.0, from.1), system.rhs(to.0, to.1)];
-    cubic(Place { h, s: (t - from.0) / h }, [from.1, to.1], [&rates[0], &rates[1]])
-}
+    /// Interpolates linearly between the ends. The error is O(h²).
+    fn linear(&self) -> M::State {
+        let part = self.place().s;
+        let mut y = *self.from.1;
+        for (y, end) in y.as_mut().iter_mut().zip(self.to.1.as_ref()) {
+            *y = (*end - *y).multiply_add(part, *y);
+        }
+        y
+    }
 
-/// Interpolates from states at both ends, with the rates there and at two intermediate points on
-/// the cubic. The error is O(h⁵).
-fn fifth_order<M: OdeSystem + ?Sized>(
-    system: &M,
-    from: At<'_, M>,
-    to: At<'_, M>,
-    t: M::Scalar,
-    work: &mut Work,
-) -> M::State {
-    work.evaluations += 4;
-    let h = to.0 - from.0;
-    let (f0, f1) = (system.rhs(from.0, from.1), system.rhs(to.0, to.1));
-    let [first, second] = thirds().map(|s| {
-        let y = cubic(Place { h, s }, [from.1, to.1], [&f0, &f1]);
-        system.rhs(s.multiply_add(h, from.0), &y)
-    });
-    integrated([from.1, to.1], &[f0, first, second, f1], Place { h, s: (t - from.0) / h })
-}
+    /// Computes the rates at both ends.
+    fn rates(&self) -> [M::State; 2] {
+        [self.from, self.to].map(|(t, y)| self.system.rhs(t, y))
+    }
 
-/// Interpolates coordinates by the quintic through states and accelerations at the ends. Velocities
-/// follow from these and from the accelerations at two intermediate points on the quintic. The
-/// error is O(h⁶).
-fn sixth_order<M: CanonicalSystem + ?Sized>(
-    system: &M,
-    from: At<'_, M>,
-    to: At<'_, M>,
-    t: M::Scalar,
-    work: &mut Work,
-) -> M::State {
-    work.evaluations += 4;
-    let h = to.0 - from.0;
-    let ((q0, v0), (q1, v1)) = (split::<M>(from.1), split::<M>(to.1));
-    let (a0, a1) = (system.acceleration(from.0, &q0, &v0), system.acceleration(to.0, &q1, &v1));
-    let change = combined(&q1, -M::Scalar::ONE, &q0);
-    let motion = Motion { change, velocities: [v0, v1], accelerations: [a0, a1] };
-    let moved = |s| {
-        let (change, velocities) = quintic(Place { h, s }, &motion);
-        (combined(&q0, M::Scalar::ONE, &change), velocities)
-    };
-    let [first, second] = thirds().map(|s| {
-        let (q, v) = moved(s);
-        system.acceleration(s.multiply_add(h, from.0), &q, &v)
-    });
-    let s = (t - from.0) / h;
-    join::<M>(&moved(s).0, &integrated([&v0, &v1], &[a0, first, second, a1], Place { h, s }))
+    /// Interpolates by the cubic with the right rates at the ends. The error is O(h⁴).
+    fn third_degree(&self, work: &mut Work) -> M::State {
+        work.evaluations += 2;
+        let [f0, f1] = self.rates();
+        cubic(self.place(), [self.from.1, self.to.1], [&f0, &f1])
+    }
+
+    /// Interpolates from the states at both ends, with the rates there and at two intermediate
+    /// points on the cubic. The error is O(h⁵).
+    fn fifth_order(&self, work: &mut Work) -> M::State {
+        work.evaluations += 4;
+        let (ends, Place { h, s }, [f0, f1]) = ([self.from.1, self.to.1], self.place(), self.rates());
+        let [first, second] = thirds().map(|s| {
+            let y = cubic(Place { h, s }, ends, [&f0, &f1]);
+            self.system.rhs(s.multiply_add(h, self.from.0), &y)
+        });
+        integrated(ends, &[f0, first, second, f1], Place { h, s })
+    }
 }
 
 /// Returns one and two thirds.

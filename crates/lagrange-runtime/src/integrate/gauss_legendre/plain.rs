@@ -6,7 +6,7 @@
 
 use crate::integrate::canonical::{Pencil, magnitude};
 use crate::integrate::fixed::Formula;
-use crate::integrate::gauss_legendre::dense;
+use crate::integrate::gauss_legendre::dense::Within;
 use crate::integrate::gauss_legendre::linearised::Linearised;
 use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::jacobian::Source;
@@ -87,7 +87,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         t: M::Scalar,
         work: &mut Work,
     ) -> M::State {
-        dense::plainly_between::<M, K>(system, from, to, t, work)
+        Within { system, from, to, t }.plain_state::<K>(work)
     }
 }
 
