@@ -106,7 +106,9 @@ class System:
         tolerance: float | None = None,
         step: float | None = None,
         seed: int | None = None,
-        inputs: Callable[[float, Array], float | Sequence[float]] | None = None,
+        inputs: Callable[[float, Array], float | Sequence[float]]
+        | tuple[Array | Sequence[float], Array | Sequence[float] | Sequence[Sequence[float]]]
+        | None = None,
         energy: bool = False,
     ) -> Trajectory:
         """Computes the motion from a state: an array, values of some entries beside the declared
@@ -118,8 +120,12 @@ class System:
         with a `step`, is for many contacts and for those of faces and edges. Systems with noise have
         `maruyama` and `stochastic` with a `step`, whose `seed`, 0 by default, chooses the noise.
 
-        `inputs` returns the inputs at a time and a state. What it raises is raised here. Without it,
-        other threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
+        `inputs` is a function that returns the inputs at a time and a state; what it raises is raised
+        here. Or it is a pair of times and values, an array of one input or with a column for each.
+        These are linear between the times and constant before and after them; a time that occurs
+        twice is a jump. Without a function, other threads of Python run meanwhile. Raises
+        `SimulationError` where the motion fails. Ctrl-C ends the run; the `KeyboardInterrupt` has the
+        `trajectory` so far.
         """
     def film(self, motion: Trajectory, *, energy: bool = True, forces: bool = False, height: int = 640) -> Film:
         """Returns the film of a motion, with the parameters of this system. Each sample is a picture,
@@ -145,8 +151,9 @@ class System:
         Starts are an array of shape (runs, entries), or numbers and arrays by entry beside the
         declared start. Parameters and inputs are numbers, or arrays with a number for each run.
         Methods are those of `simulate`, and each end has the bits of that of a single run, on any
-        number of threads. With noise, each run has its own. Other threads of Python run meanwhile. A run that fails is in `failures`,
-        and does not end the others.
+        number of threads. With noise, each run has its own. Other threads of Python run meanwhile. A run
+        that fails is in `failures`, and does not end the others. Ctrl-C ends the computation when
+        the runs in progress have ended.
 
         >>> ends = pendulum.ensemble({"theta": [0.1, 0.2, 0.3]}, until=10, parameters={"l": 2.0})
         >>> ends.y.shape
@@ -172,6 +179,7 @@ class System:
         as `x in m`. What varies starts at its present value, and stays between its bounds. `noise` has
         standard deviations by column; several columns need it. Motions start at the first time, or
         at `begin`. Of several `starts` the best end is taken. Other threads run meanwhile.
+        Ctrl-C ends the search; the `KeyboardInterrupt` has the best `fit` so far.
 
         Raises `ValueError` for data and settings that make no sense. Raises `FitError` if no motion
         reaches the end of the data, the search does not end, or data do not tell all variables.

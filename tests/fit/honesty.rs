@@ -1,5 +1,7 @@
 //! Standard errors, undetermined parameters, and local minima.
 
+use std::ops::ControlFlow;
+
 use crate::noise::Noise;
 use lagrange::fit::{Data, FitError, Fits};
 use lagrange::system::NamedSystem;
@@ -129,4 +131,34 @@ fn inputs_follow_a_law() {
         (fitted.value("k").unwrap() - 5.0).abs() < 1e-6 && (fitted.value("c").unwrap() - 0.6).abs() < 1e-6
     );
     assert!(fitted.table().column("x (fit)").unwrap()[3].is_nan());
+}
+
+/// Costs that are reported decrease, and the last one is that of the result. A cancelled fit keeps
+/// the best values so far.
+#[test]
+fn fits_report_their_progress_and_may_be_cancelled() {
+    let oscillator = Oscillator::default();
+    let fit = || oscillator.fit([1.0, 0.0], measured(1, 0.02)).vary("k", 0.1..=100.0).vary("c", 0.0..=5.0);
+    let mut reports = Vec::new();
+    let fitted = fit().starts(3).progress(|report| reports.push(report)).run().expect("a minimum");
+    assert!(reports.windows(2).all(|pair| {
+        pair[1].cost <= pair[0].cost
+            && pair[1].evaluations == pair[0].evaluations + 1
+            && pair[1].start >= pair[0].start
+    }));
+    let last = reports.last().expect("reports");
+    let least = fitted.costs().iter().fold(f64::INFINITY, |least: f64, cost| least.min(*cost));
+    assert_eq!((last.start, last.starts, last.cost), (2, 3, least));
+
+    let mut left = 4;
+    let cancelled = fit().starts(3).progress(|_| {
+        left -= 1;
+        if left > 0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    let error = cancelled.run().expect_err("cancelled");
+    assert_eq!(error.to_string(), "the fit was cancelled");
+    let best = error.fitted().expect("values so far");
+    assert!((best.costs()[0] - reports[3].cost).abs() <= 1e-12 * best.costs()[0] && left == 0);
+    let at_once = fit().progress(|_| ControlFlow::Break(()));
+    assert!(at_once.run().expect_err("cancelled").fitted().is_some());
 }

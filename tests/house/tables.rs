@@ -126,7 +126,10 @@ const CORE: &[Layer] = &[
 ];
 
 const DYNAMIC: &[Layer] = &[
-    Layer { modules: &["reactions"], purpose: "forces of contacts and friction, and room for them" },
+    Layer {
+        modules: &["cancellation", "reactions"],
+        purpose: "computations that may be cancelled; forces of contacts and friction, and room for them",
+    },
     Layer {
         modules: &["inline", "items", "names", "refusal", "rust_file"],
         purpose: "vectors of a length known at run time; items to draw from their numbers; interned names; \
@@ -159,8 +162,8 @@ const DYNAMIC: &[Layer] = &[
 
 const PYTHON: &[Layer] = &[
     Layer {
-        modules: &["columns", "error", "values"],
-        purpose: "columns by name; exceptions; values by name",
+        modules: &["columns", "error", "interrupt", "values"],
+        purpose: "columns by name; exceptions; computations that Ctrl-C interrupts; values by name",
     },
     Layer {
         modules: &["derivation", "picture"],

@@ -12,6 +12,7 @@ use lagrange_runtime::integrate::{
 use lagrange_runtime::simulate::Drive;
 use lagrange_runtime::system::OdeSystem;
 
+use crate::cancellation::{IsCancelled, verdict};
 use crate::declared::{DeclaredSystem, Visitor};
 use crate::method::{LAW, MethodChoice, NO_CONTACTS, Refused, STEPPED_DELAY};
 use crate::reactions::in_room;
@@ -122,13 +123,25 @@ impl DeclaredSystem {
     /// If settings are invalid. A failed motion is listed in [`failures`](EnsembleEnds::failures),
     /// and the others continue.
     pub fn ensemble(&self, settings: &EnsembleSettings) -> Result<EnsembleEnds, EnsembleError> {
+        self.ensemble_unless(settings, &|| false)
+    }
+
+    /// Computes motions as [`ensemble`](Self::ensemble) does, until they end or are cancelled.
+    ///
+    /// # Errors
+    /// If settings are invalid, or the computation is cancelled.
+    pub fn ensemble_unless(
+        &self,
+        settings: &EnsembleSettings,
+        is_cancelled: IsCancelled<'_>,
+    ) -> Result<EnsembleEnds, EnsembleError> {
         let names = self.state_names();
         let wrong = settings.starts.iter().position(|start| start.len() != names.len());
         if let Some(motion) = wrong {
             let entries = settings.starts[motion].len();
             return Err(EnsembleError::Start { motion, entries, state: names });
         }
-        self.visit(Motions { settings, varied: self.places(settings)? })
+        self.visit(Motions { settings, varied: self.places(settings)?, is_cancelled })
     }
 
     /// Returns the indices of varied parameters and inputs, with their values.
@@ -157,6 +170,7 @@ struct Motions<'a> {
     settings: &'a EnsembleSettings,
     /// Indices of parameters and inputs, with a value for each motion.
     varied: Vec<(usize, &'a [f64])>,
+    is_cancelled: IsCancelled<'a>,
 }
 
 impl Visitor for Motions<'_> {
@@ -174,6 +188,7 @@ impl Visitor for Motions<'_> {
             });
         }
         let mut ensemble = motions.until(*until).one_by_one();
+        ensemble = ensemble.progress(|_| verdict(self.is_cancelled));
         if system.has_outputs() {
             ensemble = ensemble.outputs();
         }

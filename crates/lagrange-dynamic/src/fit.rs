@@ -6,6 +6,7 @@ use std::fmt::{self, Display, Formatter};
 use lagrange_runtime::fit::{Data, DenseMatrix, FitError, Fits, Fitted, FittedValue};
 use lagrange_runtime::system::{OutputSystem, ParametricSystem, StateVector};
 
+use crate::cancellation::{IsCancelled, verdict};
 use crate::declared::{DeclaredSystem, Visitor};
 use crate::fixed::{FixedSystem, filled};
 use crate::inline::Inline;
@@ -70,7 +71,7 @@ pub enum FitFailure {
     Setting(String),
     /// No motion reaches the end of the data.
     Motion(String),
-    /// The data do not determine all variables, or the search did not converge.
+    /// The data do not determine all variables, or the search did not converge or was cancelled.
     Unfinished {
         /// Undetermined combination, or the number of iterations.
         message: String,
@@ -101,6 +102,18 @@ impl DeclaredSystem {
     /// - no motion reaches the end of the data;
     /// - the search does not converge, or data do not determine all variables.
     pub fn fit(&self, settings: &FitSettings) -> Result<FoundFit, FitFailure> {
+        self.fit_unless(settings, &|| false)
+    }
+
+    /// Fits as [`fit`](Self::fit) does, unless it is cancelled.
+    ///
+    /// # Errors
+    /// As those of [`fit`](Self::fit), or if it is cancelled.
+    pub fn fit_unless(
+        &self,
+        settings: &FitSettings,
+        is_cancelled: IsCancelled<'_>,
+    ) -> Result<FoundFit, FitFailure> {
         let measurable = [self.state_names(), self.variables().outputs.concat()].concat();
         let variable = [&self.variables().fields[..], &self.state_names()].concat();
         let columns = settings.data.names().chain(settings.noise.iter().map(|(name, _)| name.as_str()));
@@ -114,23 +127,31 @@ impl DeclaredSystem {
         }
         match settings.starts {
             0 => Err(FitFailure::Setting("a fit searches from at least one point".to_owned())),
-            _ => self.visit(settings),
+            _ => self.visit(Fit { settings, is_cancelled }),
         }
     }
 }
 
-impl Visitor for &FitSettings {
+/// A fit with valid names.
+struct Fit<'a> {
+    settings: &'a FitSettings,
+    is_cancelled: IsCancelled<'a>,
+}
+
+impl Visitor for Fit<'_> {
     type Output = Result<FoundFit, FitFailure>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
-        let start = filled(&system.state(&self.start));
+        let Fit { settings, is_cancelled } = self;
+        let start = filled(&system.state(&settings.start));
         let fixed = FixedSystem(system.clone());
-        let mut search = fixed.fit(start, self.data.clone()).tolerance(self.tolerance);
-        for (name, [low, high]) in &self.varied {
+        let mut search = fixed.fit(start, settings.data.clone()).tolerance(settings.tolerance);
+        search = search.progress(|_| verdict(is_cancelled));
+        for (name, [low, high]) in &settings.varied {
             let name = system.names.known(name).unwrap_or_default();
             search = search.vary(name, *low..=*high);
         }
-        for (column, level) in &self.noise {
+        for (column, level) in &settings.noise {
             search = search.noise(column, *level);
         }
         for (index, name) in system.names.layout.outputs.iter().enumerate() {
@@ -141,10 +162,10 @@ impl Visitor for &FitSettings {
             };
             search = search.measure(name, output);
         }
-        if let Some(time) = self.from {
+        if let Some(time) = settings.from {
             search = search.from(time);
         }
-        let fitted = search.starts(self.starts).max_iterations(self.max_iterations).run();
+        let fitted = search.starts(settings.starts).max_iterations(settings.max_iterations).run();
         fitted.map_or_else(failed, |fitted| Ok(found(&fitted)))
     }
 }
@@ -153,7 +174,9 @@ fn failed<const N: usize>(error: FitError<FixedSystem<N>>) -> Result<FoundFit, F
     let message = error.to_string();
     Err(match error {
         FitError::Motion { .. } => FitFailure::Motion(message),
-        FitError::Undetermined(fitted) | FitError::NotConverged(fitted) => {
+        FitError::Undetermined(fitted)
+        | FitError::NotConverged(fitted)
+        | FitError::Cancelled(Some(fitted)) => {
             FitFailure::Unfinished { message, best: Box::new(found(&fitted)) }
         }
         _ => FitFailure::Setting(message),

@@ -43,6 +43,7 @@
 #![forbid(unsafe_code)]
 
 mod analysis;
+mod cancellation;
 mod constraints;
 mod contacts;
 mod declared;
@@ -73,6 +74,7 @@ mod system;
 mod trade;
 
 pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
+pub use cancellation::{IsCancelled, verdict};
 pub use contacts::DynamicTerms;
 pub use declared::{DeclaredSystem, Visitor};
 #[cfg(feature = "ensemble")]

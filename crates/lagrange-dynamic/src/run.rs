@@ -4,6 +4,7 @@ use lagrange_runtime::integrate::Verner98;
 use lagrange_runtime::simulate::{Simulate, Simulation, SimulationError, Trajectory};
 use lagrange_runtime::system::OdeSystem;
 
+use crate::cancellation::{IsCancelled, verdict};
 use crate::method::MethodChoice;
 use crate::system::DynamicSystem;
 
@@ -33,7 +34,20 @@ impl RunSettings {
         &self,
         system: &DynamicSystem<CAPACITY>,
     ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>> {
-        let (simulation, has_series) = (self.simulation(system), self.method.product().is_some());
+        self.run_unless(system, &|| false)
+    }
+
+    /// Runs a system as [`run`](Self::run) does, until it ends or is cancelled.
+    ///
+    /// # Errors
+    /// If the run fails, as in [`Simulation::run`].
+    pub fn run_unless<const CAPACITY: usize>(
+        &self,
+        system: &DynamicSystem<CAPACITY>,
+        is_cancelled: IsCancelled<'_>,
+    ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>> {
+        let simulation = self.simulation(system).progress(|_| verdict(is_cancelled));
+        let has_series = self.method.product().is_some();
         match system.has_delays() && !has_series {
             true => self.method.run(simulation.with_history()),
             false => self.method.run_freely(simulation, system),

@@ -7,6 +7,7 @@ use pyo3::types::{PyAnyMethods, PyDict};
 use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
 
 use crate::columns::PyColumns;
+use crate::interrupt::interruptible_on_threads;
 use crate::values::{PerMotion, check_values, per_motion};
 
 /// The final states of motions, a row for each.
@@ -22,7 +23,8 @@ impl PyEnsemble {
         system: &DeclaredSystem,
         settings: &EnsembleSettings,
     ) -> PyResult<Py<Self>> {
-        let ends = py.detach(|| system.ensemble(settings));
+        let ends =
+            interruptible_on_threads(py, |is_cancelled| system.ensemble_unless(settings, is_cancelled))?;
         let ends = ends.map_err(|error| PyValueError::new_err(error.to_string()))?;
         let names = std::iter::once("t".to_owned()).chain(ends.names).collect();
         let columns = std::iter::once(ends.times).chain(ends.columns).collect();

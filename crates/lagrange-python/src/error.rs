@@ -4,7 +4,7 @@ use lagrange_core::diagnostics::{Diagnostic, Report, Severity};
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::types::PyAnyMethods;
-use pyo3::{PyErr, Python};
+use pyo3::{Py, PyClass, PyClassInitializer, PyErr, Python};
 
 create_exception!(lagrange, DeclarationError, PyValueError, "A mistake in a declaration.");
 create_exception!(lagrange, EquilibriumError, PyRuntimeError, "A search that found no equilibrium.");
@@ -24,6 +24,18 @@ pub(crate) fn declaration_error(py: Python<'_>, report: &Report) -> PyErr {
         .and_then(|()| value.setattr("column", position.map(|[_, column]| column)))
         .and_then(|()| value.setattr("help", first.and_then(|first| first.help.clone())));
     set.err().unwrap_or(error)
+}
+
+/// Returns an exception with the results so far as an attribute.
+pub(crate) fn with_results<C: PyClass>(
+    py: Python<'_>,
+    error: PyErr,
+    name: &str,
+    results: impl Into<PyClassInitializer<C>>,
+) -> PyErr {
+    let set = Py::new(py, results).and_then(|results| error.value(py).setattr(name, results));
+    // Some exceptions have no room for attributes. They tell more than the failure to set one.
+    set.map_or(error.clone_ref(py), |()| error)
 }
 
 /// Formats an error on a line, with its position and help.

@@ -7,9 +7,10 @@ use lagrange_runtime::fit::{Data, DataError};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
-use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, Py, PyAny, PyResult, Python, pyclass, pymethods};
 
-use crate::error::FitError;
+use crate::error::{FitError, with_results};
+use crate::interrupt::interruptible;
 
 /// Fitted values and their uncertainty.
 #[pyclass(name = "Fit", module = "lagrange", frozen)]
@@ -33,13 +34,17 @@ impl PyFit {
     ) -> PyResult<Self> {
         check(settings)?;
         let with_system = |found: FoundFit| Ok(PyFit { system: make(&found.fields)?, found });
-        match py.detach(|| system.fit(settings)) {
-            Ok(found) => with_system(found),
-            Err(FitFailure::Unfinished { message, best }) => {
-                Err(unfinished(py, message, with_system(*best)?))
+        let (found, raised) = interruptible(py, |is_cancelled| system.fit_unless(settings, is_cancelled));
+        match (found, raised) {
+            (Ok(found), None) => with_system(found),
+            (Ok(found), Some(raised)) => Err(with_results(py, raised, "fit", with_system(found)?)),
+            (Err(FitFailure::Unfinished { message, best }), raised) => {
+                let error = raised.unwrap_or_else(|| FitError::new_err(message));
+                Err(with_results(py, error, "fit", with_system(*best)?))
             }
-            Err(FitFailure::Motion(message)) => Err(FitError::new_err(message)),
-            Err(error) => Err(PyValueError::new_err(error.to_string())),
+            (Err(_), Some(raised)) => Err(raised),
+            (Err(FitFailure::Motion(message)), None) => Err(FitError::new_err(message)),
+            (Err(error), None) => Err(PyValueError::new_err(error.to_string())),
         }
     }
 
@@ -55,13 +60,6 @@ impl PyFit {
         }
         Ok(dictionary)
     }
-}
-
-/// Returns the exception of a fit without a result, with the best values.
-fn unfinished(py: Python<'_>, message: String, best: PyFit) -> PyErr {
-    let error = FitError::new_err(message);
-    let set = Py::new(py, best).and_then(|best| error.value(py).setattr("fit", best));
-    set.err().unwrap_or(error)
 }
 
 /// Checks settings whose errors have different names in Rust.

@@ -10,6 +10,7 @@ mod derivation;
 mod ensemble;
 mod error;
 mod fit;
+mod interrupt;
 mod linear;
 mod motion;
 mod picture;

@@ -2,15 +2,15 @@
 
 use std::cell::RefCell;
 
-use lagrange_dynamic::{DynamicSystem, Inline, MethodChoice, RunSettings, Visitor};
+use lagrange_dynamic::{DynamicSystem, Inline, IsCancelled, MethodChoice, RunSettings, Visitor, verdict};
 use lagrange_runtime::simulate::{SimulationError as RunError, Trajectory};
 use lagrange_runtime::system::StateVector;
 use numpy::ToPyArray;
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::types::PyAnyMethods;
-use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python};
+use pyo3::{Bound, PyAny, PyErr, PyResult, Python};
 
-use crate::error::SimulationError;
+use crate::error::{SimulationError, with_results};
 use crate::motion::{NewTrajectory, PyTrajectory};
 
 /// Returns the method of a name with its settings; a seed chooses the noise.
@@ -37,7 +37,7 @@ pub(crate) fn chosen(
 }
 
 /// A run whose inputs are constant.
-pub(crate) struct FreeRun(pub(crate) RunSettings);
+pub(crate) struct FreeRun<'a>(pub(crate) RunSettings, pub(crate) IsCancelled<'a>);
 
 /// A run with inputs from a Python function.
 pub(crate) struct DrivenRun<'py> {
@@ -68,18 +68,16 @@ impl FailedRun {
         if self.is_refusal {
             return PyValueError::new_err(self.message);
         }
-        let error = SimulationError::new_err(self.message);
-        let set = Py::new(py, self.motion).and_then(|motion| error.value(py).setattr("trajectory", motion));
-        set.err().unwrap_or(error)
+        with_results(py, SimulationError::new_err(self.message), "trajectory", self.motion)
     }
 }
 
-impl Visitor for FreeRun {
+impl Visitor for FreeRun<'_> {
     type Output = Result<NewTrajectory, Box<FailedRun>>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
-        let FreeRun(settings) = self;
-        ended(settings.run(system))
+        let FreeRun(settings, is_cancelled) = self;
+        ended(settings.run_unless(system, is_cancelled))
     }
 }
 
@@ -89,16 +87,22 @@ impl Visitor for DrivenRun<'_> {
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> PyResult<NewTrajectory> {
         let raised = RefCell::new(None);
         let law = |_: &DynamicSystem<CAPACITY>, t: f64, y: Inline<CAPACITY>| {
-            self.inputs(t, y.as_ref()).map(|inputs| Inline::of(&inputs)).unwrap_or_else(|error| {
-                raised.borrow_mut().get_or_insert(error);
-                // An empty vector means missing inputs, which end the run.
-                Inline::of(&[])
-            })
+            let mut raised = raised.borrow_mut();
+            // Steps are tried again after an interruption.
+            let found = if raised.is_none() { self.inputs(t, y.as_ref()) } else { Ok(Vec::new()) };
+            // An empty vector means missing inputs, which end the run.
+            Inline::of(&found.unwrap_or_else(|error| {
+                *raised = Some(error);
+                Vec::new()
+            }))
         };
         let simulation = self.settings.simulation(system).drive(law);
         let motion = ended(self.settings.method.run_driven(simulation, system));
         match raised.into_inner() {
-            Some(error) => Err(error),
+            Some(error) => {
+                let motion = motion.unwrap_or_else(|failure| failure.motion);
+                Err(with_results(self.law.py(), error, "trajectory", motion))
+            }
             None => motion.map_err(|failure| failure.exception(self.law.py())),
         }
     }
@@ -108,6 +112,79 @@ impl DrivenRun<'_> {
     fn inputs(&self, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
         let found = self.law.call1((t, y.to_pyarray(self.law.py())))?;
         found.extract::<f64>().map(|input| vec![input]).or_else(|_| found.extract::<Vec<f64>>())
+    }
+}
+
+/// Inputs that are linear between samples, and constant before and after them.
+pub(crate) struct SampledInputs {
+    times: Vec<f64>,
+    /// All inputs at each time.
+    rows: Vec<Vec<f64>>,
+}
+
+impl SampledInputs {
+    /// Returns the inputs of a pair of times and values, of one input or in rows of all `count`.
+    ///
+    /// # Errors
+    /// `TypeError` for anything else; `ValueError` for wrong lengths, times that decrease, and
+    /// numbers that are not finite.
+    pub(crate) fn new(inputs: &Bound<'_, PyAny>, count: usize) -> PyResult<Self> {
+        let (times, values) = inputs.extract::<(Vec<f64>, Bound<'_, PyAny>)>().map_err(|_| {
+            PyTypeError::new_err(
+                "`inputs` must be a function of time and state, or a pair of times and values; set constants \
+                 by `with_parameters`",
+            )
+        })?;
+        let one = values.extract::<Vec<f64>>();
+        let rows = match one {
+            Ok(values) => values.into_iter().map(|value| vec![value]).collect(),
+            Err(_) => values.extract::<Vec<Vec<f64>>>()?,
+        };
+        let wrong = |message: String| Err(PyValueError::new_err(message));
+        if times.is_empty() || rows.len() != times.len() {
+            return wrong(format!("{} values of inputs for {} times", rows.len(), times.len()));
+        }
+        if let Some(row) = rows.iter().find(|row| row.len() != count) {
+            return wrong(format!("{} values at a time for {count} inputs", row.len()));
+        }
+        if let Some(pair) = times.windows(2).find(|pair| pair[1] < pair[0]) {
+            return wrong(format!("times of inputs decrease from {} to {}", pair[0], pair[1]));
+        }
+        if !times.iter().chain(rows.iter().flatten()).all(|number| number.is_finite()) {
+            return wrong("times and values of inputs must be finite".into());
+        }
+        Ok(SampledInputs { times, rows })
+    }
+
+    fn at<const CAPACITY: usize>(&self, t: f64) -> Inline<CAPACITY> {
+        let next = self.times.partition_point(|time| *time <= t);
+        let mut inputs = Inline::of(&self.rows[next.saturating_sub(1)]);
+        if next > 0 && next < self.times.len() {
+            let [from, to] = [next - 1, next].map(|place| self.times[place]);
+            let part = (t - from) / (to - from);
+            for (input, end) in inputs.as_mut().iter_mut().zip(&self.rows[next]) {
+                *input += part * (end - *input);
+            }
+        }
+        inputs
+    }
+}
+
+/// A run whose inputs are samples. Steps end at their times.
+pub(crate) struct SampledRun<'a> {
+    pub(crate) settings: RunSettings,
+    pub(crate) inputs: SampledInputs,
+    pub(crate) is_cancelled: IsCancelled<'a>,
+}
+
+impl Visitor for SampledRun<'_> {
+    type Output = Result<NewTrajectory, Box<FailedRun>>;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+        let SampledRun { settings, inputs, is_cancelled } = self;
+        let law = |_: &DynamicSystem<CAPACITY>, t: f64, _: Inline<CAPACITY>| inputs.at(t);
+        let simulation = settings.simulation(system).drive(law).restart_at(inputs.times.iter().copied());
+        ended(settings.method.run_driven(simulation.progress(|_| verdict(is_cancelled)), system))
     }
 }
 

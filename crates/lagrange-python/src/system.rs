@@ -11,19 +11,20 @@ use lagrange_dynamic::{
     DeclaredFilm, DeclaredSystem, EnsembleSettings, FitSettings, RunSettings, SearchSettings, Source,
 };
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
-use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyOSError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
 use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
 use quote::quote;
 
 use crate::derivation::{Derivatives, compiler, copy_values, derive, runnable};
 use crate::ensemble::{PyEnsemble, motions};
-use crate::error::declaration_error;
+use crate::error::{declaration_error, with_results};
 use crate::fit::{self, PyFit};
+use crate::interrupt::interruptible;
 use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::picture::PyFilm;
-use crate::simulation::{DrivenRun, FreeRun, chosen};
+use crate::simulation::{DrivenRun, FreeRun, SampledInputs, SampledRun, chosen};
 use crate::values::{check_values, pairs, start_of};
 
 /// A declared system with values for its parameters.
@@ -192,17 +193,26 @@ impl PySystem {
         }
         let settings =
             RunSettings { start: self.state(start)?, from: begin, until, every, method, has_energy: energy };
-        let Some(law) = inputs else {
-            self.check_values()?;
-            let system = self.derivatives.for_method(py, &self.source, &self.declared, method)?;
-            let motion = py.detach(|| system.visit(FreeRun(settings)));
-            return motion.map_err(|failure| failure.exception(py)).and_then(|motion| Py::new(py, motion));
+        let (motion, raised) = match inputs {
+            Some(law) if law.is_callable() => {
+                return Py::new(py, self.declared.visit(DrivenRun { settings, law })?);
+            }
+            Some(samples) => {
+                let inputs = SampledInputs::new(&samples, self.declared.programs().layout.inputs)?;
+                interruptible(py, |is_cancelled| {
+                    self.declared.visit(SampledRun { settings, inputs, is_cancelled })
+                })
+            }
+            None => {
+                self.check_values()?;
+                let system = self.derivatives.for_method(py, &self.source, &self.declared, method)?;
+                interruptible(py, |is_cancelled| system.visit(FreeRun(settings, is_cancelled)))
+            }
         };
-        match law.is_callable() {
-            true => Py::new(py, self.declared.visit(DrivenRun { settings, law })?),
-            false => Err(PyTypeError::new_err(
-                "`inputs` must be a function of time and state; set constants by `with_parameters`",
-            )),
+        let motion = motion.map_err(|failure| failure.exception(py))?;
+        match raised {
+            Some(error) => Err(with_results(py, error, "trajectory", motion)),
+            None => Py::new(py, motion),
         }
     }
 

@@ -1,5 +1,10 @@
 """Fits against SciPy, closed forms and the motions behind the data."""
 
+import os
+import signal
+import threading
+import time
+
 import lagrange
 import numpy as np
 import pytest
@@ -125,3 +130,16 @@ def test_what_is_no_table_is_refused(tmp_path):
         system.fit({"time": [0, 1], "x": [1, 1]}, vary=["k"])
     with pytest.raises(OSError, match="missing.csv"):
         system.fit(tmp_path / "missing.csv", vary=["k"])
+
+
+def test_fits_can_be_interrupted():
+    system = lagrange.System(OSCILLATOR)
+    times = np.linspace(0, 500, 2000)
+    data = {"t": times, "x": np.cos(times)}
+    interrupt = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    interrupt.start()
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt) as raised:
+        system.fit(data, vary={"k": (0.1, 10), "c": (0, 1)}, start=[1, 0], starts=100_000)
+    assert time.monotonic() - began < 20
+    assert 0.1 <= raised.value.fit.values["k"] <= 10

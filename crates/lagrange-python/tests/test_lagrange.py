@@ -1,6 +1,9 @@
 """The module against closed forms and SciPy."""
 
+import os
+import signal
 import threading
+import time
 
 import lagrange
 import numpy as np
@@ -450,3 +453,62 @@ def test_ensembles_let_other_threads_run():
         steps.append(None)
     thread.join()
     assert len(steps) > 5
+
+
+def test_sampled_inputs_are_linear_between_samples():
+    cart = lagrange.System("coord x = 0; start dot(x) = 0; input u, w; kinetic = 1/2 * dot(x)^2; force x = u + 2*w;")
+    # The first input jumps at 1, and the last values hold.
+    times, values = np.array([0, 1, 1, 2.0]), np.array([[0, 0], [1, 0], [3, 0], [3, 1.0]])
+    motion = cart.simulate(until=3, every=1, inputs=(times, values))
+    np.testing.assert_allclose(motion["x_dot"], [0, 0.5, 4.5, 9.5], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(motion["x"], [0, 1 / 6, 2.5, 9.5], rtol=0, atol=1e-12)
+    one = lagrange.System(CART)
+    ramp = one.simulate(until=2, every=0.5, inputs=([0, 2], [0, 4]))
+    law = one.simulate(until=2, every=0.5, inputs=lambda t, y: 2 * t)
+    np.testing.assert_allclose(ramp.y, law.y, rtol=0, atol=1e-9)
+    # Constant before the first sample.
+    late = one.simulate(until=2, every=0.5, method="rk4", step=0.01, inputs=([5], [1]))
+    np.testing.assert_allclose(late["x"], 0.25 + 0.75 * np.cos(2 * late.t), rtol=0, atol=1e-7)
+
+
+def test_sampled_inputs_that_make_no_sense_are_refused():
+    cart = lagrange.System(CART)
+    cases = [
+        (([], []), ValueError, "0 values of inputs for 0 times"),
+        (([0, 1], [1]), ValueError, "1 values of inputs for 2 times"),
+        (([0, 1], [[1, 2], [3, 4]]), ValueError, "2 values at a time for 1 inputs"),
+        (([1, 0], [1, 2]), ValueError, "decrease from 1 to 0"),
+        (([0, 1], [1, np.nan]), ValueError, "finite"),
+        (7, TypeError, "a pair of times and values"),
+    ]
+    for inputs, error, message in cases:
+        with pytest.raises(error, match=message):
+            cart.simulate(until=1, inputs=inputs)
+
+
+def interrupted(compute):
+    """Returns the `KeyboardInterrupt` of a computation that Ctrl-C interrupts, and the seconds until then."""
+    interrupt = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+    began = time.monotonic()
+    interrupt.start()
+    with pytest.raises(KeyboardInterrupt) as raised:
+        compute()
+    return raised.value, time.monotonic() - began
+
+
+def test_simulations_can_be_interrupted():
+    cart = lagrange.System(CART)
+    error, seconds = interrupted(lambda: cart.simulate(until=1e7, every=1e3))
+    assert seconds < 5
+    assert 0 < error.trajectory.t[-1] < 1e7
+    _, seconds = interrupted(lambda: cart.simulate(until=1e7, every=1e3, inputs=lambda t, y: 0.0))
+    assert seconds < 5
+
+
+def test_ensembles_can_be_interrupted():
+    cart = lagrange.System(CART)
+    starts = np.ones((20_000, 2))
+    _, seconds = interrupted(lambda: cart.ensemble(starts, until=1e4, threads=2))
+    assert seconds < 5
+    ends = cart.ensemble(starts[:3], until=1)
+    assert len(ends.t) == 3

@@ -11,9 +11,10 @@ use super::error::FitError;
 use super::fitted::Fitted;
 use super::least_squares::{Minimum, minimise};
 use super::problem::{Bounded, Datum, FitProblem, MeasuredQuantity, ROWS, VariableOf, find};
+use super::progress::{FitCallback, FitProgress, FitReporter, callback};
 use super::starts::starts;
 use crate::integrate::{Method, Verner98};
-use crate::simulate::{Drive, Law, Sensitive, TIME, Undriven, default_method, state_names, unit};
+use crate::simulate::{Drive, Law, Sensitive, TIME, Undriven, Verdict, default_method, state_names, unit};
 use crate::system::{ControlledSystem, OdeSystem, OutputSystem, ParametricSystem, split};
 
 /// Default maximum number of iterations of a search.
@@ -38,6 +39,7 @@ struct FitSettings<'a, M: ParametricSystem<Scalar = f64>> {
     from: Option<f64>,
     starts: usize,
     most_iterations: usize,
+    callback: Option<FitCallback<'a>>,
 }
 
 impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
@@ -52,6 +54,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
             from: None,
             starts: 1,
             most_iterations: MOST_ITERATIONS,
+            callback: None,
         };
         FitSearch { settings, method: default_method(), drive: Undriven }
     }
@@ -138,6 +141,15 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         self
     }
 
+    /// Calls back after each comparison of a motion with the data, as for a progress bar.
+    ///
+    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the fit. It then ends
+    /// with [`FitError::Cancelled`], which contains the best values so far.
+    pub fn progress<V: Verdict>(mut self, callback: impl FnMut(FitProgress) -> V + 'a) -> Self {
+        self.settings.callback = Some(self::callback(callback));
+        self
+    }
+
     /// Computes motions by this method instead of the adaptive one.
     pub fn method<L>(self, method: L) -> FitSearch<'a, M, L, D> {
         FitSearch { settings: self.settings, method, drive: self.drive }
@@ -147,8 +159,8 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
     ///
     /// # Errors
     /// If data or settings are invalid, or no motion reaches the end of the data. Also if the
-    /// search does not converge, or the data do not determine all variables.
-    pub fn run<const N: usize>(self) -> Result<Fitted<M>, FitError<M>>
+    /// search does not converge or is cancelled, or the data do not determine all variables.
+    pub fn run<const N: usize>(mut self) -> Result<Fitted<M>, FitError<M>>
     where
         M: OdeSystem<State = [f64; N]>,
         D: Drive<M>,
@@ -157,18 +169,29 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
     {
         let (count, most_iterations, has_noise) =
             (self.settings.starts, self.settings.most_iterations, !self.settings.noise.is_empty());
+        let mut reporter = FitReporter::new(self.settings.callback.take(), count);
         let (problem, data) = self.settings.checked(self.method, self.drive)?;
         let bounds = problem.variables.iter().map(|variable| variable.bounds).collect::<Vec<_>>();
         let values = problem.values();
-        let search =
-            |start| minimise(start, &bounds, most_iterations, |values: &[f64]| problem.evaluate(values));
-        let (best, costs) = best(starts(&values, &bounds, count).into_iter().map(search));
+        let search = |(index, start)| {
+            reporter.begin(index);
+            minimise(start, &bounds, most_iterations, |values: &[f64]| {
+                reporter.compare(|| problem.evaluate(values))
+            })
+        };
+        let (best, costs) = best(starts(&values, &bounds, count).into_iter().enumerate().map(search));
+        if best.is_err() && reporter.is_cancelled() {
+            return Err(FitError::Cancelled(None));
+        }
         let names = problem.variables.iter().map(|variable| variable.name);
         let minimum =
             best.map_err(|cause| FitError::Motion { values: names.zip(values).collect(), cause })?;
         let (at, points) = (problem.at(&minimum.values), (&data, &problem.data[..]));
         let fitted = Fitted::new(at, &problem.variables, points, has_noise, &minimum);
         let fitted = Box::new(fitted.with_costs(costs));
+        if reporter.is_cancelled() {
+            return Err(FitError::Cancelled(Some(fitted)));
+        }
         match (minimum.has_converged, fitted.is_determined()) {
             (false, _) => Err(FitError::NotConverged(fitted)),
             (true, false) => Err(FitError::Undetermined(fitted)),

@@ -86,6 +86,9 @@ pub enum FitError<M: ParametricSystem<Scalar = f64>> {
     Undetermined(Box<Fitted<M>>),
     /// The search did not converge; the fit contains the best values so far.
     NotConverged(Box<Fitted<M>>),
+    /// The progress callback cancelled the fit. It contains the best values so far, if a motion
+    /// reached the end of the data.
+    Cancelled(Option<Box<Fitted<M>>>),
 }
 
 impl<M: ParametricSystem<Scalar = f64>> FitError<M> {
@@ -93,6 +96,7 @@ impl<M: ParametricSystem<Scalar = f64>> FitError<M> {
     pub fn fitted(&self) -> Option<&Fitted<M>> {
         match self {
             FitError::Undetermined(fitted) | FitError::NotConverged(fitted) => Some(fitted),
+            FitError::Cancelled(fitted) => fitted.as_deref(),
             _ => None,
         }
     }
@@ -151,6 +155,7 @@ impl<M: ParametricSystem<Scalar = f64>> Display for FitError<M> {
                 fitted.write_weakest(f)?;
                 f.write_str(" change together; give one of them its value, or measure something else")
             }
+            FitError::Cancelled(_) => f.write_str("the fit was cancelled"),
             FitError::NotConverged(fitted) => write!(
                 f,
                 "no minimum was found in {} iterations; the last values are in the error: {}",

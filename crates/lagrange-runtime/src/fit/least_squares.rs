@@ -191,7 +191,8 @@ fn is_stationary(now: &Minimum, free: &[usize]) -> bool {
     free.iter().all(is_level)
 }
 
-fn half_square(residuals: &[f64]) -> f64 {
+/// Computes half the sum of squares.
+pub(super) fn half_square(residuals: &[f64]) -> f64 {
     0.5 * dot(residuals, residuals)
 }
 

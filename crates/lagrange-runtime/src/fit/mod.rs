@@ -57,12 +57,14 @@ mod least_squares;
 #[cfg(feature = "plot")]
 mod plots;
 mod problem;
+mod progress;
 mod starts;
 
 pub use self::builder::FitSearch;
 pub use self::data::{Data, DataError};
 pub use self::error::FitError;
 pub use self::fitted::{Fitted, FittedValue};
+pub use self::progress::FitProgress;
 pub use crate::linalg::dense::DenseMatrix;
 
 use crate::integrate::Verner98;
