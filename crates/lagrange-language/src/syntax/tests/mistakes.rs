@@ -158,14 +158,14 @@ fn missing_pieces_of_statements_are_reported() {
 
 #[test]
 fn an_index_before_the_end_of_a_name_is_reported() {
-    let (_, report) = read_wrong("start case[0]_z = 1;\nlet a = case[0]_z;\nlet b = c _z;");
+    let (_, report) = read_wrong("let a = case[0]_z;\nlet b = c _z;\nstart case[0]_z = 1;");
     let expected = "\
-error at 1:14: expected `=`, found `_z`
+error at 1:16: expected an operator or `;`, found `_z`
   help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
-error at 2:16: expected an operator or `;`, found `_z`
-  help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
-error at 3:11: expected an operator or `;`, found `_z`
+error at 2:11: expected an operator or `;`, found `_z`
   help: write `*` between the factors of a product
+error at 3:14: expected `=`, found `_z`
+  help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
 ";
     assert_eq!(report, expected);
 }
