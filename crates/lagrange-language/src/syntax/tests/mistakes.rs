@@ -81,6 +81,9 @@ fn skipped_statements_are_recorded_by_their_words() {
     let declaration = read_wrong("paran m = 1.0;\nparam type, l;\nlet e = a +;").0.expect("tokens");
     let words = ["m", "type", "l", "a"].map(|word| declaration.unreadable_words.contains(&word.to_owned()));
     assert_eq!(words, [true, true, false, false]);
+    // The variable of a loop is declared before its lines.
+    let declaration = read_wrong("for i in 0..2 { start a[i] b = i; let c[i] = i; }").0.expect("tokens");
+    assert!(!declaration.unreadable_words.contains(&"i".to_owned()));
     // A coordinate keeps its position, so that vectors have the length that the user expects.
     let declaration = read_wrong("coord x, type, y;").0.expect("tokens");
     assert_eq!(statements(&declaration), ["coord x __coordinate_3 y"]);
