@@ -138,6 +138,14 @@ fn overlapping_contacts_are_reported() {
 }
 
 #[test]
+fn films_pass_through_overlapping_contacts() {
+    let case = Case::default();
+    let at = |height| [0.0, 0.0, height, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let film = Drawing::of(&case).forces().film_of([(0.0, at(0.2)), (1.0, at(0.09))]).expect("draws");
+    assert!(film.html().contains("not drawn: forces of contacts that overlap"));
+}
+
+#[test]
 fn both_bodies_get_opposite_forces() {
     let stack = Stack::default();
     let free = |body: &str| {

@@ -179,15 +179,19 @@ impl<D: Stored> Snapshot<D> {
         self.connectors.iter().find(|connector| connector.name == name).map(|connector| connector.ends)
     }
 
-    /// Returns the names of all items.
+    /// Returns the names of all items, including omitted ones.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.drawn_names().chain(self.omitted.iter().map(|name| &**name))
+    }
+
+    /// Returns the names of all items that can be drawn.
+    pub(super) fn drawn_names(&self) -> impl Iterator<Item = &str> {
         let bodies = self.bodies.iter().map(Named::name).chain(self.supports.iter().map(|one| &*one.name));
         let connectors = self.connectors.iter().map(|connector| &*connector.name);
         let joints = self.joints.iter().map(|joint| &*joint.name);
         let cones = self.cones.iter().map(|cone| &*cone.name);
         let loads = self.loads.iter().map(|load| &*load.name).chain(cones);
-        let omitted = self.omitted.iter().map(|name| &**name);
-        bodies.chain(connectors).chain(joints).chain(loads).chain(omitted)
+        bodies.chain(connectors).chain(joints).chain(loads)
     }
 
     /// Removes the items with these names.

@@ -103,7 +103,7 @@ impl Link {
 
 /// Returns the name of the first item that differs between two scenes in anything but its position.
 pub(super) fn difference(one: &Snapshot<Spatial>, other: &Snapshot<Spatial>) -> Option<String> {
-    let [names, others] = [one, other].map(|scene| scene.names().collect::<Vec<_>>());
+    let [names, others] = [one, other].map(|scene| scene.drawn_names().collect::<Vec<_>>());
     let renamed = names.iter().zip(&others).find(|(a, b)| a != b).map(|(name, _)| name);
     let missing = names.get(others.len()).or_else(|| others.get(names.len()));
     let reshaped = one.bodies.iter().zip(&other.bodies).find(|(a, b)| a.parts != b.parts);

@@ -238,8 +238,8 @@ impl Cursor {
 
     /// True if the next token ends a name whose index is before its end, as in `case[i]_z`.
     pub(super) fn at_suffix(&self) -> bool {
-        let is_indexed = matches!(self.previous(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket);
-        is_indexed && self.ident().is_some_and(|word| word.to_string().starts_with('_'))
+        let brackets = self.next.checked_sub(1).and_then(|last| self.brackets.last(last));
+        brackets.is_some() && self.ident().is_some_and(|word| word.to_string().starts_with('_'))
     }
 
     /// Consumes the next token if it is an identifier.

@@ -131,11 +131,13 @@ impl<'r> Parser<'r> {
         self.expressions.add(Expression::Invalid, cursor.since(start))
     }
 
-    /// Records the words since a position, which are omitted from the syntax tree.
+    /// Records the words since a position, which are omitted from the syntax tree. Variables of
+    /// loops are not: they are declared where the loop begins.
     pub(super) fn leave_out(&mut self, cursor: &Cursor, start: usize) {
         let mut pending = cursor.taken_since(start).to_vec();
         while let Some(token) = pending.pop() {
             match token {
+                TokenTree::Ident(word) if self.variables.contains(&word.to_string()) => {}
                 TokenTree::Ident(word) => drop(self.unreadable_words.insert(word.to_string())),
                 TokenTree::Group(group) => pending.extend(group.stream()),
                 TokenTree::Punct(_) | TokenTree::Literal(_) => {}

@@ -81,6 +81,9 @@ fn skipped_statements_are_recorded_by_their_words() {
     let declaration = read_wrong("paran m = 1.0;\nparam type, l;\nlet e = a +;").0.expect("tokens");
     let words = ["m", "type", "l", "a"].map(|word| declaration.unreadable_words.contains(&word.to_owned()));
     assert_eq!(words, [true, true, false, false]);
+    // The variable of a loop is declared before its lines.
+    let declaration = read_wrong("for i in 0..2 { start a[i] b = i; let c[i] = i; }").0.expect("tokens");
+    assert!(!declaration.unreadable_words.contains(&"i".to_owned()));
     // A coordinate keeps its position, so that vectors have the length that the user expects.
     let declaration = read_wrong("coord x, type, y;").0.expect("tokens");
     assert_eq!(statements(&declaration), ["coord x __coordinate_3 y"]);
@@ -158,14 +161,14 @@ fn missing_pieces_of_statements_are_reported() {
 
 #[test]
 fn an_index_before_the_end_of_a_name_is_reported() {
-    let (_, report) = read_wrong("start case[0]_z = 1;\nlet a = case[0]_z;\nlet b = c _z;");
+    let (_, report) = read_wrong("let a = case[0]_z;\nlet b = c _z;\nstart case[0]_z = 1;");
     let expected = "\
-error at 1:14: expected `=`, found `_z`
+error at 1:16: expected an operator or `;`, found `_z`
   help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
-error at 2:16: expected an operator or `;`, found `_z`
-  help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
-error at 3:11: expected an operator or `;`, found `_z`
+error at 2:11: expected an operator or `;`, found `_z`
   help: write `*` between the factors of a product
+error at 3:14: expected `=`, found `_z`
+  help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
 ";
     assert_eq!(report, expected);
 }
