@@ -183,7 +183,8 @@ pub trait LanesMethod<T: Scalar>: Copy {
         S: SideBySide<Element = T>,
         E: Equations<S>;
 
-    /// Starts a motion of the same kind in every lane at the state `y`.
+    /// Creates lanes with a motion of the same kind in each, at the state `y`.
+    #[inline(always)]
     fn start<S, E>(
         &self,
         equations: &E,
@@ -193,7 +194,12 @@ pub trait LanesMethod<T: Scalar>: Copy {
     ) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
-        E: Equations<S>;
+        E: Equations<S>,
+    {
+        let mut lanes = self.empty_lanes::<S, E>(span, domain);
+        lanes.start(equations, y);
+        lanes
+    }
 
     /// Copies the motion in the lane `from` of another stepper, started for the same end, into a
     /// lane of this one.
@@ -256,6 +262,9 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
 
     /// Creates the storage.
     fn workspace() -> Self::Workspace;
+
+    /// Starts a motion of the same kind in every lane at the state `y`.
+    fn start(&mut self, equations: &E, y: &E::State);
 
     /// Returns the data before any step.
     fn last_step(&self) -> Self::LastStep;

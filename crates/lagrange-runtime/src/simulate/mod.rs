@@ -47,6 +47,7 @@
 mod builder;
 mod closed_loop;
 mod control;
+mod controllers;
 mod csv;
 mod delays;
 mod dense;
@@ -83,9 +84,9 @@ pub(crate) use self::builder::ENERGY;
 pub(crate) use self::builder::default_method;
 pub use self::builder::{Ended, Simulation, Start, Unended};
 pub use self::closed_loop::{ClosedLoop, GivenEvent};
-#[cfg(feature = "ensemble")]
-pub(crate) use self::control::Act;
 pub use self::control::{Drive, Driven, Law, Undriven};
+#[cfg(feature = "ensemble")]
+pub(crate) use self::controllers::Act;
 pub use self::delays::{Remembering, WithHistory};
 pub use self::error::SimulationError;
 #[cfg(feature = "ensemble")]

@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::integrate::Method;
 use crate::run::check_direction;
 use crate::scalar::{Number, Scalar};
-use crate::simulate::control::{Act, InputColumns};
+use crate::simulate::controllers::{Act, InputColumns};
 use crate::simulate::events::Watch;
 use crate::simulate::observer::{Extend, state_names};
 use crate::simulate::sampling::{Grid, Sampling};

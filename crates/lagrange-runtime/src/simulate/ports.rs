@@ -5,7 +5,8 @@ use std::vec::Vec;
 
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
-use crate::simulate::control::{Act, Law, Undriven};
+use crate::simulate::control::{Law, Undriven};
+use crate::simulate::controllers::Act;
 use crate::simulate::observer::{columns_of, inputs};
 use crate::system::{
     ControlledSystem, MechanicalSystem, OutputSystem, SettingError, StepFailure, Undefined, split,

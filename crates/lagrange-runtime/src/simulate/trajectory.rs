@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::vec::Vec;
 
 use crate::integrate::Work;
-use crate::simulate::control::InputColumns;
+use crate::simulate::controllers::InputColumns;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::table::Table;

@@ -78,23 +78,6 @@ impl<T: Scalar, K: FixedSteps<Scalar = T>> LanesMethod<T> for K {
     }
 
     #[inline(always)]
-    fn start<S, E>(
-        &self,
-        equations: &E,
-        y: &E::State,
-        span: [T; 2],
-        domain: &'static Domain,
-    ) -> Self::Stepper<S, E>
-    where
-        S: SideBySide<Element = T>,
-        E: Equations<S>,
-    {
-        let mut lanes = self.empty_lanes::<S, E>(span, domain);
-        lanes.formula.prepare(equations, lanes.clock.time(), y);
-        FixedLanes { state: Compensated::new(*y), ..lanes }
-    }
-
-    #[inline(always)]
     fn take<S, E, O, F>(
         stepper: &mut Self::Stepper<S, E>,
         lane: usize,
@@ -222,6 +205,12 @@ where
 
     #[inline(always)]
     fn workspace() {}
+
+    #[inline(always)]
+    fn start(&mut self, equations: &E, y: &E::State) {
+        self.formula.prepare(equations, self.clock.time(), y);
+        self.state = Compensated::new(*y);
+    }
 
     #[inline(always)]
     fn last_step(&self) -> Self::LastStep {

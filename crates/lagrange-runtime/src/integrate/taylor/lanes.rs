@@ -82,21 +82,6 @@ impl<T: Scalar> LanesMethod<T> for Taylor<T> {
     }
 
     #[inline(always)]
-    fn start<S, E>(
-        &self,
-        _equations: &E,
-        y: &E::State,
-        span: [T; 2],
-        domain: &'static Domain,
-    ) -> Self::Stepper<S, E>
-    where
-        S: SideBySide<Element = T>,
-        E: Equations<S>,
-    {
-        TaylorLanes { state: Compensated::new(*y), ..self.empty_lanes::<S, E>(span, domain) }
-    }
-
-    #[inline(always)]
     fn take<S, E, O, F>(
         stepper: &mut Self::Stepper<S, E>,
         lane: usize,
@@ -206,6 +191,11 @@ where
     fn workspace() -> Self::Workspace {
         let none = [E::State::ZERO; MAX_ORDER];
         TaylorWorkspace { products: E::Series::default(), last: none, ahead: none }
+    }
+
+    #[inline(always)]
+    fn start(&mut self, _equations: &E, y: &E::State) {
+        self.state = Compensated::new(*y);
     }
 
     #[inline(always)]

@@ -49,6 +49,8 @@ pub struct VernerLanes<S, Y> {
 struct Settings<S> {
     tolerated: Tolerated<S>,
     end: S,
+    /// The length of the first step, if it is set.
+    first: Option<S>,
     /// Maximum step lengths of a moving state, and of a state at rest.
     longest: [S; 2],
     most_steps: u64,
@@ -68,6 +70,7 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
         let settings = Settings {
             tolerated: Tolerated { relative: S::splat(relative), absolute: S::splat(absolute), domain },
             end: S::splat(end),
+            first: self.first_step.map(S::splat),
             longest: [false, true].map(|is_at_rest| S::splat(self.longest(end - t, is_at_rest))),
             most_steps: self.max_steps,
             refuses_stiff: self.refuses_stiff,
@@ -83,24 +86,6 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
             counts: Counts::new(),
             stiffness: [Stiffness::default(); MOST_LANES],
         }
-    }
-
-    #[inline(always)]
-    fn start<S, E>(
-        &self,
-        equations: &E,
-        y: &E::State,
-        span: [T; 2],
-        domain: &'static Domain,
-    ) -> Self::Stepper<S, E>
-    where
-        S: SideBySide<Element = T>,
-        E: Equations<S>,
-    {
-        let lanes = self.empty_lanes::<S, E>(span, domain);
-        let (step, longest) = lanes.settings.first_step(equations, S::splat(span[0]), y);
-        let control = LanesControl::new(self.first_step.map_or(step, S::splat));
-        VernerLanes { state: Compensated::new(*y), control, longest, ..lanes }
     }
 
     #[inline(always)]
@@ -262,6 +247,14 @@ where
 
     #[inline(always)]
     fn workspace() {}
+
+    #[inline(always)]
+    fn start(&mut self, equations: &E, y: &E::State) {
+        let (step, longest) = self.settings.first_step(equations, self.clock.time(), y);
+        self.control = LanesControl::new(self.settings.first.unwrap_or(step));
+        self.longest = longest;
+        self.state = Compensated::new(*y);
+    }
 
     #[inline(always)]
     fn last_step(&self) -> Self::LastStep {
