@@ -6,7 +6,7 @@ use std::vec;
 
 use super::fitted::{Fitted, fitted_name};
 use crate::simulate::{label_with_unit, time_axis, unit};
-use crate::system::{ParametricSystem, description_of_type};
+use crate::system::ParametricSystem;
 use lagrange_plot::notation::Columns;
 use lagrange_plot::{Curve, Figure, Panel, PlotError};
 
@@ -38,7 +38,7 @@ impl<M: ParametricSystem<Scalar = f64>> Fitted<M> {
             Curve { name: "fitted".into(), points: fitted.filter(|(_, value)| value.is_finite()).collect() },
         ];
         let y =
-            label_with_unit(Columns::new([column]).label(column), unit(description_of_type::<M>(), column));
+            label_with_unit(Columns::new([column]).label(column), unit(self.system().description(), column));
         let panel = Panel { x: time_axis(), y, curves, ..Panel::default() };
         Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
     }
