@@ -171,4 +171,6 @@ fn constraints_that_depend_on_each_other_give_no_numbers() {
     let result = integrate(&Doubled { l: 1.0 }, 0.0, start, 1.0, &Taylor::tolerance(1e-9), |_, _| {});
     let failed = result.expect_err("forces are not determined");
     assert_eq!(failed.state, start);
+    let message = failed.to_string();
+    assert!(message.contains("no Taylor series") && message.contains("`Verner98`"), "{message}");
 }

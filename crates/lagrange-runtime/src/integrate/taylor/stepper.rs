@@ -13,6 +13,10 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
 use crate::tolerance::SAME_STATE;
 
+/// Message for rates that follow from another elimination than that of the series.
+const NO_SERIES: &str = "the equations have no Taylor series here, since constraints depend on each other or a pivot of the \
+                         mass matrix vanishes: choose `Verner98` (`verner`)";
+
 /// An integration by [`Taylor`] series in progress.
 #[derive(Clone, Debug)]
 pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
@@ -96,6 +100,19 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
 }
 
 impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
+    /// Checks the rates of the present expansion, at this time and state.
+    ///
+    /// # Errors
+    /// If they are not finite.
+    fn check_rates(&self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {
+        check_finite(t, &self.ahead().coefficients[0]).map_err(|cause| {
+            match check_finite(t, &system.rhs(t, y)) {
+                Ok(()) => StepFailure::Stuck(NO_SERIES),
+                Err(_) => cause,
+            }
+        })
+    }
+
     /// Returns the expansion at the present state.
     fn ahead(&self) -> &Expansion<M::Scalar, M::State> {
         &self.expansions[self.present]
@@ -154,7 +171,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let y = *state.value();
         self.present = 1 - self.present;
         self.expand(system, clock.time(), &y);
-        let rates = check_finite(clock.time(), &self.ahead().coefficients[0]);
+        let rates = self.check_rates(system, clock.time(), &y);
         let mut outcome = SeriesStep::Rejected;
         if rates.is_ok() && (is_across || self.last().fits(&self.rule, h, &slope, self.ahead())) {
             match self.last().landing(&self.rule, h, &slope, self.ahead()) {
@@ -272,7 +289,7 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {
         let y = &admitted(system, t, y)?;
         self.expand(system, t, y);
-        check_finite(t, &self.ahead().coefficients[0])?;
+        self.check_rates(system, t, y)?;
         self.clock = Clock::new(t, M::Scalar::ZERO);
         self.state = Compensated::new(*y);
         self.forget_last();
