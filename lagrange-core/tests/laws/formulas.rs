@@ -112,5 +112,6 @@ pub(crate) fn leeway(graph: &Graph, expression: ExprId, point: &Point) -> f64 {
     });
     let spread =
         spread.fold(0.0, |most: f64, next| if next.is_nan() { f64::INFINITY } else { most.max(next) });
-    1e3 * spread + 1e-9 * (1.0 + centre.abs())
+    // A maximum with NaN would be the other number.
+    if centre.is_nan() { f64::INFINITY } else { 1e3 * spread + 1e-9 * (1.0 + centre.abs()) }
 }
