@@ -136,6 +136,8 @@ def test_fits_can_be_interrupted():
     system = lagrange.System(OSCILLATOR)
     times = np.linspace(0, 500, 2000)
     data = {"t": times, "x": np.cos(times)}
+    # Processes in the background ignore Ctrl-C.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     interrupt = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
     interrupt.start()
     began = time.monotonic()

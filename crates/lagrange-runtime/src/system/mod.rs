@@ -51,7 +51,6 @@ pub use self::noise::{MOST_NOISES, NoiseKind, WhiteNoise};
 pub use self::out_of_range::{OutOfRange, RangedKind};
 pub use self::parametric::{ParametricSystem, pick_columns};
 pub use self::ports::{ControlledSystem, OutputSystem};
-#[cfg(feature = "std")]
 pub(crate) use self::positions::normalised;
 pub(crate) use self::positions::{displaced, normalise_positions, reach};
 pub use self::positions::{join, normalise, normalise_described, split};
