@@ -18,7 +18,7 @@
 //! y is (0, −e). The derivative by y is therefore (1 − e) s₂; the exact one is s₂/(1 + e).
 
 use super::projection::{Residuals, are_zero, correct};
-use super::residuals::{largest, size, sizes};
+use super::residuals::{gradients_times, largest, size, sizes};
 use super::{ConstrainedSystem, are_finite};
 use crate::differences;
 use crate::linalg::vector::{add, difference, dot};
@@ -169,9 +169,7 @@ impl<'a, M: ConstrainedSystem + ParametricSystem> Move<'a, M> {
         let (mut removal, mut rest) = (v.zeros(), *residuals);
         for _ in 0..MOST_REMOVALS {
             add(&mut removal, Number::ONE, &self.system.correction(self.t, &q, &v, &rest));
-            let [moved, still] =
-                [removal, v.zeros()].map(|v| self.system.velocity_residuals(self.t, &end, &v));
-            rest = difference(&moved, &still);
+            rest = gradients_times(self.system, self.t, &end, &removal);
             add(&mut rest, Number::ONE, residuals);
             if largest(rest.as_ref()) <= negligible {
                 return Some(removal);

@@ -10,10 +10,10 @@
 //! Optimization*, 2nd ed., §§3.5, 5.2.
 
 use super::ConstrainedSystem;
-use super::residuals::largest;
+use super::residuals::{gradients_times, largest};
 use crate::linalg::vector::{add, difference};
 use crate::scalar::{Number, Scalar};
-use crate::system::{Positions, ScalarOf, StateVector, Velocities, displaced};
+use crate::system::{Positions, ScalarOf, Velocities, displaced};
 use crate::tolerance::PULL;
 
 /// Maximum number of steps.
@@ -160,12 +160,10 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     /// Removes the component of a displacement normal to the constraints.
     fn tangential(&self, q: &Positions<M>, change: &Velocities<M>) -> Velocities<M> {
         let NearestSearch { system, t, v, .. } = self;
-        let mut residuals = system.velocity_residuals(*t, q, &Velocities::<M>::zeros(self.v));
-        let moved = system.velocity_residuals(*t, q, change);
-        for (residual, moved) in residuals.as_mut().iter_mut().zip(moved.as_ref()) {
-            *residual = *residual - *moved;
-        }
-        difference(change, &system.correction(*t, q, v, &residuals))
+        let mut tangential = *change;
+        let moved = gradients_times(*system, *t, q, change);
+        add(&mut tangential, Number::ONE, &system.correction(*t, q, v, &moved));
+        tangential
     }
 
     /// Computes aᵀM b.

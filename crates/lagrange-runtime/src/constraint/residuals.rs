@@ -1,6 +1,7 @@
 //! Sizes of residuals.
 
 use super::ConstrainedSystem;
+use crate::linalg::vector::difference;
 use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, Violated, Violation, reach};
 use crate::tolerance::RESIDUAL;
@@ -58,6 +59,17 @@ pub(super) fn of_velocities_together<M: ConstrainedSystem + ?Sized>(
 ) -> M::Scalar {
     let scales = system.residual_scales(t, q, &sizes(v));
     largest(system.velocity_residuals(t, q, v).as_ref()) / largest(scales.as_ref())
+}
+
+/// Computes A δ, the change of the residuals of velocities if these change by δ.
+pub(super) fn gradients_times<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    change: &M::Velocities,
+) -> M::Multipliers {
+    let [moved, still] = [change, &change.zeros()].map(|v| system.velocity_residuals(t, q, v));
+    difference(&moved, &still)
 }
 
 /// Returns the largest magnitude; NaN if an entry is NaN.
