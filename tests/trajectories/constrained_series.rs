@@ -103,7 +103,7 @@ fn coefficients_begin_with_the_accelerations() {
         let y = [0.0, 3.0, 0.0, 0.1, speed, 0.0, 0.5 * speed];
         let rates = lagrange::system::OdeSystem::rhs(&SliderCrank::default(), 0.4, &y);
         let (mut series, mut coefficients) = (SliderCrank::series(), [[0.0; 7]; 2]);
-        SliderCrank::default().expand(0.4, &y, &mut series, &mut coefficients);
+        SliderCrank::default().expand::<false>(0.4, &y, &mut series, &mut coefficients);
         assert!(error(&coefficients[0], &rates) < 1e-13, "{:?} {rates:?}", coefficients[0]);
     }
 }

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use lagrange::Simulate;
 use lagrange::integrate::{Method, StepFailure, Stepper, Taylor, Verner98, integrate};
+use lagrange::scalar::Portable;
 use lagrange::system::{OdeSystem, TaylorSystem};
 
 use super::references::{Numbers, state};
@@ -168,45 +169,32 @@ fn states_within_steps_are_as_accurate_as_their_ends() {
 fn coefficients_begin_with_the_rate() {
     let (system, y) = (Mixture::<f64>::default(), [0.4, -0.3, 0.1, 0.2, 0.5]);
     let (mut series, mut coefficients) = (Mixture::<f64>::series(), [[0.0; 5]; 3]);
-    system.expand(0.25, &y, &mut series, &mut coefficients);
+    system.expand::<false>(0.25, &y, &mut series, &mut coefficients);
     assert!(error(&coefficients[0], &system.rhs(0.25, &y)) < 1e-14);
 }
 
-/// A double pendulum expanded with the instructions of the target alone.
-struct WithoutChoice(DoublePendulum);
-
-impl OdeSystem for WithoutChoice {
-    type Scalar = f64;
-    type State = [f64; 4];
-
-    fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
-        self.0.rhs(t, y)
-    }
-}
-
-impl TaylorSystem for WithoutChoice {
-    type Series = <DoublePendulum as TaylorSystem>::Series;
-
-    fn series() -> Self::Series {
-        DoublePendulum::series()
-    }
-
-    // Code with the caller's instructions may not be inlined here.
-    #[inline(never)]
-    fn expand(&self, t: f64, y: &[f64; 4], series: &mut Self::Series, coefficients: &mut [[f64; 4]]) {
-        self.0.expand(t, y, series, coefficients);
+#[test]
+fn fused_products_change_rounding_alone() {
+    let (start, until) = ([2.0, 1.5, 0.0, 0.0], 3.0);
+    for order in [4, 9, 24, 40] {
+        let fused = of_order(order, 1e-10);
+        let [fused, apart] = [fused, Taylor { fused: false, ..fused }]
+            .map(|method| end(&DoublePendulum::default(), start, until, &method));
+        assert!(error(&fused, &apart) < 1e-11, "order {order}: {fused:?} {apart:?}");
     }
 }
 
 #[test]
-fn wider_instructions_give_the_same_bits() {
-    let start = [2.0, 1.5, 0.0, 0.0];
-    for order in [4, 9, 24, 40] {
-        let method = of_order(order, 1e-10);
-        let chosen = end(&DoublePendulum::default(), start, 10.0, &method);
-        let base = end(&WithoutChoice(DoublePendulum::default()), start, 10.0, &method);
-        assert_eq!(chosen.map(f64::to_bits), base.map(f64::to_bits), "order {order}");
-    }
+fn portable_numbers_fuse_nothing() {
+    let start = [0.4, -0.3, 0.1, 0.2, 0.5].map(Portable);
+    let expand = |fused| {
+        let method = Taylor { fused, ..of_order(24, Portable(1e-10)) };
+        let mut stepper =
+            method.start(&Mixture::default(), Portable(0.0), &start, Portable(1.0)).expect("starts");
+        stepper.step(&Mixture::default(), Portable(1.0)).expect("goes on");
+        stepper.state().map(|entry: Portable<f64>| entry.0.to_bits())
+    };
+    assert_eq!(expand(true), expand(false));
 }
 
 #[test]

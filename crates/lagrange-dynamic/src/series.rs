@@ -40,11 +40,11 @@ impl DynamicSeries {
 
     /// Computes the coefficients of step k.
     #[inline(always)]
-    fn step(&mut self, k: usize, of: &MotionSeries, compute: impl Fn(&[f64], &mut [f64])) {
+    fn step<const FUSED: bool>(&mut self, k: usize, of: &MotionSeries, compute: impl Fn(&[f64], &mut [f64])) {
         let SlotPlaces { order, carried, sums, .. } = of.places;
         let Order { number, reciprocal, first } = Order::after(k);
         self.slots[order..carried].copy_from_slice(&[number, reciprocal, first]);
-        self.products.sums(k, &of.of_group, &mut self.slots[sums..]);
+        self.products.sums::<FUSED>(k, &of.of_group, &mut self.slots[sums..]);
         compute(&self.slots, &mut self.results);
         self.products.keep(k, &self.results[of.results.shared..]);
         let (carried_on, arguments) =
@@ -66,7 +66,7 @@ impl<const CAPACITY: usize> TaylorSystem for DynamicSystem<CAPACITY> {
 
     // Compiled once for each instruction set that the method selects from.
     #[inline(always)]
-    fn expand(
+    fn expand<const FUSED: bool>(
         &self,
         t: f64,
         y: &Inline<CAPACITY>,
@@ -90,7 +90,7 @@ impl<const CAPACITY: usize> TaylorSystem for DynamicSystem<CAPACITY> {
         series.begin(of);
         let compute = self.numeric.series_step(of);
         for (k, coefficients) in coefficients.iter_mut().enumerate() {
-            series.step(k, of, &compute);
+            series.step::<FUSED>(k, of, &compute);
             *coefficients = y.zeros();
             coefficients.as_mut().iter_mut().zip(&series.results).for_each(|(entry, found)| *entry = *found);
         }

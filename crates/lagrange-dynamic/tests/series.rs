@@ -176,7 +176,7 @@ macro_rules! assert_same_bits {
         assert_same_bits!($System, $text, $start, $end, Taylor::tolerance(1e-9), "Reached")
     };
     ($System:ident, $text:expr, $start:expr, $end:expr, $method:expr, $ending:expr) => {{
-        let (start, end, method) = ($start, $end, $method);
+        let (start, end, method) = ($start, $end, Taylor { fused: false, ..$method });
         let compiled = $System::default();
         let expected = record(compiled.simulate(start).until(end).method(method).every(0.05).energy().run());
         let found = declared($text).visit(Motion { start: start.as_ref(), end, method });

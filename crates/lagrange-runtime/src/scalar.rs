@@ -192,6 +192,20 @@ pub trait Number:
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }
+
+    /// Computes `self * factor + addend` where the processor has the instruction, as known at run
+    /// time. `f64` and `f32` round once on every target; without the instruction, this is a library
+    /// call.
+    #[inline(always)]
+    fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
+        self.multiply_add(factor, addend)
+    }
+}
+
+/// Computes `a * b + sum`, with [`fused_multiply_add`](Number::fused_multiply_add) if FUSED.
+#[inline(always)]
+pub(crate) fn product_sum<const FUSED: bool, S: Number>(a: S, b: S, sum: S) -> S {
+    if FUSED { a.fused_multiply_add(b, sum) } else { a.multiply_add(b, sum) }
 }
 
 /// A single real number, which programs can compare and branch on. Methods of integration, events
@@ -204,13 +218,6 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
     #[inline]
     fn epsilon() -> Self {
         spacing_at_one()
-    }
-
-    /// Computes `self * factor + addend` for [`Lanes`]. `f64` and `f32` round once on every target;
-    /// without the instruction, this is a library call.
-    #[inline(always)]
-    fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
-        self.multiply_add(factor, addend)
     }
 
     /// Computes sines and cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse products

@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use crate::scalar::{Number, Scalar};
+use crate::scalar::{Number, Scalar, product_sum};
 
 /// A vector of numbers, such as `[S; K]`. Its length is part of its type. For systems read at run
 /// time, the type specifies only the maximum length.
@@ -163,9 +163,15 @@ pub(crate) fn scaled<S: Scalar, Y: StateVector<S>>(y: &Y, size: S) -> Y {
 /// Computes a + c b.
 #[inline(always)]
 pub(crate) fn combined<S: Number, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
+    combined_if_fused::<false, S, Y>(a, c, b)
+}
+
+/// Computes a + c b, with [fused products](Number::fused_multiply_add) if FUSED.
+#[inline(always)]
+pub(crate) fn combined_if_fused<const FUSED: bool, S: Number, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
     let mut sum = *a;
     for (a, b) in sum.padded_mut().iter_mut().zip(b.padded()) {
-        *a = b.multiply_add(c, *a);
+        *a = product_sum::<FUSED, S>(*b, c, *a);
     }
     sum
 }

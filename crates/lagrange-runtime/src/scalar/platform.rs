@@ -44,11 +44,6 @@ macro_rules! implement_scalar {
             }
 
             #[inline(always)]
-            fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
-                platform!($scalar::mul_add | fma fmaf(self, factor, addend))
-            }
-
-            #[inline(always)]
             fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 lagrange_math::$sines_and_cosines::<FUSED, N>(angles)
             }
@@ -133,10 +128,15 @@ macro_rules! implement_scalar {
             #[inline]
             fn multiply_add(self, factor: Self, addend: Self) -> Self {
                 if cfg!(target_feature = "fma") {
-                    platform!($scalar::mul_add | fma fmaf(self, factor, addend))
+                    self.fused_multiply_add(factor, addend)
                 } else {
                     self * factor + addend
                 }
+            }
+
+            #[inline(always)]
+            fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
+                platform!($scalar::mul_add | fma fmaf(self, factor, addend))
             }
 
             $(

@@ -85,7 +85,13 @@ pub trait Equations<S: Number>: Copy {
     /// Computes the coefficients of the motion, as
     /// [`TaylorSystem::expand`](super::TaylorSystem::expand) does; NaN if there are no series.
     #[inline(always)]
-    fn expand(&self, _t: S, _y: &Self::State, _series: &mut Self::Series, coefficients: &mut [Self::State]) {
+    fn expand<const FUSED: bool>(
+        &self,
+        _t: S,
+        _y: &Self::State,
+        _series: &mut Self::Series,
+        coefficients: &mut [Self::State],
+    ) {
         coefficients.iter_mut().for_each(|coefficients| coefficients.as_mut().fill(S::NAN));
     }
 }

@@ -12,7 +12,7 @@ pub use self::solver::{SeriesSolver, negative_inverse, negative_inverse_of_defin
 #[cfg(feature = "std")]
 pub use self::stored::StoredProducts;
 use super::OdeSystem;
-use crate::scalar::{Number, Scalar};
+use crate::scalar::{Number, Scalar, product_sum};
 
 /// Maximum order of an expansion.
 pub const MAX_ORDER: usize = 40;
@@ -34,8 +34,9 @@ pub trait TaylorSystem: OdeSystem {
     fn series() -> Self::Series;
 
     /// Computes the coefficients of orders 1, 2, … of the motion through the state `y` at time `t`.
-    /// It fills `coefficients`, which has at most [`MAX_ORDER`] entries.
-    fn expand(
+    /// It fills `coefficients`, which has at most [`MAX_ORDER`] entries. Products and sums may be
+    /// [fused](Number::fused_multiply_add) if FUSED.
+    fn expand<const FUSED: bool>(
         &self,
         t: Self::Scalar,
         y: &Self::State,
@@ -65,10 +66,10 @@ impl<S: Number> Four<S> {
 
     /// Computes self + a b.
     #[inline(always)]
-    fn plus(self, a: &Self, b: &Self) -> Self {
+    fn plus<const FUSED: bool>(self, a: &Self, b: &Self) -> Self {
         let mut sum = self;
         for lane in 0..4 {
-            sum.0[lane] = a.0[lane].multiply_add(b.0[lane], self.0[lane]);
+            sum.0[lane] = product_sum::<FUSED, S>(a.0[lane], b.0[lane], self.0[lane]);
         }
         sum
     }
@@ -92,9 +93,9 @@ fn inner_sums<S: Number, A, B, const N: usize>(
     accumulate: impl Fn(&mut [Four<S>; N], &A, &B),
 ) -> [Four<S>; N] {
     let (mut even, mut odd) = ([Four::ZERO; N], [Four::ZERO; N]);
-    let (pairs_of_a, last_of_a) = a.as_chunks::<2>();
-    let (last_of_b, pairs_of_b) = b.as_rchunks::<2>();
-    for ([a0, a1], [b1, b0]) in pairs_of_a.iter().zip(pairs_of_b.iter().rev()) {
+    let (last_of_a, pairs_of_a) = a.as_rchunks::<2>();
+    let (pairs_of_b, last_of_b) = b.as_chunks::<2>();
+    for ([a1, a0], [b0, b1]) in pairs_of_a.iter().rev().zip(pairs_of_b) {
         accumulate(&mut even, a0, b0);
         accumulate(&mut odd, a1, b1);
     }
@@ -157,7 +158,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     /// indices `shared`. It does not depend on results of step k − 1, so it need not wait for that
     /// step.
     #[inline(always)]
-    pub fn add_up<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
+    pub fn add_up<const FUSED: bool, const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
         if size_of::<S>() > LARGEST_TOGETHER {
             let (pairs, last) = shared.as_chunks::<2>();
             for (pair, shared) in pairs.iter().enumerate() {
@@ -173,7 +174,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         let sums =
             inner_sums(a.unwrap_or_default(), b.unwrap_or_default(), |sums: &mut [Four<S>; N], a, b| {
                 for place in 0..N {
-                    sums[place] = sums[place].plus(&a[shared[place]], &b[group + place]);
+                    sums[place] = sums[place].plus::<FUSED>(&a[shared[place]], &b[group + place]);
                 }
             });
         self.inner[group..group + N].copy_from_slice(&sums);
@@ -220,7 +221,7 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
     /// newest factors, with j = k − 1, are arguments: waiting until they are stored would double
     /// the time.
     #[inline(always)]
-    pub fn sums(
+    pub fn sums<const FUSED: bool>(
         &mut self,
         shared: [usize; GROUPS],
         (newest_a, newest_b): &SeriesFactors<S, SHARED, GROUPS>,
@@ -233,8 +234,8 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         for (group, (sums, a)) in sums.iter_mut().zip(shared).enumerate() {
             for (lane, sum) in sums.iter_mut().enumerate() {
                 let inner = self.inner[group].0[lane];
-                let first = first_a[a][lane].multiply_add(newest_b[group][lane], inner);
-                *sum = newest_a[a][lane].multiply_add(first_b[group][lane], first);
+                let early = product_sum::<FUSED, S>(newest_a[a][lane], first_b[group][lane], inner);
+                *sum = product_sum::<FUSED, S>(first_a[a][lane], newest_b[group][lane], early);
             }
         }
         sums

@@ -51,7 +51,7 @@ fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<T
     } else {
         writer.shape.scalar().to_token_stream()
     };
-    let body = expansion((writer.shape, &scalar), programs, &groups, inversion, [&start, &next]);
+    let body = expansion((writer.shape, &scalar), programs, &groups, inversion, (&start, &next));
     let followed =
         programs.arguments.iter().map(|argument| (argument.table.clone(), argument.axis)).collect();
     let (shared, groups) = (groups.shared.len(), groups.groups.len());
@@ -66,27 +66,37 @@ fn are_for_lanes(writer: &MethodWriter<'_>, programs: &SeriesPrograms) -> bool {
     writer.members.lanes.is_some() && writer.shape.switches.is_empty() && !all.any(is_opaque)
 }
 
+/// A block with the values of a program of a step.
+struct Step {
+    block: TokenStream,
+    /// True if it calls `multiply_add`.
+    has_product_sums: bool,
+}
+
 /// Returns a block with the stored values of one order.
 fn newest(
     writer: &mut MethodWriter<'_>,
     programs: &SeriesPrograms,
     groups: &Groups,
     is_in_lanes: bool,
-) -> Option<TokenStream> {
+) -> Option<Step> {
     let scalar = if is_in_lanes { writer.shape.lanes_computed_with() } else { writer.shape.computed_with() };
     let expansion = step(writer, programs, groups, (&programs.expansion, &scalar))?;
     let Some(correction) = &programs.correction else { return Some(expansion) };
     let correction = step(writer, programs, groups, (correction, &scalar))?;
+    let has_product_sums = expansion.has_product_sums || correction.has_product_sums;
+    let [expansion, correction] = [expansion, correction].map(|step| step.block);
     let unknowns = writer.model.speeds.len() + writer.model.constraints.len();
     let (kept, n) = (length(programs.kept), length(unknowns));
     let [partial, acceleration, velocity] = ["partial", "acceleration", "velocity"].map(local);
     let [solver, order] = ["solver", "present"].map(local);
-    Some(quote!({
+    let block = quote!({
         let #partial = #expansion;
-        let #acceleration: [_; #n] = #solver.accelerations(&#partial[#kept..]);
+        let #acceleration: [_; #n] = #solver.accelerations::<FUSED>(&#partial[#kept..]);
         let #velocity = #order.divide(&#acceleration);
         #correction
-    }))
+    });
+    Some(Step { block, has_product_sums })
 }
 
 /// Returns the loop over the orders.
@@ -95,7 +105,7 @@ fn expansion(
     programs: &SeriesPrograms,
     groups: &Groups,
     inversion: &str,
-    [start_values, next_values]: [&TokenStream; 2],
+    (start_values, step): (&TokenStream, &Step),
 ) -> TokenStream {
     let (krate, all) = (shape.krate, shape.state_length());
     let [start, now, next, sum, solver] = ["start", "now", "next", "sum", "solver"].map(local);
@@ -113,13 +123,23 @@ fn expansion(
     let shared = groups.of_group.iter().map(|&place| length(place)).collect::<Vec<_>>();
     let loops = shared.chunks(LOOP).enumerate().map(|(index, shared)| {
         let (count, group) = (length(shared.len()), length(index * LOOP));
-        quote!(#series.add_up::<#count>(#k, #group, [#(#shared),*]);)
+        quote!(#series.add_up::<FUSED, #count>(#k, #group, [#(#shared),*]);)
     });
     let places = |(kept, initial): &(usize, usize)| (length(*kept), length(*initial));
     let (kept, initial): (Vec<_>, Vec<_>) = programs.carried.iter().map(places).unzip();
     let carried = length(programs.carried.len());
     let matrix = (programs.initials..programs.initial.outputs().len()).map(length);
     let inversion = format_ident!("{inversion}");
+    let Step { block: next_values, has_product_sums } = step;
+    let product_sums = has_product_sums.then(|| {
+        let multiply_add = local("multiply_add");
+        quote! {
+            let #multiply_add = |factor: #scalar, other: #scalar, addend: #scalar| match FUSED {
+                true => #krate::Number::fused_multiply_add(factor, other, addend),
+                false => #multiply_add(factor, other, addend),
+            };
+        }
+    });
     let inverted = programs
         .correction
         .as_ref()
@@ -129,6 +149,7 @@ fn expansion(
     quote! {
         let #start: [#scalar; #starts] = { #start_values };
         #inverted
+        #product_sums
         #series.begin();
         #follow
         let mut #newest = <Self::Series>::NONE;
@@ -137,7 +158,7 @@ fn expansion(
             let #order = #krate::private::Order::<#scalar>::after(#k);
             let #integral = #order.divide(&#now);
             #(#loops)*
-            let #sum = #series.sums([#(#shared),*], &#newest);
+            let #sum = #series.sums::<FUSED>([#(#shared),*], &#newest);
             let #next: [#scalar; #all_kept] = #next_values;
             #newest = (#of_shared, #of_groups);
             #series.keep(#k, &#newest);
@@ -170,7 +191,7 @@ fn step(
     programs: &SeriesPrograms,
     groups: &Groups,
     (program, scalar): (&Program, &Scalar),
-) -> Option<TokenStream> {
+) -> Option<Step> {
     let program = optimise(program, writer.model.accuracy);
     let mut names = Names::new(ARRAYS);
     for (index, slot) in programs.slots.iter().enumerate() {
@@ -197,7 +218,8 @@ fn step(
     });
     let bindings = bindings.collect::<TokenStream>();
     let (statements, outputs) = (body.statements, body.outputs);
-    Some(quote!({ #bindings #statements [#(#outputs),*] }))
+    let block = quote!({ #bindings #statements [#(#outputs),*] });
+    Some(Step { block, has_product_sums: body.functions.contains("multiply_add") })
 }
 
 /// Arrays in the loop over the orders.
@@ -257,7 +279,7 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
     });
     let of_lanes = quote! {
         let lanes = #krate::system::LanesSystem::lanes(self, |number| number);
-        #krate::system::Equations::expand(&lanes, #time, #state, #series, #coefficients);
+        #krate::system::Equations::expand::<FUSED>(&lanes, #time, #state, #series, #coefficients);
     };
     let body = if taylor.is_in_lanes { &of_lanes } else { own };
     Some(quote! {
@@ -270,7 +292,7 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
             }
             // Compiled once for each instruction set that the method selects from.
             #[inline(always)]
-            fn expand(
+            fn expand<const FUSED: ::core::primitive::bool>(
                 &self,
                 #time: #scalar,
                 #state: &[#scalar; #all],
@@ -304,7 +326,7 @@ pub(in crate::emit) fn series_in_lanes(shape: &Shape<'_>, members: &Members) -> 
     quote! {
         type Series = #products;
         #[inline(always)]
-        fn expand(
+        fn expand<const FUSED: ::core::primitive::bool>(
             &self,
             #time: #number,
             #state: &[#number; #all],

@@ -46,7 +46,7 @@ macro_rules! system {
             }
 
             $(#[inline(always)]
-            fn expand(&self, t: S, y: &Self::State, (): &mut (), coefficients: &mut [Self::State]) {
+            fn expand<const FUSED: bool>(&self, t: S, y: &Self::State, (): &mut (), coefficients: &mut [Self::State]) {
                 $series(self, t, y, coefficients);
             })?
         }
@@ -109,8 +109,8 @@ impl<S: Scalar> TaylorSystem for Spring<S> {
 
     fn series() {}
 
-    fn expand(&self, t: S, y: &[S; 2], series: &mut (), coefficients: &mut [[S; 2]]) {
-        Equations::expand(self, t, y, series, coefficients);
+    fn expand<const FUSED: bool>(&self, t: S, y: &[S; 2], series: &mut (), coefficients: &mut [[S; 2]]) {
+        Equations::expand::<FUSED>(self, t, y, series, coefficients);
     }
 }
 

@@ -53,14 +53,14 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
 
     /// Returns the change of the state over a time `h`.
     #[inline]
-    pub(super) fn change(&self, h: S) -> Y {
-        compute(Increment { expansion: self, h })
+    pub(super) fn change(&self, rule: &StepRule<S>, h: S) -> Y {
+        compute(Increment { expansion: self, h }, rule.fused)
     }
 
     /// Returns the change of the state over a time `h`, and the slope of the polynomial there.
     #[inline]
     pub(super) fn advance(&self, rule: &StepRule<S>, h: S) -> [Y; 2] {
-        compute(Advance { expansion: self, rule, h })
+        compute(Advance { expansion: self, rule, h }, rule.fused)
     }
 
     /// True if the slope of the polynomial after a time `h` agrees, within the tolerance, with the
@@ -79,7 +79,11 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     pub(super) fn landing(&self, rule: &StepRule<S>, h: S, slope: &Y, ahead: &Self) -> Option<S> {
         let starts = self.y.as_ref().iter().zip(self.coefficients[0].as_ref());
         let ends = ahead.y.as_ref().iter().zip(ahead.coefficients[0].as_ref()).zip(slope.as_ref());
-        let lengths = starts.zip(ends).enumerate().filter_map(|(component, (start, end))| {
+        let near = starts
+            .zip(ends)
+            .enumerate()
+            .filter(|(component, ((y, _), _))| rule.is_near_zero(*component, **y));
+        let lengths = near.filter_map(|(component, (start, end))| {
             let ((y, rate), ((after, rate_after), slope)) = (start, end);
             let is_wrong = rule.turns(component, h, [*y, *rate], [*after, *rate_after, *slope]);
             is_wrong.then(|| (*y / *rate).abs())
@@ -144,10 +148,10 @@ impl<S: Scalar, Y: StateVector<S>> WideTask for Advance<'_, S, Y> {
     type Output = [Y; 2];
 
     #[inline(always)]
-    fn compute(self) -> [Y; 2] {
+    fn compute<const FUSED: bool>(self) -> [Y; 2] {
         let Advance { expansion, rule, h } = self;
         let coefficients = &expansion.coefficients[..expansion.order];
-        [increment(coefficients, h), slope(coefficients, &rule.orders, h)]
+        [increment::<FUSED, S, Y>(coefficients, h), slope::<FUSED, S, Y>(coefficients, &rule.orders, h)]
     }
 }
 
@@ -160,7 +164,7 @@ impl<S: Scalar, Y: StateVector<S>> WideTask for Increment<'_, S, Y> {
     type Output = Y;
 
     #[inline(always)]
-    fn compute(self) -> Y {
-        increment(&self.expansion.coefficients[..self.expansion.order], self.h)
+    fn compute<const FUSED: bool>(self) -> Y {
+        increment::<FUSED, S, Y>(&self.expansion.coefficients[..self.expansion.order], self.h)
     }
 }

@@ -221,11 +221,11 @@ where
         let is_stopped = self.length.less(least_step(t)) | self.clock.is_stopped(&clock);
         let is_lost = (is_stopped & !is_equal(t, self.end)) | !S::ZERO.less(self.length);
         let mut state = self.state;
-        state.add(&increment(last, h));
-        let slope = slope(last, &self.rule.orders, h);
+        state.add(&increment::<false, S, _>(last, h));
+        let slope = slope::<false, S, _>(last, &self.rule.orders, h);
         let clock = Clock::select(is_first, &self.clock, &clock);
         let state = Compensated::select(is_first, &self.state, &state);
-        equations.expand(clock.time(), state.value(), products, ahead);
+        equations.expand::<false>(clock.time(), state.value(), products, ahead);
 
         let attempt = LanesAttempt { h, clock, state, slope, coefficients: [last, ahead], is_first };
         let is_taken = self.fits(&attempt);
@@ -245,7 +245,7 @@ where
     #[inline(always)]
     fn interpolate(&self, workspace: &Self::Workspace, last: &Self::LastStep, t: S) -> E::State {
         let mut within = last.y;
-        let change = increment(&workspace.last[..self.rule.order], t - last.t);
+        let change = increment::<false, S, _>(&workspace.last[..self.rule.order], t - last.t);
         for (component, change) in within.as_mut().iter_mut().zip(change.as_ref()) {
             *component = *component + *change;
         }

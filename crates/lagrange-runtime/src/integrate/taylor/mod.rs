@@ -43,6 +43,9 @@ pub struct Taylor<S> {
     pub longest_step: Option<S>,
     /// Maximum number of attempted steps, including rejected ones.
     pub max_steps: u64,
+    /// True if products and sums are rounded once where the processor can, which is faster.
+    /// Otherwise, a single motion has the same bits on all processors of a target. True by default.
+    pub fused: bool,
 }
 
 /// The order for the tightest tolerance in double precision, where higher orders cost more than
@@ -63,6 +66,7 @@ impl<S: Scalar> Taylor<S> {
             order: None,
             longest_step: None,
             max_steps: 100_000_000,
+            fused: true,
         }
     }
 

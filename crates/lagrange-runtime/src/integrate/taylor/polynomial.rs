@@ -1,13 +1,13 @@
 //! Polynomials whose coefficients are states, for one motion or several in lanes.
 
-use crate::linalg::vector::combined;
+use crate::linalg::vector::combined_if_fused as combined;
 use crate::scalar::Number;
 use crate::system::{MAX_ORDER, StateVector};
 
 /// Returns the change over a time `h`, given the coefficients of orders 1, 2, …
 #[inline(always)]
-pub(super) fn increment<S: Number, Y: StateVector<S>>(coefficients: &[Y], h: S) -> Y {
-    let mut change = polynomial(coefficients, None, h);
+pub(super) fn increment<const FUSED: bool, S: Number, Y: StateVector<S>>(coefficients: &[Y], h: S) -> Y {
+    let mut change = polynomial::<FUSED, S, Y>(coefficients, None, h);
     for sum in change.padded_mut() {
         *sum = *sum * h;
     }
@@ -16,14 +16,22 @@ pub(super) fn increment<S: Number, Y: StateVector<S>>(coefficients: &[Y], h: S) 
 
 /// Returns the slope after a time `h`, given the coefficients and their orders.
 #[inline(always)]
-pub(super) fn slope<S: Number, Y: StateVector<S>>(coefficients: &[Y], orders: &[S; MAX_ORDER], h: S) -> Y {
-    polynomial(coefficients, Some(orders), h)
+pub(super) fn slope<const FUSED: bool, S: Number, Y: StateVector<S>>(
+    coefficients: &[Y],
+    orders: &[S; MAX_ORDER],
+    h: S,
+) -> Y {
+    polynomial::<FUSED, S, Y>(coefficients, Some(orders), h)
 }
 
 /// Computes Σ hᵏ times the coefficient of order k + 1, and times the order if it is given, as four
 /// polynomials in h⁴. Successive terms can then be computed independently.
 #[inline(always)]
-fn polynomial<S: Number, Y: StateVector<S>>(coefficients: &[Y], orders: Option<&[S; MAX_ORDER]>, h: S) -> Y {
+fn polynomial<const FUSED: bool, S: Number, Y: StateVector<S>>(
+    coefficients: &[Y],
+    orders: Option<&[S; MAX_ORDER]>,
+    h: S,
+) -> Y {
     let square = h * h;
     let fourth = square * square;
     let (blocks, rest) = coefficients.as_chunks::<4>();
@@ -34,11 +42,13 @@ fn polynomial<S: Number, Y: StateVector<S>>(coefficients: &[Y], orders: Option<&
     for (block, coefficients) in blocks.iter().enumerate().rev() {
         for place in 0..4 {
             let term = term(&coefficients[place], orders, 4 * block + place);
-            sums[place] = combined(&term, fourth, &sums[place]);
+            sums[place] = combined::<FUSED, S, Y>(&term, fourth, &sums[place]);
         }
     }
     let [total, first, second, third] = sums;
-    combined(&combined(&total, square, &second), h, &combined(&first, square, &third))
+    let [even, odd] = [(&total, &second), (&first, &third)]
+        .map(|(first, second)| combined::<FUSED, S, Y>(first, square, second));
+    combined::<FUSED, S, Y>(&even, h, &odd)
 }
 
 #[inline(always)]

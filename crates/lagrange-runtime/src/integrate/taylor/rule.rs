@@ -25,6 +25,7 @@ pub(super) const LAST_ORDERS: usize = 4;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StepRule<S> {
     pub(super) order: usize,
+    pub(super) fused: bool,
     pub(super) tolerance: S,
     pub(super) last_orders: LastOrders<S>,
     /// The longest steps of a moving state and of one at rest.
@@ -63,6 +64,7 @@ impl<S: Scalar> StepRule<S> {
         let tolerance = settings.loosest().max(rounding);
         StepRule {
             order,
+            fused: settings.fused,
             tolerance,
             last_orders: LastOrders::new(order, tolerance),
             longest: [false, true].map(|is_at_rest| longest_step(settings.longest_step, span, is_at_rest)),
@@ -79,6 +81,7 @@ impl<S: Scalar> StepRule<S> {
         let Tolerated { relative, absolute, domain } = self.tolerated;
         StepRule {
             order: self.order,
+            fused: self.fused,
             tolerance: L::splat(self.tolerance),
             last_orders: LastOrders {
                 last_terms: L::splat(last_terms),

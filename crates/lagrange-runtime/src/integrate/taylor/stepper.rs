@@ -66,9 +66,10 @@ impl<M: TaylorSystem + ?Sized> WideTask for Expand<'_, M> {
     type Output = ();
 
     #[inline(always)]
-    fn compute(self) {
+    fn compute<const FUSED: bool>(self) {
         let Expand { system, rule, series, expansion } = self;
-        system.expand(expansion.t, &expansion.y, series, &mut expansion.coefficients[..rule.order]);
+        let coefficients = &mut expansion.coefficients[..rule.order];
+        system.expand::<FUSED>(expansion.t, &expansion.y, series, coefficients);
         expansion.follow(rule);
     }
 }
@@ -134,7 +135,8 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     fn expand(&mut self, system: &M, t: M::Scalar, y: &M::State) {
         let present = &mut self.expansions[self.present];
         (present.t, present.y) = (t, *y);
-        compute(Expand { system, rule: &self.rule, series: &mut self.series, expansion: present });
+        let task = Expand { system, rule: &self.rule, series: &mut self.series, expansion: present };
+        compute(task, self.rule.fused);
         self.work.evaluations += 1;
     }
 
@@ -274,7 +276,7 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
         if t == self.last().t {
             return self.last().y;
         }
-        let change = self.last().change(t - self.last().t);
+        let change = self.last().change(&self.rule, t - self.last().t);
         let mut y = self.last().y;
         for (component, change) in y.as_mut().iter_mut().zip(change.as_ref()) {
             *component = *component + *change;

@@ -2,7 +2,7 @@
 
 use crate::linalg::pivoted::{Factors, Matrix};
 use crate::linalg::vector::StateVector;
-use crate::scalar::{Number, Scalar};
+use crate::scalar::{Number, Scalar, product_sum};
 
 /// The negative inverse of the matrix of accelerations and multipliers in the residuals, in
 /// columns, for every order.
@@ -36,11 +36,15 @@ impl<S: Number, const N: usize> SeriesSolver<S, N> {
 
     /// Computes (a, λ) = −M⁻¹ r.
     #[inline(always)]
-    pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
+    pub fn accelerations<const FUSED: bool>(&self, residuals: &[S]) -> [S; N] {
         let mut sums = [S::ZERO; N];
         for (j, (column, residual)) in self.0.iter().zip(residuals).enumerate() {
             for (sum, entry) in sums.iter_mut().zip(column) {
-                *sum = if j == 0 { *entry * *residual } else { entry.multiply_add(*residual, *sum) };
+                *sum = if j == 0 {
+                    *entry * *residual
+                } else {
+                    product_sum::<FUSED, S>(*entry, *residual, *sum)
+                };
             }
         }
         sums
@@ -102,11 +106,12 @@ mod tests {
         let entries = [4.0, 1.0, -0.5, 1.0, 3.0, 0.25, -0.5, 0.25, 2.0];
         let [pivoted, definite] = [SeriesSolver::<f64, 3>::new(entries), SeriesSolver::definite(entries)];
         let residual = [0.3, -0.7, 1.1];
-        let [found, wanted] = [definite, pivoted].map(|solver| solver.accelerations(&residual));
+        let [found, wanted] = [definite, pivoted].map(|solver| solver.accelerations::<false>(&residual));
         for (row, (found, wanted)) in found.iter().zip(wanted).enumerate() {
             assert!((found - wanted).abs() < 1e-15, "{row}");
-            let product =
-                (0..3).map(|j| entries[3 * row + j] * definite.accelerations(&residual)[j]).sum::<f64>();
+            let product = (0..3)
+                .map(|j| entries[3 * row + j] * definite.accelerations::<false>(&residual)[j])
+                .sum::<f64>();
             assert!((product + residual[row]).abs() < 1e-15, "{row}");
         }
     }

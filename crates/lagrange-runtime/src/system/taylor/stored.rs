@@ -32,18 +32,18 @@ impl<S: Number> StoredProducts<S> {
     /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ, four for each group. `of_group` contains the sides of the
     /// groups.
     #[inline(always)]
-    pub fn sums(&self, k: usize, of_group: &[usize], sums: &mut [S]) {
+    pub fn sums<const FUSED: bool>(&self, k: usize, of_group: &[usize], sums: &mut [S]) {
         let (sums, _) = sums.as_chunks_mut::<4>();
         let Some(last) = k.checked_sub(1) else { return sums.fill([S::ZERO; 4]) };
         let inner = 1..last.max(1);
         for ((sums, side), b) in sums.iter_mut().zip(of_group).zip(&self.b) {
             let a = &self.a[*side];
             let [sum] = inner_sums(&a[inner.clone()], &b[inner.clone()], |[sum]: &mut [Four<S>; 1], a, b| {
-                *sum = sum.plus(a, b);
+                *sum = sum.plus::<FUSED>(a, b);
             });
             // The product of both factors of order zero occurs only once.
             let first = if last == 0 { &Four::ZERO } else { &b[0] };
-            *sums = sum.plus(&a[0], &b[last]).plus(&a[last], first).0;
+            *sums = sum.plus::<FUSED>(&a[last], first).plus::<FUSED>(&a[0], &b[last]).0;
         }
     }
 
