@@ -135,7 +135,7 @@ pub(super) fn loads_beside_squares(
     let mut rates = Rates::new(accelerations);
     let mut slopes = displaced_rates(model);
     for &(weight, u) in &split.squares {
-        add_convection(&mut model.graph, &mut form, &mut slopes, weight, u);
+        add_convection(&mut model.graph, &mut form, [&mut rates, &mut slopes], (weight, u));
     }
     let power = slopes.of(&mut model.graph, split.potential);
     let one = model.graph.number(1);
@@ -161,24 +161,22 @@ fn displaced_rates(model: &mut Model) -> Rates {
     rates
 }
 
-/// Adds the contribution of a changing weight to the linear part of ½ w u².
+/// Adds the contribution of a changing weight to the linear part of ½ w u²: ẇ u along u, and −½ u²
+/// along the rate of w due to displacements.
 fn add_convection(
     graph: &mut Graph,
     form: &mut QuadraticForm,
-    slopes: &mut Rates,
-    weight: ExprId,
-    u: ExprId,
+    [rates, slopes]: [&mut Rates; 2],
+    (weight, u): (ExprId, ExprId),
 ) {
-    let weight_rate = slopes.of(graph, weight);
-    if graph.is_zero(weight_rate) {
-        return;
-    }
-    let convective = graph.multiply(weight_rate, u);
+    let rate = rates.of(graph, weight);
+    let convective = graph.multiply(rate, u);
     form.add_linear(graph, u, convective);
-    if graph.dependencies(weight_rate).intersects(Dependencies::VELOCITY) {
+    let slope = slopes.of(graph, weight);
+    if graph.dependencies(slope).intersects(Dependencies::VELOCITY) {
         let square = graph.square(u);
         let half = graph.scale(-&Number::HALF, square);
-        form.add_linear(graph, weight_rate, half);
+        form.add_linear(graph, slope, half);
     }
 }
 

@@ -306,7 +306,8 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
     let velocities = elaborator.speeds.iter().map(|(speed, _)| speed.velocity).collect::<Vec<_>>();
     let momenta = gradient(&mut elaborator.evaluator.graph, lagrangian, &velocities);
     check_smoothness(elaborator, lagrangian, &momenta);
-    let (mut needs_input_rate, mut holds_states) = (false, false);
+    let (mut needs_input_rate, mut is_random) = (false, false);
+    let mut rates = Rates::new(AccelerationTerms::Dropped);
     for ((speed, span), momentum) in elaborator.speeds.iter().zip(momenta) {
         let dependencies = elaborator.evaluator.graph.dependencies(momentum);
         let is_determined = dependencies.intersects(Dependencies::VELOCITY);
@@ -320,11 +321,12 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
             error.help(if is_linear { messages::NOT_SQUARED_HELP } else { messages::NO_INERTIA_HELP });
         }
         needs_input_rate |= dependencies.intersects(Dependencies::INPUT);
-        holds_states |= dependencies.intersects(Dependencies::STATE);
+        let rate = rates.of(&mut elaborator.evaluator.graph, momentum);
+        is_random |= elaborator.evaluator.graph.dependencies(rate).intersects(Dependencies::NOISE);
     }
-    if holds_states {
-        let help = messages::states::IN_KINETIC_HELP;
-        report_in_kinetic(elaborator, Dependencies::STATE, |name| messages::states::in_kinetic(name), help);
+    if is_random {
+        let help = messages::noise::IN_MOMENTUM_HELP;
+        report_in_kinetic(elaborator, Dependencies::STATE, |name| messages::noise::in_momentum(name), help);
     }
     if needs_input_rate {
         let help = messages::RATE_OF_INPUT_HELP;

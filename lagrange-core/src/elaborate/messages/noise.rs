@@ -18,6 +18,10 @@ messages! {
     MISPLACED_HELP =
         "white noise acts through forces and rates only: `force x = w;`, `dot(a) = -a + w;`; make it a `state` to see it filtered";
     rate(name) = "the noise `{name}` has no rate";
+    in_momentum(name) =
+        "a velocity is multiplied by the state `{name}`, and a momentum would have the noise in its rate";
+    IN_MOMENTUM_HELP =
+        "an inertia that changes needs a rate with values: let noise drive a second state, and the rate of this one be a function of that";
     beside_noise(name) = "noise cannot act beside `{name}`";
     DECLARED_HERE = "the noise is declared here";
     CONSTRAINED_HELP =

@@ -37,9 +37,6 @@ messages! {
     rate_too_early_help(name) = "move `dot({name}) = e;` before this; a rate cannot depend on itself";
     second_rate(name) = "the rate of the state `{name}` depends on an input, whose rate is unknown";
     SECOND_RATE_HELP = "remove the second rate, or make the input a `state` with its own equation";
-    in_kinetic(name) = "momenta must not depend on the state `{name}`, which multiplies a velocity here";
-    IN_KINETIC_HELP =
-        "Lagrange's equations apply to coordinates, not to states: use states in a `force`, `potential` or `dissipation`, or make this one a `coord`";
     PLACE_HELP =
         "virtual work and constraints displace coordinates, not states: make this one a `coord`, or write its effect as a `force`";
     ignored(name) = "the state `{name}` cannot be ignored";
