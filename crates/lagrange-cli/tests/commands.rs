@@ -141,7 +141,7 @@ fn modules_of_c_are_two_files_in_a_folder_or_of_a_name() {
     assert_eq!(refused.status.code(), Some(1));
     assert_eq!(
         errors(&refused),
-        "error: <stdin>: rigid contacts and friction run in Rust, on the command line and in Python only: `floor`\n"
+        "error: <stdin>: rigid contacts and friction run in Rust, on the command line and in Python only (compliant contacts, with a `stiffness`, run here, too): `floor`\n"
     );
     assert!(!folder.join("ball.h").exists() && !folder.join("ball.c").exists());
 }

@@ -7,7 +7,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use lagrange_dynamic::IsCancelled;
+use lagrange_dynamic::Watch;
 use pyo3::{PyErr, PyResult, Python};
 
 /// Time between two checks for signals.
@@ -32,10 +32,10 @@ impl Signals {
 /// a signal, such as `KeyboardInterrupt`, that cancelled the computation.
 pub(crate) fn interruptible<T: Send>(
     py: Python<'_>,
-    compute: impl FnOnce(IsCancelled<'_>) -> T + Send,
+    compute: impl FnOnce(Watch<'_>) -> T + Send,
 ) -> (T, Option<PyErr>) {
     let signals = Signals(Mutex::new((Instant::now(), None)));
-    let result = py.detach(|| compute(&|| signals.are_raised()));
+    let result = py.detach(|| compute(&|_| signals.are_raised()));
     (result, signals.0.into_inner().unwrap_or_else(PoisonError::into_inner).1)
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn interruptible<T: Send>(
 /// The exception of a signal.
 pub(crate) fn interruptible_on_threads<T: Send>(
     py: Python<'_>,
-    compute: impl FnOnce(IsCancelled<'_>) -> T + Send,
+    compute: impl FnOnce(Watch<'_>) -> T + Send,
 ) -> PyResult<T> {
     let (is_cancelled, mut raised) = (&AtomicBool::new(false), None);
     let result = py.detach(|| {
@@ -55,7 +55,7 @@ pub(crate) fn interruptible_on_threads<T: Send>(
             let worker = scope.spawn(move || {
                 // It is dropped at the end, which the other thread notices at once.
                 let _sender = sender;
-                compute(&|| is_cancelled.load(Ordering::Relaxed))
+                compute(&|_| is_cancelled.load(Ordering::Relaxed))
             });
             while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(INTERVAL) {
                 raised = raised.take().or_else(|| Python::attach(|py| py.check_signals()).err());
