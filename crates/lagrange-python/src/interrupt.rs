@@ -13,6 +13,11 @@ use pyo3::{PyErr, PyResult, Python};
 /// Time between two checks for signals.
 const INTERVAL: Duration = Duration::from_millis(50);
 
+/// Returns the exception that a signal raises now.
+fn exception_of_signals() -> Option<PyErr> {
+    Python::attach(|py| py.check_signals().err())
+}
+
 /// The time of the last check, and the exception that a signal raised.
 struct Signals(Mutex<(Instant, Option<PyErr>)>);
 
@@ -22,7 +27,7 @@ impl Signals {
         let (last, raised) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if raised.is_none() && last.elapsed() >= INTERVAL {
             *last = Instant::now();
-            *raised = Python::attach(|py| py.check_signals()).err();
+            *raised = exception_of_signals();
         }
         raised.is_some()
     }
@@ -58,7 +63,7 @@ pub(crate) fn interruptible_on_threads<T: Send>(
                 compute(&|_| is_cancelled.load(Ordering::Relaxed))
             });
             while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(INTERVAL) {
-                raised = raised.take().or_else(|| Python::attach(|py| py.check_signals()).err());
+                raised = raised.take().or_else(exception_of_signals);
                 is_cancelled.store(raised.is_some(), Ordering::Relaxed);
             }
             worker.join().unwrap_or_else(|panic| resume_unwind(panic))

@@ -22,18 +22,8 @@ pub(crate) struct PyTrajectory {
 pub(crate) struct NewTrajectory(PyTrajectory, NewColumns);
 
 impl NewTrajectory {
-    /// Returns the object of Python.
-    ///
-    /// # Errors
-    /// If it has no room.
-    pub(crate) fn share(self, py: Python<'_>) -> PyResult<Py<PyTrajectory>> {
-        Py::new(py, (self.0, self.1.share(py)))
-    }
-}
-
-impl PyTrajectory {
     /// Returns a motion and its columns.
-    pub(crate) fn new<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> NewTrajectory {
+    pub(crate) fn of<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> NewTrajectory {
         let names = motion.names().iter().map(String::as_str);
         let column = |name: &str| motion.column(name).unwrap_or_default().to_vec();
         let time = [(String::from("t"), Some("s"), motion.times().to_vec())];
@@ -57,6 +47,14 @@ impl PyTrajectory {
         let events = motion.events().iter().map(event).collect();
         let own = PyTrajectory { units, events, ending, steps: motion.work().steps };
         NewTrajectory(own, NewColumns { names, columns, entries: motion.first().as_ref().len() })
+    }
+
+    /// Returns the object of Python.
+    ///
+    /// # Errors
+    /// If it has no room.
+    pub(crate) fn share(self, py: Python<'_>) -> PyResult<Py<PyTrajectory>> {
+        Py::new(py, (self.0, self.1.share(py)))
     }
 }
 

@@ -11,7 +11,7 @@ use pyo3::types::PyAnyMethods;
 use pyo3::{Bound, PyAny, PyErr, PyResult, Python};
 
 use crate::error::{SimulationError, with_results};
-use crate::motion::{NewTrajectory, PyTrajectory};
+use crate::motion::NewTrajectory;
 use crate::values::numbers;
 
 /// Returns the method of a name with its settings; a seed chooses the noise.
@@ -59,7 +59,7 @@ impl FailedRun {
         FailedRun {
             message: failure.to_string(),
             is_refusal: failure.cause.is_refusal(),
-            motion: PyTrajectory::new(&failure.trajectory),
+            motion: NewTrajectory::of(&failure.trajectory),
         }
     }
 
@@ -200,5 +200,5 @@ impl Visitor for SampledRun<'_> {
 fn ended<const CAPACITY: usize>(
     result: Result<Trajectory<DynamicSystem<CAPACITY>>, RunError<DynamicSystem<CAPACITY>>>,
 ) -> Result<NewTrajectory, Box<FailedRun>> {
-    result.map(|motion| PyTrajectory::new(&motion)).map_err(|failure| Box::new(FailedRun::new(&failure)))
+    result.map(|motion| NewTrajectory::of(&motion)).map_err(|failure| Box::new(FailedRun::new(&failure)))
 }
