@@ -334,7 +334,7 @@ fn contacts_of_boxes_are_stepped_and_refused_once_by_all_exports() {
     for error in refusals(text, &[&["c", "-", "-o", file], &fmu, &page]) {
         assert!(error.starts_with("error: ") && error.matches("error").count() == 1, "{error}");
         assert!(error.contains("rigid contacts and friction run in Rust"), "{error}");
-        assert!(error.ends_with("only: `touch`\n"), "{error}");
+        assert!(error.ends_with(": `touch`\n"), "{error}");
     }
     let run = |method: &[&'static str]| {
         let simulate = ["simulate", "-", "--until", "1", "--every", "1"];

@@ -184,7 +184,7 @@ fn bodies_follow_the_pointer() {
 fn bodies_that_follow_the_pointer_keep_constraints() {
     let bead = "struct Bead; coord x = 0, y = -1; constraint wire = x^2 + y^2 - 1; gravity = (0, -9.81);
         body ball { mass: 1; shape: disk(0.1); center: (x, y); angle: 0; }";
-    let Some(y) = dragged("bead", &self::page("bead", bead), 0.0, [3.0, 4.0]) else { return };
+    let Some(y) = dragged("bead", &page("bead", bead), 0.0, [3.0, 4.0]) else { return };
     assert!((y[0] - 0.6).hypot(y[1] - 0.8) < 1e-5, "{y:?}");
     assert!((y[0].hypot(y[1]) - 1.0).abs() < 1e-10, "{y:?}");
 }
