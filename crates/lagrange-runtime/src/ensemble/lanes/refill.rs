@@ -233,7 +233,7 @@ where
     /// True if the ensemble is cancelled, as far as is known: it asks every few dozen steps.
     fn is_cancelled(&mut self) -> bool {
         self.turns = self.turns.wrapping_add(1);
-        self.turns % TURNS == 0 && self.queue.counter.asks()
+        self.turns.is_multiple_of(TURNS) && self.queue.counter.asks()
     }
 
     /// True if there are motions left to start, and the ensemble was not cancelled.
