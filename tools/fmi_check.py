@@ -65,6 +65,12 @@ kinetic = 1/2 * dot(x)^2; force x = held - sin(x);
 every period => { held = -2 * x - dot(x); }
 event middle = x, crossing => { dot(x) = 0.9 * dot(x); }"""
 
+# A compliant contact: the wheel bounces, and rolls.
+WHEEL = """struct Wheel; param k = 500, d = 0.4, mu = 0.3; gravity = (0, -9.81);
+coord x = 0, y = 0.3, phi = 0; start dot(x) = 1;
+body wheel { mass: 1; shape: disk(0.1); center: (x, y); angle: phi; }
+contact touch = wheel on ground { stiffness: k; dissipation: d; friction: mu; stiction: 0.1; }"""
+
 END, EVERY = 3.0, 0.0625
 
 # Declaration, values of parameters, of the initial state, and of inputs.
@@ -79,6 +85,7 @@ SYSTEMS = {
     "swing": (SWING, {"g": 1.62, "l": 2.0, "a": 1.4}, {}, {}),
     "top": (TOP, {}, {"tip_qw": 0.8, "tip_qx": 0.6, "tip_qy": 0.0, "tip_qz": 0.0, "tip_wz": 40.0}, {}),
     "sampled": (SAMPLED, {}, {}, {}),
+    "wheel": (WHEEL, {}, {}, {}),
 }
 
 VERSIONS = (2, 3)

@@ -152,8 +152,7 @@ class System:
         declared start. Parameters and inputs are numbers, or arrays with a number for each run.
         Methods are those of `simulate`, and each end has the bits of that of a single run, on any
         number of threads. With noise, each run has its own. Other threads of Python run meanwhile. A run
-        that fails is in `failures`, and does not end the others. Ctrl-C ends the computation when
-        the runs in progress have ended.
+        that fails is in `failures`, and does not end the others. Ctrl-C ends the computation.
 
         >>> ends = pendulum.ensemble({"theta": [0.1, 0.2, 0.3]}, until=10, parameters={"l": 2.0})
         >>> ends.y.shape
@@ -216,7 +215,8 @@ class System:
         """Returns a module of C: header and source."""
 
 class Columns:
-    """Columns by name: times, entries of states, and others."""
+    """Columns by name: times, entries of states, and others. Arrays of columns are shared, not copied,
+    and cannot be written to: `motion["x"].copy()` can."""
 
     @property
     def t(self) -> Array:

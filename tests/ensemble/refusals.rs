@@ -178,3 +178,22 @@ fn progress_cancels() {
         assert!(motions < 1000, "{motions}");
     }
 }
+
+/// Each of these motions would take hours.
+#[test]
+fn progress_cancels_within_a_motion() {
+    let cart = CartPole::default();
+    for is_alone in [true, false] {
+        let endless = cart.ensemble(3).start(start).until(1e9).threads(2);
+        let endless = if is_alone { endless.one_by_one() } else { endless };
+        assert_eq!(endless.is_in_lanes(), !is_alone);
+        let mut calls = 0;
+        let result = endless.progress(|done| {
+            calls += 1;
+            assert_eq!((done.motions, done.of), (0, 3));
+            if calls < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        let Err(EnsembleError::Cancelled { motions: 0 }) = result.run() else { panic!("is cancelled") };
+        assert_eq!(calls, 4);
+    }
+}

@@ -1,5 +1,6 @@
 //! Standard errors, undetermined parameters, and local minima.
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use crate::noise::Noise;
@@ -161,4 +162,13 @@ fn fits_report_their_progress_and_may_be_cancelled() {
     assert!((best.costs()[0] - reports[3].cost).abs() <= 1e-12 * best.costs()[0] && left == 0);
     let at_once = fit().progress(|_| ControlFlow::Break(()));
     assert!(at_once.run().expect_err("cancelled").fitted().is_some());
+
+    // Within a motion: the first, which has no values, and one of those that follow.
+    for (most, has_values) in [(3, false), (12, true)] {
+        let asked = Cell::new(0);
+        let cancelled = fit().cancel_when(|| asked.replace(asked.get() + 1) == most);
+        let error = cancelled.run().expect_err("cancelled");
+        assert_eq!(error.to_string(), "the fit was cancelled");
+        assert_eq!((error.fitted().is_some(), asked.get()), (has_values, most + 1));
+    }
 }

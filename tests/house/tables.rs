@@ -127,8 +127,8 @@ const CORE: &[Layer] = &[
 
 const DYNAMIC: &[Layer] = &[
     Layer {
-        modules: &["cancellation", "reactions"],
-        purpose: "computations that may be cancelled; forces of contacts and friction, and room for them",
+        modules: &["reactions", "watch"],
+        purpose: "forces of contacts and friction, and room for them; computations that are watched",
     },
     Layer {
         modules: &["inline", "items", "names", "refusal", "rust_file"],
@@ -221,8 +221,8 @@ const FMI: &[Layer] = &[
 
 const CLI: &[Layer] = &[
     Layer {
-        modules: &["arguments", "help"],
-        purpose: "the command line, read into a command; its description",
+        modules: &["arguments", "help", "meter"],
+        purpose: "the command line, read into a command; its description; progress on a terminal",
     },
     Layer { modules: &["source"], purpose: "files with declarations, and the standard input" },
     Layer {

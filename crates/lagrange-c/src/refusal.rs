@@ -28,11 +28,9 @@ impl Display for Refusal {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::Touching(names) => {
-                write!(
-                    f,
-                    "rigid contacts and friction run in Rust, on the command line and in Python only: {}",
-                    quoted(names)
-                )
+                let instead = "compliant contacts, with a `stiffness`, run here, too";
+                let run = "run in Rust, on the command line and in Python only";
+                write!(f, "rigid contacts and friction {run} ({instead}): {}", quoted(names))
             }
             Refusal::Delays(names) => {
                 let runs = "compiled Rust, the command `lagrange simulate` and Python keep it";

@@ -6,6 +6,7 @@ use lagrange_dynamic::{DeclaredSystem, EnsembleEnds, EnsembleSettings};
 use lagrange_runtime::ensemble::Random;
 
 use crate::arguments::{EnsembleOptions, Values};
+use crate::meter::Meter;
 use crate::motions::{Failure, check_format, end, method, named_value, no_start, number, set, start_values};
 
 /// Default number of motions.
@@ -43,7 +44,13 @@ pub(crate) fn ends(
     }
     set(&options.settings.values, system)?;
     let (settings, entries) = settings(options, &varied, system)?;
-    let mut ends = system.ensemble(&settings).map_err(|error| Failure::Usage(error.to_string()))?;
+    let meter = Meter::new();
+    let ends = system.ensemble_watched(&settings, &|part| {
+        meter.show(part);
+        false
+    });
+    drop(meter);
+    let mut ends = ends.map_err(|error| Failure::Usage(error.to_string()))?;
     for (name, values) in entries {
         ends.names.push(name + AT_START);
         ends.columns.push(values);

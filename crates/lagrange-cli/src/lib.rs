@@ -16,6 +16,7 @@ mod arguments;
 mod commands;
 mod ensembles;
 mod help;
+mod meter;
 mod mistakes;
 mod motions;
 mod source;

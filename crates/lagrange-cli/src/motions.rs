@@ -11,6 +11,7 @@ use lagrange_files::save_bytes;
 use lagrange_runtime::simulate::Trajectory;
 
 use crate::arguments::{Settings, Values};
+use crate::meter::Meter;
 use crate::values::value;
 
 /// Formats of files, by extension.
@@ -231,7 +232,13 @@ impl Visitor for Motion<'_> {
 
     /// Computes and writes the motion.
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Result<(), Failure> {
-        match self.run.run(system) {
+        let meter = Meter::new();
+        let found = self.run.run_watched(system, &|part| {
+            meter.show(part);
+            false
+        });
+        drop(meter);
+        match found {
             Ok(motion) => self.write(&motion).map_err(Failure::File),
             Err(failure) if failure.cause.is_refusal() => Err(Failure::Usage(failure.cause.to_string())),
             Err(failure) => {

@@ -5,6 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use serde_json::{Value, from_value};
+
 /// Systems with the times of the comparison. They have events, a stop, switches in time and state,
 /// a closed loop, a quaternion, clocks, a table, an unknown or a rolling constraint.
 const SYSTEMS: [(&str, &str, f64); 9] = [
@@ -107,10 +109,17 @@ fn page(name: &str, declaration: &str) -> String {
 
 /// Runs a page to its end, and returns time, state and message, or `None` without Node.js.
 fn run(name: &str, page: &str, end: f64) -> Option<(f64, Vec<f64>, Option<String>)> {
-    let (_, script) = page.rsplit_once("<script>").expect("a script");
-    let (motion, _) = script.split_once("// The page:").expect("the motion stands before the page");
+    let end = printed(name, page, &RUN.replace("END", &end.to_string()))?;
+    Some(from_value(end).expect("time, state and message"))
+}
+
+/// Runs a script after the functions of a page, and returns what it prints, or `None` without
+/// Node.js.
+fn printed(name: &str, page: &str, script: &str) -> Option<Value> {
+    let (_, whole) = page.rsplit_once("<script>").expect("a script");
+    let (motion, _) = whole.split_once("// The page:").expect("the motion stands before the page");
     let path = folder().join(format!("{name}.js"));
-    fs::write(&path, format!("{motion}{}", RUN.replace("END", &end.to_string()))).expect("written");
+    fs::write(&path, format!("{motion}{script}")).expect("written");
     let Ok(output) = Command::new("node").arg(path).output() else {
         eprintln!("skipped: there is no `node` to run pages");
         return None;
@@ -142,6 +151,42 @@ fn pages_move_as_the_interpreter_does() {
             assert!((found - wanted).abs() < 2e-7 * (1.0 + wanted.abs()), "{name}: {y:?}, not {last:?}");
         }
     }
+}
+
+/// Returns the coordinates in which the last body is as near to a place as a page finds by
+/// dragging. The point is at this distance from the centre of mass.
+fn dragged(name: &str, page: &str, reach: f64, [x, y]: [f64; 2]) -> Option<Vec<f64>> {
+    let script = format!(
+        "const sizes = model.scene.items.map((item) => (item.kind === 'body' ? item.parts.reduce((sum, part) => sum + part.count + 3, 5) : 0));
+        const last = sizes.findLastIndex((size) => size > 0);
+        const from = sizes.slice(0, last).reduce((sum, size) => sum + size, 0);
+        const point = (scene) => [Math.cos, Math.sin].map((part, k) => scene[from + 2 + k] + {reach} * part(scene[from + 4]));
+        const start = model.states.map((state) => state.value);
+        console.log(JSON.stringify(reaches(model, functions, point)(start, model.quantities.map((field) => field.value), [{x}, {y}])));"
+    );
+    Some(from_value(printed(name, page, &script)?).expect("a state"))
+}
+
+#[test]
+fn bodies_follow_the_pointer() {
+    let (name, double, _) = SYSTEMS[0];
+    let page = page(name, double);
+    let tip = |y: &[f64]| [y[0].sin() + y[1].sin(), -y[0].cos() - y[1].cos()];
+    let Some(within) = dragged(name, &page, 0.5, [0.6, -1.1]) else { return };
+    assert!((tip(&within)[0] - 0.6).hypot(tip(&within)[1] + 1.1) < 1e-9, "{within:?}");
+    assert_eq!(within[2..], [0.0, 0.0], "velocities stay");
+    // Out of reach, both rods point at the place.
+    let beyond = dragged(name, &page, 0.5, [3.0, -4.0]).expect("there is Node.js");
+    assert!((tip(&beyond)[0] - 1.2).hypot(tip(&beyond)[1] + 1.6) < 1e-3, "{beyond:?}");
+}
+
+#[test]
+fn bodies_that_follow_the_pointer_keep_constraints() {
+    let bead = "struct Bead; coord x = 0, y = -1; constraint wire = x^2 + y^2 - 1; gravity = (0, -9.81);
+        body ball { mass: 1; shape: disk(0.1); center: (x, y); angle: 0; }";
+    let Some(y) = dragged("bead", &page("bead", bead), 0.0, [3.0, 4.0]) else { return };
+    assert!((y[0] - 0.6).hypot(y[1] - 0.8) < 1e-5, "{y:?}");
+    assert!((y[0].hypot(y[1]) - 1.0).abs() < 1e-10, "{y:?}");
 }
 
 #[test]

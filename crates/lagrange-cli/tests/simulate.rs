@@ -28,6 +28,30 @@ fn table(csv: &str) -> (String, Vec<Vec<f64>>) {
     (head.to_owned(), rows.lines().map(numbers).collect())
 }
 
+/// Runs an endless simulation for three seconds, and returns what it writes, or `None` without the
+/// programs for that. With `is_terminal`, it writes to one.
+fn endless(is_terminal: bool) -> Option<String> {
+    let lagrange = env!("CARGO_BIN_EXE_lagrange");
+    let line = format!("timeout 3 {lagrange} simulate {SWING} --until 1e9 --every 1e9");
+    let (program, arguments) = match is_terminal {
+        true => ("script", ["-qec", &line, "/dev/null"].to_vec()),
+        false => ("sh", ["-c", &line].to_vec()),
+    };
+    let Ok(output) = Command::new(program).args(arguments).output() else {
+        eprintln!("skipped: there is no `{program}`");
+        return None;
+    };
+    Some([text(&output.stdout), text(&output.stderr)].concat())
+}
+
+#[test]
+fn progress_is_shown_on_terminals_only() {
+    if let Some(written) = endless(true) {
+        assert!(written.contains("\r  0.0 %"), "{written:?}");
+    }
+    assert_eq!(endless(false).as_deref(), Some(""));
+}
+
 fn temporary(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }

@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
+use std::ops::ControlFlow;
 
 use lagrange_runtime::contact::Stepped;
 use lagrange_runtime::ensemble::{self, Ends, Ensemble, Ensembles, Failure};
@@ -12,12 +13,12 @@ use lagrange_runtime::integrate::{
 use lagrange_runtime::simulate::Drive;
 use lagrange_runtime::system::OdeSystem;
 
-use crate::cancellation::{IsCancelled, verdict};
 use crate::declared::{DeclaredSystem, Visitor};
 use crate::method::{LAW, MethodChoice, NO_CONTACTS, Refused, STEPPED_DELAY};
 use crate::reactions::in_room;
 use crate::refusal::NoSuchName;
 use crate::system::DynamicSystem;
+use crate::watch::Watch;
 
 /// The motions of an ensemble. Each is bit-identical to a separate run.
 #[derive(Clone, PartialEq, Debug)]
@@ -123,17 +124,17 @@ impl DeclaredSystem {
     /// If settings are invalid. A failed motion is listed in [`failures`](EnsembleEnds::failures),
     /// and the others continue.
     pub fn ensemble(&self, settings: &EnsembleSettings) -> Result<EnsembleEnds, EnsembleError> {
-        self.ensemble_unless(settings, &|| false)
+        self.ensemble_watched(settings, &|_| false)
     }
 
     /// Computes motions as [`ensemble`](Self::ensemble) does, until they end or are cancelled.
     ///
     /// # Errors
     /// If settings are invalid, or the computation is cancelled.
-    pub fn ensemble_unless(
+    pub fn ensemble_watched(
         &self,
         settings: &EnsembleSettings,
-        is_cancelled: IsCancelled<'_>,
+        watch: Watch<'_>,
     ) -> Result<EnsembleEnds, EnsembleError> {
         let names = self.state_names();
         let wrong = settings.starts.iter().position(|start| start.len() != names.len());
@@ -141,7 +142,7 @@ impl DeclaredSystem {
             let entries = settings.starts[motion].len();
             return Err(EnsembleError::Start { motion, entries, state: names });
         }
-        self.visit(Motions { settings, varied: self.places(settings)?, is_cancelled })
+        self.visit(Motions { settings, varied: self.places(settings)?, watch })
     }
 
     /// Returns the indices of varied parameters and inputs, with their values.
@@ -170,7 +171,7 @@ struct Motions<'a> {
     settings: &'a EnsembleSettings,
     /// Indices of parameters and inputs, with a value for each motion.
     varied: Vec<(usize, &'a [f64])>,
-    is_cancelled: IsCancelled<'a>,
+    watch: Watch<'a>,
 }
 
 impl Visitor for Motions<'_> {
@@ -188,7 +189,10 @@ impl Visitor for Motions<'_> {
             });
         }
         let mut ensemble = motions.until(*until).one_by_one();
-        ensemble = ensemble.progress(|_| verdict(self.is_cancelled));
+        ensemble = ensemble.progress(|done| match (self.watch)(done.motions as f64 / done.of as f64) {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        });
         if system.has_outputs() {
             ensemble = ensemble.outputs();
         }

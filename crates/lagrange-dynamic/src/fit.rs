@@ -6,12 +6,12 @@ use std::fmt::{self, Display, Formatter};
 use lagrange_runtime::fit::{Data, DenseMatrix, FitError, Fits, Fitted, FittedValue};
 use lagrange_runtime::system::{OutputSystem, ParametricSystem, StateVector};
 
-use crate::cancellation::{IsCancelled, verdict};
 use crate::declared::{DeclaredSystem, Visitor};
 use crate::fixed::{FixedSystem, filled};
 use crate::inline::Inline;
 use crate::refusal::NoSuchName;
 use crate::system::DynamicSystem;
+use crate::watch::Watch;
 
 /// A fit of motions to data, integrated by the method `verner`.
 #[derive(Clone, PartialEq, Debug)]
@@ -102,18 +102,14 @@ impl DeclaredSystem {
     /// - no motion reaches the end of the data;
     /// - the search does not converge, or data do not determine all variables.
     pub fn fit(&self, settings: &FitSettings) -> Result<FoundFit, FitFailure> {
-        self.fit_unless(settings, &|| false)
+        self.fit_watched(settings, &|_| false)
     }
 
     /// Fits as [`fit`](Self::fit) does, unless it is cancelled.
     ///
     /// # Errors
     /// As those of [`fit`](Self::fit), or if it is cancelled.
-    pub fn fit_unless(
-        &self,
-        settings: &FitSettings,
-        is_cancelled: IsCancelled<'_>,
-    ) -> Result<FoundFit, FitFailure> {
+    pub fn fit_watched(&self, settings: &FitSettings, watch: Watch<'_>) -> Result<FoundFit, FitFailure> {
         let measurable = [self.state_names(), self.variables().outputs.concat()].concat();
         let variable = [&self.variables().fields[..], &self.state_names()].concat();
         let columns = settings.data.names().chain(settings.noise.iter().map(|(name, _)| name.as_str()));
@@ -127,7 +123,7 @@ impl DeclaredSystem {
         }
         match settings.starts {
             0 => Err(FitFailure::Setting("a fit searches from at least one point".to_owned())),
-            _ => self.visit(Fit { settings, is_cancelled }),
+            _ => self.visit(Fit { settings, watch }),
         }
     }
 }
@@ -135,18 +131,18 @@ impl DeclaredSystem {
 /// A fit with valid names.
 struct Fit<'a> {
     settings: &'a FitSettings,
-    is_cancelled: IsCancelled<'a>,
+    watch: Watch<'a>,
 }
 
 impl Visitor for Fit<'_> {
     type Output = Result<FoundFit, FitFailure>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
-        let Fit { settings, is_cancelled } = self;
+        let Fit { settings, watch } = self;
         let start = filled(&system.state(&settings.start));
         let fixed = FixedSystem(system.clone());
         let mut search = fixed.fit(start, settings.data.clone()).tolerance(settings.tolerance);
-        search = search.progress(|_| verdict(is_cancelled));
+        search = search.cancel_when(|| watch(0.0));
         for (name, [low, high]) in &settings.varied {
             let name = system.names.known(name).unwrap_or_default();
             search = search.vary(name, *low..=*high);

@@ -43,7 +43,6 @@
 #![forbid(unsafe_code)]
 
 mod analysis;
-mod cancellation;
 mod constraints;
 mod contacts;
 mod declared;
@@ -72,9 +71,9 @@ mod source;
 mod system;
 #[cfg(feature = "trade")]
 mod trade;
+mod watch;
 
 pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
-pub use cancellation::{IsCancelled, verdict};
 pub use contacts::DynamicTerms;
 pub use declared::{DeclaredSystem, Visitor};
 #[cfg(feature = "ensemble")]
@@ -94,3 +93,4 @@ pub use source::Source;
 pub use system::DynamicSystem;
 #[cfg(feature = "trade")]
 pub use trade::trade;
+pub use watch::Watch;

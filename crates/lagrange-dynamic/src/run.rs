@@ -1,12 +1,14 @@
 //! Runs with settings specified at run time.
 
+use std::cell::Cell;
+
 use lagrange_runtime::integrate::Verner98;
 use lagrange_runtime::simulate::{Simulate, Simulation, SimulationError, Trajectory};
 use lagrange_runtime::system::OdeSystem;
 
-use crate::cancellation::{IsCancelled, verdict};
 use crate::method::MethodChoice;
 use crate::system::DynamicSystem;
+use crate::watch::Watch;
 
 /// The settings of a run.
 #[derive(Clone, PartialEq, Debug)]
@@ -34,19 +36,21 @@ impl RunSettings {
         &self,
         system: &DynamicSystem<CAPACITY>,
     ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>> {
-        self.run_unless(system, &|| false)
+        self.run_watched(system, &|_| false)
     }
 
     /// Runs a system as [`run`](Self::run) does, until it ends or is cancelled.
     ///
     /// # Errors
     /// If the run fails, as in [`Simulation::run`].
-    pub fn run_unless<const CAPACITY: usize>(
+    pub fn run_watched<const CAPACITY: usize>(
         &self,
         system: &DynamicSystem<CAPACITY>,
-        is_cancelled: IsCancelled<'_>,
+        watch: Watch<'_>,
     ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>> {
-        let simulation = self.simulation(system).progress(|_| verdict(is_cancelled));
+        let done = Cell::new(0.0);
+        let simulation = self.simulation(system).progress(|progress| done.set(progress.fraction()));
+        let simulation = simulation.cancel_when(|| watch(done.get()));
         let has_series = self.method.product().is_some();
         match system.has_delays() && !has_series {
             true => self.method.run(simulation.with_history()),

@@ -364,7 +364,7 @@ fn refusals_name_what_is_missing() {
     let touching = refused(&format!("{base} event floor = x, falling => impact(0.5);"), |_| {});
     assert_eq!(
         touching,
-        "rigid contacts and friction run in Rust, on the command line and in Python only: `floor`"
+        "rigid contacts and friction run in Rust, on the command line and in Python only (compliant contacts, with a `stiffness`, run here, too): `floor`"
     );
     let functions = refused(&format!("function road(x); {base} potential = road(x);"), |_| {});
     assert!(functions.contains("`road_derivative`"), "{functions}");

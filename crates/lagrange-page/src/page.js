@@ -27,14 +27,17 @@ function sample() {
   samples.push([motion.t, values()]);
   if (samples.length > KEPT) samples = samples.slice(-KEPT / 2);
 }
-function restart() {
+// Begins at the start; true if its state has values.
+function begin() {
   motion.start(start, fields);
   samples = [];
-  if (motion.y.every(Number.isFinite)) {
-    firstEnergy = motion.energy();
-    sample();
-    picture?.fit(ahead());
-  }
+  if (!motion.y.every(Number.isFinite)) return false;
+  firstEnergy = motion.energy();
+  sample();
+  return true;
+}
+function restart() {
+  if (begin()) picture?.fit(ahead());
   draw();
 }
 // Scenes of the next seconds, so that the window need not grow at once.
@@ -163,9 +166,10 @@ function stepOn() {
   goOn(STEP);
 }
 
-// A slider for each value; `changed` is called with the new one.
+// A slider for each value; `changed` is called with the new one. Returns functions that move the sliders, by index.
 function panel(title, rows, changed) {
-  if (!rows.length) return;
+  const setters = [];
+  if (!rows.length) return new Map();
   const set = document.createElement("fieldset");
   set.append(Object.assign(document.createElement("legend"), { textContent: title }));
   for (const row of rows) {
@@ -180,10 +184,16 @@ function panel(title, rows, changed) {
     };
     slider.addEventListener("input", () => { show(Number(slider.value)); changed(row.index, Number(slider.value)); });
     show(row.value);
+    setters.push((value) => {
+      [slider.min, slider.max] = [Math.min(slider.min, value), Math.max(slider.max, value)];
+      slider.value = value;
+      show(value);
+    });
     line.append(name, slider, output);
     set.append(line);
   }
   element("panels").append(set);
+  return new Map(rows.map((row, k) => [row.index, setters[k]]));
 }
 function setsField(index, value) {
   fields[index] = value;
@@ -198,7 +208,46 @@ function setsStart(index, value) {
 }
 panel("Inputs", model.quantities.filter((field) => field.isInput), setsField);
 panel("Parameters", model.quantities.filter((field) => !field.isInput), setsField);
-panel("Start", model.states.filter((state) => state.low < state.high), setsStart);
+const starts = panel("Start", model.states.filter((state) => state.low < state.high), setsStart);
+
+// Bodies of the plane follow the pointer. Where they are put is a start, with the velocities of the start.
+function drags(canvas) {
+  let [reach, wasPlaying] = [null, false];
+  const pixels = (event) => [event.offsetX, event.offsetY];
+  function begins(event) {
+    const point = motion.y.every(Number.isFinite) && picture.grab(call("drawing"), pixels(event));
+    if (!point) return;
+    [reach, wasPlaying] = [reaches(model, functions, point), isPlaying];
+    setPlaying(false);
+    canvas.setPointerCapture(event.pointerId);
+    canvas.style.cursor = "grabbing";
+    for (let i = 0; i < model.positions - model.firstOrder; i++) start[i] = motion.y[i];
+    moves(event);
+  }
+  function moves(event) {
+    if (!reach) {
+      canvas.style.cursor = picture.grab(call("drawing"), pixels(event)) ? "grab" : "";
+      return;
+    }
+    reach(start, fields, picture.place(pixels(event))).forEach((value, i) => { start[i] = value; });
+    starts.forEach((moveTo, i) => moveTo(start[i]));
+    begin();
+    draw();
+  }
+  function ends() {
+    if (!reach) return;
+    reach = null;
+    canvas.style.cursor = "grab";
+    setPlaying(wasPlaying);
+  }
+  canvas.addEventListener("pointerdown", begins);
+  canvas.addEventListener("pointermove", moves);
+  canvas.addEventListener("pointerup", ends);
+  canvas.addEventListener("pointercancel", ends);
+  // Touching a body must not scroll the page.
+  canvas.addEventListener("touchstart", (event) => { if (reach) event.preventDefault(); }, { passive: false });
+}
+if (picture?.grab) drags(element("canvas"));
 
 element("legend").innerHTML = columns.map((column, index) =>
   `<li><label><input type="checkbox" id="show-${index}"${isShown[index] ? " checked" : ""}> <svg viewBox="0 0 35 12" aria-hidden="true"><path class="curve-${index % 6}" d="M0 8H35"/></svg> ${column.label} <output id="value-${index}"></output></label></li>`).join("");

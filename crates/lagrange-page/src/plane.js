@@ -5,6 +5,7 @@ function showsScene(scene) {
   const paper = canvas.getContext("2d");
   const [INK, PALE, HATCHING, MARGIN] = ["#282828", "#828282", "#969696", 34];
   const LOAD = scene.loadColour;
+  const REACH = 12; // pixels from a body in which it is grabbed
   const FONT = "'STIX Two Text', Cambria, 'Times New Roman', serif";
   // The length of the longest arrow as a part of the picture; length and half width of heads, and their largest part of an arrow.
   const [LONGEST, HEAD, HALF, SHARE] = [0.25, 9, 3.2, 0.6];
@@ -42,6 +43,7 @@ function showsScene(scene) {
   const width = () => canvas.clientWidth;
   const height = () => canvas.clientHeight;
   const scale = () => Math.min((width() - 2 * MARGIN) / window_.size[0], (height() - 2 * MARGIN) / window_.size[1]);
+  const place = ([x, y]) => [window_.middle[0] + (x - width() / 2) / scale(), window_.middle[1] - (y - height() / 2) / scale()];
   const pixel = ([x, y]) => [width() / 2 + scale() * (x - window_.middle[0]), height() / 2 - scale() * (y - window_.middle[1])];
 
   function line(points, { isClosed = false, fill = null, colour = INK, thickness = 1.5, rule = "nonzero" } = {}) {
@@ -82,6 +84,11 @@ function showsScene(scene) {
     }
     hatch(strokes);
   }
+  // True if a horizontal line from a place crosses a closed line an odd number of times.
+  const isWithin = (ring, [x, y]) => ring.reduce((isIn, [x1, y1], k) => {
+    const [x0, y0] = ring[(k || ring.length) - 1];
+    return (y0 > y) !== (y1 > y) && x < x0 + (x1 - x0) * (y - y0) / (y1 - y0) ? !isIn : isIn;
+  }, false);
   const circle = (at, radius, fill, colour = INK) => line([round(radius).map((p) => add(at, p))], { isClosed: true, fill, colour });
 
   // Each kind of item: its numbers, taken in order, as a function that draws it and places that must be seen.
@@ -111,7 +118,15 @@ function showsScene(scene) {
         return { label, at: size < 16 ? add(center, [0, -size - 12]) : center };
       };
       const seen = shapes.flatMap(({ own, shape }) => shape(0).rings.flat().map(own));
-      return { draw, seen: [...seen, [x, y]] };
+      // Pixels between a place and the body; zero within it.
+      const distance = (at) => {
+        const half = 4 / scale();
+        const rings = shapes.filter(({ hole }) => !hole).flatMap(({ own, shape }) => shape(half).rings.map((ring) => ring.map((p) => pixel(own(p)))));
+        const to = (p) => Math.hypot(p[0] - at[0], p[1] - at[1]);
+        return rings.some((ring) => isWithin(ring, at)) ? 0 : Math.min(to(pixel([x, y])), ...rings.flat().map(to));
+      };
+      const point = (p) => add(origin, turned(p, angle));
+      return { draw, seen: [...seen, [x, y]], distance, point, ofBody: (place) => turned([place[0] - origin[0], place[1] - origin[1]], -angle) };
     },
     line() {
       const [x, y, angle] = take(3);
@@ -241,6 +256,22 @@ function showsScene(scene) {
       cover(moments.flatMap((values) => items(values).flatMap(({ seen }) => seen)));
     },
     draws(forces) { hasForces = forces; },
+    place,
+    // The point of a body at these pixels or near them, as a function of a scene; the last body lies on the others.
+    grab(values, at) {
+      const bodies = items(values).map((item, index) => ({ ...item, index })).filter(({ distance }) => distance);
+      const near = bodies.map((body) => ({ ...body, far: body.distance(at) })).filter(({ far }) => far <= REACH);
+      const best = near.reduce((found, body) => (found && found.far < body.far ? found : body), null);
+      if (!best) return null;
+      const own = best.ofBody(place(at));
+      return (scene) => {
+        const seen = largest;
+        const point = items(scene)[best.index].point(own);
+        // Forces of scenes that are only tried do not count.
+        largest = seen;
+        return point;
+      };
+    },
     show(values) {
       const drawn = items(values);
       cover(drawn.flatMap(({ seen }) => seen));

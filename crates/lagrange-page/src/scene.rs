@@ -13,7 +13,7 @@ use lagrange_plot::notation::formula;
 use lagrange_runtime::scene::Item;
 use serde_json::{Value, json};
 
-const PLANE: &str = include_str!("plane.js");
+const PLANE: &str = concat!(include_str!("reach.js"), include_str!("plane.js"));
 const SPACE: &str = include_str!("space.js");
 
 /// A picture that a page animates; empty by default.
@@ -72,6 +72,7 @@ fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Show
         elements: figure(&[canvas, &note].concat()),
         scene: json!({ "items": items, "hasLoads": has_loads(drawing), "loadColour": colour }),
         viewer: PLANE.to_owned(),
+        keys: " Drag a body to start from another place.",
         ..Shown::default()
     }
 }

@@ -1,25 +1,57 @@
 //! Columns by name, starting with times and states.
 
-use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyKeyError;
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
-use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, Py, PyAny, PyResult, Python, pyclass, pymethods};
 
-/// Columns of equal length: times, the entries of states, then the others. Trajectories and
-/// ensembles extend them.
+#[doc = described!(Columns)]
 #[pyclass(name = "Columns", module = "lagrange", subclass, frozen)]
 pub(crate) struct PyColumns {
-    /// Times, then the other columns.
     pub(crate) names: Vec<String>,
-    pub(crate) columns: Vec<Vec<f64>>,
+    /// Arrays that nobody can write to, so that all share them.
+    arrays: Vec<Py<PyArray1<f64>>>,
     /// Number of entries of the state, the columns after the times.
     pub(crate) entries: usize,
 }
 
+/// Columns that Python does not know yet: times, the entries of states, then the others.
+pub(crate) struct NewColumns {
+    pub(crate) names: Vec<String>,
+    pub(crate) columns: Vec<Vec<f64>>,
+    /// Number of entries of the state.
+    pub(crate) entries: usize,
+}
+
+impl NewColumns {
+    /// Hands the columns over to NumPy, without copies.
+    pub(crate) fn share(self, py: Python<'_>) -> PyColumns {
+        let array = |column: Vec<f64>| {
+            let array = PyArray1::from_vec(py, column);
+            array.readwrite().make_nonwriteable();
+            array.unbind()
+        };
+        let arrays = self.columns.into_iter().map(array).collect();
+        PyColumns { names: self.names, arrays, entries: self.entries }
+    }
+}
+
 impl PyColumns {
-    /// Returns the times.
-    pub(crate) fn times(&self) -> &[f64] {
-        &self.columns[0]
+    /// Returns the number of times.
+    pub(crate) fn length(&self, py: Python<'_>) -> usize {
+        self.arrays[0].bind(py).len().unwrap_or_default()
+    }
+
+    /// Returns a column.
+    pub(crate) fn column<'py>(&self, py: Python<'py>, place: usize) -> PyReadonlyArray1<'py, f64> {
+        self.arrays[place].bind(py).readonly()
+    }
+
+    /// Returns the states, one for each time.
+    pub(crate) fn states(&self, py: Python<'_>) -> Vec<Vec<f64>> {
+        let columns = (1..=self.entries).map(|place| self.column(py, place)).collect::<Vec<_>>();
+        let columns = columns.iter().map(|column| column.as_array()).collect::<Vec<_>>();
+        (0..self.length(py)).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
     }
 
     /// Returns the index of a column.
@@ -40,45 +72,49 @@ impl PyColumns {
 
 #[pymethods]
 impl PyColumns {
+    #[doc = described!(Columns.t)]
     #[getter]
-    fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.times().to_pyarray(py)
+    fn t(&self, py: Python<'_>) -> Py<PyArray1<f64>> {
+        self.arrays[0].clone_ref(py)
     }
 
-    /// States, a row for each time.
+    #[doc = described!(Columns.y)]
     #[getter]
     fn y<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let rows = self.times().len();
-        let row = |row: usize| self.columns[1..=self.entries].iter().map(move |column| column[row]);
-        PyArray1::from_iter(py, (0..rows).flat_map(row)).reshape([rows, self.entries])
+        let states = self.states(py);
+        PyArray1::from_iter(py, states.iter().flatten().copied()).reshape([states.len(), self.entries])
     }
 
+    #[doc = described!(Columns.names)]
     #[getter]
     fn names(&self) -> Vec<String> {
         self.names.clone()
     }
 
+    #[doc = described!(Columns.columns)]
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns = PyDict::new(py);
-        for (name, column) in self.names.iter().zip(&self.columns) {
-            columns.set_item(name, column.to_pyarray(py))?;
+        for (name, array) in self.names.iter().zip(&self.arrays) {
+            columns.set_item(name, array)?;
         }
         Ok(columns)
     }
 
+    #[doc = described!(Columns.to_pandas)]
     fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.frame(py, "pandas")
     }
 
+    #[doc = described!(Columns.to_polars)]
     fn to_polars<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.frame(py, "polars")
     }
 
-    fn __len__(&self) -> usize {
-        self.times().len()
+    fn __len__(&self, py: Python<'_>) -> usize {
+        self.length(py)
     }
 
-    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(self.columns[self.place(name)?].to_pyarray(py))
+    fn __getitem__(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyArray1<f64>>> {
+        Ok(self.arrays[self.place(name)?].clone_ref(py))
     }
 }

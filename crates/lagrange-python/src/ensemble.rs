@@ -6,11 +6,11 @@ use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict};
 use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
 
-use crate::columns::PyColumns;
+use crate::columns::{NewColumns, PyColumns};
 use crate::interrupt::interruptible_on_threads;
 use crate::values::{PerMotion, check_values, per_motion};
 
-/// The final states of motions, a row for each.
+#[doc = described!(Ensemble)]
 #[pyclass(name = "Ensemble", module = "lagrange", extends = PyColumns, frozen)]
 pub(crate) struct PyEnsemble {
     failures: Vec<FailedMotion>,
@@ -23,19 +23,19 @@ impl PyEnsemble {
         system: &DeclaredSystem,
         settings: &EnsembleSettings,
     ) -> PyResult<Py<Self>> {
-        let ends =
-            interruptible_on_threads(py, |is_cancelled| system.ensemble_unless(settings, is_cancelled))?;
+        let ends = interruptible_on_threads(py, |watch| system.ensemble_watched(settings, watch))?;
         let ends = ends.map_err(|error| PyValueError::new_err(error.to_string()))?;
         let names = std::iter::once("t".to_owned()).chain(ends.names).collect();
         let columns = std::iter::once(ends.times).chain(ends.columns).collect();
         let entries = system.state_names().len();
-        Py::new(py, (PyEnsemble { failures: ends.failures }, PyColumns { names, columns, entries }))
+        let columns = NewColumns { names, columns, entries }.share(py);
+        Py::new(py, (PyEnsemble { failures: ends.failures }, columns))
     }
 }
 
 #[pymethods]
 impl PyEnsemble {
-    /// Failed motions as tuples of index, time, last valid state and message.
+    #[doc = described!(Ensemble.failures)]
     #[getter]
     fn failures<'py>(&self, py: Python<'py>) -> Vec<(usize, f64, Bound<'py, PyArray1<f64>>, String)> {
         let failure = |failed: &FailedMotion| {
@@ -46,7 +46,7 @@ impl PyEnsemble {
 
     fn __repr__(slf: PyRef<'_, Self>) -> String {
         let (columns, failed) = (slf.as_super(), slf.failures.len());
-        let motions = columns.times().len();
+        let motions = columns.length(slf.py());
         format!("<Ensemble of {motions} motions, {failed} failed: {}>", columns.names.join(", "))
     }
 }

@@ -4,12 +4,12 @@ use lagrange_core::diagnostics::{Diagnostic, Report, Severity};
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::types::PyAnyMethods;
-use pyo3::{Py, PyClass, PyClassInitializer, PyErr, Python};
+use pyo3::{Py, PyClass, PyErr, PyResult, Python};
 
-create_exception!(lagrange, DeclarationError, PyValueError, "A mistake in a declaration.");
-create_exception!(lagrange, EquilibriumError, PyRuntimeError, "A search that found no equilibrium.");
-create_exception!(lagrange, FitError, PyRuntimeError, "A fit without a result.");
-create_exception!(lagrange, SimulationError, PyRuntimeError, "A motion that failed.");
+create_exception!(lagrange, DeclarationError, PyValueError, described!(DeclarationError));
+create_exception!(lagrange, EquilibriumError, PyRuntimeError, described!(EquilibriumError));
+create_exception!(lagrange, FitError, PyRuntimeError, described!(FitError));
+create_exception!(lagrange, SimulationError, PyRuntimeError, described!(SimulationError));
 
 /// Returns the exception of a report: the text of all errors, and the position of the first one.
 pub(crate) fn declaration_error(py: Python<'_>, report: &Report) -> PyErr {
@@ -31,9 +31,9 @@ pub(crate) fn with_results<C: PyClass>(
     py: Python<'_>,
     error: PyErr,
     name: &str,
-    results: impl Into<PyClassInitializer<C>>,
+    results: PyResult<Py<C>>,
 ) -> PyErr {
-    let set = Py::new(py, results).and_then(|results| error.value(py).setattr(name, results));
+    let set = results.and_then(|results| error.value(py).setattr(name, results));
     // Some exceptions have no room for attributes. They tell more than the failure to set one.
     set.map_or(error.clone_ref(py), |()| error)
 }

@@ -12,7 +12,7 @@ use pyo3::{Bound, Py, PyAny, PyResult, Python, pyclass, pymethods};
 use crate::error::{FitError, with_results};
 use crate::interrupt::interruptible;
 
-/// Fitted values and their uncertainty.
+#[doc = described!(Fit)]
 #[pyclass(name = "Fit", module = "lagrange", frozen)]
 pub(crate) struct PyFit {
     found: FoundFit,
@@ -34,13 +34,15 @@ impl PyFit {
     ) -> PyResult<Self> {
         check(settings)?;
         let with_system = |found: FoundFit| Ok(PyFit { system: make(&found.fields)?, found });
-        let (found, raised) = interruptible(py, |is_cancelled| system.fit_unless(settings, is_cancelled));
+        let (found, raised) = interruptible(py, |watch| system.fit_watched(settings, watch));
         match (found, raised) {
             (Ok(found), None) => with_system(found),
-            (Ok(found), Some(raised)) => Err(with_results(py, raised, "fit", with_system(found)?)),
+            (Ok(found), Some(raised)) => {
+                Err(with_results(py, raised, "fit", Py::new(py, with_system(found)?)))
+            }
             (Err(FitFailure::Unfinished { message, best }), raised) => {
                 let error = raised.unwrap_or_else(|| FitError::new_err(message));
-                Err(with_results(py, error, "fit", with_system(*best)?))
+                Err(with_results(py, error, "fit", Py::new(py, with_system(*best)?)))
             }
             (Err(_), Some(raised)) => Err(raised),
             (Err(FitFailure::Motion(message)), None) => Err(FitError::new_err(message)),
@@ -83,22 +85,25 @@ fn check(settings: &FitSettings) -> PyResult<()> {
 
 #[pymethods]
 impl PyFit {
+    #[doc = described!(Fit.values)]
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.named(py, self.found.values.iter().map(|value| value.value))
     }
 
+    #[doc = described!(Fit.standard_errors)]
     #[getter]
     fn standard_errors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.named(py, self.found.values.iter().map(|value| value.standard_error))
     }
 
+    #[doc = described!(Fit.covariance)]
     #[getter]
     fn covariance<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
         self.matrix(py, |covariance, i, j| covariance[i][j])
     }
 
-    /// Correlations of the values; NaN for values at a bound.
+    #[doc = described!(Fit.correlations)]
     #[getter]
     fn correlations<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
         self.matrix(py, |covariance, i, j| {
@@ -106,7 +111,7 @@ impl PyFit {
         })
     }
 
-    /// Combination of relative changes that is least determined by the data, by name.
+    #[doc = described!(Fit.weakest)]
     #[getter]
     fn weakest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let weakest = PyDict::new(py);
@@ -116,31 +121,37 @@ impl PyFit {
         Ok(weakest)
     }
 
+    #[doc = described!(Fit.weakest_error)]
     #[getter]
     fn weakest_error(&self) -> f64 {
         self.found.weakest_error
     }
 
+    #[doc = described!(Fit.chi_square)]
     #[getter]
     fn chi_square(&self) -> f64 {
         self.found.chi_square
     }
 
+    #[doc = described!(Fit.degrees_of_freedom)]
     #[getter]
     fn degrees_of_freedom(&self) -> usize {
         self.found.degrees_of_freedom
     }
 
+    #[doc = described!(Fit.iterations)]
     #[getter]
     fn iterations(&self) -> usize {
         self.found.iterations
     }
 
+    #[doc = described!(Fit.system)]
     #[getter]
     fn system(&self, py: Python<'_>) -> Py<PyAny> {
         self.system.clone_ref(py)
     }
 
+    #[doc = described!(Fit.start)]
     #[getter]
     fn start<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         self.found.start.to_pyarray(py)

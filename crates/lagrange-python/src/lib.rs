@@ -5,6 +5,8 @@
 //! those who use it.
 #![forbid(unsafe_code)]
 
+include!(concat!(env!("OUT_DIR"), "/described.rs"));
+
 mod columns;
 mod derivation;
 mod ensemble;
@@ -21,7 +23,7 @@ mod values;
 use pyo3::types::{PyModule, PyModuleMethods};
 use pyo3::{Bound, PyResult, pymodule};
 
-/// The module `lagrange`.
+#[doc = described!(lagrange)]
 #[pymodule(name = "lagrange")]
 fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<system::PySystem>()?;

@@ -5,11 +5,12 @@ use lagrange_runtime::linear::{DenseMatrix, Eigenmode, LinearModel, Stability};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyComplex, PyDict, PyDictMethods};
-use pyo3::{Bound, PyErr, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, PyAny, PyErr, PyResult, Python, pyclass, pymethods};
 
 use crate::error::EquilibriumError;
+use crate::values::rows;
 
-/// An equilibrium or a steady motion.
+#[doc = described!(Equilibrium)]
 #[pyclass(name = "Equilibrium", module = "lagrange", frozen)]
 pub(crate) struct PyEquilibrium {
     found: FoundEquilibrium,
@@ -31,12 +32,13 @@ impl PyEquilibrium {
 
 #[pymethods]
 impl PyEquilibrium {
+    #[doc = described!(Equilibrium.state)]
     #[getter]
     fn state<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         self.found.state.to_pyarray(py)
     }
 
-    /// Inputs by name, if some were trimmed.
+    #[doc = described!(Equilibrium.inputs)]
     #[getter]
     fn inputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let inputs = PyDict::new(py);
@@ -46,11 +48,13 @@ impl PyEquilibrium {
         Ok(inputs)
     }
 
+    #[doc = described!(Equilibrium.iterations)]
     #[getter]
     fn iterations(&self) -> u32 {
         self.found.iterations
     }
 
+    #[doc = described!(Equilibrium.freedom)]
     #[getter]
     fn freedom(&self) -> usize {
         self.found.freedom
@@ -61,7 +65,7 @@ impl PyEquilibrium {
     }
 }
 
-/// A linear model ẋ = A x + B u, y = C x + D u.
+#[doc = described!(LinearModel)]
 #[pyclass(name = "LinearModel", module = "lagrange", frozen)]
 pub(crate) struct PyLinearModel(LinearModel);
 
@@ -73,48 +77,56 @@ impl PyLinearModel {
 
 #[pymethods]
 impl PyLinearModel {
+    #[doc = described!(LinearModel.a)]
     #[getter]
     fn a<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         array(py, self.0.a())
     }
 
+    #[doc = described!(LinearModel.b)]
     #[getter]
     fn b<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         array(py, self.0.b())
     }
 
+    #[doc = described!(LinearModel.c)]
     #[getter]
     fn c<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         array(py, self.0.c())
     }
 
+    #[doc = described!(LinearModel.d)]
     #[getter]
     fn d<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         array(py, self.0.d())
     }
 
+    #[doc = described!(LinearModel.states)]
     #[getter]
     fn states(&self) -> Vec<String> {
         self.0.states().to_vec()
     }
 
+    #[doc = described!(LinearModel.inputs)]
     #[getter]
     fn inputs(&self) -> Vec<&'static str> {
         self.0.inputs().to_vec()
     }
 
+    #[doc = described!(LinearModel.outputs)]
     #[getter]
     fn outputs(&self) -> Vec<&'static str> {
         self.0.outputs().to_vec()
     }
 
+    #[doc = described!(LinearModel.modes)]
     fn modes(&self) -> PyResult<Vec<PyMode>> {
         let modes = self.0.modes().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
         let names = modes.components();
         Ok(modes.modes().iter().map(|mode| PyMode { mode: mode.clone(), names: names.to_vec() }).collect())
     }
 
-    /// True or false, or none if nonlinear terms decide.
+    #[doc = described!(LinearModel.is_stable)]
     #[getter]
     fn is_stable(&self) -> PyResult<Option<bool>> {
         let modes = self.0.modes().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
@@ -125,14 +137,14 @@ impl PyLinearModel {
         })
     }
 
-    /// The gain K of u = −K x.
+    #[doc = described!(LinearModel.lqr)]
     fn lqr<'py>(
         &self,
         py: Python<'py>,
-        q: Vec<Vec<f64>>,
-        r: Vec<Vec<f64>>,
+        q: &Bound<'_, PyAny>,
+        r: &Bound<'_, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let regulator = self.0.lqr(&dense("q", &q)?, &dense("r", &r)?);
+        let regulator = self.0.lqr(&dense("q", q)?, &dense("r", r)?);
         array(py, &regulator.map_err(|error| PyValueError::new_err(error.to_string()))?.gain)
     }
 
@@ -142,7 +154,7 @@ impl PyLinearModel {
     }
 }
 
-/// A mode of a linear model.
+#[doc = described!(Mode)]
 #[pyclass(name = "Mode", module = "lagrange", frozen)]
 pub(crate) struct PyMode {
     mode: Eigenmode,
@@ -151,27 +163,31 @@ pub(crate) struct PyMode {
 
 #[pymethods]
 impl PyMode {
+    #[doc = described!(Mode.eigenvalue)]
     #[getter]
     fn eigenvalue<'py>(&self, py: Python<'py>) -> Bound<'py, PyComplex> {
         PyComplex::from_doubles(py, self.mode.real, self.mode.imaginary)
     }
 
+    #[doc = described!(Mode.natural_frequency)]
     #[getter]
     fn natural_frequency(&self) -> f64 {
         self.mode.natural_frequency()
     }
 
+    #[doc = described!(Mode.frequency)]
     #[getter]
     fn frequency(&self) -> f64 {
         self.mode.frequency()
     }
 
+    #[doc = described!(Mode.damping_ratio)]
     #[getter]
     fn damping_ratio(&self) -> f64 {
         self.mode.damping_ratio()
     }
 
-    /// Complex amplitudes by the names of displacements, states and velocities.
+    #[doc = described!(Mode.shape)]
     #[getter]
     fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let shape = PyDict::new(py);
@@ -191,7 +207,8 @@ fn array<'py>(py: Python<'py>, matrix: &DenseMatrix) -> PyResult<Bound<'py, PyAr
     entries.to_pyarray(py).reshape([matrix.rows(), matrix.columns()])
 }
 
-fn dense(name: &str, rows: &[Vec<f64>]) -> PyResult<DenseMatrix> {
+fn dense(name: &str, matrix: &Bound<'_, PyAny>) -> PyResult<DenseMatrix> {
+    let rows = rows(&format!("`{name}`"), matrix)?;
     let columns = rows.first().map_or(0, Vec::len);
     match rows.iter().all(|row| row.len() == columns) {
         true => Ok(DenseMatrix::from_fn(rows.len(), columns, |i, j| rows[i][j])),

@@ -4,12 +4,12 @@ use lagrange_dynamic::DynamicSystem;
 use lagrange_runtime::simulate::{Ending, Trajectory};
 use numpy::{PyArray1, ToPyArray};
 use pyo3::types::{PyDict, PyDictMethods};
-use pyo3::{Bound, PyRef, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, Py, PyRef, PyResult, Python, pyclass, pymethods};
 
-use crate::columns::PyColumns;
+use crate::columns::{NewColumns, PyColumns};
 use crate::picture::PyPlot;
 
-/// A motion: columns by name, and events.
+#[doc = described!(Trajectory)]
 #[pyclass(name = "Trajectory", module = "lagrange", extends = PyColumns, frozen)]
 pub(crate) struct PyTrajectory {
     units: Vec<Option<&'static str>>,
@@ -18,12 +18,12 @@ pub(crate) struct PyTrajectory {
     steps: u64,
 }
 
-/// A motion and its columns.
-pub(crate) type NewTrajectory = (PyTrajectory, PyColumns);
+/// A motion that Python does not know yet.
+pub(crate) struct NewTrajectory(PyTrajectory, NewColumns);
 
-impl PyTrajectory {
-    /// Returns a motion and its columns, which Python combines.
-    pub(crate) fn new<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> NewTrajectory {
+impl NewTrajectory {
+    /// Returns a motion and its columns.
+    pub(crate) fn of<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> NewTrajectory {
         let names = motion.names().iter().map(String::as_str);
         let column = |name: &str| motion.column(name).unwrap_or_default().to_vec();
         let time = [(String::from("t"), Some("s"), motion.times().to_vec())];
@@ -46,12 +46,21 @@ impl PyTrajectory {
         };
         let events = motion.events().iter().map(event).collect();
         let own = PyTrajectory { units, events, ending, steps: motion.work().steps };
-        (own, PyColumns { names, columns, entries: motion.first().as_ref().len() })
+        NewTrajectory(own, NewColumns { names, columns, entries: motion.first().as_ref().len() })
+    }
+
+    /// Returns the object of Python.
+    ///
+    /// # Errors
+    /// If it has no room.
+    pub(crate) fn share(self, py: Python<'_>) -> PyResult<Py<PyTrajectory>> {
+        Py::new(py, (self.0, self.1.share(py)))
     }
 }
 
 #[pymethods]
 impl PyTrajectory {
+    #[doc = described!(Trajectory.units)]
     #[getter]
     fn units<'py>(slf: PyRef<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
         let units = PyDict::new(slf.py());
@@ -61,17 +70,19 @@ impl PyTrajectory {
         Ok(units)
     }
 
+    #[doc = described!(Trajectory.ending)]
     #[getter]
     fn ending(&self) -> &'static str {
         self.ending
     }
 
+    #[doc = described!(Trajectory.steps)]
     #[getter]
     fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Events as tuples of name, time and state.
+    #[doc = described!(Trajectory.events)]
     #[getter]
     fn events<'py>(&self, py: Python<'py>) -> Vec<(String, f64, Bound<'py, PyArray1<f64>>)> {
         let event =
@@ -79,18 +90,19 @@ impl PyTrajectory {
         self.events.iter().map(event).collect()
     }
 
-    /// Plots columns, by default the state, each in its own panel.
+    #[doc = described!(Trajectory.plot)]
     #[pyo3(signature = (*names, x="t"))]
     fn plot(slf: PyRef<'_, Self>, names: Vec<String>, x: &str) -> PyResult<PyPlot> {
         let columns = slf.as_super();
         let state = || columns.names[1..=columns.entries].to_vec();
         let names = if names.is_empty() { state() } else { names };
-        PyPlot::new(columns, &slf.units, &names, x)
+        PyPlot::new(slf.py(), columns, &slf.units, (&names, x))
     }
 
     fn __repr__(slf: PyRef<'_, Self>) -> String {
         let (columns, ending) = (slf.as_super(), slf.ending);
-        let times = columns.times();
+        let times = columns.column(slf.py(), 0);
+        let times = times.as_array();
         let end = times.last().copied().unwrap_or_default();
         format!(
             "<Trajectory of {} samples until t = {end}, {ending}: {}>",

@@ -7,7 +7,7 @@ use lagrange_plot::label::Label;
 use lagrange_plot::notation::{self, Columns};
 use lagrange_plot::{Curve, Figure, Panel, PlotError};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyValueError};
-use pyo3::{PyErr, PyResult, pyclass, pymethods};
+use pyo3::{PyErr, PyResult, Python, pyclass, pymethods};
 
 use crate::columns::PyColumns;
 
@@ -16,7 +16,7 @@ const WIDE: (u32, u32) = (860, 420);
 /// Width and height of each of several panels.
 const SMALL: (u32, u32) = (480, 230);
 
-/// A plot of columns.
+#[doc = described!(Plot)]
 #[pyclass(name = "Plot", module = "lagrange", frozen)]
 pub(crate) struct PyPlot {
     figure: Figure,
@@ -29,10 +29,10 @@ impl PyPlot {
     /// # Errors
     /// `KeyError` for an unknown column, `ValueError` if there is nothing to plot.
     pub(crate) fn new(
+        py: Python<'_>,
         columns: &PyColumns,
         units: &[Option<&str>],
-        names: &[String],
-        x: &str,
+        (names, x): (&[String], &str),
     ) -> PyResult<PyPlot> {
         let labels = Columns::new(columns.names.iter().map(String::as_str));
         let label =
@@ -40,9 +40,10 @@ impl PyPlot {
         let at = columns.place(x)?;
         let panel = |name: &String| {
             let place = columns.place(name)?;
-            let points = columns.columns[at].iter().copied().zip(columns.columns[place].iter().copied());
+            let [along, up] = [at, place].map(|place| columns.column(py, place));
+            let points = along.as_array().iter().copied().zip(up.as_array().iter().copied()).collect();
             let y = label(name, place);
-            let curves = vec![Curve { name: y.clone(), points: points.collect() }];
+            let curves = vec![Curve { name: y.clone(), points }];
             Ok(Panel { x: label(x, at), y, curves, ..Panel::default() })
         };
         let panels = names.iter().map(panel).collect::<PyResult<Vec<_>>>()?;
@@ -59,7 +60,7 @@ impl PyPlot {
 
 #[pymethods]
 impl PyPlot {
-    /// The picture as an SVG document.
+    #[doc = described!(Plot.svg)]
     #[getter]
     fn svg(&self) -> &str {
         &self.svg
@@ -70,6 +71,7 @@ impl PyPlot {
         &self.svg
     }
 
+    #[doc = described!(Plot.save)]
     fn save(&self, path: PathBuf) -> PyResult<()> {
         self.figure.save(&path).map_err(plot_error)
     }
@@ -95,7 +97,7 @@ fn in_unit(label: Label, unit: Option<&str>) -> Label {
     }
 }
 
-/// A film of bodies.
+#[doc = described!(Film)]
 #[pyclass(name = "Film", module = "lagrange", frozen)]
 pub(crate) struct PyFilm {
     film: DeclaredFilm,
@@ -110,7 +112,7 @@ impl PyFilm {
 
 #[pymethods]
 impl PyFilm {
-    /// The HTML page.
+    #[doc = described!(Film.html)]
     #[getter]
     fn html(&self) -> String {
         self.film.html()
@@ -125,6 +127,7 @@ impl PyFilm {
         )
     }
 
+    #[doc = described!(Film.save)]
     fn save(&self, path: PathBuf) -> PyResult<()> {
         self.film.save(&path).map_err(|error| match error {
             lagrange_draw::DrawError::Io { .. } => PyOSError::new_err(error.to_string()),

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use lagrange_dynamic::{DynamicSystem, Inline, IsCancelled, MethodChoice, RunSettings, Visitor, verdict};
+use lagrange_dynamic::{DynamicSystem, Inline, MethodChoice, RunSettings, Visitor, Watch};
 use lagrange_runtime::simulate::{SimulationError as RunError, Trajectory};
 use lagrange_runtime::system::StateVector;
 use numpy::ToPyArray;
@@ -11,7 +11,8 @@ use pyo3::types::PyAnyMethods;
 use pyo3::{Bound, PyAny, PyErr, PyResult, Python};
 
 use crate::error::{SimulationError, with_results};
-use crate::motion::{NewTrajectory, PyTrajectory};
+use crate::motion::NewTrajectory;
+use crate::values::numbers;
 
 /// Returns the method of a name with its settings; a seed chooses the noise.
 ///
@@ -37,7 +38,7 @@ pub(crate) fn chosen(
 }
 
 /// A run whose inputs are constant.
-pub(crate) struct FreeRun<'a>(pub(crate) RunSettings, pub(crate) IsCancelled<'a>);
+pub(crate) struct FreeRun<'a>(pub(crate) RunSettings, pub(crate) Watch<'a>);
 
 /// A run with inputs from a Python function.
 pub(crate) struct DrivenRun<'py> {
@@ -58,7 +59,7 @@ impl FailedRun {
         FailedRun {
             message: failure.to_string(),
             is_refusal: failure.cause.is_refusal(),
-            motion: PyTrajectory::new(&failure.trajectory),
+            motion: NewTrajectory::of(&failure.trajectory),
         }
     }
 
@@ -68,7 +69,7 @@ impl FailedRun {
         if self.is_refusal {
             return PyValueError::new_err(self.message);
         }
-        with_results(py, SimulationError::new_err(self.message), "trajectory", self.motion)
+        with_results(py, SimulationError::new_err(self.message), "trajectory", self.motion.share(py))
     }
 }
 
@@ -76,8 +77,8 @@ impl Visitor for FreeRun<'_> {
     type Output = Result<NewTrajectory, Box<FailedRun>>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
-        let FreeRun(settings, is_cancelled) = self;
-        ended(settings.run_unless(system, is_cancelled))
+        let FreeRun(settings, watch) = self;
+        ended(settings.run_watched(system, watch))
     }
 }
 
@@ -101,7 +102,7 @@ impl Visitor for DrivenRun<'_> {
         match raised.into_inner() {
             Some(error) => {
                 let motion = motion.unwrap_or_else(|failure| failure.motion);
-                Err(with_results(self.law.py(), error, "trajectory", motion))
+                Err(with_results(self.law.py(), error, "trajectory", motion.share(self.law.py())))
             }
             None => motion.map_err(|failure| failure.exception(self.law.py())),
         }
@@ -111,7 +112,8 @@ impl Visitor for DrivenRun<'_> {
 impl DrivenRun<'_> {
     fn inputs(&self, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
         let found = self.law.call1((t, y.to_pyarray(self.law.py())))?;
-        found.extract::<f64>().map(|input| vec![input]).or_else(|_| found.extract::<Vec<f64>>())
+        let one = found.extract::<f64>().map(|input| vec![input]);
+        one.or_else(|_| numbers("the result of `inputs`", &found))
     }
 }
 
@@ -129,16 +131,23 @@ impl SampledInputs {
     /// `TypeError` for anything else; `ValueError` for wrong lengths, times that decrease, and
     /// numbers that are not finite.
     pub(crate) fn new(inputs: &Bound<'_, PyAny>, count: usize) -> PyResult<Self> {
-        let (times, values) = inputs.extract::<(Vec<f64>, Bound<'_, PyAny>)>().map_err(|_| {
+        let pair = inputs.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>().map_err(|_| {
             PyTypeError::new_err(
                 "`inputs` must be a function of time and state, or a pair of times and values; set constants \
                  by `with_parameters`",
             )
-        })?;
+        });
+        let (times, values) = pair?;
+        let times = numbers("times of `inputs`", &times)?;
         let one = values.extract::<Vec<f64>>();
         let rows = match one {
             Ok(values) => values.into_iter().map(|value| vec![value]).collect(),
-            Err(_) => values.extract::<Vec<Vec<f64>>>()?,
+            Err(_) => values.extract::<Vec<Vec<f64>>>().map_err(|_| {
+                PyTypeError::new_err(
+                    "values of `inputs` must be an array of numbers, with a column for each input if there \
+                     are several",
+                )
+            })?,
         };
         let wrong = |message: String| Err(PyValueError::new_err(message));
         if times.is_empty() || rows.len() != times.len() {
@@ -174,22 +183,22 @@ impl SampledInputs {
 pub(crate) struct SampledRun<'a> {
     pub(crate) settings: RunSettings,
     pub(crate) inputs: SampledInputs,
-    pub(crate) is_cancelled: IsCancelled<'a>,
+    pub(crate) watch: Watch<'a>,
 }
 
 impl Visitor for SampledRun<'_> {
     type Output = Result<NewTrajectory, Box<FailedRun>>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
-        let SampledRun { settings, inputs, is_cancelled } = self;
+        let SampledRun { settings, inputs, watch } = self;
         let law = |_: &DynamicSystem<CAPACITY>, t: f64, _: Inline<CAPACITY>| inputs.at(t);
         let simulation = settings.simulation(system).drive(law).restart_at(inputs.times.iter().copied());
-        ended(settings.method.run_driven(simulation.progress(|_| verdict(is_cancelled)), system))
+        ended(settings.method.run_driven(simulation.cancel_when(|| watch(0.0)), system))
     }
 }
 
 fn ended<const CAPACITY: usize>(
     result: Result<Trajectory<DynamicSystem<CAPACITY>>, RunError<DynamicSystem<CAPACITY>>>,
 ) -> Result<NewTrajectory, Box<FailedRun>> {
-    result.map(|motion| PyTrajectory::new(&motion)).map_err(|failure| Box::new(FailedRun::new(&failure)))
+    result.map(|motion| NewTrajectory::of(&motion)).map_err(|failure| Box::new(FailedRun::new(&failure)))
 }

@@ -25,9 +25,11 @@ use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::picture::PyFilm;
 use crate::simulation::{DrivenRun, FreeRun, SampledInputs, SampledRun, chosen};
-use crate::values::{check_values, pairs, start_of};
+use crate::values::{check_values, names, numbers, pairs, start_of};
 
-/// A declared system with values for its parameters.
+#[doc = described!(System)]
+///
+#[doc = described!(System.__init__)]
 #[pyclass(name = "System", module = "lagrange", frozen)]
 pub(crate) struct PySystem {
     source: Source,
@@ -44,18 +46,20 @@ impl PySystem {
         PySystem::of(py, Source { name: "<text>".to_owned(), text, folder }, compile)
     }
 
+    #[doc = described!(System.read)]
     #[staticmethod]
     #[pyo3(signature = (path, *, compile = true))]
     fn read(py: Python<'_>, path: PathBuf, compile: bool) -> PyResult<Self> {
         PySystem::of(py, Source::read(&path).map_err(PyOSError::new_err)?, compile)
     }
 
+    #[doc = described!(System.is_compiled)]
     #[getter]
     fn is_compiled(&self) -> bool {
         self.declared.numeric().backend().is_some()
     }
 
-    /// Values of parameters, then of inputs, by name.
+    #[doc = described!(System.parameters)]
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let values = PyDict::new(py);
@@ -65,6 +69,7 @@ impl PySystem {
         Ok(values)
     }
 
+    #[doc = described!(System.with_parameters)]
     #[pyo3(signature = (**values))]
     fn with_parameters(&self, values: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut declared = self.declared.clone();
@@ -74,16 +79,19 @@ impl PySystem {
         Ok(self.around(declared))
     }
 
+    #[doc = described!(System.inputs)]
     #[getter]
     fn inputs(&self) -> Vec<String> {
         self.declared.variables().fields[self.declared.programs().layout.parameters..].to_vec()
     }
 
+    #[doc = described!(System.state_names)]
     #[getter]
     fn state_names(&self) -> Vec<String> {
         self.declared.state_names()
     }
 
+    #[doc = described!(System.units)]
     #[getter]
     fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let units = PyDict::new(py);
@@ -93,7 +101,7 @@ impl PySystem {
         Ok(units)
     }
 
-    /// The declared initial state, with other values for some entries.
+    #[doc = described!(System.start)]
     #[pyo3(signature = (**values))]
     fn start<'py>(
         &self,
@@ -103,63 +111,81 @@ impl PySystem {
         Ok(start_of(&self.declared, &pairs(values)?)?.to_pyarray(py))
     }
 
-    fn rhs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        self.check(&y)?;
+    #[doc = described!(System.rhs)]
+    fn rhs<'py>(&self, py: Python<'py>, t: f64, y: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let y = self.entries("`y`", y)?;
         Ok(self.declared.rates(t, &y).to_pyarray(py))
     }
 
+    #[doc = described!(System.accelerations)]
     fn accelerations<'py>(
         &self,
         py: Python<'py>,
         t: f64,
-        y: Vec<f64>,
+        y: &Bound<'_, PyAny>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let positions = self.parts(&y)?.0.len();
+        let y = self.entries("`y`", y)?;
+        let positions = self.declared.programs().layout.positions;
         Ok(self.declared.rates(t, &y)[positions..].to_pyarray(py))
     }
 
-    fn energy(&self, t: f64, y: Vec<f64>) -> PyResult<f64> {
-        let energy = self.product(Product::Energy, "energy", t, &y)?;
+    #[doc = described!(System.energy)]
+    fn energy(&self, t: f64, y: &Bound<'_, PyAny>) -> PyResult<f64> {
+        let energy = self.product(Product::Energy, "energy", t, y)?;
         Ok(energy.first().copied().unwrap_or(f64::NAN))
     }
 
-    fn mass_matrix<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let size = self.parts(&y)?.1.len();
-        let entries = self.product(Product::MassMatrix, "mass matrix", t, &y)?;
+    #[doc = described!(System.mass_matrix)]
+    fn mass_matrix<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &Bound<'_, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let size = self.declared.programs().layout.velocities;
+        let entries = self.product(Product::MassMatrix, "mass matrix", t, y)?;
         entries.to_pyarray(py).reshape([size, size])
     }
 
-    fn jacobian<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (q, v) = self.parts(&y)?;
+    #[doc = described!(System.jacobian)]
+    fn jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &Bound<'_, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let y = self.entries("`y`", y)?;
+        let (q, v) = y.split_at(self.declared.programs().layout.positions);
         let system = self.derivatives.differentiated(py, &self.source, &self.declared)?;
         let program = system.programs().jacobian.as_ref();
         let program = program.ok_or_else(|| PyValueError::new_err("the rates have no derivatives"))?;
         system.numeric().evaluate(program, t, q, v).to_pyarray(py).reshape([y.len(), y.len()])
     }
 
-    /// Derivatives of the rates by the parameters.
+    #[doc = described!(System.parameter_jacobian)]
     fn parameter_jacobian<'py>(
         &self,
         py: Python<'py>,
         t: f64,
-        y: Vec<f64>,
+        y: &Bound<'_, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.by_fields(py, t, &y, |parameters| 0..parameters)
+        self.by_fields(py, t, y, |parameters| 0..parameters)
     }
 
-    /// Derivatives of the rates by the inputs.
+    #[doc = described!(System.input_jacobian)]
     fn input_jacobian<'py>(
         &self,
         py: Python<'py>,
         t: f64,
-        y: Vec<f64>,
+        y: &Bound<'_, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let fields = self.declared.variables().fields.len();
-        self.by_fields(py, t, &y, |parameters| parameters..fields)
+        self.by_fields(py, t, y, |parameters| parameters..fields)
     }
 
-    fn outputs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyDict>> {
-        self.check(&y)?;
+    #[doc = described!(System.outputs)]
+    fn outputs<'py>(&self, py: Python<'py>, t: f64, y: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyDict>> {
+        let y = self.entries("`y`", y)?;
         let outputs = PyDict::new(py);
         let programs = self.declared.programs().outputs.iter();
         for (columns, (_, output)) in self.declared.variables().outputs.iter().zip(programs) {
@@ -171,6 +197,7 @@ impl PySystem {
         Ok(outputs)
     }
 
+    #[doc = described!(System.simulate)]
     #[pyo3(signature = (start=None, *, until, every=None, begin=0.0, method=None, tolerance=None, step=None, seed=None, inputs=None, energy=false))]
     #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
     fn simulate(
@@ -191,32 +218,36 @@ impl PySystem {
         if energy && self.declared.programs().product(Product::Energy).is_none() {
             return Err(PyValueError::new_err("the declaration excludes the energy"));
         }
-        let settings =
-            RunSettings { start: self.state(start)?, from: begin, until, every, method, has_energy: energy };
+        let settings = RunSettings {
+            start: self.state("`start`", start)?,
+            from: begin,
+            until,
+            every,
+            method,
+            has_energy: energy,
+        };
         let (motion, raised) = match inputs {
             Some(law) if law.is_callable() => {
-                return Py::new(py, self.declared.visit(DrivenRun { settings, law })?);
+                return self.declared.visit(DrivenRun { settings, law })?.share(py);
             }
             Some(samples) => {
                 let inputs = SampledInputs::new(&samples, self.declared.programs().layout.inputs)?;
-                interruptible(py, |is_cancelled| {
-                    self.declared.visit(SampledRun { settings, inputs, is_cancelled })
-                })
+                interruptible(py, |watch| self.declared.visit(SampledRun { settings, inputs, watch }))
             }
             None => {
                 self.check_values()?;
                 let system = self.derivatives.for_method(py, &self.source, &self.declared, method)?;
-                interruptible(py, |is_cancelled| system.visit(FreeRun(settings, is_cancelled)))
+                interruptible(py, |watch| system.visit(FreeRun(settings, watch)))
             }
         };
-        let motion = motion.map_err(|failure| failure.exception(py))?;
+        let motion = motion.map_err(|failure| failure.exception(py))?.share(py);
         match raised {
             Some(error) => Err(with_results(py, error, "trajectory", motion)),
-            None => Py::new(py, motion),
+            None => motion,
         }
     }
 
-    /// Returns the film of a motion with the parameters of this system.
+    #[doc = described!(System.film)]
     #[pyo3(signature = (motion, *, energy=true, forces=false, height=640))]
     fn film(
         &self,
@@ -230,20 +261,18 @@ impl PySystem {
         if columns.names[1..=columns.entries] != self.declared.state_names() {
             return Err(PyValueError::new_err("the motion is that of another system"));
         }
-        let states = (0..columns.times().len()).map(|row| {
-            columns.columns[1..=columns.entries].iter().map(|column| column[row]).collect::<Vec<_>>()
-        });
-        let (states, system) =
-            (states.collect::<Vec<_>>(), self.derivatives.drawn(py, &self.source, &self.declared)?);
-        let film = DeclaredFilm::new(&system, columns.times(), states.iter().map(Vec::as_slice), forces);
+        let (times, states) = (columns.column(py, 0).as_array().to_vec(), columns.states(py));
+        let system = self.derivatives.drawn(py, &self.source, &self.declared)?;
+        let film = DeclaredFilm::new(&system, &times, states.iter().map(Vec::as_slice), forces);
         let film = film.and_then(|film| match columns.place("energy") {
-            Ok(place) if energy => film.with_column("energy", &columns.columns[place]),
+            Ok(place) if energy => film.with_column("energy", &columns.column(py, place).as_array().to_vec()),
             _ => Ok(film),
         });
         let film = film.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(PyFilm::new(film, height))
     }
 
+    #[doc = described!(System.ensemble)]
     #[pyo3(signature = (starts=None, *, until, parameters=None, begin=0.0, method=None, tolerance=None, step=None, seed=None, threads=None))]
     #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
     fn ensemble(
@@ -266,6 +295,7 @@ impl PySystem {
         PyEnsemble::compute(py, &system, &settings)
     }
 
+    #[doc = described!(System.fit)]
     #[pyo3(signature = (data, *, vary, start=None, noise=None, begin=None, tolerance=1e-9, starts=1, max_iterations=200))]
     #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
     fn fit(
@@ -282,7 +312,7 @@ impl PySystem {
     ) -> PyResult<PyFit> {
         self.check_values()?;
         let settings = FitSettings {
-            start: self.state(start)?,
+            start: self.state("`start`", start)?,
             data: fit::data(data)?,
             varied: fit::varied(vary)?,
             noise: pairs(noise)?,
@@ -298,19 +328,26 @@ impl PySystem {
         })
     }
 
-    #[pyo3(signature = (near=None, *, hold=Vec::new(), trim=Vec::new(), time=0.0))]
+    #[doc = described!(System.equilibrium)]
+    #[pyo3(signature = (near=None, *, hold=None, trim=None, time=0.0))]
     fn equilibrium(
         &self,
         py: Python<'_>,
         near: Option<&Bound<'_, PyAny>>,
-        hold: Vec<String>,
-        trim: Vec<String>,
+        hold: Option<&Bound<'_, PyAny>>,
+        trim: Option<&Bound<'_, PyAny>>,
         time: f64,
     ) -> PyResult<PyEquilibrium> {
-        let settings = SearchSettings { time, near: self.state(near)?, hold, trim };
+        let settings = SearchSettings {
+            time,
+            near: self.state("`near`", near)?,
+            hold: names("`hold`", hold)?,
+            trim: names("`trim`", trim)?,
+        };
         PyEquilibrium::search(py, &self.with_derivatives(py)?, settings)
     }
 
+    #[doc = described!(System.linearise)]
     #[pyo3(signature = (state=None, *, time=0.0))]
     fn linearise(
         &self,
@@ -318,13 +355,15 @@ impl PySystem {
         state: Option<&Bound<'_, PyAny>>,
         time: f64,
     ) -> PyResult<PyLinearModel> {
-        PyLinearModel::new(py, &self.with_derivatives(py)?, time, &self.state(state)?)
+        PyLinearModel::new(py, &self.with_derivatives(py)?, time, &self.state("`state`", state)?)
     }
 
+    #[doc = described!(System.equations)]
     fn equations(&self, py: Python<'_>) -> PyResult<String> {
         Ok(self.derived(py)?.documentation().join("\n"))
     }
 
+    #[doc = described!(System.latex)]
     fn latex(&self, py: Python<'_>) -> PyResult<String> {
         Ok(self.derived(py)?.equations_latex())
     }
@@ -334,14 +373,14 @@ impl PySystem {
         Ok(format!("$${}$$", self.latex(py)?))
     }
 
-    /// The system as a C module: its header and its source.
+    #[doc = described!(System.c)]
     fn c(&self) -> PyResult<(String, String)> {
         let module = Module::new(self.declared.programs(), None);
         let module = module.map_err(|refusal| PyValueError::new_err(refusal.to_string()))?;
         Ok((module.header, module.source))
     }
 
-    /// The code emitted by the Rust macro.
+    #[doc = described!(System.rust)]
     fn rust(&self, py: Python<'_>) -> PyResult<String> {
         let items = self.derived(py)?.emit(&quote!(::lagrange));
         let items = items.map_err(|report| declaration_error(py, &report))?;
@@ -377,10 +416,11 @@ impl PySystem {
         &self,
         py: Python<'py>,
         t: f64,
-        y: &[f64],
+        y: &Bound<'_, PyAny>,
         chosen: impl Fn(usize) -> Range<usize>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (q, v) = self.parts(y)?;
+        let y = self.entries("`y`", y)?;
+        let (q, v) = y.split_at(self.declared.programs().layout.positions);
         let (count, parameters) =
             (self.declared.variables().fields.len(), self.declared.programs().layout.parameters);
         let columns = chosen(parameters);
@@ -401,27 +441,27 @@ impl PySystem {
 
     /// Returns the state from an array or from a dictionary of entries, or the declared initial
     /// state.
-    fn state(&self, start: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
+    fn state(&self, argument: &str, start: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
         let Some(start) = start else { return start_of(&self.declared, &[]) };
         if let Ok(values) = start.cast::<PyDict>() {
             return start_of(&self.declared, &pairs(Some(values))?);
         }
-        let state = start.extract::<Vec<f64>>()?;
-        self.check(&state)?;
+        let state = self.entries(argument, start)?;
         let checked = self.declared.check_state(&state);
         checked.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(state)
     }
 
-    fn check(&self, y: &[f64]) -> PyResult<()> {
-        let names = self.declared.state_names();
-        match y.len() == names.len() {
-            true => Ok(()),
+    /// Returns the entries of a state.
+    fn entries(&self, argument: &str, state: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+        let (state, names) = (numbers(argument, state)?, self.declared.state_names());
+        match state.len() == names.len() {
+            true => Ok(state),
             false => Err(PyValueError::new_err(format!(
                 "a state has {} entries, {}, but {} are given",
                 names.len(),
                 names.join(", "),
-                y.len()
+                state.len()
             ))),
         }
     }
@@ -430,16 +470,10 @@ impl PySystem {
         check_values(&self.declared)
     }
 
-    /// Splits a state into positions and velocities.
-    fn parts<'y>(&self, y: &'y [f64]) -> PyResult<(&'y [f64], &'y [f64])> {
-        self.check(y)?;
-        Ok(y.split_at(self.declared.programs().layout.positions))
-    }
-
-    fn product(&self, product: Product, name: &str, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
-        self.check(y)?;
+    fn product(&self, product: Product, name: &str, t: f64, y: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+        let y = self.entries("`y`", y)?;
         let program = self.declared.programs().product(product);
         let missing = || PyValueError::new_err(format!("the declaration excludes the {name}"));
-        Ok(self.declared.evaluate(program.ok_or_else(missing)?, t, y))
+        Ok(self.declared.evaluate(program.ok_or_else(missing)?, t, &y))
     }
 }

@@ -1,9 +1,9 @@
-//! Values by name from Python dictionaries.
+//! Numbers and names from Python, whose errors name the argument.
 
 use lagrange_dynamic::DeclaredSystem;
-use pyo3::exceptions::PyValueError;
-use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
-use pyo3::{Bound, PyAny, PyResult};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods, PyTypeMethods};
+use pyo3::{Bound, PyAny, PyErr, PyResult};
 
 /// A value for all motions, or a value for each of them.
 pub(crate) enum PerMotion {
@@ -29,10 +29,49 @@ impl PerMotion {
     }
 }
 
+/// Returns the numbers of an argument.
+///
+/// # Errors
+/// `TypeError` if it is no array of numbers.
+pub(crate) fn numbers(argument: &str, values: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    values.extract().map_err(|_| not(argument, "an array of numbers", values))
+}
+
+/// Returns the rows of an argument.
+///
+/// # Errors
+/// `TypeError` if it is no array of rows of numbers.
+pub(crate) fn rows(argument: &str, values: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
+    values.extract().map_err(|_| not(argument, "an array of numbers with two dimensions", values))
+}
+
+/// Returns the names of an argument; none if it is missing.
+///
+/// # Errors
+/// `TypeError` if it is no list of names.
+pub(crate) fn names(argument: &str, values: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
+    let Some(values) = values else { return Ok(Vec::new()) };
+    values.extract().map_err(|_| not(argument, "a list of names", values))
+}
+
+/// Returns the error of an argument that is something else.
+fn not(argument: &str, wanted: &str, found: &Bound<'_, PyAny>) -> PyErr {
+    let found = found.get_type().name().map_or_else(|_| String::new(), |name| format!(", not {name}"));
+    PyTypeError::new_err(format!("{argument} must be {wanted}{found}"))
+}
+
 /// Returns the numbers of a dictionary.
+///
+/// # Errors
+/// `TypeError` with the name of a value that is no number.
 pub(crate) fn pairs(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, f64)>> {
     let Some(values) = values else { return Ok(Vec::new()) };
-    values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?))).collect()
+    let pair = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let name = name.extract::<String>().map_err(|_| not("names of values", "texts", &name))?;
+        let number = value.extract().map_err(|_| not(&format!("`{name}`"), "a number", &value))?;
+        Ok((name, number))
+    };
+    values.iter().map(pair).collect()
 }
 
 /// Returns the values of a dictionary: numbers, or arrays with a number for each motion.

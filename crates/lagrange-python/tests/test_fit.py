@@ -134,7 +134,7 @@ def test_what_is_no_table_is_refused(tmp_path):
 
 def test_fits_can_be_interrupted():
     system = lagrange.System(OSCILLATOR)
-    times = np.linspace(0, 500, 2000)
+    times = np.linspace(0, 5, 50)
     data = {"t": times, "x": np.cos(times)}
     # Processes in the background ignore Ctrl-C.
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -145,3 +145,15 @@ def test_fits_can_be_interrupted():
         system.fit(data, vary={"k": (0.1, 10), "c": (0, 1)}, start=[1, 0], starts=100_000)
     assert time.monotonic() - began < 20
     assert 0.1 <= raised.value.fit.values["k"] <= 10
+
+
+def test_a_fit_is_interrupted_within_a_motion():
+    system = lagrange.System(OSCILLATOR)
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    interrupt = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    interrupt.start()
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt) as raised:
+        system.fit({"t": [0, 1e6, 1e7], "x": [1, 0, 0]}, vary=["k"], start=[1, 0])
+    assert time.monotonic() - began < 5
+    assert not hasattr(raised.value, "fit"), "no motion reached the end of the data"

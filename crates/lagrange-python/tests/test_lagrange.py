@@ -180,7 +180,7 @@ def test_errors_of_inputs_arrive():
     assert 0 < failure.value.trajectory.t[-1] <= 0.5
     with pytest.raises(lagrange.SimulationError):
         system.simulate(until=1, inputs=lambda t, y: [0.0, 1.0])
-    with pytest.raises(TypeError):
+    with pytest.raises(TypeError, match="the result of `inputs` must be an array of numbers, not str"):
         system.simulate(until=1, inputs=lambda t, y: "much")
     with pytest.raises(TypeError, match="function"):
         system.simulate(until=1, inputs=[1.0])
@@ -255,6 +255,43 @@ def test_wrong_values_are_refused():
             system.simulate(until=until)
     with pytest.raises(ValueError, match="e"):
         lagrange.System(BALL).with_parameters(e=2.0).simulate(until=1)
+
+
+def test_values_of_other_types_are_refused_by_name():
+    system = lagrange.System(CART)
+    model = system.linearise([0, 0])
+    cases = [
+        (lambda: system.rhs(0, "much"), "`y` must be an array of numbers, not str"),
+        (lambda: system.energy(0, ["a", "b"]), "`y` must be an array of numbers, not list"),
+        (lambda: system.mass_matrix(0, np.zeros((2, 2))), "`y` must be an array of numbers, not ndarray"),
+        (lambda: system.input_jacobian(0, 7), "`y` must be an array of numbers, not int"),
+        (lambda: system.simulate("far", until=1), "`start` must be an array of numbers, not str"),
+        (lambda: system.linearise("rest"), "`state` must be an array of numbers, not str"),
+        (lambda: system.equilibrium("rest"), "`near` must be an array of numbers, not str"),
+        (lambda: system.equilibrium(hold="x"), "`hold` must be a list of names, not str"),
+        (lambda: system.equilibrium(trim=[1]), "`trim` must be a list of names, not list"),
+        (lambda: system.with_parameters(k="stiff"), "`k` must be a number, not str"),
+        (lambda: system.start(x=[1]), "`x` must be a number, not list"),
+        (lambda: model.lqr("large", [[1]]), "`q` must be an array of numbers with two dimensions, not str"),
+        (lambda: model.lqr(np.eye(2), [1]), "`r` must be an array of numbers with two dimensions, not list"),
+    ]
+    for call, message in cases:
+        with pytest.raises(TypeError) as error:
+            call()
+        assert str(error.value) == message
+
+
+def test_columns_are_shared_and_cannot_be_written_to():
+    system = lagrange.System(CART)
+    for found in (system.simulate(until=1, every=0.1), system.ensemble({"x": [1, 2]}, until=1)):
+        assert found["x"] is found["x"] and found.columns()["x"] is found["x"] and found["t"] is found.t
+        assert found["x"].flags.c_contiguous
+        with pytest.raises(ValueError, match="read-only"):
+            found["x"][0] = 7
+        copied = found["x"].copy()
+        copied[0] = 7
+        assert found.y[0, 0] != 7
+        found.y[0, 0] = 7
 
 
 def test_frames():
@@ -480,6 +517,9 @@ def test_sampled_inputs_that_make_no_sense_are_refused():
         (([1, 0], [1, 2]), ValueError, "decrease from 1 to 0"),
         (([0, 1], [1, np.nan]), ValueError, "finite"),
         (7, TypeError, "a pair of times and values"),
+        (("early", [1]), TypeError, "times of `inputs` must be an array of numbers, not str"),
+        (([0, 1], "much"), TypeError, "values of `inputs` must be an array of numbers, with a column"),
+        (([0, 1], [[1], ["b"]]), TypeError, "values of `inputs` must be an array of numbers, with a column"),
     ]
     for inputs, error, message in cases:
         with pytest.raises(error, match=message):
@@ -512,5 +552,7 @@ def test_ensembles_can_be_interrupted():
     starts = np.ones((20_000, 2))
     _, seconds = interrupted(lambda: cart.ensemble(starts, until=1e4, threads=2))
     assert seconds < 5
+    _, seconds = interrupted(lambda: cart.ensemble(starts[:1], until=1e7))
+    assert seconds < 5, "a single motion of an ensemble ends, too"
     ends = cart.ensemble(starts[:3], until=1)
     assert len(ends.t) == 3

@@ -47,6 +47,15 @@ def test_the_stubs_name_the_classes_of_the_module():
     assert classes == set(CLASSES)
 
 
+def test_help_shows_the_descriptions_of_classes_and_of_the_module():
+    assert inspect.cleandoc(lagrange.__doc__) == ast.get_docstring(STUBS)
+    for name, node in CLASSES.items():
+        text = ast.get_docstring(node)
+        if text is not None:
+            assert inspect.cleandoc(getattr(lagrange, name).__doc__).startswith(text), name
+    assert ast.get_docstring(members(CLASSES["System"])["__init__"]) in inspect.cleandoc(lagrange.System.__doc__)
+
+
 @pytest.mark.parametrize("name", OF_TYPES)
 def test_the_stubs_name_the_members_of_classes(name):
     kind, stubs = getattr(lagrange, name), members(OF_TYPES[name])
@@ -57,5 +66,7 @@ def test_the_stubs_name_the_members_of_classes(name):
         is_property = any(isinstance(item, ast.Name) and item.id == "property" for item in stub.decorator_list)
         found = inspect.getattr_static(kind, member)
         assert is_property == inspect.isgetsetdescriptor(found), member
+        if member in vars(kind) and (text := ast.get_docstring(stub)):
+            assert inspect.cleandoc(getattr(kind, member).__doc__) == text, member
         if not is_property and not member.startswith("_"):
             assert parameters(stub) == parameters_of_module(getattr(kind, member)), member

@@ -251,7 +251,7 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// progress bar.
     ///
     /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble. Motions
-    /// that have begun then continue to their end, and
+    /// that have begun then end as well, within a few dozen steps, and
     /// [`Cancelled`](super::EnsembleError::Cancelled) is returned. Saved parts are kept.
     pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
         self.batch.reporter = Some(BatchReporter::new(callback));

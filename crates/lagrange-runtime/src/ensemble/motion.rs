@@ -9,7 +9,9 @@ use super::error::{EnsembleError, panic_message};
 use super::plan::SharedSystem;
 use super::progress::Counter;
 use crate::integrate::{Method, Work};
-use crate::simulate::{ClosedLoop, Drive, RunSettings, Sampling, Simulation, SimulationError, Trajectory};
+use crate::simulate::{
+    ClosedLoop, Drive, Ending, RunSettings, Sampling, Simulation, SimulationError, Trajectory,
+};
 use crate::system::{MechanicalSystem, NamedSystem};
 
 /// A motion of an ensemble, as those who reduce it see it.
@@ -110,7 +112,7 @@ where
                 "there is no motion {index} in an ensemble of {number}: the first has index 0"
             )));
         }
-        self.run_then(index, Sampling::EveryStep, |_, result| result)
+        self.run_then(index, Sampling::EveryStep, None, |_, result| result)
     }
 
     /// Checks the settings of the ensemble and of its runs.
@@ -130,29 +132,46 @@ where
         })
     }
 
-    /// Runs a motion of which no samples are kept unless an interval gives them, and hands over the
-    /// result.
+    /// Runs a motion of which no samples are kept unless an interval gives them, counts it, and
+    /// hands over the result. A motion that ends because the ensemble is cancelled has no result.
     ///
     /// # Errors
     /// If a closure that was given panics.
-    pub(super) fn run_alone<R>(
+    pub(super) fn run_alone(
         &self,
         index: usize,
-        then: impl FnOnce(&M, RunResult<M>) -> R,
-    ) -> Result<R, EnsembleError> {
-        self.run_then(index, Sampling::Ends, then)
+        counter: &Counter<'_, '_>,
+        then: impl FnOnce(&M, RunResult<M>),
+    ) -> Result<(), EnsembleError> {
+        let is_complete = self.run_then(index, Sampling::Ends, Some(counter), |system, result| {
+            let is_cancelled = result.as_ref().is_ok_and(|motion| motion.ending() == Ending::Cancelled);
+            if !is_cancelled {
+                then(system, result);
+            }
+            !is_cancelled
+        })?;
+        if is_complete {
+            counter.count(1);
+        }
+        Ok(())
     }
 
     fn run_then<R>(
         &self,
         index: usize,
         sampling: Sampling<M::Scalar>,
+        counter: Option<&Counter<'_, '_>>,
         then: impl FnOnce(&M, RunResult<M>) -> R,
     ) -> Result<R, EnsembleError> {
         caught(index, || {
             let (varied, state) = self.batch.origin(index);
             let system = varied.as_ref().unwrap_or(self.batch.system);
-            then(system, self.run_of(index, (system, state), sampling).run())
+            let run = self.run_of(index, (system, state), sampling);
+            let run = match counter.filter(|counter| counter.has_reporter()) {
+                Some(counter) => run.cancel_when(|| counter.asks()),
+                None => run,
+            };
+            then(system, run.run())
         })
     }
 
@@ -167,8 +186,7 @@ where
             if counter.is_cancelled() {
                 break;
             }
-            self.run_alone(index, |system, result| then(index, system, result))?;
-            counter.count(1);
+            self.run_alone(index, counter, |system, result| then(index, system, result))?;
         }
         Ok(())
     }

@@ -68,10 +68,27 @@ impl<'r, 'a> Counter<'r, 'a> {
         if self.is_cancelled() { Err(EnsembleError::Cancelled { motions: self.motions() }) } else { Ok(()) }
     }
 
-    /// Adds finished motions, and reports progress if the last report is old enough. A thread does
-    /// not wait for the report of another.
+    /// Adds finished motions, and reports progress if the last report is old enough.
     pub(super) fn count(&self, motions: usize) {
         self.motions.fetch_add(motions as u64, Ordering::Relaxed);
+        self.report();
+    }
+
+    /// Reports progress if the last report is old enough; true if the ensemble is cancelled.
+    /// Motions ask during their runs.
+    pub(super) fn asks(&self) -> bool {
+        self.report();
+        self.is_cancelled()
+    }
+
+    /// True if there is a callback, which may cancel.
+    pub(super) fn has_reporter(&self) -> bool {
+        self.reporter.is_some()
+    }
+
+    /// Reports progress if the last report is old enough. A thread does not wait for the report of
+    /// another.
+    fn report(&self) {
         let Some(BatchReporter(callback)) = self.reporter else { return };
         let Ok(mut callback) = callback.try_lock() else { return };
         let (call, last) = &mut *callback;

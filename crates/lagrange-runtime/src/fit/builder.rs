@@ -14,7 +14,9 @@ use super::problem::{Bounded, Datum, FitProblem, MeasuredQuantity, ROWS, Variabl
 use super::progress::{FitCallback, FitProgress, FitReporter, callback};
 use super::starts::starts;
 use crate::integrate::{Method, Verner98};
-use crate::simulate::{Drive, Law, Sensitive, TIME, Undriven, Verdict, default_method, state_names, unit};
+use crate::simulate::{
+    Cancellation, Drive, Law, Sensitive, TIME, Undriven, Verdict, default_method, state_names, unit,
+};
 use crate::system::{ControlledSystem, OdeSystem, OutputSystem, ParametricSystem, split};
 
 /// Default maximum number of iterations of a search.
@@ -40,6 +42,7 @@ struct FitSettings<'a, M: ParametricSystem<Scalar = f64>> {
     starts: usize,
     most_iterations: usize,
     callback: Option<FitCallback<'a>>,
+    is_cancelled: Option<Cancellation<'a>>,
 }
 
 impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
@@ -55,6 +58,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
             starts: 1,
             most_iterations: MOST_ITERATIONS,
             callback: None,
+            is_cancelled: None,
         };
         FitSearch { settings, method: default_method(), drive: Undriven }
     }
@@ -150,6 +154,13 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
         self
     }
 
+    /// Cancels the fit soon after this function returns true, such as one that reads an atomic
+    /// flag. It is called every few dozen steps of a motion.
+    pub fn cancel_when(mut self, is_cancelled: impl Fn() -> bool + 'a) -> Self {
+        self.settings.is_cancelled = Some(Box::new(is_cancelled));
+        self
+    }
+
     /// Computes motions by this method instead of the adaptive one.
     pub fn method<L>(self, method: L) -> FitSearch<'a, M, L, D> {
         FitSearch { settings: self.settings, method, drive: self.drive }
@@ -169,14 +180,15 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
     {
         let (count, most_iterations, has_noise) =
             (self.settings.starts, self.settings.most_iterations, !self.settings.noise.is_empty());
-        let mut reporter = FitReporter::new(self.settings.callback.take(), count);
+        let (callback, cancellation) = (self.settings.callback.take(), self.settings.is_cancelled.take());
+        let mut reporter = FitReporter::new(callback, cancellation, count);
         let (problem, data) = self.settings.checked(self.method, self.drive)?;
         let bounds = problem.variables.iter().map(|variable| variable.bounds).collect::<Vec<_>>();
         let values = problem.values();
         let search = |(index, start)| {
             reporter.begin(index);
             minimise(start, &bounds, most_iterations, |values: &[f64]| {
-                reporter.compare(|| problem.evaluate(values))
+                reporter.compare(|asks| problem.evaluate(values, asks))
             })
         };
         let (best, costs) = best(starts(&values, &bounds, count).into_iter().enumerate().map(search));

@@ -6,11 +6,12 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::least_squares::Comparison;
+use super::progress::Asks;
 use crate::differences::slope;
 use crate::integrate::Method;
 use crate::linalg::dense::DenseMatrix;
 use crate::simulate::{
-    Differentiated, Drive, Plan, RunPlan, Sampling, Sensitive, Simulation, Trajectory, varied,
+    Differentiated, Drive, Ending, Plan, RunPlan, Sampling, Sensitive, Simulation, Trajectory, varied,
 };
 use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, State};
 
@@ -103,13 +104,13 @@ where
     /// Computes the residuals, each divided by its noise level, and their derivatives.
     ///
     /// # Errors
-    /// If no motion reaches the end of the data, with the reason.
-    pub(super) fn evaluate(&self, values: &[f64]) -> Result<Comparison, String> {
+    /// If no motion reaches the end of the data, with the reason, or the fit is cancelled.
+    pub(super) fn evaluate(&self, values: &[f64], is_cancelled: Asks<'_>) -> Result<Comparison, String> {
         let (system, start) = self.at(values);
         let mut residuals = std::vec![0.0; self.data.len()];
         let mut jacobian = DenseMatrix::zeros(self.data.len(), self.variables.len());
         for (block, variables) in self.variables.chunks(BLOCK).enumerate() {
-            let motion = self.motion(&system, start, variables)?;
+            let motion = self.motion((&system, start), variables, is_cancelled)?;
             let first = motion.len() - self.times.len();
             for (i, datum) in self.data.iter().enumerate() {
                 let row = first + datum.row;
@@ -130,7 +131,12 @@ where
     }
 
     /// Computes the motion with derivatives by some variables.
-    fn motion(&self, system: &M, start: [f64; N], variables: &[Bounded]) -> Result<Trajectory<M>, String> {
+    fn motion(
+        &self,
+        (system, start): (&M, [f64; N]),
+        variables: &[Bounded],
+        is_cancelled: Asks<'_>,
+    ) -> Result<Trajectory<M>, String> {
         let found = variables.iter().map(|variable| varied(system, &start, variable.name, 1.0));
         let found = found.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
         let mut plan: RunPlan<'_, M> = Plan::new(Sampling::Times);
@@ -138,9 +144,10 @@ where
         plan.settings.times.clone_from(&self.times);
         let drive = Differentiated::<M, D, N, ROWS>::new(self.drive.clone(), found.into());
         let run = Simulation::new(system, start, plan, (self.method.clone(), drive));
-        let motion = run.run().map_err(|error| error.to_string())?;
+        let motion = run.cancel_when(is_cancelled).run().map_err(|error| error.to_string())?;
         match motion.end_time() == self.span[1] {
             true => Ok(motion),
+            false if motion.ending() == Ending::Cancelled => Err("the fit is cancelled".into()),
             false => Err(format!("an event ends the motion at time {:?}", motion.end_time())),
         }
     }

@@ -10,7 +10,7 @@ use crate::simulate::control::{Drive, Undriven};
 use crate::simulate::events::Event;
 use crate::simulate::observer::{acceleration_names, columns_of, energy};
 use crate::simulate::plan::{Plan, RunPlan};
-use crate::simulate::progress::{Progress, Reporter, Verdict};
+use crate::simulate::progress::{Callbacks, Progress, Verdict};
 use crate::simulate::sampling::Sampling;
 use crate::system::{Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, ScalarOf};
 use crate::tolerance::DEFAULT_TOLERANCE;
@@ -41,7 +41,7 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven, E = Ended> {
     pub(super) system: &'a M,
     pub(super) state: M::State,
     pub(super) plan: RunPlan<'a, M>,
-    pub(super) reporter: Option<Reporter<'a, M::Scalar>>,
+    pub(super) callbacks: Callbacks<'a, M::Scalar>,
     pub(super) method: K,
     pub(super) drive: D,
     pub(super) end: PhantomData<E>,
@@ -76,7 +76,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
             system,
             state,
             plan: Plan::new(Sampling::EveryStep),
-            reporter: None,
+            callbacks: Callbacks::none(),
             method: default_method(),
             drive: Undriven,
             end: PhantomData,
@@ -88,7 +88,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
 impl<'a, M: MechanicalSystem, K, D> Simulation<'a, M, K, D> {
     /// Returns the run of a plan from a state.
     pub(crate) fn new(system: &'a M, state: M::State, plan: RunPlan<'a, M>, (method, drive): (K, D)) -> Self {
-        Simulation { system, state, plan, reporter: None, method, drive, end: PhantomData }
+        Simulation { system, state, plan, callbacks: Callbacks::none(), method, drive, end: PhantomData }
     }
 }
 
@@ -102,8 +102,8 @@ impl<'a, M: MechanicalSystem, K, D> Simulation<'a, M, K, D, Unended> {
     /// Ends at this time, which may lie before the start.
     pub fn until(mut self, end: M::Scalar) -> Simulation<'a, M, K, D> {
         self.plan.settings.span[1] = end;
-        let Simulation { system, state, plan, reporter, method, drive, .. } = self;
-        Simulation { system, state, plan, reporter, method, drive, end: PhantomData }
+        let Simulation { system, state, plan, callbacks, method, drive, .. } = self;
+        Simulation { system, state, plan, callbacks, method, drive, end: PhantomData }
     }
 
     /// Ends after this duration; runs backwards if it is negative.
@@ -150,8 +150,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         D: Drive<M>,
         N: Method<D::Closed>,
     {
-        let Simulation { system, state, plan, reporter, drive, end, .. } = self;
-        Simulation { system, state, plan, reporter, method, drive, end }
+        let Simulation { system, state, plan, callbacks, drive, end, .. } = self;
+        Simulation { system, state, plan, callbacks, method, drive, end }
     }
 
     /// Keeps a sample at the start, after every step, and so at the end. This is the default.
@@ -305,7 +305,15 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the run, which then
     /// returns the trajectory so far. It is also called, at growing intervals, while a run takes
     /// many steps without progress.
-    pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<M::Scalar>) -> V + 'a) -> Self {
-        Simulation { reporter: Some(Reporter::new(callback)), ..self }
+    pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Progress<M::Scalar>) -> V + 'a) -> Self {
+        self.callbacks.report_to(callback);
+        self
+    }
+
+    /// Cancels the run soon after this function returns true, such as one that reads an atomic
+    /// flag. The run then returns the trajectory so far. It is called every few dozen steps.
+    pub fn cancel_when(mut self, is_cancelled: impl Fn() -> bool + 'a) -> Self {
+        self.callbacks.cancel_when(is_cancelled);
+        self
     }
 }

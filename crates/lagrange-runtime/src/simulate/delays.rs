@@ -52,8 +52,8 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
         M: DelayedSystem,
     {
         self.plan.record_inputs(self.system, Box::new(columns_of(inputs::<M>)));
-        let Simulation { system, state, plan, reporter, method, end, .. } = self;
-        Simulation { system, state, plan, reporter, method, drive: WithHistory, end }
+        let Simulation { system, state, plan, callbacks, method, end, .. } = self;
+        Simulation { system, state, plan, callbacks, method, drive: WithHistory, end }
     }
 }
 

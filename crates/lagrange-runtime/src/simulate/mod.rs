@@ -33,7 +33,7 @@
 //! | run with delayed signals | [`with_history`](Simulation::with_history) |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
 //! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
-//! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), which can also cancel |
+//! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), [`cancel_when`](Simulation::cancel_when) |
 //! | read | columns by name, [`state`](Trajectory::state), [`iter`](Trajectory::iter), [`at`](Trajectory::at), [`events`](Trajectory::events), [`work`](Trajectory::work) |
 //! | save | [`save_csv`](Trajectory::save_csv); `save_parquet` with the feature `parquet` |
 //! | plot | `plot_states`, `plot_energy`, `plot_phase`, `plot_pair`, `plot_columns` with the feature `plot` |
@@ -109,6 +109,8 @@ pub(crate) use self::plan::{Plan, RunPlan};
 pub(crate) use self::plots::time_axis;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::ports::held;
+#[cfg(feature = "fit")]
+pub(crate) use self::progress::Cancellation;
 pub use self::progress::{Progress, Verdict};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::sampling::Grid;

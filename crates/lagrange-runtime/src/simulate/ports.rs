@@ -52,8 +52,8 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
         F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
     {
         self.plan.record_inputs(self.system, Box::new(columns_of(inputs::<M>)));
-        let Simulation { system, state, plan, reporter, method, end, .. } = self;
-        Simulation { system, state, plan, reporter, method, drive: Law::new(law), end }
+        let Simulation { system, state, plan, callbacks, method, end, .. } = self;
+        Simulation { system, state, plan, callbacks, method, drive: Law::new(law), end }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Progress reports of a run.
+//! Progress reports of a run, and its cancellation.
 
 use std::boxed::Box;
 use std::ops::ControlFlow;
@@ -47,9 +47,60 @@ impl Verdict for ControlFlow<()> {
     }
 }
 
+/// A function that returns true to cancel.
+pub(crate) type Cancellation<'a> = Box<dyn Fn() -> bool + 'a>;
+
+/// The callbacks of a run.
+pub(super) struct Callbacks<'a, S> {
+    reporter: Option<Reporter<'a, S>>,
+    is_cancelled: Option<Cancellation<'a>>,
+    /// Number of turns until the next question.
+    turns: u32,
+}
+
+/// Number of turns of a run between two questions whether it is cancelled, which take less time
+/// than a step.
+const TURNS: u32 = 32;
+
+impl<'a, S: Scalar> Callbacks<'a, S> {
+    pub(super) fn none() -> Self {
+        Callbacks { reporter: None, is_cancelled: None, turns: TURNS }
+    }
+
+    /// Reports progress to this callback.
+    pub(super) fn report_to<V: Verdict>(&mut self, callback: impl FnMut(Progress<S>) -> V + 'a) {
+        self.reporter = Some(Reporter::new(callback));
+    }
+
+    /// Cancels the run soon after this function returns true.
+    pub(super) fn cancel_when(&mut self, is_cancelled: impl Fn() -> bool + 'a) {
+        self.is_cancelled = Some(Box::new(is_cancelled));
+    }
+
+    /// True if there are any.
+    pub(super) fn are_set(&self) -> bool {
+        self.reporter.is_some() || self.is_cancelled.is_some()
+    }
+
+    /// Reports progress and asks for cancellation if they are due; true to continue.
+    pub(super) fn turn(&mut self, progress: Progress<S>) -> bool {
+        self.reporter.as_mut().is_none_or(|reporter| reporter.step(progress)) && self.goes_on()
+    }
+
+    fn goes_on(&mut self) -> bool {
+        let Some(is_cancelled) = &self.is_cancelled else { return true };
+        self.turns -= 1;
+        if self.turns > 0 {
+            return true;
+        }
+        self.turns = TURNS;
+        !is_cancelled()
+    }
+}
+
 /// A callback, called whenever another part of the time is done, and at growing intervals of steps
 /// otherwise. A run that makes no progress can therefore be cancelled, too.
-pub(super) struct Reporter<'a, S> {
+struct Reporter<'a, S> {
     callback: Box<dyn FnMut(Progress<S>) -> bool + 'a>,
     /// Number of parts of the time that were reported.
     reported: u32,
@@ -63,13 +114,13 @@ const PARTS: u32 = 200;
 const PATIENCE: u64 = 1 << 12;
 
 impl<'a, S: Scalar> Reporter<'a, S> {
-    pub(super) fn new<V: Verdict>(mut callback: impl FnMut(Progress<S>) -> V + 'a) -> Self {
+    fn new<V: Verdict>(mut callback: impl FnMut(Progress<S>) -> V + 'a) -> Self {
         let callback = Box::new(move |progress| callback(progress).go_on());
         Reporter { callback, reported: 0, patience: PATIENCE }
     }
 
     /// Reports progress if it is due; true to continue.
-    pub(super) fn step(&mut self, progress: Progress<S>) -> bool {
+    fn step(&mut self, progress: Progress<S>) -> bool {
         let done = self.parts_done(&progress);
         let is_long = progress.steps >= self.patience;
         if done == self.reported && !is_long {

@@ -12,7 +12,7 @@ use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::observer::Extend;
 use crate::simulate::plan::RunSettings;
-use crate::simulate::progress::{Progress, Reporter};
+use crate::simulate::progress::{Callbacks, Progress};
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::Table;
 use crate::simulate::trajectory::{Ending, Trajectory};
@@ -34,7 +34,7 @@ pub(super) struct Record<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
     /// Names of the events that the run was given.
     given: Vec<String>,
     events: Vec<Event<M::Scalar, M::State>>,
-    reporter: Option<Reporter<'a, M::Scalar>>,
+    callbacks: Callbacks<'a, M::Scalar>,
     first: (M::Scalar, C::State),
     last: (M::Scalar, C::State),
     end: M::Scalar,
@@ -96,7 +96,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         current: &Current<'_, C>,
         settings: &RunSettings<M::Scalar>,
         (names, columns): (Vec<String>, Vec<Extend<'a, M>>),
-        reporter: Option<Reporter<'a, M::Scalar>>,
+        callbacks: Callbacks<'a, M::Scalar>,
         start: (M::Scalar, C::State),
     ) -> Self {
         let samples = Samples::new(settings);
@@ -110,7 +110,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
             declared: current.system().events(),
             given: settings.event_names(),
             events: Vec::new(),
-            reporter,
+            callbacks,
             first: start,
             last: start,
             end: settings.span[1],
@@ -142,10 +142,10 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.last = reached;
     }
 
-    /// Reports progress; true to continue.
+    /// Reports progress and asks for cancellation; true to continue.
     pub(super) fn report(&mut self, time: M::Scalar, steps: u64) -> bool {
         let progress = Progress { start: self.first.0, time, end: self.end, steps };
-        self.reporter.as_mut().is_none_or(|reporter| reporter.step(progress))
+        self.callbacks.turn(progress)
     }
 
     /// Adds a sample at this time and state.

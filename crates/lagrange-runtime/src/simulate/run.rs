@@ -12,6 +12,8 @@ use crate::simulate::controllers::Controllers;
 use crate::simulate::error::SimulationError;
 use crate::simulate::events::Watchers;
 use crate::simulate::plan::Plan;
+#[cfg(feature = "ensemble")]
+use crate::simulate::progress::Callbacks;
 use crate::simulate::record::Record;
 use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::{MechanicalSystem, OdeSystem, StepFailure};
@@ -48,7 +50,7 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
             let current = Current::new(closed);
             let start = (settings.span[0], closed.extended(settings.span[0], &state));
             let names = settings.names(system.description());
-            let mut record = Record::new(&current, &settings, (names, columns), None, start);
+            let mut record = Record::new(&current, &settings, (names, columns), Callbacks::none(), start);
             samples.into_iter().for_each(|(t, y)| record.push(closed, (t, closed.extended(t, &y))));
             record.work = work;
             record.close(current, Ending::Reached, method.name()).1
@@ -66,7 +68,7 @@ where
     D: Drive<M>,
     K: Method<D::Closed>,
 {
-    let Simulation { state, plan, reporter, method, .. } = simulation;
+    let Simulation { state, plan, callbacks, method, .. } = simulation;
     let Plan { settings, columns, watches, controllers, inputs } = plan;
     let (order, name, [t, end]) = (method.order(), method.name(), settings.span);
     let start = admitted(system, (t, system.extended(t, &state)));
@@ -90,7 +92,7 @@ where
         })?;
         Ok((method, controllers))
     });
-    let mut record = Record::new(&current, &settings, (names, columns), reporter, start);
+    let mut record = Record::new(&current, &settings, (names, columns), callbacks, start);
     let result = begun.and_then(|(method, mut controllers)| {
         if settings.is_dense {
             record.keep_steps(order);

@@ -144,8 +144,8 @@ where
                 break;
             }
             let Some(end) = end else {
-                self.run_alone(index, |system, result| then(index, system, MotionOutcome::Run(result)))?;
-                counter.count(1);
+                let then = |system: &M, result| then(index, system, MotionOutcome::Run(result));
+                self.run_alone(index, counter, then)?;
                 continue;
             };
             let system = start.system(self.batch.system);

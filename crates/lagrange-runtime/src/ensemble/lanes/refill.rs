@@ -21,6 +21,8 @@ const LANES: usize = 8;
 const LANES_APART: usize = 2;
 /// Motion index of a free lane.
 const FREE: usize = usize::MAX;
+/// Number of steps between two questions whether the ensemble is cancelled.
+const TURNS: u32 = 32;
 
 /// The start of a motion.
 pub(in crate::ensemble) struct MotionStart<M: MechanicalSystem> {
@@ -171,7 +173,7 @@ where
     let sampler = queue.grid.filter(|_| SAMPLED).map(|grid| Sampler::new(grid, running.stepper.last_step()));
     let workspace = Box::new(<StepperOf<M, L, S> as LanesStepper<S, M::Lanes<S>>>::workspace());
     let mut progress =
-        QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, workspace, sampler };
+        QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, turns: 0, workspace, sampler };
     progress.ends.resize_with(queue.starts.len(), || None);
     let domain = queue.system.domain();
     loop {
@@ -180,7 +182,7 @@ where
         if progress.busy < S::LANES && progress.has_more() {
             progress.refill(&mut running);
         }
-        if progress.busy == 0 {
+        if progress.busy == 0 || progress.is_cancelled() {
             break;
         }
         progress.step(&mut running);
@@ -215,6 +217,8 @@ where
     next: usize,
     /// Number of motions in lanes.
     busy: usize,
+    /// Number of steps in all lanes.
+    turns: u32,
     workspace: Box<WorkspaceOf<M, L, S>>,
     /// `Some` if motions are `SAMPLED`.
     sampler: Option<SamplerOf<M, L, S>>,
@@ -226,6 +230,12 @@ where
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {
+    /// True if the ensemble is cancelled, as far as is known: it asks every few dozen steps.
+    fn is_cancelled(&mut self) -> bool {
+        self.turns = self.turns.wrapping_add(1);
+        self.turns.is_multiple_of(TURNS) && self.queue.counter.asks()
+    }
+
     /// True if there are motions left to start, and the ensemble was not cancelled.
     fn has_more(&self) -> bool {
         self.next < self.queue.motions.len() && !self.queue.counter.is_cancelled()

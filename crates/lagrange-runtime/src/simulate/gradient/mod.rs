@@ -97,11 +97,11 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
         M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
         K: Method<M> + ExplicitRungeKutta,
     {
-        let Simulation { system, state, plan, reporter, method, .. } = self;
+        let Simulation { system, state, plan, callbacks, method, .. } = self;
         let variables = names.into_iter().map(|name| number(system, &state, name));
         let variables = variables.collect::<Result<Arc<[_]>, _>>();
         let settings = &plan.settings;
-        let is_reported = reporter.is_some();
+        let is_reported = callbacks.are_set();
         let checked = variables.and_then(|variables| {
             let sensitive = Sensitive::<M, M, N, 2>::new(copy(system), Arc::clone(&variables));
             sensitive.check(settings.span, false)?;

@@ -97,9 +97,9 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
     {
         let variables = self.plan.settings.find_variables(self.system, &self.state, names, weight);
-        let Simulation { system, state, plan, reporter, method, drive, end } = self;
+        let Simulation { system, state, plan, callbacks, method, drive, end } = self;
         let drive = V::around(drive, variables);
-        Simulation { system, state, plan, reporter, method, drive, end }
+        Simulation { system, state, plan, callbacks, method, drive, end }
     }
 }
 
@@ -120,11 +120,11 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     where
         M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
     {
-        let Simulation { system, state, plan, reporter, method, drive, end } = self;
+        let Simulation { system, state, plan, callbacks, method, drive, end } = self;
         let initial = |index, name| of_place(name, VariedPlace::Initial(index), system, &state, Number::ONE);
         let variables = (first..N).zip(names).map(|(index, name)| initial(index, name));
         let drive = Differentiated { drive, variables: variables.collect() };
-        Simulation { system, state, plan, reporter, method, drive, end }
+        Simulation { system, state, plan, callbacks, method, drive, end }
     }
 }
 

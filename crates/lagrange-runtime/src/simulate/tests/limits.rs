@@ -1,5 +1,6 @@
 //! Runs that end early, and progress reports.
 
+use core::cell::Cell;
 use std::f64::consts::FRAC_PI_3;
 use std::ops::ControlFlow;
 use std::string::ToString;
@@ -162,6 +163,17 @@ fn a_cancelled_run_returns_what_it_has() {
     assert_exact(&trajectory, 1e-4);
     let complete = Oscillator.simulate(START).until(1.0).run().expect("runs");
     assert_eq!(complete.ending(), Ending::Reached);
+}
+
+#[test]
+fn a_run_is_cancelled_from_elsewhere() {
+    let asked = Cell::new(0);
+    let run = Oscillator.simulate(START).until(1e9).method(RungeKutta4 { step: 1e-3 }).ends_only();
+    let run = run.cancel_when(|| asked.replace(asked.get() + 1) == 10).run().expect("is no failure");
+    assert_eq!((run.ending(), asked.get()), (Ending::Cancelled, 11));
+    assert!(run.work().steps < 1000, "{} steps", run.work().steps);
+    let free = Oscillator.simulate(START).until(1.0);
+    assert_eq!(free.cancel_when(|| false).run().expect("runs").ending(), Ending::Reached);
 }
 
 #[test]
