@@ -112,8 +112,8 @@ lagrange::system! {
     cylinder: Cylinder { extension: x; inflow: if t < 1/2 { flow } else { 0 }; outflow: 0; }
 }
 
-/// Without a leak, oil obeys p + K ln V = const: a chamber of the volume V takes up the flow q as
-/// V ṗ = K (q − V̇).
+/// A chamber of the volume V takes up the flow q as V ṗ = K (q − V̇). Without any, p + K ln V is
+/// constant.
 #[test]
 fn trapped_oil_is_compressed_by_the_logarithm_of_its_volume() {
     let lift = Lift { cylinder_leakage: 0.0, ..Lift::default() };

@@ -68,8 +68,8 @@ fn steps_compose_to_the_sensitivities_of_a_motion() {
     }
 }
 
-/// A step of a linear system is 1 + z + z²/2 + z³/6 + z⁴/24 with z = h A, and the input has the
-/// factor h (1 + z/2 + z²/6 + z³/24).
+/// With z = h A, a step of a linear system is 1 + z + z²/2 + z³/6 + z⁴/24. The input has the factor
+/// h (1 + z/2 + z²/6 + z³/24).
 #[test]
 fn a_linear_system_has_the_polynomial_of_the_method() {
     let oscillator = Oscillator::<f64>::default();

@@ -27,8 +27,8 @@ const STRETCH: f64 = 4.0;
 /// Minimum distance of a length from both ends of its bracket, as a fraction of the bracket.
 const MARGIN: f64 = 0.1;
 
-/// Square of the largest slight pull, and largest increase of the square of the distance that it may
-/// cause, relative to the square of the distance.
+/// Square of the largest slight pull, relative to the square of the distance. The latter may
+/// increase by the same part of itself.
 const SLIGHT: f64 = 1e-2;
 
 /// A search for the positions on the constraints nearest to `from`. The mass matrix is evaluated at

@@ -8,7 +8,7 @@ use std::vec::Vec;
 use crate::simulate::builder::ENERGY;
 use crate::simulate::trajectory::Trajectory;
 use crate::simulate::units::{label_with_unit, unit};
-use crate::system::{Description, MechanicalSystem, WithSuffix};
+use crate::system::{Description, EntryRange, MechanicalSystem, WithSuffix};
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::Columns;
 use lagrange_plot::{Curve, Figure, Limit, Panel, PlotError, Scale};
@@ -196,7 +196,7 @@ where
     /// Returns the finite bounds of the declared range of a column.
     fn bounds(&self, name: &str) -> impl Iterator<Item = f64> {
         let range = self.domain.ranges.iter().find(|range| range.name == name);
-        let ends = range.map(|range| range.ends::<f64>());
+        let ends = range.map(EntryRange::ends::<f64>);
         ends.into_iter().flat_map(|(lower, upper)| [lower, upper]).filter(|bound| bound.is_finite())
     }
 

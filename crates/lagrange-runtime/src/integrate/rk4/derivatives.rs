@@ -1,15 +1,15 @@
 //! Exact derivatives of a step.
 //!
-//! The rates kᵢ = f(yᵢ) of the stages have the derivatives ∂kᵢ = J(yᵢ) ∂yᵢ + ∂f/∂p, and the stages
-//! yᵢ = y + cᵢ h kᵢ₋₁ those of their sums. These are the stages of the variational equations.
+//! The rates of the stages, kᵢ = f(yᵢ), have the derivatives ∂kᵢ = J(yᵢ) ∂yᵢ + ∂f/∂p. Those of the
+//! stages yᵢ = y + cᵢ h kᵢ₋₁ follow from them. These are the stages of the variational equations.
 
 use super::RungeKuttaStages;
 use crate::linalg::vector::{add, combined, dot};
 use crate::scalar::{Number, Scalar};
 use crate::system::{ParametricSystem, StateMatrix, StateVector};
 
-/// A step with its derivatives, from [`rk4_step_derivatives`]. Y is the state, and J a matrix of its
-/// dimension.
+/// A step with its derivatives, from [`rk4_step_derivatives`]. Y is the state, and J a matrix of
+/// its dimension.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StepDerivatives<Y, J, const K: usize> {
     /// The state y⁺ after the step.
@@ -20,10 +20,10 @@ pub struct StepDerivatives<Y, J, const K: usize> {
     pub by_numbers: [Y; K],
 }
 
-/// Computes the state after one [`rk4_step`](super::rk4_step) and its exact derivatives: with
-/// respect to the state before, and to the parameters and inputs at these indices of
-/// [`NUMBERS`](ParametricSystem::NUMBERS). Inputs are constant during the step. States are not
-/// projected onto constraints.
+/// Computes the state after one [`rk4_step`](super::rk4_step) and its exact derivatives by the
+/// state before. Derivatives by the parameters and inputs at these indices of
+/// [`NUMBERS`](ParametricSystem::NUMBERS) follow as well. Inputs are constant during the step.
+/// States are not projected onto constraints.
 ///
 /// It evaluates the right-hand side and its Jacobian four times, without a heap. `None` if the
 /// system has no exact derivatives: emitted types have them with `emit { jacobian }`.
@@ -58,8 +58,8 @@ pub fn rk4_step_derivatives<M: ParametricSystem, const K: usize>(
     let third = h / M::Scalar::from_f64(3.0);
     let nodes = [(M::Scalar::ZERO, sixth), (half, third), (half, third), (h, sixth)];
     let mut rates = [y.zeros(); 4];
-    let mut by_state = Columns { slopes: y.zero_square(), sums: y.zero_square() };
-    let mut by_numbers = Columns { slopes: [y.zeros(); K], sums: [y.zeros(); K] };
+    let mut by_state = VariedColumns { slopes: y.zero_square(), sums: y.zero_square() };
+    let mut by_numbers = VariedColumns { slopes: [y.zeros(); K], sums: [y.zeros(); K] };
     for (stage, node) in nodes.into_iter().enumerate() {
         let (time, before) = (t + node.0, stage.checked_sub(1).map_or(y.zeros(), |before| rates[before]));
         let place = combined(y, node.0, &before);
@@ -83,12 +83,12 @@ pub fn rk4_step_derivatives<M: ParametricSystem, const K: usize>(
 }
 
 /// Derivatives in columns: of the rates of the last stage, and of the increment so far.
-struct Columns<C> {
+struct VariedColumns<C> {
     slopes: C,
     sums: C,
 }
 
-impl<C> Columns<C> {
+impl<C> VariedColumns<C> {
     /// Adds a stage, given the derivatives of its start and those of f by the variables themselves.
     fn advance<S: Scalar, Y: StateVector<S>>(
         &mut self,
