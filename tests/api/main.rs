@@ -4,6 +4,7 @@ mod accuracy;
 mod arrays;
 mod axiom;
 mod bodies;
+mod car;
 mod changing_inertia;
 mod coarse_times;
 mod columns;

@@ -165,6 +165,63 @@ fn the_way_to_the_projected_state_is_normal_to_the_constraint_by_the_mass_there(
     }
 }
 
+lagrange::system! {
+    /// A body in space, one point of which is held.
+    struct Held;
+
+    param m = 2, a = 0.03, b = 0.04, c = 0.02;
+    body load { mass: m; inertia: (a, b, c); }
+    free load;
+    pin hook = load.point(0.05, 0.1, 0.3) to (0, 0, 0);
+    emit { no momenta, no mass_matrix, no energy }
+}
+
+const HELD_POINT: [f64; 3] = [0.05, 0.1, 0.3];
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
+}
+
+/// Rotates a vector by a unit quaternion.
+fn rotated([w, x, y, z]: [f64; 4], vector: [f64; 3]) -> [f64; 3] {
+    let (axis, along) = ([x, y, z], cross([x, y, z], vector));
+    let twice = cross(axis, along);
+    std::array::from_fn(|k| vector[k] + 2.0 * (w * along[k] + twice[k]))
+}
+
+/// Returns the products of M δ with the turns about the held point: for the axis e, its origin
+/// moves by −R (e × p). The imaginary part of q̄₀ ⊗ q is half of the turn δ.
+fn along_turns(held: &Held, from: [f64; 7], to: [f64; 7]) -> [f64; 3] {
+    let [origin, start] = [to, from].map(|[x, y, z, ..]| [x, y, z]);
+    let [[w, x, y, z], [w0, x0, y0, z0]] = [to, from].map(|[.., w, x, y, z]| [w, x, y, z]);
+    let apart = cross([x0, y0, z0], [x, y, z]);
+    let turn = [(x, x0, 0), (y, y0, 1), (z, z0, 2)].map(|(x, x0, k)| 2.0 * (w0 * x - w * x0 - apart[k]));
+    std::array::from_fn(|k| {
+        let axis = std::array::from_fn(|j| f64::from(u8::from(j == k)));
+        let way = rotated([w, x, y, z], cross(axis, HELD_POINT));
+        let product = (0..3).map(|j| -held.m * way[j] * (origin[j] - start[j])).sum::<f64>();
+        product + [held.a, held.b, held.c][k] * turn[k]
+    })
+}
+
+/// From 1 mm, 1 cm and 10 cm away; a body that cannot be turned would miss the point by as much.
+#[test]
+fn bodies_end_normal_to_the_turns_that_their_constraints_allow() {
+    let held = Held::default();
+    for distance in [1e-3, 1e-2, 0.1] {
+        let unit = rotated([0.5, 0.5, -0.5, 0.5], HELD_POINT);
+        let from: [f64; 7] =
+            [distance - unit[0], 0.7 * distance - unit[1], -0.4 * distance - unit[2], 0.5, 0.5, -0.5, 0.5];
+        let (mut q, mut v) = (from, [0.0; 6]);
+        held.project(0.0, &mut q, &mut v).expect("the point can be reached");
+        let [x, y, z, quaternion @ ..] = q;
+        let point = rotated(quaternion, HELD_POINT);
+        assert!([x + point[0], y + point[1], z + point[2]].iter().all(|apart| apart.abs() < 1e-15), "{q:?}");
+        let products = along_turns(&held, from, q);
+        assert!(products.iter().all(|product| product.abs() < 1e-15), "{distance}: {products:?}");
+    }
+}
+
 #[test]
 fn a_point_far_from_an_ellipse_is_projected_to_its_nearest_point() {
     let ellipse = Ellipse::<f64>::default();

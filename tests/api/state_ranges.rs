@@ -149,3 +149,44 @@ fn units_of_the_state_do_not_change_the_steps_if_sizes_are_nominal() {
     let plain = Plain.simulate([1.0, 1.0, 0.0, 0.0]).until(20.0).tolerance(1e-8).run().expect("swings");
     assert_eq!(scaled.work().steps, plain.work().steps);
 }
+
+/// Returns the rows and the columns of dashes in a plot: points that dashes share.
+#[cfg(feature = "plot")]
+fn dashes(plot: impl FnOnce(std::path::PathBuf)) -> [std::collections::BTreeMap<String, usize>; 2] {
+    let path = std::env::temp_dir().join(format!("lagrange_ranges_{}.svg", std::process::id()));
+    plot(path.clone());
+    let svg = std::fs::read_to_string(&path).expect("is there");
+    std::fs::remove_file(path).expect("was there");
+    let mut found = [const { std::collections::BTreeMap::new() }; 2];
+    for line in svg.lines().filter(|line| line.contains("stroke-width=\"10\"")) {
+        let points = line.split("points=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("points");
+        let [from, to] = points.split(' ').filter_map(|point| point.split_once(',')).collect::<Vec<_>>()[..]
+        else {
+            continue;
+        };
+        let length = |from: &str, to: &str| {
+            to.parse::<i32>().expect("a number") - from.parse::<i32>().expect("a number")
+        };
+        if length(from.0, to.0) == 60 {
+            *found[0].entry(from.1.to_owned()).or_default() += 1;
+        } else if length(from.1, to.1) == 60 {
+            *found[1].entry(from.0.to_owned()).or_default() += 1;
+        }
+    }
+    found
+}
+
+/// x swings by 5 cm in −10 cm … 20 cm. The lower bound is near, the upper one is farther from the
+/// motion than its extent, and so are those of the velocity. The heat falls from 1 K to 0.37 K.
+#[cfg(feature = "plot")]
+#[test]
+fn plots_show_bounds_near_the_motion() {
+    let run = Slider::default().simulate([0.05, 0.0, 1.0, 0.0, 0.0]).until(10.0).run().expect("stays");
+    let [rows, columns] = dashes(|path| run.plot_states(path).expect("plots"));
+    assert_eq!((rows.len(), columns.len()), (2, 0), "the lower bounds of x and of the heat: {rows:?}");
+    assert!(rows.values().all(|dashes| *dashes > 30), "{rows:?}");
+    let [rows, columns] = dashes(|path| run.plot_phase("x", path).expect("plots"));
+    assert_eq!((rows.len(), columns.len()), (0, 1), "the lower bound of x: {columns:?}");
+    let [rows, columns] = dashes(|path| run.plot_columns(&["free"], path).expect("plots"));
+    assert_eq!((rows.len(), columns.len()), (0, 0));
+}

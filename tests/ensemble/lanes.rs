@@ -170,6 +170,21 @@ fn check_ranges<S: Scalar + Into<f64> + Send + Sync>(tolerance: f64, largest_err
     assert_eq!(fixed.run().expect("runs").failures().len(), failed.len());
 }
 
+/// Uniform numbers between −2e-6 and 2e-6 have the mean square 4e-12/3. It is estimated with a
+/// standard error of 2/√(5 n) of it.
+#[test]
+fn starts_are_uniform_within_ranges() {
+    let mirror = Mirror::<f64>::default();
+    let motions = |seed| mirror.ensemble(4000).start_within_ranges([1.0, 3e-7]).until(0.0).seed(seed);
+    let ends = motions(5).run().expect("runs");
+    assert!(ends.failures().is_empty() && ends.tilt_dot().iter().all(|rate| *rate == 3e-7));
+    let tilts = ends.tilt();
+    assert!(tilts.iter().all(|tilt| tilt.abs() <= 2e-6));
+    let square = tilts.iter().map(|tilt| tilt * tilt).sum::<f64>() / 4000.0 / (4e-12 / 3.0);
+    assert!((square - 1.0).abs() < 3.0 * 2.0 / (5.0 * 4000.0_f64).sqrt(), "{square}");
+    assert_ne!(motions(6).run().expect("runs").tilt(), tilts);
+}
+
 #[cfg(feature = "parquet")]
 #[test]
 fn files_do_not_mix_lanes_with_runs() {

@@ -30,6 +30,10 @@ fn settings_that_make_no_sense_are_errors() {
     assert_says(ensemble(10).shard(Shard::of(2, 2)).run(), "no shard 2 of 2");
     assert_says(ensemble(10).shard(Shard::of(0, 2)).run(), "more than there are parts, 1");
     assert_says(ensemble(10).motion(10).map(drop), "no motion 10");
+    assert_says(
+        pendulum.ensemble(10).start_within_ranges([0.0; 4]).until(1.0).run(),
+        "a lower and an upper bound",
+    );
     for end in [f64::NAN, f64::INFINITY] {
         let ensemble = || pendulum.ensemble(10).start(start).until(end);
         assert_says(ensemble().run(), "must both be finite");

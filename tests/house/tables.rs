@@ -360,7 +360,10 @@ const PLOT: &[Layer] = &[
     },
     Layer { modules: &["axis"], purpose: "ranges and ticks of axes" },
     Layer { modules: &["axes"], purpose: "axes on paper" },
-    Layer { modules: &["band", "image"], purpose: "areas between curves; images within figures" },
+    Layer {
+        modules: &["band", "image", "limit"],
+        purpose: "areas between curves; images within figures; limits of quantities",
+    },
     Layer {
         modules: &["canvas", "cells", "document"],
         purpose: "figures in pixels; values as coloured cells; figures as SVG documents",

@@ -10,3 +10,4 @@ mod gradient;
 mod jumps;
 mod projections;
 mod refusals;
+mod steps;

@@ -297,14 +297,13 @@ fn held_start(held: &Held) -> [f64; 13] {
     [-x, -y, -z, 1.0, 0.0, 0.0, 0.0, -u, -v, -w, 1.5, -0.7, 2.0]
 }
 
-/// Forward derivatives begin with differences of a search for the nearest positions, which have
-/// errors of 10⁻⁸.
+/// Forward derivatives begin with differences of a search for the nearest positions.
 #[test]
 fn constraints_on_orientations_turn_adjoints() {
     let held = Held::default();
     let run = || held.simulate(held_start(&held)).until(1.0).every(0.25).tolerance(1e-13);
     let states = ["load_x", "load_qx", "load_vy", "load_wz"];
-    compare!(run(), ["m", "long", "a", "pull"], states, 1e-7);
+    compare!(run(), ["m", "long", "a", "pull"], states, 1e-9);
 }
 
 /// Steps are long, so that corrections depend on the state noticeably.

@@ -178,8 +178,9 @@ impl Settings {
 pub(crate) struct EnsembleOptions {
     /// Common settings.
     pub(crate) settings: Settings,
-    /// Quantities that differ between motions, with their ranges.
-    pub(crate) vary: Vec<(String, String)>,
+    /// Quantities that differ between motions, with their ranges; without one, in the declared
+    /// range.
+    pub(crate) vary: Vec<(String, Option<String>)>,
     /// Number of motions.
     pub(crate) motions: Option<String>,
     /// Number of threads.
@@ -190,7 +191,11 @@ impl EnsembleOptions {
     /// Reads the value of an option; returns false for unknown names.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
-            "vary" => self.vary.push(assignment(option, parser)?),
+            "vary" => {
+                let text = parser.value()?.string()?;
+                let (name, range) = sides(&text).map_or((text, None), |(name, range)| (name, Some(range)));
+                self.vary.push((name, range));
+            }
             "motions" => self.motions = Some(parser.value()?.string()?),
             "threads" => self.threads = Some(parser.value()?.string()?),
             "every" | "events" => return Ok(false),
@@ -238,8 +243,14 @@ fn fmi_version(parser: &mut Parser) -> Result<Version, Error> {
 /// Reads a name and its value.
 fn assignment(option: &str, parser: &mut Parser) -> Result<(String, String), Error> {
     let text = parser.value()?.string()?;
-    let sides = text.split_once('=').map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned()));
-    sides.ok_or_else(|| format!("`--{option} {text}` has no value: write `--{option} {text}=1`").into())
+    let missing = || format!("`--{option} {text}` has no value: write `--{option} {text}=1`").into();
+    sides(&text).ok_or_else(missing)
+}
+
+/// Returns the sides of an equals sign.
+fn sides(text: &str) -> Option<(String, String)> {
+    let (name, value) = text.split_once('=')?;
+    Some((name.trim().to_owned(), value.trim().to_owned()))
 }
 
 /// A text derived from a declaration.

@@ -36,7 +36,7 @@ pub(crate) fn ends(
     system: &mut DeclaredSystem,
 ) -> Result<EnsembleEnds, Failure> {
     check_format(output, &["csv"])?;
-    let varied = options.vary.iter().map(|(name, range)| varied(name, range, system));
+    let varied = options.vary.iter().map(|(name, range)| varied(name, range.as_deref(), system));
     let varied = varied.collect::<Result<Vec<_>, Failure>>()?;
     check_names(&varied, options)?;
     for Varied { name, low, .. } in varied.iter().filter(|varied| !varied.is_entry) {
@@ -80,17 +80,37 @@ fn unknown(name: &str, system: &DeclaredSystem) -> Failure {
     Failure::Usage(format!("--vary: there is no `{name}`; known are {known}"))
 }
 
-/// Parses `LOW..HIGH`.
-fn varied<'a>(name: &'a str, range: &str, system: &DeclaredSystem) -> Result<Varied<'a>, Failure> {
-    let wrong = |why: &str| Failure::Usage(format!("--vary {name}={range}: {why}"));
-    let sides = range.split_once("..").ok_or_else(|| wrong("a range is missing: write `0..1`"))?;
-    let [low, high] = [sides.0, sides.1].map(|text| named_value("vary", (name, text), system));
-    let (low, high) = (low?, high?);
+/// Returns a quantity that varies in a range, `LOW..HIGH`, or in its declared range.
+fn varied<'a>(name: &'a str, range: Option<&str>, system: &DeclaredSystem) -> Result<Varied<'a>, Failure> {
+    let [low, high] = match range {
+        Some(range) => range_of(name, range, system)?,
+        None => declared_range(name, system)?,
+    };
     if low >= high || !(high - low).is_finite() {
-        return Err(wrong("the first number must be below the second"));
+        let of = range.map_or_else(String::new, |range| format!("={range}"));
+        return Err(Failure::Usage(format!("--vary {name}{of}: the first number must be below the second")));
     }
     let is_entry = system.state_names().iter().any(|known| known == name);
     Ok(Varied { name, low, high, is_entry })
+}
+
+/// Parses `LOW..HIGH`.
+fn range_of(name: &str, range: &str, system: &DeclaredSystem) -> Result<[f64; 2], Failure> {
+    let missing = || Failure::Usage(format!("--vary {name}={range}: a range is missing: write `0..1`"));
+    let (low, high) = range.split_once("..").ok_or_else(missing)?;
+    let [low, high] = [low, high].map(|text| named_value("vary", (name, text), system));
+    Ok([low?, high?])
+}
+
+fn declared_range(name: &str, system: &DeclaredSystem) -> Result<[f64; 2], Failure> {
+    let is_known = system.settable().any(|known| known == name)
+        || system.state_names().iter().any(|known| known == name);
+    if !is_known {
+        return Err(unknown(name, system));
+    }
+    let unbounded =
+        format!("--vary {name}: it has no declared range with two bounds: write `--vary {name}=0..1`");
+    system.bounds(name).ok_or(Failure::Usage(unbounded))
 }
 
 /// Columns by name, with one value for each motion.

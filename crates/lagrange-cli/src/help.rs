@@ -45,7 +45,7 @@ Options:
       --start A=VALUE start a coordinate, velocity or state here; once for each (simulate,
                       film, ensemble, trade, fmu, page)
       --vary A=B..C   draw a parameter, an input or an entry of the start from a range, for each
-                      motion; once for each (ensemble)
+                      motion; `--vary A` from its declared range; once for each (ensemble)
       --motions N     number of motions, 100 by default (ensemble)
       --seed N        seed of random values and of noise, 0 by default (simulate, film, ensemble)
       --threads N     number of threads, one for each processor by default (ensemble)

@@ -117,6 +117,35 @@ fn ends_are_those_of_the_closed_form() {
 }
 
 #[test]
+fn quantities_vary_in_their_declared_ranges() {
+    let file = declaration(
+        "ranged.lag",
+        "param k: N/m in 1..=3 = 2, m: kg > 0 = 1; coord x: cm in -20..=30 = 5; range dot(x) > -1;
+        kinetic = 1/2 * m * dot(x)^2; potential = 1/2 * k * x^2;",
+    );
+    let common = [&*file, "--until", "0", "--motions", "400"];
+    let (names, rows) = table(&[&common[..], &["--vary", "k", "--vary", "x"]].concat());
+    let column = |name: &str| {
+        let place = names.iter().position(|known| known.starts_with(name)).expect("a column");
+        let values = rows.iter().map(move |row| row[place]);
+        [values.clone().fold(f64::MAX, f64::min), values.fold(f64::MIN, f64::max)]
+    };
+    for (name, [low, high]) in [("k in", [1.0, 3.0]), ("x at start", [-0.2, 0.3])] {
+        let [least, most] = column(name);
+        assert!(low <= least && least < low + 0.02 * (high - low), "{name}: {least}");
+        assert!(high - 0.02 * (high - low) < most && most < high, "{name}: {most}");
+    }
+    for (name, message) in [
+        ("m", "error: --vary m: it has no declared range with two bounds: write `--vary m=0..1`"),
+        ("x_dot", "error: --vary x_dot: it has no declared range with two bounds: write `--vary x_dot=0..1`"),
+        ("y", "error: --vary: there is no `y`; known are `k`, `m`, `x`, `x_dot`"),
+    ] {
+        let refused = ensemble(&[&common[..], &["--vary", name]].concat());
+        assert_eq!((refused.status.code(), text(&refused.stderr).trim()), (Some(2), message));
+    }
+}
+
+#[test]
 fn ends_depend_on_the_seed_alone() {
     let file = declaration("seed.lag", SPRING);
     let run = |more: &[&str]| {

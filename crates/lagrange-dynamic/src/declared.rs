@@ -131,6 +131,18 @@ impl DeclaredSystem {
         self.names.domain.check(state)
     }
 
+    /// Returns the bounds of the declared range of a parameter or an entry of the state, if it has
+    /// two.
+    pub fn bounds(&self, name: &str) -> Option<[f64; 2]> {
+        let Variables { fields, limits, .. } = self.variables();
+        let entry = self.state_names().iter().position(|known| known == name);
+        let of_entry = entry.and_then(|entry| limits.get(entry)).map(|limits| limits.bounds);
+        let ranges = self.programs().ranges.iter();
+        let of_parameter = ranges.clone().find(|range| fields[range.parameter] == name);
+        let [lower, upper] = of_entry.or(of_parameter.map(|range| range.bounds))?;
+        Some([lower?.0, upper?.0])
+    }
+
     /// Returns the same state, which may be out of the declared ranges. Runs from there fail.
     ///
     /// # Errors

@@ -85,7 +85,7 @@ impl Axis {
 }
 
 /// Returns the smallest and the largest of the values that an axis can show.
-fn range(scale: Scale, values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+pub(crate) fn range(scale: Scale, values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     let shown = values.filter(|value| value.is_finite() && (scale == Scale::Linear || *value > 0.0));
     shown.fold(None, |range, value| {
         let (low, high) = range.unwrap_or((value, value));

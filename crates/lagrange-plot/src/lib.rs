@@ -22,6 +22,8 @@ mod figure;
 mod image;
 pub mod label;
 pub mod lettering;
+#[cfg(feature = "figures")]
+mod limit;
 pub mod notation;
 #[cfg(feature = "figures")]
 mod panel;
@@ -41,5 +43,7 @@ pub use self::band::Band;
 pub use self::cells::Cells;
 #[cfg(feature = "figures")]
 pub use self::figure::{Figure, PlotError};
+#[cfg(feature = "figures")]
+pub use self::limit::Limit;
 #[cfg(feature = "figures")]
 pub use self::panel::{Curve, Panel};

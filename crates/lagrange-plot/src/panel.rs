@@ -9,6 +9,7 @@ use crate::cells::Cells;
 use crate::image::Placed;
 use crate::label::{Anchor, Label};
 use crate::lettering::LEEWAY;
+use crate::limit::{Limit, with_limits};
 use crate::paper::{Down, FONT, Paper, Place};
 use crate::pixels::{Colour, mixed};
 use crate::thin::{Point, thin};
@@ -30,6 +31,8 @@ pub struct Panel {
     pub cells: Option<Cells>,
     /// Areas, wider ones first.
     pub bands: Vec<Band>,
+    /// Limits of quantities, below the curves.
+    pub limits: Vec<Limit>,
     /// Curves; if there is more than one, or a band, all are named in a legend.
     pub curves: Vec<Curve>,
 }
@@ -83,6 +86,9 @@ impl Panel {
         for band in &self.bands {
             band.draw(paper, &frame, (&x, &y), COLOURS[0]);
         }
+        for limit in &self.limits {
+            limit.draw(paper, &frame, (&x, &y), |curve| self.colour(curve));
+        }
         for (index, curve) in self.curves.iter().enumerate() {
             curve.draw(paper, &frame, (&x, &y), self.colour(index));
         }
@@ -135,9 +141,11 @@ impl Panel {
         let x = x.chain(cells_x.into_iter().flat_map(both));
         let y = curves().map(|point| point.1).chain(bands().flat_map(|point| [point.1, point.2]));
         let y = y.chain(cells_y.into_iter().flat_map(both));
+        let x = with_limits(x.collect(), self.limits.iter().filter_map(Limit::abscissa));
+        let y = with_limits(y.collect(), self.limits.iter().filter_map(Limit::ordinate));
         (
-            Axis::over(self.x_scale, x, x_room, frame.columns()),
-            Axis::over(self.y_scale, y, y_room, frame.rows()),
+            Axis::over(self.x_scale, x.into_iter(), x_room, frame.columns()),
+            Axis::over(self.y_scale, y.into_iter(), y_room, frame.rows()),
         )
     }
 

@@ -9,7 +9,7 @@ use crate::axis::{Axis, Scale};
 use crate::lettering::{Slope, width};
 use crate::pixels::Pixels;
 use crate::thin::thin;
-use crate::{Curve, Figure, Panel, PlotError};
+use crate::{Curve, Figure, Limit, Panel, PlotError};
 
 fn figure(curves: Vec<Curve>) -> Figure {
     let panel = Panel { x: "time".into(), y: "height".into(), curves, ..Panel::default() };
@@ -83,6 +83,36 @@ fn a_curve_is_broken_where_it_is_not_finite() {
     let svg = figure(vec![curve("y", (0..10).map(|k| (f64::from(k), gap(k))))]).svg().expect("draws");
     assert_eq!(polylines(&svg).iter().map(Vec::len).collect::<Vec<_>>(), [5, 4]);
     assert!(!svg.contains("NaN"));
+}
+
+/// A curve from −1 to 1 on an axis without limits ends 1/22 of the height below its top.
+#[test]
+fn limits_are_dashed_lines_unless_they_are_far_away() {
+    let drawn = |limit: Limit| {
+        let mut figure = figure(vec![curve("a", (0..9).map(|k| (f64::from(k), f64::from(k) / 4.0 - 1.0)))]);
+        figure.panels[0].limits = vec![limit];
+        let svg = figure.svg().expect("a document");
+        let ends = polylines(&svg)[0].iter().map(|point| point.1).fold(f64::MAX, f64::min);
+        let dashes =
+            |line: &&str| line.contains("stroke=\"#0072B2\"") && line.contains("stroke-width=\"10\"");
+        let dashes: Vec<String> = svg.lines().filter(dashes).map(str::to_owned).collect();
+        (dashes, ends)
+    };
+    let (none, without) = drawn(Limit::Ordinate(3.01, 0));
+    assert!(none.is_empty());
+    let (dashes, with) = drawn(Limit::Ordinate(2.0, 0));
+    assert!(dashes.len() > 20, "{}", dashes.len());
+    // The plot is 2220 points high, with room of a twentieth of the values at both ends.
+    let (top, height) = (280.0, 2220.0);
+    let row = |value: f64, [low, high]: [f64; 2]| {
+        let room = 0.05 * (high - low);
+        top + height * (high + room - value) / (high - low + 2.0 * room)
+    };
+    assert!((without - row(1.0, [-1.0, 1.0])).abs() <= 0.5 && (with - row(1.0, [-1.0, 2.0])).abs() <= 0.5);
+    let down = format!(",{:.0} ", row(2.0, [-1.0, 2.0]));
+    assert!(dashes.iter().all(|dash| dash.contains(&down)), "{down}: {}", dashes[0]);
+    let across = drawn(Limit::Abscissa(10.0)).0;
+    assert!(across.is_empty(), "limits of the abscissa have the colour of the axes");
 }
 
 #[test]

@@ -151,7 +151,7 @@ pub(super) fn elements_are(name: &str, first: &str, last: &str) -> String {
 
 pub(super) fn elements_lie_between(name: &str, first: &str, last: &str) -> String {
     match first == last {
-        true => format!("only `{first}` is declared"),
+        true => format!("only `{first}` is declared; its brackets hold an index, not the number of elements"),
         false => format!("the declared elements of `{name}` lie between `{first}` and `{last}`"),
     }
 }

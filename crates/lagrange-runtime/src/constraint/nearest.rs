@@ -27,6 +27,10 @@ const STRETCH: f64 = 4.0;
 /// Minimum distance of a length from both ends of its bracket, as a fraction of the bracket.
 const MARGIN: f64 = 0.1;
 
+/// Square of the largest slight pull, relative to the square of the distance. The latter may
+/// increase by the same part of itself.
+const SLIGHT: f64 = 1e-2;
+
 /// A search for the positions on the constraints nearest to `from`. The mass matrix is evaluated at
 /// the velocities `v`.
 pub(super) struct NearestSearch<'a, M: ConstrainedSystem + ?Sized> {
@@ -108,7 +112,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         for _ in 0..MAX_LENGTHS {
             let mut q = displaced(self.system, self.t, &start.q, [(length, direction)]);
             let end = onto(&mut q).then(|| self.end(q, direction, length));
-            match end.filter(|end| !self.is_farther(&start.q, &end.point.q)) {
+            match end.filter(|end| !self.is_farther(start, &end.point)) {
                 Some(end) if end.slope.abs() <= ScalarOf::<M>::from_f64(LEFT) * slope => return Some(end),
                 Some(end) if end.slope > ScalarOf::<M>::ZERO => {
                     short = (length, end.slope);
@@ -131,14 +135,17 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
 
     /// True if a point is farther away by more than rounding. Both distances are measured by the
     /// mass matrix at the start.
-    fn is_farther(&self, start: &Positions<M>, end: &Positions<M>) -> bool {
-        let [before, after] = [start, end].map(|q| {
-            let way = self.way_back(q);
-            self.product(start, &way, &way)
-        });
-        let rounding = PULL.part::<ScalarOf<M>>();
+    ///
+    /// The pull on orientations is the slope of the distance except for terms of third order. Where
+    /// it is slight, steps may therefore lead somewhat farther away if the pull decreases.
+    fn is_farther(&self, start: &PointOf<M>, end: &PointOf<M>) -> bool {
+        let square = |change: &Velocities<M>| self.product(&start.q, change, change);
+        let [before, after] = [start, end].map(|point| square(&self.way_back(&point.q)));
+        let [pull, left] = [start, end].map(|point| square(&point.pull));
+        let is_slight = pull <= ScalarOf::<M>::from_f64(SLIGHT) * before && left < pull;
+        let more = if is_slight { ScalarOf::<M>::from_f64(SLIGHT) } else { PULL.part() };
         // NaN counts as farther.
-        let is_near = after <= before + rounding * before;
+        let is_near = after <= before + more * before;
         !is_near
     }
 

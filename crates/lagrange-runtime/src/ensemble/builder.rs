@@ -16,7 +16,8 @@ use crate::simulate::{
     default_method, inputs, uncounted,
 };
 use crate::system::{
-    ControlledSystem, DelayedSystem, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, StateVector,
+    ControlledSystem, DelayedSystem, EntryRange, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf,
+    StateVector,
 };
 
 /// Motions of one system. They want to know when they end.
@@ -47,6 +48,24 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         }
         self.batch.start = Some(Box::new(move |index, random| start(index, random).into_state()));
         self
+    }
+
+    /// Starts each motion from a random state within the declared ranges. Entries whose range has
+    /// two bounds are distributed uniformly between them, independently of each other; all others
+    /// are those of the given state. Runs bring states onto the constraints, which may lead out of
+    /// a range.
+    pub fn start_within_ranges<Y: InitialState<M::State>>(mut self, others: Y) -> Self {
+        let domain = self.batch.system.domain();
+        if !domain.ranges.iter().any(EntryRange::is_bounded) {
+            let unbounded = "`.start_within_ranges(…)` needs an entry of the state with a lower and an upper bound, as in `coord x in 0..=1;`";
+            self.batch.refuse_setting(unbounded);
+        }
+        let others = others.into_state();
+        self.start(move |_, random| {
+            let mut state = others;
+            domain.draw(state.as_mut(), |range| random.uniform(range));
+            state
+        })
     }
 
     /// Gives each motion a separate system: a copy of the common one, changed by its index.

@@ -12,8 +12,10 @@
 //! Sources: Kutta 1901; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
 //! §II.1, table 1.2.
 
+mod derivatives;
 mod lanes;
 
+pub use self::derivatives::{StepDerivatives, rk4_step_derivatives};
 pub use self::lanes::ClassicalLanes;
 
 use crate::integrate::explicit::{ExplicitRungeKutta, TableauRow};

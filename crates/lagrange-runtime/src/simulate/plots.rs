@@ -8,10 +8,10 @@ use std::vec::Vec;
 use crate::simulate::builder::ENERGY;
 use crate::simulate::trajectory::Trajectory;
 use crate::simulate::units::{label_with_unit, unit};
-use crate::system::{Description, MechanicalSystem, WithSuffix};
+use crate::system::{Description, EntryRange, MechanicalSystem, WithSuffix};
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::Columns;
-use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
+use lagrange_plot::{Curve, Figure, Limit, Panel, PlotError, Scale};
 
 /// A column and its points.
 type NamedCurve<'n> = (&'n str, Vec<(f64, f64)>);
@@ -40,7 +40,8 @@ where
     /// Here and in all plots, symbols are written as in formulas: θ̇₁ for `theta1_dot`, ẍ for
     /// `x_ddot`, x₂ for `x[2]`. Words, and names whose symbols would be ambiguous, are unchanged.
     /// Units of a declaration follow names, as in x in m: at the axis, or in the legend if units
-    /// differ between curves.
+    /// differ between curves. Dashed lines are bounds of declared ranges. A bound is omitted if it
+    /// is farther from the curves than their extent.
     ///
     /// In all plots, the extension of the file selects its format: `svg` for vector graphics and
     /// `png` for pixels.
@@ -110,7 +111,8 @@ where
     /// If there is no such column, or the file cannot be written.
     pub fn plot_pair(&self, x: &str, y: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let points = self.numbers(x)?.into_iter().zip(self.numbers(y)?).collect();
-        let panel = Panel { has_room: true, ..self.panel(self.axis(x), y, vec![(y, points)]) };
+        let panel = self.panel(self.axis(x), y, vec![(y, points)]);
+        let panel = Panel { has_room: true, ..self.limited(panel, x) };
         Figure { panels: vec![panel], columns: 1, size: SQUARE }.save(path.as_ref())
     }
 
@@ -124,8 +126,8 @@ where
         let curves = names.iter().map(|name| self.curve(abscissae.iter().copied(), name));
         let curves = curves.collect::<Result<_, PlotError>>()?;
         let title = if let [name] = names { name } else { "" };
-        Figure { panels: vec![self.panel(self.axis(x), title, curves)], columns: 1, size: WIDE }
-            .save(path.as_ref())
+        let panel = self.limited(self.panel(self.axis(x), title, curves), x);
+        Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
     /// Plots the deviation of the energy from its initial value E₀ against time, relative to E₀
@@ -177,7 +179,25 @@ where
             Curve { name: label_with_unit(columns.label(name), unit), points }
         };
         let y = label_with_unit(columns.label(y), shared);
-        Panel { x, y, curves: curves.into_iter().map(curve).collect(), ..Panel::default() }
+        let limits = curves
+            .iter()
+            .enumerate()
+            .flat_map(|(index, (name, _))| self.bounds(name).map(move |bound| Limit::Ordinate(bound, index)));
+        let limits = limits.collect();
+        Panel { x, y, limits, curves: curves.into_iter().map(curve).collect(), ..Panel::default() }
+    }
+
+    /// Adds the bounds of the column on the abscissa to a panel.
+    fn limited(&self, mut panel: Panel, x: &str) -> Panel {
+        panel.limits.extend(self.bounds(x).map(Limit::Abscissa));
+        panel
+    }
+
+    /// Returns the finite bounds of the declared range of a column.
+    fn bounds(&self, name: &str) -> impl Iterator<Item = f64> {
+        let range = self.domain.ranges.iter().find(|range| range.name == name);
+        let ends = range.map(EntryRange::ends::<f64>);
+        ends.into_iter().flat_map(|(lower, upper)| [lower, upper]).filter(|bound| bound.is_finite())
     }
 
     /// Returns the label of an axis for a column.

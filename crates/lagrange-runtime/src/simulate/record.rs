@@ -173,7 +173,8 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         if self.last.0 != self.first.0 && self.table.times().last() != Some(&self.last.0) {
             self.sample(current.system(), self.last);
         }
-        let description = current.system().plant().description();
+        let plant = current.system().plant();
+        let (description, domain) = (plant.description(), plant.domain());
         let variables = current.system().variables();
         let Record { table, dense, given, events, first, last, work, freed, .. } = self;
         let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
@@ -195,6 +196,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
                 variables,
                 system,
                 description,
+                domain,
             },
         )
     }

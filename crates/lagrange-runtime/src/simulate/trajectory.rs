@@ -12,7 +12,7 @@ use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::table::Table;
 use crate::simulate::units::unit;
-use crate::system::{Description, MechanicalSystem, normalised};
+use crate::system::{Description, Domain, MechanicalSystem, normalised};
 
 /// The result of a run: samples in named columns, and the work of the run.
 ///
@@ -39,6 +39,8 @@ pub struct Trajectory<M: MechanicalSystem> {
     pub(super) system: Option<Arc<M>>,
     /// Names and units of the system.
     pub(super) description: &'static Description,
+    /// Declared ranges of the state.
+    pub(super) domain: &'static Domain,
 }
 
 /// The ending of a run.

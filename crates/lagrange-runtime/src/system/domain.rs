@@ -2,7 +2,7 @@
 
 use core::ops::Bound;
 #[cfg(feature = "ensemble")]
-use core::ops::Neg;
+use core::ops::{Neg, Range, RangeBounds};
 
 #[cfg(feature = "ensemble")]
 use super::SideBySide;
@@ -11,6 +11,10 @@ use crate::scalar::Scalar;
 #[cfg(feature = "ensemble")]
 use crate::scalar::{Mask, Number};
 use crate::tolerance::BOUNDARY;
+
+/// Maximum number of draws of a number within bounds.
+#[cfg(feature = "ensemble")]
+const MAX_DRAWS: usize = 100;
 
 /// The declared ranges and nominal values of the entries of a state.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -86,6 +90,20 @@ impl Domain {
         (map_included(lower, |bound| bound - slack(bound)), map_included(upper, |bound| bound + slack(bound)))
     }
 
+    /// Sets each entry whose range has two bounds to a number between them. The argument draws one
+    /// from a range, its end excluded.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn draw<S: Scalar>(&self, state: &mut [S], mut uniform: impl FnMut(Range<f64>) -> f64) {
+        for range in self.ranges.iter().filter(|range| range.is_bounded()) {
+            let Some(entry) = state.get_mut(range.entry) else { continue };
+            let (low, high) = range.ends();
+            let bounds: (Bound<S>, Bound<S>) = range.numbers();
+            let mut drawn = (0..MAX_DRAWS).map(|_| S::from_f64(uniform(low..high)));
+            // Rounding may lead to an excluded bound.
+            *entry = drawn.find(|value| bounds.contains(value)).unwrap_or(*entry);
+        }
+    }
+
     /// Returns the value of an entry that is nearest to another one, bounds included.
     #[cfg(feature = "std")]
     pub(crate) fn nearest<S: Scalar>(&self, entry: usize, value: S) -> S {
@@ -96,6 +114,13 @@ impl Domain {
 }
 
 impl EntryRange {
+    /// True if it has two bounds, and numbers between them.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn is_bounded(&self) -> bool {
+        let (low, high) = self.ends::<f64>();
+        low < high && (high - low).is_finite()
+    }
+
     /// Returns the size of the larger bound, or one if no bound differs from zero.
     fn size(&self) -> f64 {
         let size_of = |bound: Bound<f64>| match bound {

@@ -18,7 +18,7 @@ messages! {
     ASSIGNED_VALUE = "the value after an event";
     NOT_ASSIGNABLE = "nothing can be assigned to this";
     ASSIGNMENT_HELP =
-        "an event changes coordinates, velocities and states: `x = e;` or `dot(x) = e;` with a coordinate `x`, `a = e;` with a state `a`";
+        "an event changes coordinates, velocities and states, `x = e;` or `dot(x) = e;`; declare other values that it changes as `discrete k = e;`";
     assigned_twice(target) = "`{target}` is assigned twice by one event";
     ASSIGNED_TWICE_HELP = "remove one of them: all values are assigned at once";
     REDUCED_HELP = "remove the `reduce`, or declare the reduced system separately";

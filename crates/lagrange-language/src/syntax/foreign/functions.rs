@@ -62,7 +62,7 @@ const MISSING: &[(&[&str], &str)] = &[
     ),
     (
         &["random", "rand", "randn", "noise", "normal", "gauss", "uniform"],
-        "a motion is determined by its start: declare an `input` and set it during the run",
+        "white noise is declared as `noise w, density: d;`; other random values are an `input`, set during the run",
     ),
     (
         &["floor", "ceil", "round", "trunc", "mod", "fmod"],
