@@ -67,6 +67,7 @@
 //! space. `trade` measures the cost of accuracy for a system. `double` adds numbers of 106 bits.
 //! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive
 //! equations at run time.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 #![forbid(unsafe_code)]
 
