@@ -430,9 +430,12 @@ const IMPORT: &[Layer] = &[
 
 const XTASK: &[Layer] = &[
     Layer {
-        modules: &["package", "performance", "prose", "size"],
+        modules: &["package", "performance", "prose", "size", "step"],
         purpose: "contents of published packages; measurements, written to `docs/performance.md`; paragraphs \
-                  of comments and pages; lines of code by crate",
+                  of comments and pages; lines of code by crate; commands of cargo",
     },
-    Layer { modules: &["wrap"], purpose: "wrapping of comments and pages; long sentences" },
+    Layer {
+        modules: &["interface", "wrap"],
+        purpose: "public items, and their changes; wrapping of comments and pages; long sentences",
+    },
 ];
