@@ -113,8 +113,9 @@ const LANGUAGE: &[Layer] = &[
 
 const CORE: &[Layer] = &[
     Layer {
-        modules: &["files", "model"],
-        purpose: "reading of table files; models of systems, as expressions",
+        modules: &["editor", "files", "model"],
+        purpose: "names of a declaration for editors; reading of table files; models of systems, as \
+                  expressions",
     },
     Layer {
         modules: &["derive", "elaborate"],
