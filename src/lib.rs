@@ -30,7 +30,7 @@
 //!
 //! | module or item | contents |
 //! |---|---|
-//! | [`system!`] | the language of declarations, and the code emitted for them |
+//! | [`system!`], [`mod@language`] | declarations, and their language with the code emitted for it |
 //! | [`mod@system`] | traits that the emitted types implement, for code that is generic over systems |
 //! | [`mod@simulate`] | the main entry point: simulations with samples, events, trajectories, files and plots |
 //! | `ensemble` (feature) | many motions on threads and processes, reduced or saved |
@@ -67,6 +67,7 @@
 //! space. `trade` measures the cost of accuracy for a system. `double` adds numbers of 106 bits.
 //! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive
 //! equations at run time.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -76,6 +77,10 @@ extern crate std;
 pub mod event;
 pub mod integrate;
 
+/// The language of [`system!`]: all statements, and what is emitted for them.
+///
+#[doc = include_str!("language.md")]
+pub mod language {}
 #[doc(hidden)]
 pub mod private;
 
@@ -120,7 +125,7 @@ struct Readme;
 #[cfg(feature = "symbolic")]
 pub use lagrange_core as symbolic;
 
-#[doc = include_str!("language.md")]
+#[doc = include_str!("overview.md")]
 #[macro_export]
 macro_rules! system {
     // Emitted paths start with the first group: `$crate` is correct even if a user renames the

@@ -45,15 +45,16 @@
 //!    [`Program`](program::Program)s, [`code`] writes those as the body of a function, and
 //!    [`formula`] writes expressions as text, LaTeX or graphs.
 //!
-//! This crate holds [`model`], [`mod@elaborate`], [`mod@derive`], [`emit`], [`pipeline`] and
-//! [`files`], which reads table files. It re-exports the modules of three crates below it.
-//! `lagrange-expr` is the graph that owns every expression of a system, with its vocabulary.
-//! `lagrange-algebra` holds the algorithms on the graph, and `lagrange-language` leads from tokens
-//! to plain statements. `ARCHITECTURE.md` lists their layers, and `docs/tour.md` follows a double
-//! pendulum through each phase.
+//! This crate holds [`model`], [`mod@elaborate`], [`mod@derive`], [`emit`], [`pipeline`],
+//! [`files`], which reads table files, and [`editor`], which shows names to editors. It re-exports
+//! the modules of three crates below it. `lagrange-expr` is the graph that owns every expression of
+//! a system, with its vocabulary. `lagrange-algebra` holds the algorithms on the graph, and
+//! `lagrange-language` leads from tokens to plain statements. `ARCHITECTURE.md` lists their layers,
+//! and `docs/tour.md` follows a double pendulum through each phase.
 #![forbid(unsafe_code)]
 
 pub mod derive;
+pub mod editor;
 pub mod elaborate;
 pub mod emit;
 pub mod files;

@@ -6,6 +6,7 @@
 
 use std::path::PathBuf;
 
+use lagrange_core::editor;
 use lagrange_core::files;
 use lagrange_core::tables::FileText;
 use proc_macro2::{TokenStream, TokenTree};
@@ -19,7 +20,17 @@ pub fn system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
         Some(TokenTree::Group(group)) => group.stream(),
         _ => TokenStream::new(),
     };
-    lagrange_core::pipeline::expand_with(tokens.collect(), &krate, &file).into()
+    let declaration = tokens.collect::<TokenStream>();
+    // They come first: errors after them have another length while a word is completed.
+    let mut items = if is_in_editor() { editor::names(&declaration) } else { TokenStream::new() };
+    items.extend(lagrange_core::pipeline::expand_with(declaration, &krate, &file));
+    items.into()
+}
+
+/// True in rust-analyzer, which expands macros in a process of its own.
+fn is_in_editor() -> bool {
+    let program = std::env::current_exe().unwrap_or_default();
+    program.file_stem().is_some_and(|name| name.to_string_lossy().starts_with("rust-analyzer"))
 }
 
 /// A file of the crate that is compiled, by its path from where that crate is.

@@ -144,6 +144,32 @@ fn nothing_is_added_where_every_force_has_a_name() {
 }
 
 #[test]
+fn letters_of_loads_can_be_replaced() {
+    let system = Pole::default();
+    let state = [0.5, 0.0, std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0];
+    let lettered = Drawing::of(&system).letter("hinge", "A_y").letter("gravity", "W");
+    let picture = lettered.clone().free_body("pole").picture(0.0, &state).expect("draws");
+    assert_eq!(texts(&picture.svg()), ["W", "Ay"]);
+    // The last letter counts.
+    let picture = lettered.letter("hinge", "S").free_body("pole").picture(0.0, &state).expect("draws");
+    assert_eq!(texts(&picture.svg()), ["W", "S"]);
+
+    let pair = CartPole::default();
+    let resultants = Drawing::of(&pair).free_body("pole").letter("R", "H").letter("M_R", "M_S");
+    let picture = resultants.picture(0.0, &STATE).expect("draws");
+    assert_eq!(texts(&picture.svg()), ["G", "H", "MS"]);
+    // Weights of several bodies share a letter.
+    let both = |letter| {
+        let drawing = Drawing::of(&pair).nameless().forces().letter("gravity", letter);
+        texts(&drawing.picture(0.0, &STATE).expect("draws").svg())
+    };
+    for (letter, expected) in [("W", ["Wcart", "Wpole"]), ("P_0", ["P0", "P0"])] {
+        let found = both(letter);
+        assert!(expected.iter().all(|text| found.iter().any(|known| known == text)), "{found:?}");
+    }
+}
+
+#[test]
 fn moments_are_drawn_on_the_body_on_which_they_act_and_around_each_other() {
     let system = Wheels::default();
     let free =

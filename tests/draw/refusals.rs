@@ -84,6 +84,8 @@ fn unknown_bodies_empty_scenes_and_impossible_sizes_are_refused() {
     assert_eq!(refused(unknown), "the scene has no body `sphere`");
     let hidden = Drawing::of(&SLOPE).hide("slop").picture(0.0, &[0.0, 0.0]);
     assert_eq!(refused(hidden), "the scene has nothing named `slop`");
+    let lettered = Drawing::of(&SLOPE).forces().letter("R", "A").picture(0.0, &[0.0, 0.0]);
+    assert_eq!(refused(lettered), "the scene has nothing named `R`", "only a free body has resultants");
     let empty = Puppet(|_, _| {});
     assert_eq!(refused(Drawing::of(&empty).picture(0.0, &[0.0, 0.0])), "there is nothing to draw");
     for size in [[20.0, 300.0], [300.0, 0.0], [-300.0, 300.0], [f64::NAN, 300.0], [300.0, f64::INFINITY]] {

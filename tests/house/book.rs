@@ -8,11 +8,12 @@ use std::path::{Path, PathBuf};
 use crate::prose::MAX_COLUMNS;
 
 /// Pages beside those of `docs/`.
-const OTHERS: [&str; 7] = [
+const OTHERS: [&str; 8] = [
     "ARCHITECTURE.md",
     "CHANGELOG.md",
     "README.md",
     "src/language.md",
+    "src/overview.md",
     "tests/README.md",
     "tests/extremes/README.md",
     "tests/oracle/README.md",

@@ -17,6 +17,8 @@ const LINES: [&str; 8] = [
     "keywords.workspace = true",
     "categories",
 ];
+/// Line of a library by which its documentation shows the features that items need.
+const SHOWN: &str = "#![cfg_attr(docsrs, feature(doc_cfg))]";
 const FILES: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
 
 /// Finds missing fields and files of published packages.
@@ -29,6 +31,10 @@ pub(crate) fn lapses(root: &Path) -> Vec<String> {
         }
         let name = format!("{folder}Cargo.toml");
         lapses.extend(missing_lines(&manifest).iter().map(|line| format!("{name} has no `{line}`")));
+        let library = fs::read_to_string(root.join(&folder).join("src/lib.rs")).unwrap_or_default();
+        if hides_features(&manifest, &library) {
+            lapses.push(format!("{folder}src/lib.rs has no `{SHOWN}`"));
+        }
         let is_missing = |file: &&&str| !root.join(&folder).join(file).is_file();
         lapses.extend(FILES.iter().filter(is_missing).map(|file| format!("{name} has no {file} beside it")));
     }
@@ -47,9 +53,22 @@ fn missing_lines(manifest: &str) -> Vec<&'static str> {
     LINES.iter().copied().filter(is_missing).chain(hides.then_some("[package.metadata.docs.rs]")).collect()
 }
 
+/// True for a library with features on the documentation host, whose pages do not name them.
+fn hides_features(manifest: &str, library: &str) -> bool {
+    let has_features = manifest.contains("\n[package.metadata.docs.rs]") && !library.is_empty();
+    has_features && !library.lines().any(|line| line == SHOWN)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{LINES, missing_lines};
+    use super::{LINES, SHOWN, hides_features, missing_lines};
+
+    #[test]
+    fn libraries_with_features_name_them() {
+        let manifest = "[package]\n\n[package.metadata.docs.rs]\nall-features = true\n";
+        assert!(hides_features(manifest, "#![no_std]\n") && !hides_features("[package]\n", "#![no_std]\n"));
+        assert!(!hides_features(manifest, &format!("//! A library.\n{SHOWN}\n")));
+    }
 
     #[test]
     fn each_line_is_asked_for() {

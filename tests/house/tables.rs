@@ -113,8 +113,9 @@ const LANGUAGE: &[Layer] = &[
 
 const CORE: &[Layer] = &[
     Layer {
-        modules: &["files", "model"],
-        purpose: "reading of table files; models of systems, as expressions",
+        modules: &["editor", "files", "model"],
+        purpose: "names of a declaration for editors; reading of table files; models of systems, as \
+                  expressions",
     },
     Layer {
         modules: &["derive", "elaborate"],
@@ -433,9 +434,12 @@ const IMPORT: &[Layer] = &[
 
 const XTASK: &[Layer] = &[
     Layer {
-        modules: &["package", "performance", "prose", "size"],
+        modules: &["package", "performance", "prose", "size", "step"],
         purpose: "contents of published packages; measurements, written to `docs/performance.md`; paragraphs \
-                  of comments and pages; lines of code by crate",
+                  of comments and pages; lines of code by crate; commands of cargo",
     },
-    Layer { modules: &["wrap"], purpose: "wrapping of comments and pages; long sentences" },
+    Layer {
+        modules: &["interface", "wrap"],
+        purpose: "public items, and their changes; wrapping of comments and pages; long sentences",
+    },
 ];

@@ -57,6 +57,31 @@ fn upright() -> LinearModel {
 }
 
 #[test]
+fn gains_are_shown_with_names() {
+    let model = upright();
+    let regulator = model.lqr(&DenseMatrix::identity(4), &DenseMatrix::identity(1)).expect("a regulator");
+    // The gain of SciPy, of six digits without zeros at their ends.
+    let expected = "\
+K   x    theta     x_dot  theta_dot
+u  -1  30.3091  -2.23142    6.68877";
+    assert_eq!(format!("{regulator}"), expected);
+    let observer = model.observer(&DenseMatrix::identity(4), &DenseMatrix::identity(1)).expect("an observer");
+    let shown = format!("{observer:.3}");
+    let first = shown.lines().map(|line| line.split_whitespace().next().expect("a name")).collect::<Vec<_>>();
+    assert_eq!(first, ["L", "x", "theta", "x_dot", "theta_dot"]);
+    let [head, entries @ ..] = &shown.lines().collect::<Vec<_>>()[..] else { panic!("{shown}") };
+    assert!(head.ends_with(" tip"), "{shown}");
+    for (row, line) in entries.iter().enumerate() {
+        let entry: f64 = line.split_whitespace().nth(1).expect("an entry").parse().expect("a number");
+        assert!((entry / observer.gain[(row, 0)] - 1.0).abs() < 5e-3, "{shown}");
+    }
+    let sampled = model.sampled(0.02).expect("finite");
+    let shown = format!("{sampled}");
+    let heads = shown.lines().filter(|line| line.starts_with(['A', 'B', 'C', 'D'])).count();
+    assert_eq!((heads, shown.lines().count()), (4, 5 + 5 + 2 + 2), "{shown}");
+}
+
+#[test]
 fn a_balanced_pole_has_the_gains_of_scipy() {
     let model = upright();
     let mut rows = 0;

@@ -195,6 +195,70 @@ fn responses_are_plotted() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
+#[cfg(feature = "plot")]
+lagrange::system! {
+    /// The oscillator with units.
+    #[derive(Debug)]
+    struct Measured;
+
+    param m: kg = 2, d: kg/s = 1.2, k: N/m = 8;
+    coord x: m;
+    input u: N;
+    kinetic = 1/2 * m * dot(x)^2;
+    potential = 1/2 * k * x^2;
+    dissipation = 1/2 * d * dot(x)^2;
+    force x = u;
+    output place: m = x;
+    output speed: m/s = dot(x);
+    output share = k * x / u;
+    emit { system_matrix }
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn axes_of_responses_show_units() {
+    let folder = std::env::temp_dir().join(format!("lagrange-axes-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let measured = Measured { u: 1.0, ..Measured::default() };
+    let model = measured.linearise(0.0, [0.1, 0.0]).unwrap();
+    let gain = DenseMatrix::from_rows(&[[5.0, 0.7]]);
+    let cases = [
+        (
+            model.transfer("u", "place").unwrap(),
+            "magnitude in dB re 1 m/N<",
+            "real part in m/N<",
+            "place in m<",
+        ),
+        (
+            model.transfer("u", "speed").unwrap(),
+            "dB re 1 (m/s)/N<",
+            "imaginary part in (m/s)/N<",
+            "speed in m/s<",
+        ),
+        (model.transfer("u", "share").unwrap(), "dB re 1 1/N<", "real part in 1/N<", "share<"),
+        // The feedback of an input has the same unit.
+        (model.open_loop(&gain, "u").unwrap(), "magnitude in dB<", "real part<", "feedback in N<"),
+    ];
+    for (transfer, magnitude, part, value) in cases {
+        let response = transfer.frequency_response(&transfer.frequencies());
+        response.plot_bode(folder.join("bode.svg")).unwrap();
+        response.plot_nyquist(folder.join("nyquist.svg")).unwrap();
+        transfer.step_response(20.0).unwrap().plot(folder.join("step.svg")).unwrap();
+        let expected = [
+            ("bode", magnitude),
+            ("bode", " in rad/s<"),
+            ("nyquist", part),
+            ("step", value),
+            ("step", " in s<"),
+        ];
+        for (file, label) in expected {
+            let text = std::fs::read_to_string(folder.join(file).with_extension("svg")).unwrap();
+            assert!(text.contains(label), "{file} of {} lacks {label}", transfer.output);
+        }
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
 lagrange::system! {
     /// Two masses between springs, each with a motor.
     #[derive(Debug)]

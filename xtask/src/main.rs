@@ -2,13 +2,14 @@
 //! needs only Rust. `cargo xtask sweeps`: the longest tests, for releases and changes to methods or
 //! contacts. `cargo xtask performance`: measures the speed of emitted code and rewrites the tables
 //! of docs/performance.md. `cargo xtask performance spatial` only does so for bodies in space, and
-//! `… text` for declarations in text.
-//! `cargo xtask size [REVISION]`: counts lines of library code by crate. `cargo xtask package`:
-//! packages every crate and compiles it from its package. `cargo xtask interface REVISION`:
-//! compares the public interface with a revision. `cargo xtask wrap`: wraps comments and pages at
-//! 100 columns. `cargo xtask sentences`: lists sentences of more than 25 words.
+//! `… text` for declarations in text. `cargo xtask size [REVISION]`: counts lines of library code
+//! by crate. `cargo xtask package`: packages every crate and compiles it from its package.
+//! `cargo xtask interface [REVISION]`: lists the public interface, or compares it with a revision.
+//! `cargo xtask wrap`: wraps comments and pages at 100 columns. `cargo xtask sentences`: lists
+//! sentences of more than 25 words.
 #![forbid(unsafe_code)]
 
+mod interface;
 mod package;
 #[cfg(feature = "performance")]
 mod performance;
@@ -16,47 +17,16 @@ mod performance;
 #[path = "../../tests/house/prose.rs"]
 mod prose;
 mod size;
+mod step;
 mod wrap;
 
 #[cfg(feature = "performance")]
 use performance::performance;
 use std::env;
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::time::Instant;
-
-/// One check: its title, and its `cargo` command.
-struct Step {
-    title: String,
-    arguments: Vec<String>,
-    environment: Vec<(&'static str, &'static str)>,
-}
-
-impl Step {
-    fn new(title: &str, command: &str) -> Step {
-        let arguments = command.split_whitespace().map(str::to_owned).collect();
-        Step { title: title.to_owned(), arguments, environment: Vec::new() }
-    }
-
-    fn with(mut self, variable: &'static str, value: &'static str) -> Step {
-        self.environment.push((variable, value));
-        self
-    }
-
-    fn run(&self, root: &Path) -> bool {
-        println!("\n== {}: cargo {}", self.title, self.arguments.join(" "));
-        let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let mut command = Command::new(cargo);
-        command.args(&self.arguments).current_dir(root).envs(self.environment.iter().copied());
-        match command.status() {
-            Ok(status) => status.success(),
-            Err(error) => {
-                eprintln!("cargo cannot be started: {error}");
-                false
-            }
-        }
-    }
-}
+use step::Step;
 
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
@@ -66,14 +36,15 @@ fn main() -> ExitCode {
         ["sweeps"] => run(root, sweeps()),
         ["performance", ref sections @ ..] => code(performance(root, sections)),
         ["package", ref options @ ..] => code(package(root, options)),
-        ["interface", revision] => run(root, interface(revision)),
+        ["interface"] => code(interface::interface(root, None)),
+        ["interface", revision] => code(interface::interface(root, Some(revision))),
         ["size"] => code(size::size(root, None)),
         ["size", revision] => code(size::size(root, Some(revision))),
         ["wrap"] => code(wrap::wrap(root)),
         ["sentences"] => code(wrap::sentences(root)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | sweeps | performance [spatial | text] | package | interface REVISION | size [REVISION] | wrap | sentences"
+                "usage: cargo xtask check | sweeps | performance [spatial | text] | package | interface [REVISION] | size [REVISION] | wrap | sentences"
             );
             ExitCode::from(2)
         }
@@ -180,22 +151,6 @@ fn sweeps() -> Vec<Step> {
              --test diffsol --example differential_equations",
         ),
         Step::new("adapters' lints", "clippy --package lagrange-adapters-tests --all-targets -- -D warnings"),
-    ]
-}
-
-/// Compares the public interface with a revision: breaking changes, then all additions and
-/// removals.
-fn interface(revision: &str) -> Vec<Step> {
-    vec![
-        Step::new(
-            "changes that break users",
-            &format!("semver-checks --workspace --baseline-rev {revision}"),
-        ),
-        // The public items are in this crate; `lagrange` re-exports it.
-        Step::new(
-            "public interface",
-            &format!("public-api --package lagrange-runtime --all-features -sss diff {revision}..HEAD"),
-        ),
     ]
 }
 

@@ -93,13 +93,7 @@ impl Linearised {
         if !self.inputs.is_empty() {
             text += &format!("inputs:\n{}", lines(&self.inputs));
         }
-        let (model, states) = (&self.model, self.model.states());
-        let (inputs, outputs) = (owned(model.inputs()), owned(model.outputs()));
-        text += &matrix("A", model.a(), states, states);
-        text += &matrix("B", model.b(), states, &inputs);
-        text += &matrix("C", model.c(), &outputs, states);
-        text += &matrix("D", model.d(), &outputs, &inputs);
-        text + &format!("modes:\n{}\n", self.modes)
+        text + &format!("{:.10}\nmodes:\n{}\n", self.model, self.modes)
     }
 }
 
@@ -146,10 +140,6 @@ fn inputs(system: &DeclaredSystem) -> Vec<(String, f64)> {
     all.skip(system.programs().layout.parameters).collect()
 }
 
-fn owned(names: &[&str]) -> Vec<String> {
-    names.iter().map(ToString::to_string).collect()
-}
-
 fn object(values: &[(String, f64)]) -> Value {
     values.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<_, _>>().into()
 }
@@ -160,22 +150,4 @@ fn rows(matrix: &DenseMatrix) -> Vec<&[f64]> {
 
 fn lines(values: &[(String, f64)]) -> String {
     values.iter().map(|(name, value)| format!("  {name} = {value:?}\n")).collect()
-}
-
-/// Formats a matrix with names of rows and columns; an empty one gives no text.
-fn matrix(name: &str, matrix: &DenseMatrix, rows: &[String], columns: &[String]) -> String {
-    if rows.is_empty() || columns.is_empty() {
-        return String::new();
-    }
-    let entries = |row: usize| matrix.row(row).iter().map(|entry| format!("{entry:.9e}"));
-    let cells = |row: usize| std::iter::once(rows[row].clone()).chain(entries(row)).collect();
-    let head: Vec<String> = std::iter::once(name.to_owned()).chain(columns.iter().cloned()).collect();
-    let table = std::iter::once(head).chain((0..rows.len()).map(cells)).collect::<Vec<Vec<String>>>();
-    let width = |column: usize| table.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths = (0..=columns.len()).map(width).collect::<Vec<_>>();
-    let line = |row: &Vec<String>| {
-        let cells = row.iter().zip(&widths).skip(1).map(|(cell, width)| format!("  {cell:>width$}"));
-        format!("{:<width$}{}\n", row[0], cells.collect::<String>(), width = widths[0])
-    };
-    table.iter().map(line).collect()
 }

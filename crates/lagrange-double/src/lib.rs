@@ -21,6 +21,7 @@
 //! overflow. Otherwise, results keep the 53 bits of a double. Functions compute with 192 bits in
 //! integers, and use no library of the platform. All results have the same bits with and without
 //! fused products.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 #![forbid(unsafe_code)]
 

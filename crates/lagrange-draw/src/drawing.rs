@@ -9,6 +9,7 @@ use crate::look::{Direction, Look, Wanted};
 use crate::moment::Moment;
 use crate::picture::Picture;
 use crate::recorded::Recorded;
+use crate::remainder::{MOMENT, REMAINDER};
 use crate::sketch::Sketch;
 use crate::snapshot::Snapshot;
 use crate::snapshot::Stored;
@@ -88,6 +89,8 @@ pub struct Drawing<'a, M: Scene<Space: DrawnSpace>> {
     pub(super) look: Look,
     pub(super) wanted: Wanted,
     pub(super) hidden: Vec<String>,
+    /// Labels of loads, by names.
+    letters: Vec<(String, String)>,
     pub(super) traces: Vec<(String, Point<'a, M>)>,
     pub(super) past: Vec<Instant<M>>,
     pub(super) free_body: Option<String>,
@@ -103,6 +106,7 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
             look: Look { size: M::Space::SIZE, title: String::new(), direction: Direction::default() },
             wanted: Wanted { names: true, ..Wanted::default() },
             hidden: Vec::new(),
+            letters: Vec::new(),
             traces: Vec::new(),
             past: Vec::new(),
             free_body: None,
@@ -160,6 +164,14 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
     /// Hides the body, frame, line, connector, joint or load of this name.
     pub fn hide(mut self, name: &str) -> Self {
         self.hidden.push(name.to_owned());
+        self
+    }
+
+    /// Labels the force or moment of this name by another letter, such as `("hinge", "A")` or
+    /// `("foot.normal", "N_1")`. Weights are named `gravity` and keep the names of bodies as
+    /// subscripts, unless the label has one. The resultants of a free body are `R` and `M_R`.
+    pub fn letter(mut self, load: &str, label: &str) -> Self {
+        self.letters.push((load.to_owned(), label.to_owned()));
         self
     }
 
@@ -257,7 +269,7 @@ where
     ///
     /// # Errors
     /// If a number is not finite, there is nothing to draw, or the picture is too small. Also if
-    /// the scene lacks the free body or a hidden name.
+    /// the scene lacks the free body, a hidden name or a load with a letter.
     pub fn picture(&self, t: M::Scalar, y: &M::State) -> Result<Picture, DrawError> {
         self.pictures([(t, *y)])?.pop().ok_or(DrawError::NothingToDraw)
     }
@@ -296,11 +308,20 @@ where
         if begun.is_err() {
             snapshot.omitted.push(WITHOUT_MOTION.to_owned());
         }
+        snapshot.letters.clone_from(&self.letters);
         let is_unknown = |name: &&String| snapshot.names().all(|known| known != name.as_str());
-        match self.hidden.iter().find(is_unknown) {
+        let is_lost = |name: &&String| !self.has_load(name, &snapshot);
+        let letters = self.letters.iter().map(|(load, _)| load);
+        match self.hidden.iter().find(is_unknown).or_else(|| letters.into_iter().find(is_lost)) {
             Some(name) => Err(DrawError::UnknownItem(name.clone())),
             None => Ok(snapshot),
         }
+    }
+
+    /// True if the scene has a load of this name, or a free body this resultant.
+    fn has_load(&self, name: &str, snapshot: &Snapshot<M::Space>) -> bool {
+        let is_resultant = self.wanted.is_free && [REMAINDER, MOMENT].contains(&name);
+        is_resultant || snapshot.loads.iter().any(|load| load.name == name)
     }
 
     /// Returns the note about loads that act but cannot be drawn, if loads are drawn.
@@ -314,6 +335,7 @@ impl<M: Scene<Space: DrawnSpace>> Clone for Drawing<'_, M> {
         Drawing {
             look: self.look.clone(),
             hidden: self.hidden.clone(),
+            letters: self.letters.clone(),
             traces: self.traces.clone(),
             past: self.past.clone(),
             free_body: self.free_body.clone(),

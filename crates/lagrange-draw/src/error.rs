@@ -18,7 +18,7 @@ pub enum DrawError {
     },
     /// The scene has no body of this name.
     UnknownBody(String),
-    /// The scene has no item of this name to hide.
+    /// The scene has no item of this name to hide or to label.
     UnknownItem(String),
     /// There is no moment, or no item in it has a position.
     NothingToDraw,

@@ -1,7 +1,7 @@
 //! Labels of forces and moments.
 //!
 //! Weights are G, forces of springs, dampers and pins F, normal forces N, friction forces H,
-//! moments M. Names are added as subscripts if there are several.
+//! moments M. Names are added as subscripts if there are several. A drawing may replace letters.
 
 use std::collections::BTreeSet;
 
@@ -42,12 +42,16 @@ impl LiveLoads {
 
 /// Returns the label of a force or moment.
 pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
+    let has_others = snapshot.bodies.len() > 1;
+    if let Some(label) = given_label(load, snapshot, has_others) {
+        return label;
+    }
     let letter = match load.value {
         Value::Force(_) => "F",
         Value::Moment(_) => "M",
     };
     match (load.cause, &load.body) {
-        (LoadOrigin::Gravity, Some(body)) => symbol("G", body, snapshot.bodies.len() > 1),
+        (LoadOrigin::Gravity, Some(body)) => symbol("G", body, has_others),
         // Declared loads have no individual names.
         (LoadOrigin::Applied, _) if ["force", "torque"].contains(&&*load.name) => letter.into(),
         (LoadOrigin::Connector, _) => symbol(letter, &load.name, true),
@@ -57,6 +61,19 @@ pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
             contact_label(&load.name, contacts.map(|load| &*load.name))
         }
         _ => formula(&load.name),
+    }
+}
+
+/// Returns the label that replaces the usual one. Weights share a name, and may share a letter.
+pub(super) fn given_label<D: Stored>(
+    load: &Load<D>,
+    snapshot: &Snapshot<D>,
+    has_others: bool,
+) -> Option<String> {
+    let letter = snapshot.letter(&load.name)?;
+    match (load.cause, &load.body) {
+        (LoadOrigin::Gravity, Some(body)) if !letter.contains('_') => Some(symbol(letter, body, has_others)),
+        _ => Some(letter.to_owned()),
     }
 }
 

@@ -26,6 +26,8 @@ pub(super) struct Remainder {
 
 /// Label of the remainder.
 pub(super) const REMAINDER: &str = "R";
+/// Name of the resultant moment.
+pub(super) const MOMENT: &str = "M_R";
 /// Error of positions in units of rounding.
 const POSITION_ROUNDINGS: f64 = 64.0;
 

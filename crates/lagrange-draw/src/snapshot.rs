@@ -56,6 +56,8 @@ pub(super) struct Snapshot<D: Stored = Plane> {
     pub(super) omitted: Vec<String>,
     /// Resultant of unnamed loads on a free body.
     pub(super) remainder: Option<Remainder>,
+    /// Labels of loads, by names, in place of the usual ones.
+    pub(super) letters: Vec<(String, String)>,
 }
 
 /// A surface that bodies touch.
@@ -179,6 +181,11 @@ impl<D: Stored> Snapshot<D> {
         self.connectors.iter().find(|connector| connector.name == name).map(|connector| connector.ends)
     }
 
+    /// Returns the label that replaces the usual one of a load.
+    pub(super) fn letter(&self, name: &str) -> Option<&str> {
+        self.letters.iter().rev().find(|(known, _)| known == name).map(|(_, letter)| &**letter)
+    }
+
     /// Returns the names of all items, including omitted ones.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         self.drawn_names().chain(self.omitted.iter().map(|name| &**name))
@@ -259,6 +266,7 @@ impl<D: Stored> Default for Snapshot<D> {
             loads: Vec::new(),
             omitted: Vec::new(),
             remainder: None,
+            letters: Vec::new(),
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::look::Wanted;
 use crate::parallel::Lanes;
 use crate::picture::{Colour, Point};
 use crate::plane::Body;
-use crate::remainder::{REMAINDER, Remainder};
+use crate::remainder::{MOMENT, REMAINDER, Remainder};
 use crate::snapshot::{Cone, Form, Snapshot, Span, Support};
 use crate::stretch::{self, Stretches};
 use lagrange_plot::notation::{formula, symbol};
@@ -55,7 +55,7 @@ pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, faste
             let before = &snapshot.loads[..index];
             load(item, before, snapshot, wanted.is_free)
         }));
-        elements.extend(snapshot.remainder.iter().flat_map(|rest| remainder(rest, &snapshot.loads)));
+        elements.extend(snapshot.remainder.iter().flat_map(|rest| remainder(rest, snapshot)));
     }
     elements
 }
@@ -187,12 +187,16 @@ fn moments(loads: &[Load], body: Option<&str>) -> usize {
 }
 
 /// Returns the elements for the resultant of unnamed loads on a free body.
-fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
+fn remainder(rest: &Remainder, snapshot: &Snapshot) -> Vec<Element> {
     let Remainder { at, force, moment } = *rest;
     let arrow = Shape::Arrow { from: at, vector: force, measure: Measure::Force, is_push: false };
-    let turn = Shape::Turn { at, moment, ring: loads.iter().filter(|load| load.is_moment()).count() };
-    let of = |label: &str, shape| element(REMAINDER, label.to_owned(), REST, Layer::Arrow, shape);
-    vec![of(REMAINDER, arrow), of("M_R", turn)]
+    let turn =
+        Shape::Turn { at, moment, ring: snapshot.loads.iter().filter(|load| load.is_moment()).count() };
+    let of = |name: &str, shape| {
+        let label = snapshot.letter(name).unwrap_or(name).to_owned();
+        element(REMAINDER, label, REST, Layer::Arrow, shape)
+    };
+    vec![of(REMAINDER, arrow), of(MOMENT, turn)]
 }
 
 /// True if a contact or joint force points into the body. On a free body it is then drawn from

@@ -40,6 +40,7 @@
 //! whatever scalar type is declared.
 //!
 //! Users of the macro do not compile this crate.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 mod analysis;

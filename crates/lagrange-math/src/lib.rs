@@ -17,6 +17,7 @@
 //!   floating-point arithmetic", ACM TOMS 15, 1989, and Muller, chapters 2 and 11.
 //!
 //! `tools/sin_cos.py` and `tools/elementary.py` compute every constant.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 #![forbid(unsafe_code)]
 

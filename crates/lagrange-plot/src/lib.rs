@@ -2,6 +2,7 @@
 //!
 //! This crate is independent of mechanics: plots consist of names and points. Without the feature
 //! `figures`, it only contains axes, pixels and letters, which pictures of mechanisms also use.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "figures")]

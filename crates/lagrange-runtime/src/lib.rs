@@ -24,6 +24,7 @@
 //! | `identification` (feature `fit`) | inertial parameters from forces |
 //! | `ensemble` (feature) | many motions |
 //! | `trade` (feature) | the cost of accuracy, by method |
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 #![deny(unsafe_code)]
 

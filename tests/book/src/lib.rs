@@ -15,6 +15,7 @@ pages! {
     FromDrake = "coming_from/drake.md";
     FromHeyoka = "coming_from/heyoka.md";
     FromSimscape = "coming_from/simscape.md";
+    FromSideBySide = "coming_from/side_by_side.md";
     FromSymPy = "coming_from/sympy.md";
     Choosing = "choosing.md";
     Cluster = "cluster.md";

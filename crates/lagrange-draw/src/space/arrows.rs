@@ -9,7 +9,7 @@ use super::vector::{NONE, Rotation, UPRIGHT, Vector};
 use crate::colour::{FORCE, PALE, PAPER, mixed};
 use crate::geometry::{length, times};
 use crate::load::Value;
-use crate::load_label::contact_label;
+use crate::load_label::{contact_label, given_label};
 use crate::picture::Colour;
 use crate::snapshot::{Cone, Snapshot};
 use lagrange_plot::notation::formula;
@@ -81,7 +81,7 @@ impl Arrows<'_> {
                     let (Value::Force(value) | Value::Moment(value)) = load.value;
                     [load.at, value]
                 };
-                let text = match (load.cause, &load.body) {
+                let usual = || match (load.cause, &load.body) {
                     (LoadOrigin::Gravity, Some(body)) => symbol("G", body, true),
                     (LoadOrigin::Applied, _) if ["force", "torque"].contains(&&*load.name) => {
                         if is_moment { "M" } else { "F" }.to_owned()
@@ -89,6 +89,7 @@ impl Arrows<'_> {
                     (LoadOrigin::Contact, _) => contact_label(&load.name, contacts.clone()),
                     _ => formula(&load.name),
                 };
+                let text = given_label(load, first, true).unwrap_or_else(usual);
                 (&*load.name, text, self.film.iter().map(vector).collect())
             });
             let thin = self.size.thin();

@@ -107,6 +107,16 @@ fn texts(picture: &Picture) -> Vec<String> {
 }
 
 #[test]
+fn weights_have_the_letter_of_the_user() {
+    let drawing = Drawing::of(&Crane).forces();
+    let shown = |drawing: &Drawing<'_, Crane>| texts(&drawing.picture(0.0, &[0.3, 1.0]).expect("draws"));
+    assert!(shown(&drawing).iter().any(|text| text == "G"));
+    let texts = shown(&drawing.clone().letter("weight", "W"));
+    assert!(texts.iter().any(|text| text == "W") && texts.iter().all(|text| text != "G"), "{texts:?}");
+    assert!(matches!(drawing.letter("wight", "W").picture(0.0, &[0.3, 1.0]), Err(DrawError::UnknownItem(_))));
+}
+
+#[test]
 fn requested_items_are_drawn_and_named() {
     let drawing = Drawing::of(&Crane).title("A crane").forces().velocities().axes().floor(-0.5);
     let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);

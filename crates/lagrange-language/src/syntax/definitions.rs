@@ -141,7 +141,7 @@ impl Parser<'_> {
     /// Reads `x = 1, dot(theta) = 2` after this keyword.
     pub(super) fn starts(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Assignment> {
         let help = form(keyword);
-        self.items(help, cursor, |parser, cursor| {
+        self.settings(help, cursor, |parser, cursor| {
             let name = cursor.ident().map(ToString::to_string).unwrap_or_default();
             if parser.declared(&name) == Some(Declared::Coordinate) && at_call_with_value(cursor) {
                 let origin = cursor.reaching(2);

@@ -11,12 +11,33 @@ use lagrange_expr::diagnostics::nearest;
 
 impl Parser<'_> {
     /// Reads items separated by commas, with an optional trailing comma, up to the end of the
-    /// statement. Unreadable items are omitted.
+    /// statement. Unreadable items are omitted, and their words count as declared.
     pub(super) fn items<T>(
         &mut self,
         help: &'static str,
         cursor: &mut Cursor,
+        read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Vec<T> {
+        self.list(help, cursor, read, Self::leave_out)
+    }
+
+    /// Reads items as [`Parser::items`] does, of a statement that declares nothing: words of
+    /// unreadable items remain unknown.
+    pub(super) fn settings<T>(
+        &mut self,
+        help: &'static str,
+        cursor: &mut Cursor,
+        read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Vec<T> {
+        self.list(help, cursor, read, |_, _, _| {})
+    }
+
+    fn list<T>(
+        &mut self,
+        help: &'static str,
+        cursor: &mut Cursor,
         mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
+        omit: fn(&mut Self, &Cursor, usize),
     ) -> Vec<T> {
         let mut items = Vec::new();
         let _ = self.turns(cursor, |parser, cursor| {
@@ -26,7 +47,7 @@ impl Parser<'_> {
                 Ok(item) => items.push(item),
                 Err(Reported) => {
                     parser.skip_item(cursor);
-                    parser.leave_out(cursor, start);
+                    omit(parser, cursor, start);
                 }
             }
             if !parser.skipped && !at_item_end(cursor) {

@@ -31,7 +31,7 @@ impl Parser<'_> {
     /// Reads `x in 0..=1 nominal 0.1, dot(x) nominal 10`.
     pub(super) fn ranges(&mut self, cursor: &mut Cursor) -> Vec<LimitedEntry> {
         let help = form("range");
-        self.items(help, cursor, |parser, cursor| {
+        self.settings(help, cursor, |parser, cursor| {
             let (target, start) = (parser.before_range(cursor)?, cursor.position());
             let (range, nominal) = parser.range_and_nominal("x", "coord", cursor)?;
             if cursor.position() == start {

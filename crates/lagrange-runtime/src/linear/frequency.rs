@@ -15,7 +15,7 @@ const START: f64 = 1e-6;
 /// The response G(iω) of an output to oscillations of an input.
 #[derive(Clone, PartialEq, Debug)]
 pub struct FrequencyResponse {
-    transfer: Transfer,
+    pub(super) transfer: Transfer,
     /// Frequencies ω in radians per unit of time.
     pub frequencies: Vec<f64>,
     /// Real and imaginary part of G(iω) for each.

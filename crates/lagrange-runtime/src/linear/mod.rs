@@ -61,6 +61,7 @@ mod regulator;
 mod response;
 mod riccati;
 mod sampled;
+mod tables;
 mod tangent;
 mod transfer;
 mod weakest;

@@ -1,5 +1,6 @@
 //! The linear model of a system at a state.
 
+use std::fmt::{Display, Formatter, Result as Written};
 use std::string::String;
 use std::vec::Vec;
 
@@ -9,11 +10,13 @@ use super::modes::Modes;
 use super::names::{Components, Names};
 use super::regulator::{DesignError, Observer, Plant, Regulator, Time, observer, regulator};
 use super::sampled::{SampledModel, held};
+use super::tables::write_model;
 use super::tangent::{Blocks, TangentSpace, first_undefined};
 use super::transfer::{NoSuchChannel, Transfer};
 use super::weakest::{Channel, WeakestDirection, weakest};
 use crate::linalg::dense::DenseMatrix;
-use crate::system::{LinearisedSystem, MatrixLayout};
+use crate::simulate::unit;
+use crate::system::{Description, LinearisedSystem, MatrixLayout};
 
 /// The linear model ẋ = A x + B u, y = C x + D u of a system near a state, with names on rows and
 /// columns.
@@ -32,6 +35,17 @@ pub struct LinearModel {
     inputs: &'static [&'static str],
     outputs: &'static [&'static str],
     components: Components,
+    /// Units of inputs and outputs.
+    description: &'static Description,
+}
+
+/// Writes the matrices as tables with names, without empty ones. A precision is that of significant
+/// digits.
+impl Display for LinearModel {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        let matrices = [&self.a, &self.b, &self.c, &self.d];
+        write_model(f, matrices, &self.states, (self.inputs, self.outputs))
+    }
 }
 
 impl LinearModel {
@@ -62,7 +76,7 @@ impl LinearModel {
 
     fn on(blocks: &Blocks, space: &TangentSpace, names: &Names) -> LinearModel {
         let MatrixLayout { inputs, outputs, .. } = names.beyond;
-        let names = names.tangent();
+        let (description, names) = (names.state, names.tangent());
         let all = (0..blocks.tangent).collect::<Vec<_>>();
         let of_outputs = (blocks.tangent..blocks.tangent + blocks.outputs).collect::<Vec<_>>();
         let on_basis = |rows: &[usize]| blocks.matrix.part(rows, &all).times(&space.basis);
@@ -76,6 +90,7 @@ impl LinearModel {
             inputs,
             outputs,
             components: Components { names, displacements: blocks.freedoms, basis: space.basis.clone() },
+            description,
         }
     }
 
@@ -148,7 +163,7 @@ impl LinearModel {
     /// # Errors
     /// If weights are not symmetric and positive, or if no feedback stabilises the system.
     pub fn lqr(&self, q: &DenseMatrix, r: &DenseMatrix) -> Result<Regulator, DesignError> {
-        regulator(self.plant(), &self.b, q, r)
+        regulator(self.plant(), (&self.b, self.inputs), q, r)
     }
 
     /// Computes the stationary Kalman–Bucy filter `ẋ = A x + B u + L (y − C x − D u)`. White noise
@@ -158,7 +173,7 @@ impl LinearModel {
     /// If intensities are not symmetric and positive, or if a growing mode is not observable in the
     /// outputs.
     pub fn observer(&self, w: &DenseMatrix, v: &DenseMatrix) -> Result<Observer, DesignError> {
-        observer(self.plant(), &self.c, w, v)
+        observer(self.plant(), (&self.c, self.outputs), w, v)
     }
 
     /// Returns the transfer function from an input to an output, by their names.
@@ -167,7 +182,8 @@ impl LinearModel {
     /// If there is no such input or output.
     pub fn transfer(&self, input: &str, output: &str) -> Result<Transfer, NoSuchChannel> {
         let matrices = [&self.a, &self.b, &self.c, &self.d];
-        Transfer::new(matrices, (self.inputs, input), (self.outputs, output))
+        let units = [input, output].map(|name| unit(self.description, name));
+        Transfer::new(matrices, (self.inputs, input), (self.outputs, output), units)
     }
 
     /// Returns the model with the feedback u = r − K x and the inputs r. `None` unless K has a row
@@ -194,7 +210,10 @@ impl LinearModel {
         let a = DenseMatrix::from_fn(n, n, |i, j| a[(i, j)] + self.b[(i, cut)] * k[j]);
         let (row, none) =
             (DenseMatrix::from_fn(1, n, |_, j| k[j]), DenseMatrix::from_fn(1, self.inputs.len(), |_, _| 0.0));
-        Transfer::new([&a, &self.b, &row, &none], (self.inputs, input), (&["feedback"], "feedback")).ok()
+        let (matrices, output) = ([&a, &self.b, &row, &none], &["feedback"]);
+        // The feedback replaces the input, in its unit.
+        let units = [unit(self.description, input); 2];
+        Transfer::new(matrices, (self.inputs, input), (output, output[0]), units).ok()
     }
 
     /// Returns the discrete-time model for inputs held over a period. `None` if the period is NaN,
@@ -203,7 +222,7 @@ impl LinearModel {
     pub fn sampled(&self, period: f64) -> Option<SampledModel> {
         let (a, b) = held(&self.a, &self.b, period)?;
         let (c, d, states) = (self.c.clone(), self.d.clone(), self.states.clone());
-        Some(SampledModel { period, a, b, c, d, states })
+        Some(SampledModel { period, a, b, c, d, states, inputs: self.inputs, outputs: self.outputs })
     }
 
     /// Returns the combination of states that the inputs control least; `None` without states.

@@ -8,8 +8,10 @@
 
 use std::fmt::{Debug, Display, Formatter, Result as Written};
 use std::string::String;
+use std::vec::Vec;
 
 use super::riccati;
+use super::tables::NamedMatrix;
 use super::weakest::{Channel, WeakestDirection, weakest};
 use crate::linalg::dense::{DenseMatrix, TriangularFactors};
 use crate::linalg::eigenvalues::eigenvalues;
@@ -23,6 +25,17 @@ pub struct Regulator {
     pub cost: DenseMatrix,
     /// A − B K
     pub closed_loop: DenseMatrix,
+    /// Names of the states: the columns of K.
+    pub states: Vec<String>,
+    /// Names of the inputs: the rows of K.
+    pub inputs: &'static [&'static str],
+}
+
+/// Writes the gain K as a table with names. A precision is that of significant digits: `{:.3}`.
+impl Display for Regulator {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        NamedMatrix::new("K", &self.gain, self.inputs, &self.states).fmt(f)
+    }
 }
 
 /// The observer with the minimum variance of the estimated states: the stationary Kalman filter.
@@ -35,6 +48,17 @@ pub struct Observer {
     pub covariance: DenseMatrix,
     /// A − L C
     pub error_dynamics: DenseMatrix,
+    /// Names of the states: the rows of L.
+    pub states: Vec<String>,
+    /// Names of the outputs: the columns of L.
+    pub outputs: &'static [&'static str],
+}
+
+/// Writes the gain L as a table with names. A precision is that of significant digits: `{:.3}`.
+impl Display for Observer {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        NamedMatrix::new("L", &self.gain, &self.states, self.outputs).fmt(f)
+    }
 }
 
 /// Design matrices of regulators and observers.
@@ -162,25 +186,34 @@ impl Time {
 /// Computes the regulator with the weights Q and R.
 pub(super) fn regulator(
     plant: Plant<'_>,
-    b: &DenseMatrix,
+    (b, inputs): (&DenseMatrix, &'static [&'static str]),
     q: &DenseMatrix,
     r: &DenseMatrix,
 ) -> Result<Regulator, DesignError> {
-    design(plant, b, (q, DesignMatrix::States), (r, DesignMatrix::Inputs))
+    let Design { gain, cost, closed_loop } =
+        design(plant, b, (q, DesignMatrix::States), (r, DesignMatrix::Inputs))?;
+    Ok(Regulator { gain, cost, closed_loop, states: plant.states.to_vec(), inputs })
 }
 
 /// Computes the observer of the outputs C x for disturbances and noise of the intensities W and V.
 pub(super) fn observer(
     plant: Plant<'_>,
-    c: &DenseMatrix,
+    (c, outputs): (&DenseMatrix, &'static [&'static str]),
     w: &DenseMatrix,
     v: &DenseMatrix,
 ) -> Result<Observer, DesignError> {
     let dual = Plant { a: &plant.a.transposed(), ..plant };
-    let Regulator { gain, cost, closed_loop } =
+    let Design { gain, cost, closed_loop } =
         design(dual, &c.transposed(), (w, DesignMatrix::Disturbances), (v, DesignMatrix::Noise))?;
     let (gain, error_dynamics) = (gain.transposed(), closed_loop.transposed());
-    Ok(Observer { gain, covariance: cost, error_dynamics })
+    Ok(Observer { gain, covariance: cost, error_dynamics, states: plant.states.to_vec(), outputs })
+}
+
+/// The matrices of a regulator, or of the dual of an observer.
+struct Design {
+    gain: DenseMatrix,
+    cost: DenseMatrix,
+    closed_loop: DenseMatrix,
 }
 
 fn design(
@@ -188,7 +221,7 @@ fn design(
     b: &DenseMatrix,
     (q, of_states): (&DenseMatrix, DesignMatrix),
     (r, of_channels): (&DenseMatrix, DesignMatrix),
-) -> Result<Regulator, DesignError> {
+) -> Result<Design, DesignError> {
     let Plant { time, a, .. } = plant;
     check(q, a.rows(), of_states)?;
     check(r, b.columns(), of_channels)?;
@@ -208,7 +241,7 @@ fn design(
     let closed_loop = a.plus(-1.0, &b.times(&gain));
     let poles = eigenvalues(&closed_loop).ok_or_else(error)?;
     match poles.into_iter().all(|pole| time.decays(pole)) {
-        true => Ok(Regulator { gain, cost, closed_loop }),
+        true => Ok(Design { gain, cost, closed_loop }),
         false => Err(error()),
     }
 }
@@ -251,7 +284,8 @@ mod tests {
         (a, b): (&DenseMatrix, &DenseMatrix),
         (q, r): (&DenseMatrix, &DenseMatrix),
     ) -> Result<Regulator, DesignError> {
-        super::regulator(Plant { time: Time::Continuous, a, states: &names(a.rows()) }, b, q, r)
+        let plant = Plant { time: Time::Continuous, a, states: &names(a.rows()) };
+        super::regulator(plant, (b, &["u"]), q, r)
     }
 
     #[test]

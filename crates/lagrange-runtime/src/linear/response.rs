@@ -7,6 +7,8 @@ use std::vec::Vec;
 pub struct TimeResponse {
     /// Names of the input and of the output.
     pub names: (&'static str, &'static str),
+    /// Unit of the output, if it is declared.
+    pub unit: Option<&'static str>,
     /// Times from zero on.
     pub times: Vec<f64>,
     /// Values of the output.

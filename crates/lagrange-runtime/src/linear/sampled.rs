@@ -6,10 +6,12 @@
 //! Trans. Autom. Control 23 (1978) 395–404; Higham, *The scaling and squaring method for the matrix
 //! exponential revisited*, SIAM J. Matrix Anal. Appl. 26 (2005) 1179–1193.
 
+use std::fmt::{Display, Formatter, Result as Written};
 use std::string::String;
 use std::vec::Vec;
 
 use super::regulator::{DesignError, Observer, Plant, Regulator, Time, observer, regulator};
+use super::tables::write_model;
 use crate::linalg::dense::{DenseMatrix, TriangularFactors};
 
 /// The largest norm for which the approximant is exact up to rounding.
@@ -47,6 +49,19 @@ pub struct SampledModel {
     pub d: DenseMatrix,
     /// The names of the states.
     pub states: Vec<String>,
+    /// The names of the inputs.
+    pub inputs: &'static [&'static str],
+    /// The names of the outputs.
+    pub outputs: &'static [&'static str],
+}
+
+/// Writes the matrices as tables with names, without empty ones. A precision is that of significant
+/// digits.
+impl Display for SampledModel {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        let matrices = [&self.a, &self.b, &self.c, &self.d];
+        write_model(f, matrices, &self.states, (self.inputs, self.outputs))
+    }
 }
 
 impl SampledModel {
@@ -55,7 +70,7 @@ impl SampledModel {
     /// # Errors
     /// If weights are not symmetric and positive, or if no feedback stabilises the system.
     pub fn lqr(&self, q: &DenseMatrix, r: &DenseMatrix) -> Result<Regulator, DesignError> {
-        regulator(self.plant(), &self.b, q, r)
+        regulator(self.plant(), (&self.b, self.inputs), q, r)
     }
 
     /// Computes the stationary Kalman filter `x⁺ = A x + B u + L (y − C x − D u)`. Each period adds
@@ -65,7 +80,7 @@ impl SampledModel {
     /// If covariances are not symmetric and positive, or if a growing mode is not observable in the
     /// outputs.
     pub fn observer(&self, w: &DenseMatrix, v: &DenseMatrix) -> Result<Observer, DesignError> {
-        observer(self.plant(), &self.c, w, v)
+        observer(self.plant(), (&self.c, self.outputs), w, v)
     }
 
     fn plant(&self) -> Plant<'_> {

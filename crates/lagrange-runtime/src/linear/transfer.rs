@@ -27,6 +27,8 @@ pub struct Transfer {
     pub input: &'static str,
     /// The name of the output.
     pub output: &'static str,
+    /// Units of the input and the output, as far as they are declared.
+    pub(super) units: [Option<&'static str>; 2],
 }
 
 /// A name that is not an input or not an output of a linear model.
@@ -53,6 +55,7 @@ impl Transfer {
         [a, b, c, d]: [&DenseMatrix; 4],
         (inputs, input): (&[&'static str], &str),
         (outputs, output): (&[&'static str], &str),
+        units: [Option<&'static str>; 2],
     ) -> Result<Transfer, NoSuchChannel> {
         let (from, to) = (place(inputs, input)?, place(outputs, output)?);
         Ok(Transfer {
@@ -62,6 +65,7 @@ impl Transfer {
             d: d[(to, from)],
             input: inputs[from],
             output: outputs[to],
+            units,
         })
     }
 
@@ -149,8 +153,9 @@ impl Transfer {
         }
         let times = (0..POINTS).map(|index| index as f64 * period).collect();
         let limit = self.limit().map(|gain| gain * input);
-        let names = (self.input, self.output);
-        values.iter().all(|value| value.is_finite()).then_some(TimeResponse { names, times, values, limit })
+        let (names, [_, unit]) = ((self.input, self.output), self.units);
+        let is_finite = values.iter().all(|value| value.is_finite());
+        is_finite.then_some(TimeResponse { names, unit, times, values, limit })
     }
 
     /// Returns the output for an input of one after all motion has decayed; `None` if it does not

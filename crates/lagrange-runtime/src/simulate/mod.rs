@@ -105,7 +105,7 @@ pub(crate) use self::parquet::units;
 pub(crate) use self::plan::RunSettings;
 #[cfg(any(feature = "ensemble", feature = "fit"))]
 pub(crate) use self::plan::{Plan, RunPlan};
-#[cfg(all(any(feature = "ensemble", feature = "fit"), feature = "plot"))]
+#[cfg(all(any(feature = "ensemble", feature = "fit", feature = "linear"), feature = "plot"))]
 pub(crate) use self::plots::time_axis;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::ports::held;
@@ -126,9 +126,11 @@ pub use self::start::InitialState;
 pub(crate) use self::table::TIME;
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
-#[cfg(all(any(feature = "ensemble", feature = "fit"), feature = "plot"))]
+#[cfg(all(any(feature = "ensemble", feature = "fit", feature = "linear"), feature = "plot"))]
 pub(crate) use self::units::label_with_unit;
-#[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
+#[cfg(all(feature = "linear", feature = "plot"))]
+pub(crate) use self::units::quotient;
+#[cfg(any(feature = "fit", feature = "linear", all(feature = "ensemble", feature = "plot")))]
 pub(crate) use self::units::unit;
 #[cfg(all(feature = "ensemble", not(all(feature = "plot", feature = "parquet"))))]
 pub(crate) use self::without_features::without_feature;

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 use std::format;
+#[cfg(all(feature = "linear", feature = "plot"))]
+use std::string::{String, ToString};
 
 use crate::simulate::builder::ENERGY;
 use crate::simulate::table::TIME;
@@ -43,4 +45,19 @@ pub(crate) fn label_with_unit(label: Label, unit: Option<&str>) -> Label {
     let Some(unit) = unit.filter(|unit| *unit != PLAIN) else { return label };
     let before = if label.is_empty() { "in " } else { " in " };
     label.then(&format!("{before}{}", notation::unit(unit)))
+}
+
+/// Returns the unit of an output divided by that of an input; `None` if they are equal or unknown.
+#[cfg(all(feature = "linear", feature = "plot"))]
+pub(crate) fn quotient([input, output]: [Option<&str>; 2]) -> Option<String> {
+    let (input, output) = (input?, output?);
+    let factor = |unit: &str| match unit.contains(['*', '/']) {
+        true => format!("({unit})"),
+        false => unit.to_string(),
+    };
+    match (output, input) {
+        (output, input) if output == input => None,
+        (output, PLAIN) => Some(output.to_string()),
+        (output, input) => Some(format!("{}/{}", factor(output), factor(input))),
+    }
 }

@@ -161,13 +161,16 @@ fn missing_pieces_of_statements_are_reported() {
 
 #[test]
 fn an_index_before_the_end_of_a_name_is_reported() {
-    let (_, report) = read_wrong("let a = case[0]_z;\nlet b = c _z;\nstart case[0]_z = 1;");
+    let text = "let a = case[0]_z;\nlet b = c _z;\nstart case[0]_z = 1;\nstart case[0]_w = case[1]_z;";
+    let (_, report) = read_wrong(text);
     let expected = "\
 error at 1:16: expected an operator or `;`, found `_z`
   help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
 error at 2:11: expected an operator or `;`, found `_z`
   help: write `*` between the factors of a product
 error at 3:14: expected `=`, found `_z`
+  help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
+error at 4:14: expected `=`, found `_w`
   help: indices are at the end of names: `case_z[i]` for `z` of `case[i]`
 ";
     assert_eq!(report, expected);
