@@ -161,8 +161,8 @@ fn displaced_rates(model: &mut Model) -> Rates {
     rates
 }
 
-/// Adds the contribution of a changing weight to the linear part of ½ w u²: ẇ u along u, and −½ u²
-/// along the rate of w due to displacements.
+/// Adds the contribution of a changing weight to the linear part of ½ w u². It is ẇ u along u, and
+/// −½ u² along the rate of w due to displacements.
 fn add_convection(
     graph: &mut Graph,
     form: &mut QuadraticForm,

@@ -21,7 +21,7 @@ messages! {
     in_momentum(name) =
         "a velocity is multiplied by the state `{name}`, and a momentum would have the noise in its rate";
     IN_MOMENTUM_HELP =
-        "an inertia that changes needs a rate with values: let noise drive a second state, and the rate of this one be a function of that";
+        "let noise drive a second state, and make the rate of this one a function of it";
     beside_noise(name) = "noise cannot act beside `{name}`";
     DECLARED_HERE = "the noise is declared here";
     CONSTRAINED_HELP =

@@ -25,6 +25,7 @@ pub(super) trait WideTask {
 /// them.
 #[inline]
 pub(super) fn compute<T: WideTask>(task: T, allowed: bool) -> T::Output {
+    let _ = allowed;
     #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
     if allowed && std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
         // SAFETY: the processor has AVX2 and FMA.
