@@ -35,7 +35,7 @@ function reaches(model, functions, placed) {
   }
   return (start, fields, target) => {
     let y = held(start, fields) ?? start;
-    for (let k = 0; k < 60 && Math.hypot(...misses(y, target)) > 1e-9; k++) {
+    for (let k = 0; k < 200 && Math.hypot(...misses(y, target)) > 1e-9; k++) {
       const next = step(y, fields, target);
       if (!next) break;
       y = next;
