@@ -110,9 +110,10 @@ fn texts(picture: &Picture) -> Vec<String> {
 fn weights_have_the_letter_of_the_user() {
     let drawing = Drawing::of(&Crane).forces();
     let shown = |drawing: &Drawing<'_, Crane>| texts(&drawing.picture(0.0, &[0.3, 1.0]).expect("draws"));
-    assert!(shown(&drawing).iter().any(|text| text == "G"));
+    assert!(shown(&drawing).iter().any(|text| text == "G_{box}"), "{:?}", shown(&drawing));
     let texts = shown(&drawing.clone().letter("weight", "W"));
-    assert!(texts.iter().any(|text| text == "W") && texts.iter().all(|text| text != "G"), "{texts:?}");
+    let is = |wanted: &'static str| move |text: &String| text == wanted;
+    assert!(texts.iter().any(is("W_{box}")) && !texts.iter().any(is("G_{box}")), "{texts:?}");
     assert!(matches!(drawing.letter("wight", "W").picture(0.0, &[0.3, 1.0]), Err(DrawError::UnknownItem(_))));
 }
 

@@ -15,8 +15,8 @@ use super::tangent::{Blocks, TangentSpace, first_undefined};
 use super::transfer::{NoSuchChannel, Transfer};
 use super::weakest::{Channel, WeakestDirection, weakest};
 use crate::linalg::dense::DenseMatrix;
-use crate::simulate::unit;
-use crate::system::{Description, LinearisedSystem, MatrixLayout};
+use crate::simulate::unit_among;
+use crate::system::{LinearisedSystem, MatrixLayout};
 
 /// The linear model ẋ = A x + B u, y = C x + D u of a system near a state, with names on rows and
 /// columns.
@@ -35,8 +35,8 @@ pub struct LinearModel {
     inputs: &'static [&'static str],
     outputs: &'static [&'static str],
     components: Components,
-    /// Units of inputs and outputs.
-    description: &'static Description,
+    /// Units by names.
+    units: &'static [(&'static str, &'static str)],
 }
 
 /// Writes the matrices as tables with names, without empty ones. A precision is that of significant
@@ -76,7 +76,7 @@ impl LinearModel {
 
     fn on(blocks: &Blocks, space: &TangentSpace, names: &Names) -> LinearModel {
         let MatrixLayout { inputs, outputs, .. } = names.beyond;
-        let (description, names) = (names.state, names.tangent());
+        let (units, names) = (names.state.units, names.tangent());
         let all = (0..blocks.tangent).collect::<Vec<_>>();
         let of_outputs = (blocks.tangent..blocks.tangent + blocks.outputs).collect::<Vec<_>>();
         let on_basis = |rows: &[usize]| blocks.matrix.part(rows, &all).times(&space.basis);
@@ -90,7 +90,7 @@ impl LinearModel {
             inputs,
             outputs,
             components: Components { names, displacements: blocks.freedoms, basis: space.basis.clone() },
-            description,
+            units,
         }
     }
 
@@ -182,7 +182,7 @@ impl LinearModel {
     /// If there is no such input or output.
     pub fn transfer(&self, input: &str, output: &str) -> Result<Transfer, NoSuchChannel> {
         let matrices = [&self.a, &self.b, &self.c, &self.d];
-        let units = [input, output].map(|name| unit(self.description, name));
+        let units = [input, output].map(|name| unit_among(self.units, name));
         Transfer::new(matrices, (self.inputs, input), (self.outputs, output), units)
     }
 
@@ -212,7 +212,7 @@ impl LinearModel {
             (DenseMatrix::from_fn(1, n, |_, j| k[j]), DenseMatrix::from_fn(1, self.inputs.len(), |_, _| 0.0));
         let (matrices, output) = ([&a, &self.b, &row, &none], &["feedback"]);
         // The feedback replaces the input, in its unit.
-        let units = [unit(self.description, input); 2];
+        let units = [unit_among(self.units, input); 2];
         Transfer::new(matrices, (self.inputs, input), (output, output[0]), units).ok()
     }
 

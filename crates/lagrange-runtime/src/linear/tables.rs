@@ -82,7 +82,8 @@ pub(super) fn write_model(
 
 /// Writes a number with this many significant digits, without zeros at its end.
 fn significant(number: f64, digits: usize) -> String {
-    let scientific = format!("{number:.*e}", digits.saturating_sub(1));
+    let digits = digits.max(1);
+    let scientific = format!("{number:.*e}", digits - 1);
     let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
     let is_short = |exponent: &i32| (-5..digits as i32).contains(exponent);
     match exponent.parse::<i32>().ok().filter(is_short) {

@@ -130,8 +130,10 @@ pub use self::trajectory::{Ending, NotKept, Trajectory};
 pub(crate) use self::units::label_with_unit;
 #[cfg(all(feature = "linear", feature = "plot"))]
 pub(crate) use self::units::quotient;
-#[cfg(any(feature = "fit", feature = "linear", all(feature = "ensemble", feature = "plot")))]
+#[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
 pub(crate) use self::units::unit;
+#[cfg(feature = "linear")]
+pub(crate) use self::units::unit_among;
 #[cfg(all(feature = "ensemble", not(all(feature = "plot", feature = "parquet"))))]
 pub(crate) use self::without_features::without_feature;
 #[cfg(feature = "plot")]

@@ -174,7 +174,9 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
             self.sample(current.system(), self.last);
         }
         let plant = current.system().plant();
-        let (description, domain) = (plant.description(), plant.domain());
+        let description = plant.description();
+        #[cfg(feature = "plot")]
+        let domain = plant.domain();
         let variables = current.system().variables();
         let Record { table, dense, given, events, first, last, work, freed, .. } = self;
         let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
@@ -196,6 +198,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
                 variables,
                 system,
                 description,
+                #[cfg(feature = "plot")]
                 domain,
             },
         )

@@ -12,7 +12,9 @@ use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::table::Table;
 use crate::simulate::units::unit;
-use crate::system::{Description, Domain, MechanicalSystem, normalised};
+#[cfg(feature = "plot")]
+use crate::system::Domain;
+use crate::system::{Description, MechanicalSystem, normalised};
 
 /// The result of a run: samples in named columns, and the work of the run.
 ///
@@ -40,6 +42,7 @@ pub struct Trajectory<M: MechanicalSystem> {
     /// Names and units of the system.
     pub(super) description: &'static Description,
     /// Declared ranges of the state.
+    #[cfg(feature = "plot")]
     pub(super) domain: &'static Domain,
 }
 

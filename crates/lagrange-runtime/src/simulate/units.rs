@@ -16,10 +16,15 @@ const PLAIN: &str = "1";
 
 /// Returns the unit of a column or a parameter of this name, if it is known; `1` for plain numbers.
 pub(crate) fn unit(system: &Description, name: &str) -> Option<&'static str> {
-    let declared = |name: &str| system.units.iter().find(|(known, _)| *known == name).map(|(_, unit)| *unit);
+    unit_among(system.units, name)
+}
+
+/// Returns a unit from the known ones by name, as [`unit`].
+pub(crate) fn unit_among(units: &[(&str, &'static str)], name: &str) -> Option<&'static str> {
+    let declared = |name: &str| units.iter().find(|(known, _)| *known == name).map(|(_, unit)| *unit);
     let of_array = || name.split_once('[').and_then(|(array, _)| declared(array));
     declared(name).or_else(of_array).or(match name {
-        _ if system.units.is_empty() => None,
+        _ if units.is_empty() => None,
         TIME => Some("s"),
         ENERGY => Some("J"),
         _ => None,
