@@ -89,7 +89,8 @@ const V: [f64; 7] = [0.5, -0.25, 0.75, 1.0, -1.25, 0.5, 2.0];
 /// Accelerations in the state.
 const A: [f64; 7] = [1.0, 2.0, -1.5, 0.5, 3.0, -2.5, 1.25];
 /// Torques at rest in the posture, torques of the motion, and position, angular velocity and
-/// velocity of the hand, by Pinocchio 4.1.
+/// velocity of the hand, by Pinocchio 4.1. The last are its accelerations, angular first, at
+/// constant velocities of the joints.
 const HOLDING: [f64; 7] = [
     0.0,
     -3.9878158574251565,
@@ -116,6 +117,14 @@ const TWIST: [f64; 6] = [
     -0.04914850780843477,
     0.5247842971324577,
     0.6947391845303984,
+];
+const BIAS: [f64; 6] = [
+    6.770238336707277,
+    -0.3614319070280238,
+    1.3697742228590783,
+    -1.9157299724072188,
+    0.49157479049677194,
+    0.5799869976392127,
 ];
 
 const END: f64 = 3.0;
@@ -166,6 +175,9 @@ fn check_torques(arm: &Panda) {
     compare("hand", 1e-14, &[0, 1, 2].map(|i| (names[i], place[i], PLACE[i])));
     let names = ["omega_x, rad/s", "omega_y", "omega_z", "v_x, m/s", "v_y", "v_z"];
     compare("its motion", 1e-14, &[0, 1, 2, 3, 4, 5].map(|i| (names[i], twist[i], TWIST[i])));
+    let bias = arm.hand_bias_acceleration(0.0, &Q, &V);
+    let names = ["alpha_x, rad/s^2", "alpha_y", "alpha_z", "a_x, m/s^2", "a_y", "a_z"];
+    compare("its bias acceleration", 1e-14, &[0, 1, 2, 3, 4, 5].map(|i| (names[i], bias[i], BIAS[i])));
 }
 
 /// Returns the target position of the hand: once around, from rest to rest with the least jerk.

@@ -4,8 +4,9 @@
     python3 tools/robots.py
 
 Models are those of `tools/spatial_models.py`. For the arm: torques that hold it, torques for accelerations in motion (`rnea`; Featherstone,
-*Rigid Body Dynamics Algorithms*, chapter 5), and position and velocity of its hand. For the quadruped in the air: accelerations (`aba`,
-chapter 7) under the moments in the joints, and energy. Numbers are printed in the form of Rust.
+*Rigid Body Dynamics Algorithms*, chapter 5), position and velocity of its hand, and its acceleration at constant velocities of the joints.
+For the quadruped in the air: accelerations (`aba`, chapter 7) under the moments in the joints, and energy. Numbers are printed in the form
+of Rust.
 """
 
 import numpy as np
@@ -49,6 +50,10 @@ def panda():
     show("hand", data.oMf[frame].translation)
     show("its velocity", velocity.linear)
     show("its angular velocity", velocity.angular)
+    pin.forwardKinematics(model, data, q, v, 0 * a)
+    bias = pin.getFrameClassicalAcceleration(model, data, frame, pin.ReferenceFrame.LOCAL_WORLD_ALIGNED)
+    show("its bias acceleration, angular", bias.angular)
+    show("its bias acceleration, linear", bias.linear)
 
 
 def quadruped():

@@ -21,6 +21,26 @@ lagrange::system! {
     emit { motion, frames, frame_jacobians }
 }
 
+lagrange::system! {
+    /// A diver whose arm turns about any axis in the shoulder.
+    #[derive(Clone, Debug)]
+    struct Diver;
+
+    gravity = (0, 0, -9.81);
+    body trunk { mass: 60; inertia: (12, 11, 1.5); }
+    body arm { mass: 4; inertia: (0.2, 0.2, 0.01); centroid: (0, 0, -0.3); }
+    frame hand;
+    free trunk;
+    ball shoulder = trunk to arm { at: (0.1, 0.2, 0.4); }
+    revolute wrist = arm to hand { at: (0, 0, -0.6); axis: (0, 1, 0); damping: 0.1; }
+    potential = 10 * wrist^2;
+    body palm { mass: 0.5; shape: solid_sphere(0.05); }
+    weld hand to palm { at: (0, 0, -0.1); }
+    output alpha = angular_acceleration(palm);
+    output a = acceleration(palm.origin);
+    emit { frame_jacobians }
+}
+
 const Q: [f64; 2] = [0.7, -0.4];
 const V: [f64; 2] = [1.3, 0.6];
 
@@ -74,6 +94,51 @@ fn jacobians_times_velocities_are_velocities() {
     }
     // Raising the rod does not move the column, exactly.
     assert!(arm.column_jacobian(0.0, &Q).iter().all(|row| row[1] == 0.0));
+}
+
+#[test]
+fn bias_accelerations_complete_jacobians() {
+    let arm = Arm::<f64>::default();
+    let twist = |q: &[f64; 2], v: &[f64; 2]| arm.tool_jacobian(0.0, q).map(|[a, b]| a * v[0] + b * v[1]);
+    let bias = arm.tool_bias_acceleration(0.0, &Q, &V);
+    let a = arm.acceleration(0.0, &Q, &V);
+    let completed = |jacobian: [[f64; 2]; 6], bias: [f64; 6]| -> [f64; 6] {
+        std::array::from_fn(|row| jacobian[row][0] * a[0] + jacobian[row][1] * a[1] + bias[row])
+    };
+    assert_near(completed(arm.tool_jacobian(0.0, &Q), bias), rate(twist), 1e-9);
+    let motion = arm.rod_motion(0.0, &Q, &V);
+    let rod = completed(arm.rod_jacobian(0.0, &Q), arm.rod_bias_acceleration(0.0, &Q, &V));
+    assert_near([rod[0], rod[1], rod[2]], motion.angular_acceleration, 1e-14);
+    assert_near([rod[3], rod[4], rod[5]], motion.acceleration_of([0.0; 3]), 1e-14);
+    // ω₁ × ω₂, then the Coriolis and centripetal accelerations of the tool.
+    let ((sin, cos), (lift_sin, lift_cos)) = (Q[0].sin_cos(), Q[1].sin_cos());
+    let along = 2.0 * V[0] * V[1] * lift_cos;
+    let inwards = (V[0] * V[0] + V[1] * V[1]) * lift_sin;
+    let expected = [-along * sin - inwards * cos, along * cos - inwards * sin, -V[1] * V[1] * lift_cos];
+    assert_near([bias[0], bias[1], bias[2]], [-V[0] * V[1] * cos, -V[0] * V[1] * sin, 0.0], 1e-15);
+    assert_near([bias[3], bias[4], bias[5]], expected.map(|part| 0.8 * part), 1e-15);
+    assert_eq!(arm.tool_bias_acceleration(0.0, &Q, &[0.0; 2]), [0.0; 6]);
+}
+
+/// The velocities of the trunk and of the shoulder are components along turning axes, and no rates.
+#[test]
+fn bias_accelerations_hold_for_orientations() {
+    let (diver, half) = (Diver::default(), 0.5_f64);
+    let q = [0.3, -0.2, 4.0, half, -half, half, half, 0.1, 0.7, -0.5, half, 0.4];
+    let v = [0.5, -0.25, 0.75, 1.0, -1.25, 0.5, 2.0, -0.75, 1.5, -0.5];
+    let bias = diver.palm_bias_acceleration(0.0, &q, &v);
+    let times = |q: &[f64; 12], by: &[f64; 10]| {
+        diver.palm_jacobian(0.0, q).map(|row| row.iter().zip(by).map(|(entry, by)| entry * by).sum::<f64>())
+    };
+    let whole = times(&q, &diver.acceleration(0.0, &q, &v));
+    let [x, y, z] = diver.a(0.0, &q, &v);
+    let [alpha_x, alpha_y, alpha_z] = diver.alpha(0.0, &q, &v);
+    let found: [f64; 6] = std::array::from_fn(|row| whole[row] + bias[row]);
+    assert_near(found, [alpha_x, alpha_y, alpha_z, x, y, z], 1e-12);
+    let rates = diver.position_rates(0.0, &q, &v);
+    let [behind, ahead] =
+        [-1e-5, 1e-5].map(|step: f64| times(&std::array::from_fn(|i| q[i] + step * rates[i]), &v));
+    assert_near(std::array::from_fn(|row| (ahead[row] - behind[row]) / 2e-5), bias, 1e-8);
 }
 
 #[test]

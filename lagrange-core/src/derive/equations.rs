@@ -8,7 +8,7 @@ use super::elimination::record::Elimination;
 use super::elimination::solution::{Solution, push_down};
 use super::energy_function::energy_function;
 use super::forms::{Forms, Rows};
-use super::frame_jacobians::frame_jacobians;
+use super::frame_jacobians::{frame_biases, frame_jacobians};
 use super::grading::grade_parameters;
 use super::indefinite::{largest, pivot_growth};
 use super::inverse_dynamics::residual;
@@ -63,6 +63,8 @@ pub struct Equations {
     products: Vec<(Product, Vec<ExprId>)>,
     /// Jacobians of frames in the order of `Scene::twists`, each in six rows.
     pub frame_jacobians: Vec<Vec<ExprId>>,
+    /// Accelerations of these frames at constant velocities: angular, then of the origin.
+    pub frame_biases: Vec<[ExprId; 6]>,
     /// Columns of the regressor of the inverse dynamics; none unless requested.
     pub regressor: Regressor,
     /// Diffusions of the noises, which everything else excludes.
@@ -161,6 +163,7 @@ impl Equations {
             reactions,
             products,
             frame_jacobians: frame_jacobians(model),
+            frame_biases: frame_biases(model),
             regressor,
             diffusion,
             structure,

@@ -202,10 +202,8 @@ pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
     ];
     let others = others.into_iter().filter_map(|(exists, name)| exists.then_some(name)).collect::<Vec<_>>();
     for product in products {
-        let Some(suffix) = product.method_suffix() else { continue };
         let report = &mut *elaborator.evaluator.report;
-        for body in elaborator.staged.with_method(product) {
-            let method = format!("{}{suffix}", body.text);
+        for (body, method) in elaborator.staged.methods(product) {
             if others.contains(&method.as_str()) {
                 let what = if elaborator.staged.is_frame(&body.text) { "a frame" } else { "a body" };
                 let error = report.error(body.span, scene::reserved_body(what, &body.text, &method));

@@ -35,9 +35,11 @@ impl Staged {
         self.frames.iter().any(|frame| frame.text == name)
     }
 
-    /// Returns the bodies and frames with their own method of a product.
-    pub(super) fn with_method(&self, product: Product) -> Vec<&Name> {
+    /// Returns the methods of a product, each with its body or frame.
+    pub(super) fn methods(&self, product: Product) -> Vec<(&Name, String)> {
         let frames = if product == Product::Motion { &[] } else { &self.frames[..] };
-        self.bodies.iter().chain(frames).collect()
+        let methods = product.methods_of_bodies();
+        let links = self.bodies.iter().chain(frames);
+        links.flat_map(|link| methods.iter().map(move |method| (link, method.name(&link.text)))).collect()
     }
 }

@@ -16,7 +16,7 @@ use super::features::reduced::{placeholder_conversions, reduced_attributes};
 use super::features::scene::motion_method;
 use super::item::items;
 use crate::elaborate::is_method_of_reduced;
-use crate::model::Product;
+use crate::model::{BodyMethod, Product};
 use lagrange_expr::collections::HashSet;
 use lagrange_language::inline::name_delays;
 use lagrange_language::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
@@ -155,10 +155,19 @@ fn skeleton_of_motions(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream 
 
 fn skeleton_of_frames(shape: &Shape<'_>) -> Vec<Method> {
     let jacobian = Returns::Matrix(6, shape.velocities.len());
-    let frames = shape.frames.iter().map(|name| (method_of(name, Product::Frames), Returns::Frame));
-    let jacobians = shape.frames_with_jacobian.iter();
-    let jacobians = jacobians.map(|name| (method_of(name, Product::FrameJacobians), jacobian));
-    frames.chain(jacobians).map(|(name, returns)| placeholder(name, Arguments::Positions, returns)).collect()
+    let frames = shape
+        .frames
+        .iter()
+        .map(|name| placeholder(method_of(name, BodyMethod::Frame), Arguments::Positions, Returns::Frame));
+    let derivatives = shape.frames_with_jacobian.iter().flat_map(|name| {
+        let [matrix, bias] =
+            [BodyMethod::Jacobian, BodyMethod::BiasAcceleration].map(|method| method_of(name, method));
+        [
+            placeholder(matrix, Arguments::Positions, jacobian),
+            placeholder(bias, Arguments::State, Returns::Vector(6)),
+        ]
+    });
+    frames.chain(derivatives).collect()
 }
 
 /// Returns the skeleton of the prepared type, with all methods that it may have.

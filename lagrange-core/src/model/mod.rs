@@ -15,7 +15,9 @@ use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::Name;
 
 pub use events::{Action, Assignment, Clock, Event, Reaction, ReactionKind};
-pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
+pub use product::{
+    Availability, BodyMethod, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape,
+};
 pub(crate) use samples::{Entry, default_values, entries, may_be_flat, sample_values};
 pub use scene::{
     BodyMotion, DrawnItem, InertialBody, LinkPose, LinkTwist, OutlinedPart, SampledHeight, Scene,

@@ -47,6 +47,19 @@ pub enum Product {
     Statements,
 }
 
+/// A method for each body or frame.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BodyMethod {
+    /// Its motion.
+    Motion,
+    /// Its placement.
+    Frame,
+    /// The Jacobian of its frame.
+    Jacobian,
+    /// The acceleration of its frame at constant velocities.
+    BiasAcceleration,
+}
+
 /// Condition under which a product is emitted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Availability {
@@ -206,13 +219,26 @@ impl Product {
         self.row().method.is_some() || is_other
     }
 
-    /// Returns the suffix of its method for each body; the name of the body comes first.
-    pub fn method_suffix(self) -> Option<&'static str> {
+    /// Returns its methods for each body.
+    pub fn methods_of_bodies(self) -> &'static [BodyMethod] {
         match self {
-            Product::Motion => Some("_motion"),
-            Product::Frames => Some("_frame"),
-            Product::FrameJacobians => Some("_jacobian"),
-            _ => None,
+            Product::Motion => &[BodyMethod::Motion],
+            Product::Frames => &[BodyMethod::Frame],
+            Product::FrameJacobians => &[BodyMethod::Jacobian, BodyMethod::BiasAcceleration],
+            _ => &[],
         }
+    }
+}
+
+impl BodyMethod {
+    /// Returns the name of the method for a body of this name.
+    pub fn name(self, body: &str) -> String {
+        let suffix = match self {
+            BodyMethod::Motion => "motion",
+            BodyMethod::Frame => "frame",
+            BodyMethod::Jacobian => "jacobian",
+            BodyMethod::BiasAcceleration => "bias_acceleration",
+        };
+        format!("{body}_{suffix}")
     }
 }

@@ -107,7 +107,7 @@ fn added_by(product: Product) -> Vec<&'static str> {
         Product::ParameterJacobian => vec![product.name(), "PARAMETERS"],
         Product::Motion => vec!["bob_motion"],
         Product::Frames => vec!["bob_frame"],
-        Product::FrameJacobians => vec!["bob_jacobian"],
+        Product::FrameJacobians => vec!["bob_jacobian", "bob_bias_acceleration"],
         // These are traits.
         Product::Drawing | Product::Lanes | Product::Taylor => Vec::new(),
         Product::Tests => Vec::new(),

@@ -1,15 +1,16 @@
-//! Methods of bodies and frames in space: poses of frames, and their Jacobians.
+//! Methods of bodies and frames in space: poses of frames, their Jacobians and biases.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::sparse::{Sparse, lowered_sparse};
+use crate::derive::Equations;
 use crate::emit::base::docs::with_counts;
 use crate::emit::base::method::{Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, method_of};
 use crate::emit::base::writer::MethodWriter;
+use crate::model::BodyMethod;
 use crate::model::LinkPose;
-use crate::model::Product;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::Name;
 
@@ -17,9 +18,10 @@ use lagrange_language::syntax::ast::Name;
 pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {
     let scene = writer.model.scene.clone();
     scene.frames.iter().for_each(|frame| write_frame(writer, frame));
-    let jacobians = &writer.equations.frame_jacobians;
-    for (twist, jacobian) in scene.twists.iter().zip(jacobians) {
+    let Equations { frame_jacobians, frame_biases, .. } = writer.equations;
+    for (twist, (jacobian, bias)) in scene.twists.iter().zip(frame_jacobians.iter().zip(frame_biases)) {
         write_jacobian(writer, &twist.name, jacobian);
+        write_bias(writer, &twist.name, bias);
     }
 }
 
@@ -31,7 +33,7 @@ fn write_frame(writer: &mut MethodWriter<'_>, LinkPose { name, values }: &LinkPo
         ),
         "and its origin.".to_owned(),
     ];
-    push(writer, (name, Product::Frames), &lines, Returns::Frame, values);
+    push(writer, (name, BodyMethod::Frame), &lines, (Arguments::Positions, Returns::Frame), values);
 }
 
 fn write_jacobian(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId]) {
@@ -41,25 +43,38 @@ fn write_jacobian(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId])
         "these is left out.".to_owned(),
     ];
     let returns = Returns::Matrix(6, writer.shape.velocities.len());
-    push(writer, (name, Product::FrameJacobians), &lines, returns, values);
+    push(writer, (name, BodyMethod::Jacobian), &lines, (Arguments::Positions, returns), values);
 }
 
-/// Lowers and adds a method of time and positions.
+fn write_bias(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId]) {
+    let jacobian = method_of(name, BodyMethod::Jacobian);
+    let lines = [
+        format!(
+            "Bias acceleration of the frame of `{}` in the axes of the world: its angular acceleration and the",
+            name.text
+        ),
+        "acceleration of its origin at constant generalised velocities.".to_owned(),
+        format!("`{jacobian}` times the generalised accelerations adds to them."),
+    ];
+    let signature = (Arguments::State, Returns::Vector(6));
+    push(writer, (name, BodyMethod::BiasAcceleration), &lines, signature, values);
+}
+
+/// Lowers and adds a method.
 fn push(
     writer: &mut MethodWriter<'_>,
-    (name, product): (&Name, Product),
+    (name, method): (&Name, BodyMethod),
     lines: &[String],
-    returns: Returns,
+    (arguments, returns): (Arguments, Returns),
     values: &[ExprId],
 ) {
-    let arguments = Arguments::Positions;
     let (body, counts) = match Sparse::of(&writer.model.graph, returns, values) {
         Some(sparse) => lowered_sparse(writer, &sparse, arguments),
         None => writer.lowered(values, arguments, |results| returns.collect(results)),
     };
     let own = lines.iter().map(|line| doc(line)).collect::<TokenStream>();
     let docs = with_counts(described(writer.shape, name, own), counts);
-    writer.members.methods.push(Method { name: method_of(name, product), docs, arguments, returns, body });
+    writer.members.methods.push(Method { name: method_of(name, method), docs, arguments, returns, body });
 }
 
 /// Appends the user's documentation.

@@ -42,6 +42,8 @@ const CARRIED: &str = "
     revolute b = cart to rod { at: (0, 0, 1); axis: (1, 0, 0); }
     output w = angular_velocity(rod);
     output v = velocity(rod.origin);
+    output v_dot = acceleration(rod.origin);
+    output w_dot = angular_acceleration(rod);
 ";
 
 /// A link with a frame.
@@ -110,6 +112,12 @@ impl Values {
         let index = twists.iter().position(|twist| twist.name.text == name).expect("a frame");
         let values = self.at(&self.derived.equations.frame_jacobians[index]);
         values.chunks(self.q.len()).map(<[f64]>::to_vec).collect()
+    }
+
+    fn bias(&self, name: &str) -> Vec<f64> {
+        let twists = &self.derived.model.scene.twists;
+        let index = twists.iter().position(|twist| twist.name.text == name).expect("a frame");
+        self.at(&self.derived.equations.frame_biases[index])
     }
 
     /// Returns the values with a coordinate displaced.
@@ -250,6 +258,20 @@ fn what_time_alone_moves_is_left_out_of_jacobians() {
     }
 }
 
+/// What time alone adds is in the bias. The accelerations of outputs come from the recursion in own
+/// axes.
+#[test]
+fn jacobians_times_accelerations_and_biases_are_accelerations() {
+    for (text, name, outputs) in [(ARM, "slider", ["alpha", "a"]), (CARRIED, "rod", ["w_dot", "v_dot"])] {
+        let values = Values::of(&format!("{text} emit {{ frame_jacobians }}"));
+        let product =
+            |row: &Vec<f64>| row.iter().zip(&values.accelerations).map(|(entry, a)| entry * a).sum::<f64>();
+        let (jacobian, bias) = (values.jacobian(name), values.bias(name));
+        let sums = jacobian.iter().zip(bias).map(|(row, bias)| product(row) + bias).collect::<Vec<_>>();
+        assert_near(&sums, &outputs.map(|output| values.output(output)).concat(), 1e-12);
+    }
+}
+
 #[test]
 fn requested_products_leave_the_equations_unchanged() {
     for text in [ARM, CARRIED] {
@@ -281,7 +303,8 @@ fn items(text: &str) -> String {
 
 #[test]
 fn only_requested_methods_are_emitted() {
-    let methods = ["fn arm_motion", "fn arm_frame", "fn wrist_frame", "fn arm_jacobian", "fn wrist_jacobian"];
+    let methods =
+        ["fn arm_motion", "fn arm_frame", "fn wrist_frame", "fn arm_jacobian", "fn wrist_bias_acceleration"];
     let with = |emit: &str| {
         let text = items(&format!("struct Arm; {LINK} {emit}"));
         assert!(!text.contains("wrist_motion"), "a frame has no mass");
@@ -318,9 +341,12 @@ fn products_of_scenes_in_space_are_refused_in_the_plane() {
 
 #[test]
 fn names_of_methods_are_taken() {
-    for (product, method) in
-        [("frames", "wrist_frame"), ("frame_jacobians", "arm_jacobian"), ("motion", "arm_motion")]
-    {
+    for (product, method) in [
+        ("frames", "wrist_frame"),
+        ("frame_jacobians", "arm_jacobian"),
+        ("frame_jacobians", "arm_bias_acceleration"),
+        ("motion", "arm_motion"),
+    ] {
         let free = parse(&format!("{LINK} output {method} = q1;"));
         assert!(free.is_ok(), "{free:?}");
         let message = mistake(&format!("{LINK} output {method} = q1; emit {{ {product} }}"));

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Shape;
-use crate::model::Product;
+use crate::model::BodyMethod;
 use lagrange_algebra::code::Scalar;
 use lagrange_language::syntax::ast::{Name, ScalarType};
 
@@ -108,11 +108,10 @@ pub(in crate::emit) fn length(length: usize) -> Literal {
 
 /// Returns the name of the method for the motion of a body.
 pub(in crate::emit) fn motion_name(body: &Name) -> Ident {
-    method_of(body, Product::Motion)
+    method_of(body, BodyMethod::Motion)
 }
 
-/// Returns the name of the method of a product for a body or frame.
-pub(in crate::emit) fn method_of(body: &Name, product: Product) -> Ident {
-    let suffix = product.method_suffix().unwrap_or_default();
-    Ident::new(&format!("{}{suffix}", body.text), body.span)
+/// Returns the name of a method for a body or frame.
+pub(in crate::emit) fn method_of(body: &Name, method: BodyMethod) -> Ident {
+    Ident::new(&method.name(&body.text), body.span)
 }
