@@ -123,7 +123,7 @@ fn bias_accelerations_complete_jacobians() {
 /// The velocities of the trunk and of the shoulder are components along turning axes, and no rates.
 #[test]
 fn bias_accelerations_hold_for_orientations() {
-    let (diver, half) = (Diver::default(), 0.5_f64);
+    let (diver, half) = (Diver, 0.5_f64);
     let q = [0.3, -0.2, 4.0, half, -half, half, half, 0.1, 0.7, -0.5, half, 0.4];
     let v = [0.5, -0.25, 0.75, 1.0, -1.25, 0.5, 2.0, -0.75, 1.5, -0.5];
     let bias = diver.palm_bias_acceleration(0.0, &q, &v);

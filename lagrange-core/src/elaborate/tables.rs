@@ -9,7 +9,10 @@ use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{Dependencies, ExprId, Node};
 use lagrange_expr::limits::MAX_POINTS;
 use lagrange_expr::opaque::{Interpolation, Opaque, OpaqueFunction, Source, Table, default_name};
-use lagrange_language::syntax::ast::{AstId, Name, Statement, StatementKind, TableDefinition, TableSource};
+use lagrange_language::syntax::ast::{
+    AstId, Name, Statement, StatementKind, TableDefinition, TableGrid, TableSource,
+};
+use lagrange_language::tables::messages as shared;
 
 /// A point with its place in the declaration or its line in a file.
 struct Point {
@@ -49,13 +52,12 @@ fn points(elaborator: &mut Elaborator<'_>, table: &TableDefinition) -> Option<Ve
     let points = match &table.source {
         TableSource::Points(points) => {
             let points = points.iter().map(|(point, place)| {
-                let components =
-                    point.iter().map(|&component| number(elaborator, component)).collect::<Vec<_>>();
-                let components = components.into_iter().collect::<Option<Vec<_>>>()?;
+                let components = numbers(elaborator, point)?;
                 Some(Point { components, place: *place, line: None })
             });
             points.collect::<Vec<_>>().into_iter().collect::<Option<Vec<_>>>()?
         }
+        TableSource::Grid(grid) => points_of_grid(elaborator, table, grid)?,
         TableSource::File { path, contents } => {
             let Some(contents) = contents else {
                 report_unread(elaborator, path);
@@ -77,11 +79,45 @@ fn points(elaborator: &mut Elaborator<'_>, table: &TableDefinition) -> Option<Ve
         return None;
     }
     if points.len() > MAX_POINTS {
-        let message = words::too_many(&table.name.text, points.len(), MAX_POINTS);
-        report.error(table.name.span, message).help(words::TOO_MANY_HELP);
+        let message = shared::too_many(&table.name.text, points.len(), MAX_POINTS);
+        report.error(table.name.span, message).help(shared::TOO_MANY_HELP);
         return None;
     }
     Some(points)
+}
+
+/// Returns the points of a grid, row by row.
+fn points_of_grid(
+    elaborator: &mut Elaborator<'_>,
+    table: &TableDefinition,
+    TableGrid { axes, rows }: &TableGrid,
+) -> Option<Vec<Point>> {
+    let along = axes.each_ref().map(|axis| numbers(elaborator, axis));
+    let values = rows.iter().map(|row| numbers(elaborator, row)).collect::<Vec<_>>();
+    let [Some(along_rows), Some(along_columns)] = along else { return None };
+    for ((knots, syntax), name) in [&along_rows, &along_columns].into_iter().zip(axes).zip(&table.parameters)
+    {
+        if let Some(i) = knots.windows(2).position(|pair| pair[0] >= pair[1]) {
+            let message = shared::not_ascending(&name.text, knots[i], knots[i + 1]);
+            return elaborator.evaluator.refuse(syntax[i + 1], message, shared::AXIS_ASCENDS_HELP);
+        }
+    }
+    let mut points = Vec::new();
+    for ((x, values), syntax) in along_rows.iter().zip(values).zip(rows) {
+        let row = along_columns.iter().zip(values?).zip(syntax);
+        points.extend(row.map(|((y, value), syntax)| Point {
+            components: vec![*x, *y, value],
+            place: elaborator.evaluator.origin(*syntax),
+            line: None,
+        }));
+    }
+    Some(points)
+}
+
+/// Returns constant numbers; every other expression is reported.
+fn numbers(elaborator: &mut Elaborator<'_>, syntax: &[AstId]) -> Option<Vec<f64>> {
+    let numbers = syntax.iter().map(|&syntax| number(elaborator, syntax)).collect::<Vec<_>>();
+    numbers.into_iter().collect()
 }
 
 /// Reports that a file was not read, unless the reason has been reported.
@@ -118,7 +154,7 @@ fn curve(
     for pair in points.windows(2) {
         let [before, after] = [pair[0].components[0], pair[1].components[0]];
         if before >= after {
-            let message = words::not_ascending(&table.parameters[0].text, before, after);
+            let message = shared::not_ascending(&table.parameters[0].text, before, after);
             report_point(elaborator, &pair[1], &message).help(words::NOT_ASCENDING_HELP);
             return None;
         }

@@ -11,6 +11,7 @@ mod dimensions;
 mod expressions;
 mod formulas;
 mod gibbs;
+mod grids;
 mod growth;
 mod ignored;
 mod machines;

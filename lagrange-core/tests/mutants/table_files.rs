@@ -11,12 +11,14 @@ const USUAL: usize = 500;
 /// Stands for bytes that are not UTF-8.
 const NO_TEXT: char = '\u{fffd}';
 
-const FILES: [&str; 7] = [
+const FILES: [&str; 9] = [
     "0, 1\n1, 2\n2, 4\n3, 8\n",
     "# a road\nx / m; height / m\n\n0; 1.5\n0.25; -2e-3 # dip\n1.0; +7\n",
     "\u{feff}\"x\"\t\"y\"\r\n0\t.5\r\n1e3\t5.\r\n2e3\t-0\r\n",
     "0 0 1\n0 1 2\n1 0 3\n1 1 5\n",
     "x, y, z\n-1, 0, 1e-300\n-1, 2, 0\n5, 0, 2\n5, 2, 1e300\n-2, 0, 1\n-2, 2, 0\n",
+    "load, 0, 1, 2\n-1, 1, 2, 3\n5, 4, 5, 7\n",
+    "\t0\t0.5\r\n# a map\n0\t1\t2\r\n1e3\t3\t-5\r\n",
     "time value\n1e-9 1\n2e-9 1.5\n3e9 1\n",
     "",
 ];

@@ -59,7 +59,7 @@ fn points(system: &System) -> Vec<Vec<f64>> {
     });
     let contents = sources.filter_map(|source| match source {
         TableSource::File { contents, .. } => contents.as_ref(),
-        TableSource::Points(_) => None,
+        TableSource::Points(_) | TableSource::Grid(_) => None,
     });
     contents.flat_map(|file| file.points.iter().map(|(_, point)| point.clone())).collect()
 }

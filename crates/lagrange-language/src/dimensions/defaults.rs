@@ -180,21 +180,16 @@ impl UnitWriter<'_> {
     /// Converts the points of a table, which are in the units of its arguments and its value.
     fn table(&mut self, table: &mut TableDefinition) {
         let columns = table.parameters.iter().chain([&table.name]).cloned().collect::<Vec<_>>();
-        match &mut table.source {
-            TableSource::Points(points) => {
-                for (point, _) in points {
-                    for (component, name) in point.iter_mut().zip(&columns) {
-                        *component = self.number(name, *component);
-                    }
-                }
+        for (column, number) in table.source.numbers_mut() {
+            if let Some(name) = columns.get(column) {
+                *number = self.number(name, *number);
             }
-            TableSource::File { contents, .. } => {
-                for (_, point) in contents.iter_mut().flat_map(|contents| &mut contents.points) {
-                    for (component, name) in point.iter_mut().zip(&columns) {
-                        if let Some(unit) = &name.unit {
-                            *component = in_coherent_unit(*component, unit);
-                        }
-                    }
+        }
+        let TableSource::File { contents: Some(contents), .. } = &mut table.source else { return };
+        for (_, point) in &mut contents.points {
+            for (component, name) in point.iter_mut().zip(&columns) {
+                if let Some(unit) = &name.unit {
+                    *component = in_coherent_unit(*component, unit);
                 }
             }
         }

@@ -23,8 +23,8 @@ use proc_macro2::{Span, TokenStream};
 pub use array_shapes::ArrayShape;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Part, SceneStatement, Shape};
 pub use callables::{
-    ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
-    UnknownDefinition,
+    ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableGrid,
+    TableSource, UnknownDefinition,
 };
 pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
 pub use definitions::{AllowedRange, Definition, EmitItem, Limit, LimitedEntry, Mode, StateKind};

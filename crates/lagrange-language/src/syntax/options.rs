@@ -12,7 +12,7 @@ use lagrange_expr::diagnostics::{Origin, nearest};
 pub(super) struct StatementOptions {
     /// The keyword of the statement.
     pub(super) keyword: &'static str,
-    pub(super) labels: [&'static str; 2],
+    pub(super) labels: &'static [&'static str],
     /// Message about a word that is not a label.
     pub(super) unknown: fn(&str) -> String,
 }
@@ -44,10 +44,11 @@ impl Parser<'_> {
     fn option_label(&mut self, options: &StatementOptions, cursor: &mut Cursor) -> Parsed<&'static str> {
         let (here, word) = (cursor.here(), cursor.eat_ident().map(|word| word.to_string()));
         let word = word.unwrap_or_default();
-        if let Some(label) = options.labels.into_iter().find(|label| *label == word) {
+        let labels = || options.labels.iter().copied();
+        if let Some(label) = labels().find(|label| *label == word) {
             return Ok(label);
         }
-        let meant = foreign::label(&word, options.labels).or_else(|| nearest(&word, options.labels));
+        let meant = foreign::label(&word, labels()).or_else(|| nearest(&word, labels()));
         let help = meant.map_or(form(options.keyword).to_owned(), messages::meant);
         Err(self.fail_with_help(here, (options.unknown)(&word), help))
     }

@@ -17,7 +17,7 @@ use lagrange_expr::limits::MAX_COUPLED;
 /// Labels of the options after the equation.
 const LABELS: [&str; 2] = ["start", "iterations"];
 const OPTIONS: StatementOptions =
-    StatementOptions { keyword: "solve", labels: LABELS, unknown: words::unknown_option };
+    StatementOptions { keyword: "solve", labels: &LABELS, unknown: words::unknown_option };
 
 /// A value, its label and the place of the label.
 type LabelledOption = (&'static str, AstId, Origin);

@@ -1,5 +1,7 @@
 //! Statements that tabulate functions.
 
+mod grid;
+
 use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::ast::{AstId, Name, TableDefinition, TableSource};
@@ -10,6 +12,7 @@ use super::messages::tables as words;
 use super::options::StatementOptions;
 use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
+use grid::{Row, TableValues};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::opaque::{Interpolation, Outside};
 
@@ -18,12 +21,14 @@ use lagrange_expr::opaque::{Interpolation, Outside};
 struct TableOptions {
     interpolation: Option<(Interpolation, Span)>,
     outside: Option<(Outside, Span)>,
+    /// Numbers of `rows` and `columns`.
+    axes: [Option<Row>; 2],
 }
 
 /// Labels of the options after the points.
-const LABELS: [&str; 2] = ["interpolation", "outside"];
+const LABELS: [&str; 4] = ["rows", "columns", "interpolation", "outside"];
 const OPTIONS: StatementOptions =
-    StatementOptions { keyword: "table", labels: LABELS, unknown: words::unknown_option };
+    StatementOptions { keyword: "table", labels: &LABELS, unknown: words::unknown_option };
 
 impl Parser<'_> {
     /// Reads `f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend`.
@@ -33,16 +38,17 @@ impl Parser<'_> {
             self.report.error(third.span, words::TOO_MANY_ARGUMENTS).help(form("table"));
         }
         self.equals(form("table"), cursor)?;
-        let source = self.points_or_file(parameters.len() + 1, cursor)?;
+        let values = self.points_or_file(parameters.len() + 1, cursor)?;
         let options = self.options(cursor)?;
+        let source = self.on_axes(values, options.axes, (&name, &parameters))?;
         let mut unsaid = |label: &'static str, help: String| {
             self.fail_with_help(name.span, words::unsaid(label, &name.text), help)
         };
         let Some((interpolation, place)) = options.interpolation else {
-            return Err(unsaid(LABELS[0], words::ways(LABELS[0], &Interpolation::ALL.map(|(name, _)| name))));
+            return Err(unsaid(LABELS[2], words::ways(LABELS[2], &Interpolation::ALL.map(|(name, _)| name))));
         };
         let Some((outside, _)) = options.outside else {
-            return Err(unsaid(LABELS[1], words::ways(LABELS[1], &Outside::ALL.map(|(name, _)| name))));
+            return Err(unsaid(LABELS[3], words::ways(LABELS[3], &Outside::ALL.map(|(name, _)| name))));
         };
         if interpolation == Interpolation::Monotone && parameters.len() > 1 {
             self.report.error(place, words::MONOTONE_SURFACE).help(words::MONOTONE_SURFACE_HELP);
@@ -50,14 +56,15 @@ impl Parser<'_> {
         Ok(TableDefinition { name, parameters, source, interpolation, outside })
     }
 
-    fn points_or_file(&mut self, components: usize, cursor: &mut Cursor) -> Parsed<TableSource> {
+    fn points_or_file(&mut self, components: usize, cursor: &mut Cursor) -> Parsed<TableValues> {
         if let Some(group) = cursor.eat_group(Delimiter::Bracket) {
-            return Ok(TableSource::Points(
-                self.inside(&group, |parser, cursor| parser.points(components, cursor))?,
-            ));
+            return self.inside(&group, |parser, cursor| match cursor.group(Delimiter::Bracket) {
+                Some(_) if components == 3 => parser.rows(cursor),
+                _ => parser.points(components, cursor),
+            });
         }
         let path = self.string(words::POINTS, form("table"), cursor)?;
-        Ok(TableSource::File { path, contents: None })
+        Ok(TableValues::Source(TableSource::File { path, contents: None }))
     }
 
     /// Reads a string; anything else is reported, with what was expected instead.
@@ -74,44 +81,65 @@ impl Parser<'_> {
         Ok(Name::new(string.value(), string.span()))
     }
 
-    fn points(&mut self, components: usize, cursor: &mut Cursor) -> Parsed<Vec<(Vec<AstId>, Origin)>> {
-        let mut points = Vec::new();
+    fn points(&mut self, components: usize, cursor: &mut Cursor) -> Parsed<TableValues> {
+        let form = (words::POINT, words::point_help(components));
+        let points = self.groups(Delimiter::Parenthesis, form, cursor, |parser, group| {
+            Ok((parser.point(components, group)?, group_origin(group)))
+        })?;
+        Ok(TableValues::Source(TableSource::Points(points)))
+    }
+
+    /// Reads groups in these brackets, separated by commas; anything else is reported, with what
+    /// was expected instead and its form.
+    fn groups<T>(
+        &mut self,
+        delimiter: Delimiter,
+        (expected, help): (&str, &str),
+        cursor: &mut Cursor,
+        mut read: impl FnMut(&mut Self, &Group) -> Parsed<T>,
+    ) -> Parsed<Vec<T>> {
+        let mut items = Vec::new();
         self.turns(cursor, |parser, cursor| {
             if cursor.at_end() {
                 return Ok(Turn::Last);
             }
-            let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
-                let message = messages::expected(words::POINT, cursor.peek());
-                return Err(parser.fail_with_help(cursor.here(), message, words::point_help(components)));
+            let Some(group) = cursor.eat_group(delimiter) else {
+                let message = messages::expected(expected, cursor.peek());
+                return Err(parser.fail_with_help(cursor.here(), message, help));
             };
-            points.push((parser.point(components, &group)?, group_origin(&group)));
+            items.push(read(parser, &group)?);
             if cursor.eat(',').is_none() && !cursor.at_end() {
                 let message = messages::expected("`,` or `]`", cursor.peek());
                 return Err(parser.fail_with_help(cursor.here(), message, form("table")));
             }
             Ok(Turn::Next)
         })?;
-        Ok(points)
+        Ok(items)
     }
 
     /// Reads `a, b` between parentheses.
     fn point(&mut self, components: usize, group: &Group) -> Parsed<Vec<AstId>> {
-        let point = self.inside(group, |parser, cursor| {
-            let mut point = Vec::new();
-            parser.turns(cursor, |parser, cursor| {
-                point.push(parser.expression(cursor)?);
-                Ok(Turn::next_if(cursor.eat(',').is_some() && !cursor.at_end()))
-            })?;
-            match cursor.at_end() {
-                true => Ok(point),
-                false => Err(parser.no_operator(cursor, "`,` or `)`")),
-            }
-        })?;
+        let point = self.numbers(group, "`,` or `)`")?;
         if point.len() == components {
             return Ok(point);
         }
         let message = words::component_count(point.len());
         Err(self.fail_with_help(group_origin(group), message, words::point_help(components)))
+    }
+
+    /// Reads `a, b` between brackets; `ends` names what may follow a number.
+    fn numbers(&mut self, group: &Group, ends: &str) -> Parsed<Vec<AstId>> {
+        self.inside(group, |parser, cursor| {
+            let mut numbers = Vec::new();
+            parser.turns(cursor, |parser, cursor| {
+                numbers.push(parser.expression(cursor)?);
+                Ok(Turn::next_if(cursor.eat(',').is_some() && !cursor.at_end()))
+            })?;
+            match cursor.at_end() {
+                true => Ok(numbers),
+                false => Err(parser.no_operator(cursor, ends)),
+            }
+        })
     }
 
     /// Reads `, interpolation: natural, outside: extend`.
@@ -133,13 +161,18 @@ impl Parser<'_> {
         options: &mut TableOptions,
         cursor: &mut Cursor,
     ) -> Parsed<()> {
+        let place_of = |axis: &Option<Row>| axis.as_ref().map(|(_, first)| *first);
         let first = match label {
-            "interpolation" => options.interpolation.map(|(_, first)| first),
-            _ => options.outside.map(|(_, first)| first),
+            "rows" => place_of(&options.axes[0]),
+            "columns" => place_of(&options.axes[1]),
+            "interpolation" => options.interpolation.map(|(_, first)| first.into()),
+            _ => options.outside.map(|(_, first)| first.into()),
         };
-        self.once(label, place, first.map(Into::into));
+        self.once(label, place, first);
         let span = cursor.here().start;
         match label {
+            "rows" => options.axes[0] = Some(self.axis(cursor)?),
+            "columns" => options.axes[1] = Some(self.axis(cursor)?),
             "interpolation" => {
                 options.interpolation = Some((self.way(label, Interpolation::ALL, cursor)?, span));
             }

@@ -1,4 +1,4 @@
-//! Messages about table files.
+//! Messages about table files, and those that apply to tables in declarations, too.
 
 use lagrange_expr::diagnostics::messages;
 
@@ -10,6 +10,10 @@ messages! {
         "give the path from the folder of your `Cargo.toml`, or list the points: `= [(0, 1), (2, 5)]`";
     FORM_HELP =
         "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
+    POINT_OR_GRID_HELP =
+        "a file has points such as `0, 0.5, 1.25`, or a grid: a corner and each `y`, then lines with `x` and its values";
+    GRID_HELP =
+        "the first line of a grid is a corner and each `y`; other lines are an `x` and the values there";
     DECIMAL_COMMA_HELP = "write decimals with a point: `1.5`";
 
     INCLUDES_ITSELF_HELP = "remove this line: the parts of the file are known anyway";
@@ -30,8 +34,30 @@ messages! {
     wrong_columns(found, needed) = "the point has {found} numbers, not {needed}";
 }
 
+/// Help for a table with too many points.
+pub const TOO_MANY_HELP: &str =
+    "list fewer points, since smooth data need few, or compute it in a `function` of your crate";
+
+/// Help for an axis with numbers out of order.
+pub const AXIS_ASCENDS_HELP: &str = "list the numbers of each axis in ascending order, each once";
+
+/// Returns the message about a table with too many points.
+pub fn too_many(table: &str, count: usize, most: usize) -> String {
+    format!("the table `{table}` has {count} points; at most {most} are supported")
+}
+
+/// Returns the message about values of an argument that are out of order.
+pub fn not_ascending(argument: &str, before: f64, after: f64) -> String {
+    format!("`{argument}` does not ascend from {before} to {after}")
+}
+
 /// Maximum number of characters of a field in a message.
 const MAX_SHOWN: usize = 40;
+
+pub(super) fn wrong_row(found: usize, needed: usize, columns: usize) -> String {
+    let numbers = if found == 1 { "number" } else { "numbers" };
+    format!("the row has {found} {numbers}, not {needed}, one more than the {columns} columns")
+}
 
 pub(super) fn no_number(field: &str) -> String {
     format!("`{}` is not a number", shown(field))

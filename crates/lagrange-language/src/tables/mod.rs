@@ -2,15 +2,17 @@
 //!
 //! This module does not access the file system: the caller of the parser provides a reader of
 //! files. A table file has one point on each line, with numbers separated by commas, semicolons,
-//! tabs or blanks. The first line may name the columns, and text after `#` is a comment.
+//! tabs or blanks. The first line may name the columns, and text after `#` is a comment. Tables of
+//! two arguments may also be grids, whose first line begins with an empty or named corner.
 
+mod grid;
 mod includes;
-mod messages;
+pub mod messages;
 
 #[cfg(test)]
 mod tests;
 
-use crate::syntax::ast::{Declaration, Name, StatementKind, TableDefinition, TableFile, TableSource};
+use crate::syntax::ast::{Declaration, StatementKind, TableDefinition, TableFile, TableSource};
 use includes::include_parts;
 pub use includes::name_files;
 use lagrange_expr::diagnostics::Report;
@@ -81,76 +83,96 @@ pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut 
 }
 
 fn read_table(table: &mut TableDefinition, read: Reader<'_>, report: &mut Report) {
-    let TableSource::File { path, contents } = &mut table.source else { return };
-    let columns = table.parameters.len() + 1;
-    *contents = match read(&path.text) {
-        Ok(file) => {
-            points(&file.text, columns, path, report).map(|points| TableFile { path: file.path, points })
-        }
-        Err(reason) => {
-            let message = messages::unreadable(&path.text, &reason);
-            report.error(path.span, message).help(messages::UNREADABLE_HELP);
+    let TableSource::File { path, .. } = &table.source else { return };
+    let path = path.clone();
+    let file = match read(&path.text) {
+        Ok(file) => points(&file.text, table)
+            .map(|points| TableFile { path: file.path, points })
+            .map_err(|(line, complaint, help)| (messages::on_line(line, &path.text, &complaint), help)),
+        Err(reason) => Err((messages::unreadable(&path.text, &reason), messages::UNREADABLE_HELP)),
+    };
+    let contents = match file {
+        Ok(file) => Some(file),
+        Err((message, help)) => {
+            report.error(path.span, message).help(help);
             None
         }
     };
+    table.source = TableSource::File { path, contents };
 }
 
-/// Returns the points in a text, each with its line number; `None` if one of them is invalid, which
-/// is reported.
-fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Option<Vec<(usize, Vec<f64>)>> {
+/// A line with its number, up to a comment.
+type NumberedLine<'a> = (usize, &'a str);
+
+/// The number of a line, what is wrong with it, and help.
+type Complaint = (usize, String, &'static str);
+
+/// Returns the points in a text, each with its line number, or the first error.
+fn points(text: &str, table: &TableDefinition) -> Result<Vec<(usize, Vec<f64>)>, Complaint> {
     let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let lines = text.lines().enumerate().map(|(number, line)| (number + 1, uncommented(line)));
-    let lines = lines.filter(|(_, line)| !line.is_empty());
-    let mut points = Vec::new();
-    for (position, (line, text)) in lines.enumerate() {
-        let fields = fields(text);
-        if position == 0 && are_names(&fields) {
-            continue;
-        }
-        match point(&fields, columns) {
-            Ok(point) => points.push((line, point)),
-            Err((complaint, help)) => {
-                report.error(path.span, messages::on_line(line, &path.text, &complaint)).help(help);
-                return None;
-            }
-        }
+    let lines = lines.filter(|(_, line)| !line.trim().is_empty()).collect::<Vec<_>>();
+    let components = table.parameters.len() + 1;
+    if let Some(columns) = grid::columns(&lines).filter(|_| components == 3) {
+        return grid::points(&columns, &lines, table);
     }
-    Some(points)
+    let has_names = lines.first().is_some_and(|(_, line)| are_names(&fields(line.trim())));
+    let points = lines.iter().skip(usize::from(has_names)).map(|(line, text)| {
+        let point = point(&fields(text.trim()), components);
+        point.map(|point| (*line, point)).map_err(|(complaint, help)| (*line, complaint, help))
+    });
+    points.collect()
 }
 
 /// Returns the text before a comment.
 fn uncommented(line: &str) -> &str {
-    line.split('#').next().unwrap_or_default().trim()
+    line.split('#').next().unwrap_or_default()
 }
 
 /// True if a line names columns; a line that begins like a number is a point.
 fn are_names(fields: &[&str]) -> bool {
-    let begins_number = |field: &str| field.starts_with(|c: char| c.is_numeric() || "+-−.,".contains(c));
-    fields.iter().any(|field| !field.is_empty())
-        && fields.iter().all(|field| !begins_number(field) && field.parse::<f64>().is_err())
+    fields.iter().any(|field| !field.is_empty()) && fields.iter().all(|field| is_name(field))
+}
+
+/// True if a field is neither a number nor one that went wrong.
+fn is_name(field: &str) -> bool {
+    !begins_number(field) && field.parse::<f64>().is_err()
+}
+
+fn begins_number(field: &str) -> bool {
+    field.starts_with(|c: char| c.is_numeric() || "+-−.,".contains(c))
 }
 
 /// Returns the numbers of a point, or the error and its help.
-fn point(fields: &[&str], columns: usize) -> Result<Vec<f64>, (String, &'static str)> {
-    let mut numbers = Vec::with_capacity(columns);
-    for field in fields {
-        let help = if field.contains(',') { messages::DECIMAL_COMMA_HELP } else { messages::FORM_HELP };
-        match field.parse::<f64>() {
-            Ok(number) if number.is_finite() => numbers.push(number),
-            Ok(_) if field.contains(|c: char| c.is_ascii_digit()) => {
-                return Err((messages::too_large(field), messages::UNITS_HELP));
-            }
-            _ => return Err((messages::no_number(field), help)),
-        }
-    }
+fn point(fields: &[&str], components: usize) -> Result<Vec<f64>, (String, &'static str)> {
+    let form = if components == 3 { messages::POINT_OR_GRID_HELP } else { messages::FORM_HELP };
+    let numbers = numbers(fields, form)?;
     match numbers.len() {
-        found if found == columns => Ok(numbers),
-        // In `1,5, 2,5`, every number looks like two.
-        found if found == 2 * columns => {
-            Err((messages::wrong_columns(found, columns), messages::DECIMAL_COMMA_HELP))
+        found if found == components => Ok(numbers),
+        found => {
+            let complaint = messages::wrong_columns(found, components);
+            Err((complaint, help_with_count(found, components, form)))
         }
-        found => Err((messages::wrong_columns(found, columns), messages::FORM_HELP)),
     }
+}
+
+/// Returns help for a line with a wrong number of numbers. In `1,5, 2,5`, every number looks like
+/// two.
+fn help_with_count(found: usize, needed: usize, form: &'static str) -> &'static str {
+    if found == 2 * needed { messages::DECIMAL_COMMA_HELP } else { form }
+}
+
+/// Returns fields as numbers, or the error and its help.
+fn numbers(fields: &[&str], form: &'static str) -> Result<Vec<f64>, (String, &'static str)> {
+    let numbers = fields.iter().map(|field| match field.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        Ok(_) if field.contains(|c: char| c.is_ascii_digit()) => {
+            Err((messages::too_large(field), messages::UNITS_HELP))
+        }
+        _ if field.contains(',') => Err((messages::no_number(field), messages::DECIMAL_COMMA_HELP)),
+        _ => Err((messages::no_number(field), form)),
+    });
+    numbers.collect()
 }
 
 /// Splits a line at the strongest separators in it: in `1,5; 2`, decimals are written with a comma.

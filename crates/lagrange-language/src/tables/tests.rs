@@ -3,11 +3,19 @@ use crate::syntax::ast::{StatementKind, TableSource};
 use crate::syntax::parse_text;
 use lagrange_expr::diagnostics::Report;
 
-/// Returns the points of a file, or its errors.
-fn read(text: &str) -> Result<Vec<(usize, Vec<f64>)>, String> {
+/// Points with their lines, or errors.
+type Points = Result<Vec<(usize, Vec<f64>)>, String>;
+
+/// Returns the points of a file for a table of one argument.
+fn read(text: &str) -> Points {
+    read_for("x", text)
+}
+
+fn read_for(arguments: &str, text: &str) -> Points {
     let mut report = Report::default();
-    let declaration = "table road(x) = \"road.csv\", interpolation: natural, outside: error;";
-    let mut declaration = parse_text(declaration, &mut report).expect("tokens");
+    let declaration =
+        format!("table road({arguments}) = \"road.csv\", interpolation: natural, outside: error;");
+    let mut declaration = parse_text(&declaration, &mut report).expect("tokens");
     let reader = |path: &str| match path {
         "road.csv" => Ok(FileText { path: "/road.csv".to_owned(), text: text.to_owned() }),
         _ => Err("it is not there".to_owned()),
@@ -81,6 +89,44 @@ fn decimal_commas_are_named_wherever_they_are_seen() {
         let message = read(text).expect_err(text);
         assert!(message.contains("write decimals with a point"), "{message}");
     }
+}
+
+#[test]
+fn grids_have_a_corner() {
+    let grid = |text: &str| read_for("speed, load", text);
+    let point = |line: usize, x: f64, y: f64, z: f64| (line, vec![x, y, z]);
+    let expected = vec![point(2, -1.0, 0.5, 3.0), point(2, -1.0, 2.0, 4.0), point(4, 7.0, 0.5, 5.0)];
+    let expected = expected.into_iter().chain([point(4, 7.0, 2.0, 6.0)]).collect::<Vec<_>>();
+    for text in [
+        ", 0.5, 2\n-1, 3, 4\n\n7, 5, 6\n",
+        "speed \\ load;.5;2 # loads\n-1;3;4\n# fast\n7;5;6",
+        "\t0.5\t2\r\n-1\t3\t4\r\n\r\n7\t5\t6\r\n",
+        "\u{feff}   0.5 2\n-1   3 4\n \n 7   5 6",
+        "\"x/y\" 0.5 2\n-1 3 4\n\n7 5 6",
+    ] {
+        assert_eq!(grid(text).as_ref(), Ok(&expected), "{text}");
+    }
+    let points = Ok(vec![point(2, 0.0, 1.0, 2.0), point(3, 3.0, 4.0, 5.0)]);
+    assert_eq!(grid("x, y, z\n0, 1, 2\n3, 4, 5\n"), points);
+    assert_eq!(grid("\n \t0 1 2\n\t3 4 5\n"), points);
+}
+
+#[test]
+fn mistakes_in_grids_are_named_by_their_line() {
+    let message = |text: &str| read_for("speed, load", text).expect_err("a mistake");
+    let says = |text: &str, expected: &str| assert!(message(text).contains(expected), "{}", message(text));
+    says(",0,1\n0,1\n", "line 2 of `road.csv`: the row has 2 numbers, not 3");
+    says(",0,1\n0,1,2,3\n", "line 2 of `road.csv`: the row has 4 numbers, not 3");
+    says(",0,1\n2,1,2\n2,1,3\n", "line 3 of `road.csv`: `speed` does not ascend from 2 to 2");
+    says("x,0,2,1\n0,1,2,3\n", "line 1 of `road.csv`: `load` does not ascend from 2 to 1");
+    says("x,0,y\n0,1,2\n", "line 1 of `road.csv`: `y` is not a number");
+    says("x,0,1\n0,1,two\n", "line 2 of `road.csv`: `two` is not a number");
+    says("x;0;0,5\n0;1;2\n", "write decimals with a point");
+    says("x;0;1\n0;1;2\n1,5;2;3\n", "write decimals with a point");
+    says("0, 0, 1, 2\n1, 3, 4, 5\n", "an empty or named corner");
+    let wide = format!("x,{}\n", (0..1000).map(|y| y.to_string()).collect::<Vec<_>>().join(","));
+    says(&wide.lines().cycle().take(102).collect::<Vec<_>>().join("\n"), "`road` has 101000 points");
+    assert!(read("x, 0, 1\n0, 1, 2\n").expect_err("one argument").contains("`x` is not a number"));
 }
 
 #[test]

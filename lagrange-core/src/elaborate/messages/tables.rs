@@ -6,8 +6,6 @@ messages! {
     pub(in crate::elaborate):
 
     TOO_FEW_HELP = "list at least two points; with two arguments, at least two of each";
-    TOO_MANY_HELP =
-        "list fewer points, since smooth data need few, or compute it in a `function` of your crate";
     NOT_CONSTANT = "a table is built at compile time and cannot depend on this";
     NOT_CONSTANT_HELP =
         "compute it from numbers, `pi` and `const` names; multiply the table by values known at run time";
@@ -25,8 +23,6 @@ messages! {
     TOO_UNEVEN_HELP = "write `interpolation: linear`, or space the points more evenly";
     too_uneven(name) =
         "the points of the table `{name}` are spaced so unevenly that the curve between them misses their values by rounding";
-    too_many(name, count, most) = "the table `{name}` has {count} points; at most {most} are supported";
-    not_ascending(argument, before, after) = "`{argument}` does not ascend from {before} to {after}";
     on_line(line, message) = "line {line} of the file: {message}";
     flat_grid(name, argument) = "all points of the table `{name}` have the same `{argument}`";
     rough(name) =

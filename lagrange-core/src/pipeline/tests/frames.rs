@@ -258,8 +258,8 @@ fn what_time_alone_moves_is_left_out_of_jacobians() {
     }
 }
 
-/// What time alone adds is in the bias. The accelerations of outputs come from the recursion in own
-/// axes.
+/// The bias contains the part due to time alone. The accelerations of outputs come from the
+/// recursion in own axes.
 #[test]
 fn jacobians_times_accelerations_and_biases_are_accelerations() {
     for (text, name, outputs) in [(ARM, "slider", ["alpha", "a"]), (CARRIED, "rod", ["w_dot", "v_dot"])] {

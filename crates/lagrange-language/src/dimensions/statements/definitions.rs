@@ -6,9 +6,7 @@ use crate::dimensions::measure::{Measure, MeasuredComponent};
 use crate::dimensions::messages;
 use crate::dimensions::quantities::is_of_numbers;
 use crate::dimensions::solver::{DimensionEquation, Grounds};
-use crate::syntax::ast::{
-    AstId, Definition, Expression, Name, TableDefinition, TableSource, UnknownDefinition,
-};
+use crate::syntax::ast::{AstId, Definition, Expression, Name, TableDefinition, UnknownDefinition};
 use lagrange_expr::diagnostics::Origin;
 
 /// Returns the dimension of a name: the declared one, or one to be found.
@@ -63,14 +61,10 @@ pub(super) fn define_unknowns(checker: &mut Checker<'_>, unknowns: &UnknownDefin
 pub(super) fn define_table(checker: &mut Checker<'_>, table: &TableDefinition) {
     let columns = table.parameters.iter().chain([&table.name]).collect::<Vec<_>>();
     let forms = columns.iter().map(|name| declared(checker, name)).collect::<Vec<_>>();
-    if let TableSource::Points(points) = &table.source {
-        for (point, _) in points {
-            for ((component, form), name) in point.iter().zip(&forms).zip(&columns) {
-                if !is_of_numbers(checker.expressions, *component) {
-                    let reason = value_of(name);
-                    checker.require(*component, &Measure::known(form.clone()), &reason);
-                }
-            }
+    for (column, number) in table.source.numbers() {
+        let (Some(form), Some(name)) = (forms.get(column), columns.get(column)) else { continue };
+        if !is_of_numbers(checker.expressions, number) {
+            checker.require(number, &Measure::known(form.clone()), &value_of(name));
         }
     }
     checker.callables.insert(table.name.text.clone(), forms);

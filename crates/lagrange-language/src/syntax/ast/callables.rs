@@ -69,6 +69,8 @@ pub struct TableDefinition {
 pub enum TableSource {
     /// Points in the declaration: arguments, then the value, each with its place.
     Points(Vec<(Vec<AstId>, Origin)>),
+    /// A matrix of values between two axes.
+    Grid(TableGrid),
     /// A file of points, one on each line.
     File {
         /// Path as written.
@@ -78,11 +80,46 @@ pub enum TableSource {
     },
 }
 
+impl TableSource {
+    /// Returns the numbers in the declaration. Each has the index of its argument; values have the
+    /// number of arguments instead.
+    pub fn numbers(&self) -> Vec<(usize, AstId)> {
+        // A copy is used so that numbers are only listed in one place.
+        self.clone().numbers_mut().into_iter().map(|(column, number)| (column, *number)).collect()
+    }
+
+    /// Returns the numbers in the declaration like [`TableSource::numbers`], to be changed.
+    pub fn numbers_mut(&mut self) -> Vec<(usize, &mut AstId)> {
+        match self {
+            TableSource::Points(points) => {
+                points.iter_mut().flat_map(|(point, _)| point.iter_mut().enumerate()).collect()
+            }
+            TableSource::Grid(TableGrid { axes, rows }) => {
+                let of_axes = axes.iter_mut().enumerate();
+                let of_axes =
+                    of_axes.flat_map(|(axis, knots)| knots.iter_mut().map(move |knot| (axis, knot)));
+                of_axes.chain(rows.iter_mut().flatten().map(|value| (2, value))).collect()
+            }
+            TableSource::File { .. } => Vec::new(),
+        }
+    }
+}
+
+/// Values on a grid of two arguments.
+#[derive(Clone, Debug)]
+pub struct TableGrid {
+    /// Values of the first argument, one for each row, and of the second, one for each column.
+    pub axes: [Vec<AstId>; 2],
+    /// Values of the table.
+    pub rows: Vec<Vec<AstId>>,
+}
+
 /// A file of points that has been read.
 #[derive(Clone, Debug)]
 pub struct TableFile {
     /// Path under which the compiler finds it; empty if changes are not tracked.
     pub path: String,
-    /// Points, each with its line number: arguments, then the value.
+    /// Points, each with its line number: arguments, then the value. Those of a grid are listed
+    /// row by row.
     pub points: Vec<(usize, Vec<f64>)>,
 }

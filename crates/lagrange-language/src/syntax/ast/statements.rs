@@ -15,9 +15,7 @@ mod words;
 use proc_macro2::TokenStream;
 
 use super::bodies::SceneStatement;
-use super::callables::{
-    ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
-};
+use super::callables::{ExternalFunction, FunctionDefinition, TableDefinition, UnknownDefinition};
 use super::definitions::{Definition, EmitItem, LimitedEntry, Mode, StateKind};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
@@ -57,7 +55,7 @@ pub struct Statement {
 ///           | "let" ( named | "(" named "," named [ "," named ] ")" ) "=" sum ";"
 ///           | "let" NAME "(" NAME { "," NAME } ")" "=" sum ";"
 ///           | "function" NAME "(" named { "," named } ")" [ ":" unit ] ( ";" | "{" { derivative } "}" [ ";" ] )
-///           | "table" NAME "(" named [ "," named ] ")" [ ":" unit ] "=" ( STRING | "[" point { "," point } "]" ) { "," option } ";"
+///           | "table" NAME "(" named [ "," named ] ")" [ ":" unit ] "=" ( STRING | "[" point { "," point } "]" | "[" row { "," row } "]" ) { "," option } ";"
 ///           | "solve" ( named | "(" named "," named { "," named } ")" ) ":" "0" "=" sum { "," "0" "=" sum } { "," ( "start" | "iterations" ) ":" sum } ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
 ///           | "gibbs" "=" sum "," "for" ":" sum ";"
@@ -78,7 +76,8 @@ pub struct Statement {
 /// limited   = [ allowed ] [ "nominal" sum ]
 /// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
 /// point     = "(" sum "," sum [ "," sum ] ")"
-/// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
+/// row       = "[" sum { "," sum } "]"
+/// option    = ( "rows" | "columns" ) ":" row | "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
 /// reduction = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
 ///           | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 /// action    = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
@@ -252,10 +251,9 @@ impl StatementKind {
             | StatementKind::Stabilise(value)
             | StatementKind::Output(_, value) => vec![value],
             StatementKind::Function(function) => vec![&mut function.value],
-            StatementKind::Table(table) => match &mut table.source {
-                TableSource::Points(points) => points.iter_mut().flat_map(|(point, _)| point).collect(),
-                TableSource::File { .. } => Vec::new(),
-            },
+            StatementKind::Table(table) => {
+                table.source.numbers_mut().into_iter().map(|(_, number)| number).collect()
+            }
             StatementKind::Solve(UnknownDefinition { residuals, starts, iterations, .. }) => {
                 starts.iter_mut().chain(iterations).chain(residuals).collect()
             }

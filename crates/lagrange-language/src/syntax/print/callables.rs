@@ -1,7 +1,9 @@
 //! Functions of the user's crate as text.
 
 use super::Printer;
-use crate::syntax::ast::{ExternalFunction, Name, TableDefinition, TableSource, UnknownDefinition};
+use crate::syntax::ast::{
+    AstId, ExternalFunction, Name, TableDefinition, TableGrid, TableSource, UnknownDefinition,
+};
 
 impl Printer<'_> {
     /// Prints `function f(x) { derivative: slope; }`.
@@ -41,9 +43,28 @@ impl Printer<'_> {
                 });
                 self.text("]");
             }
+            TableSource::Grid(grid) => self.grid(grid),
         }
         let (interpolation, outside) = (table.interpolation.name(), table.outside.name());
         self.text(&format!(", interpolation: {interpolation}, outside: {outside};"));
+    }
+
+    /// Prints `[[a, b], [c, d]], rows: [x, y], columns: [z, w]`.
+    fn grid(&mut self, grid: &TableGrid) {
+        self.text("[");
+        self.list(&grid.rows, |printer, row| printer.numbers("", row));
+        self.text("]");
+        let [rows, columns] = &grid.axes;
+        self.numbers(", rows: ", rows);
+        self.numbers(", columns: ", columns);
+    }
+
+    /// Prints a text and `[a, b]`.
+    fn numbers(&mut self, label: &str, numbers: &[AstId]) {
+        self.text(label);
+        self.text("[");
+        self.list(numbers, |printer, number| printer.expression(*number));
+        self.text("]");
     }
 
     /// Prints `solve y: 0 = e, start: e, iterations: n;`.

@@ -1,5 +1,5 @@
 use super::{read, statements};
-use crate::syntax::ast::{Declaration, Name, StatementKind, TableSource};
+use crate::syntax::ast::{AstId, Declaration, Name, StatementKind, TableGrid, TableSource};
 use crate::syntax::print;
 
 /// Formats a statement about a function without a formula.
@@ -17,13 +17,16 @@ pub(super) fn callable(declaration: &Declaration, kind: &StatementKind) -> Strin
             )
         }
         StatementKind::Table(table) => {
+            let number = |id: &AstId| print::expression(&declaration.expressions, *id);
+            let numbers = |ids: &[AstId]| ids.iter().map(number).collect::<Vec<_>>().join(" ");
             let source = match &table.source {
                 TableSource::File { path, .. } => path.text.clone(),
                 TableSource::Points(points) => {
-                    let component = |id| print::expression(&declaration.expressions, id);
-                    let point =
-                        |point: &[_]| point.iter().map(|id| component(*id)).collect::<Vec<_>>().join(" ");
-                    points.iter().map(|(components, _)| point(components)).collect::<Vec<_>>().join("; ")
+                    points.iter().map(|(components, _)| numbers(components)).collect::<Vec<_>>().join("; ")
+                }
+                TableSource::Grid(TableGrid { axes: [rows, columns], rows: values }) => {
+                    let values = values.iter().map(|row| numbers(row)).collect::<Vec<_>>().join("; ");
+                    format!("{} x {}: {values}", numbers(rows), numbers(columns))
                 }
             };
             let (interpolation, outside) = (table.interpolation.name(), table.outside.name());
@@ -78,6 +81,7 @@ fn functions_and_tables_have_their_form() {
         function none(x) { };
         table motor(speed) = [(0, 90), (1000, 1e2 + 40),], interpolation: monotone, outside: clamp;
         table map(x, y) = \"map.csv\", outside: error, interpolation: linear;
+        table grid(x, y) = [[1, 2, 3], [4, 5, 6],], columns: [0, 1, 2,], outside: error, rows: [3, 4], interpolation: linear;
         output function = table * 2;
     ";
     let declaration = read(&text.replace("jerk }", "jerk; }"));
@@ -88,6 +92,7 @@ fn functions_and_tables_have_their_form() {
         "function none 1 listed",
         "table motor 1 [0 90; 1000 100 + 40] monotone clamp",
         "table map 2 [map.csv] linear error",
+        "table grid 2 [3 4 x 0 1 2: 1 2 3; 4 5 6] linear error",
         "output function (* table 2)",
     ];
     assert_eq!(statements(&declaration), expected);

@@ -35,7 +35,7 @@ pub const KEYWORDS: [Keyword; 35] = [
     .before(Soft::Function),
     Keyword::new(
         "table",
-        "write `table f(x) = [(0, 1), (2, 5)], interpolation: natural, outside: error;`, or `\"points.csv\"` for the list",
+        "write `table f(x) = [(0, 1), (2, 5)], interpolation: natural, outside: error;`, or `\"points.csv\"` for the list; for `f(x, y)`, points `(x, y, z)` or `[[1, 2], [3, 4]], rows: [0, 1], columns: [0, 1]`",
     )
     .before(Soft::Function),
     Keyword::new(
