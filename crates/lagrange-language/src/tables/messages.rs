@@ -11,7 +11,7 @@ messages! {
     FORM_HELP =
         "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
     POINT_OR_GRID_HELP =
-        "a file has points such as `0, 0.5, 1.25`, or a grid: a corner and each `y`, then lines with `x` and its values";
+        "a file has points `0, 0.5, 1.25`, or a grid: an empty or named corner and each `y`, then lines with `x` and its values";
     GRID_HELP =
         "the first line of a grid is a corner and each `y`; other lines are an `x` and the values there";
     DECIMAL_COMMA_HELP = "write decimals with a point: `1.5`";
