@@ -307,7 +307,7 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
     let momenta = gradient(&mut elaborator.evaluator.graph, lagrangian, &velocities);
     check_smoothness(elaborator, lagrangian, &momenta);
     let (mut needs_input_rate, mut is_random) = (false, false);
-    let mut rates = Rates::new(AccelerationTerms::Dropped);
+    let (has_noise, mut rates) = (!elaborator.noises.is_empty(), Rates::new(AccelerationTerms::Dropped));
     for ((speed, span), momentum) in elaborator.speeds.iter().zip(momenta) {
         let dependencies = elaborator.evaluator.graph.dependencies(momentum);
         let is_determined = dependencies.intersects(Dependencies::VELOCITY);
@@ -321,8 +321,10 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
             error.help(if is_linear { messages::NOT_SQUARED_HELP } else { messages::NO_INERTIA_HELP });
         }
         needs_input_rate |= dependencies.intersects(Dependencies::INPUT);
-        let rate = rates.of(&mut elaborator.evaluator.graph, momentum);
-        is_random |= elaborator.evaluator.graph.dependencies(rate).intersects(Dependencies::NOISE);
+        if has_noise && dependencies.intersects(Dependencies::STATE) {
+            let rate = rates.of(&mut elaborator.evaluator.graph, momentum);
+            is_random |= elaborator.evaluator.graph.dependencies(rate).intersects(Dependencies::NOISE);
+        }
     }
     if is_random {
         let help = messages::noise::IN_MOMENTUM_HELP;
