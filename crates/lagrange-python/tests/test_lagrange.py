@@ -530,7 +530,7 @@ def interrupted(compute):
     """Returns the `KeyboardInterrupt` of a computation that Ctrl-C interrupts, and the seconds until then."""
     # Processes in the background ignore Ctrl-C.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    interrupt = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+    interrupt = threading.Timer(1, lambda: os.kill(os.getpid(), signal.SIGINT))
     began = time.monotonic()
     interrupt.start()
     with pytest.raises(KeyboardInterrupt) as raised:

@@ -191,7 +191,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
                 reporter.compare(|asks| problem.evaluate(values, asks))
             })
         };
-        let (best, costs) = best(starts(&values, &bounds, count).into_iter().enumerate().map(search));
+        let (best, costs) = best(starts(&values, &bounds, count).enumerate().map(search));
         if best.is_err() && reporter.is_cancelled() {
             return Err(FitError::Cancelled(None));
         }

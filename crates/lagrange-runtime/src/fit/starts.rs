@@ -9,14 +9,15 @@ const DECADE: f64 = 10.0;
 /// Without a bound, starts are within this distance of a value of zero.
 const UNIT: f64 = 1.0;
 
-/// Returns points between bounds; the first point is these values.
-pub(super) fn starts(values: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<Vec<f64>> {
-    let point = |index: usize| {
+/// Returns points between bounds; the first point is these values. Points are computed as searches
+/// begin: many starts do not delay the first.
+pub(super) fn starts(values: &[f64], bounds: &[(f64, f64)], count: usize) -> impl Iterator<Item = Vec<f64>> {
+    let point = move |index: usize| {
         let places = values.iter().zip(bounds).enumerate();
         let part = |place: usize| 0.5 + 0.5 * spread::<f64>(index, place);
         places.map(|(place, (value, bounds))| within(*value, *bounds, part(place))).collect()
     };
-    (0..count.max(1)).map(|index| if index == 0 { values.to_vec() } else { point(index) }).collect()
+    (0..count.max(1)).map(move |index| if index == 0 { values.to_vec() } else { point(index) })
 }
 
 /// Returns the point at a fraction of the way between the bounds. Between bounds of one sign parts
@@ -35,12 +36,14 @@ fn within(value: f64, (low, high): (f64, f64), part: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::vec::Vec;
+
     use super::starts;
 
     #[test]
     fn points_lie_between_the_bounds_and_in_every_quarter() {
         let bounds = [(0.0, 1.0), (1e-3, 1e3)];
-        let points = starts(&[0.2, 1.0], &bounds, 17);
+        let points = starts(&[0.2, 1.0], &bounds, 17).collect::<Vec<_>>();
         assert_eq!(points[0], [0.2, 1.0]);
         let mut quarters = [0; 4];
         for point in &points[1..] {
