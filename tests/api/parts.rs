@@ -23,6 +23,18 @@ lagrange::system! {
     output deviation = target - theta;
 }
 
+mod swing {
+    lagrange::system! { include "../crates/lagrange-cli/tests/data/swing.lag"; }
+}
+
+#[test]
+fn a_file_is_compiled_as_the_command_reads_it() {
+    let swing = swing::Swing::default();
+    let run = swing.simulate(swing.start()).until(1.0).run().expect("moves");
+    // As `docs/command_line.md` shows.
+    assert!((run.last()[0] - -0.4991571869228085).abs() < 1e-12, "{:?}", run.last());
+}
+
 #[test]
 fn a_machine_of_parts_moves_as_in_an_independent_integration() {
     let machine = Machine {

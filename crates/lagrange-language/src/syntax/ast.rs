@@ -79,7 +79,9 @@ pub struct Declaration {
     pub arrays: Vec<DeclaredArray>,
     /// Parts whose statements have replaced their placements, in order.
     pub placed: Vec<PlacedInstance>,
-    /// Files of parts that were read.
+    /// False for a bare list of statements, without a struct.
+    pub has_header: bool,
+    /// Files of statements that were read.
     pub included: Vec<IncludedFile>,
     /// Names of parts without a placement, although they should have one.
     pub unplaced: Vec<Name>,
@@ -269,7 +271,7 @@ pub struct DeclaredArray {
     pub member_of: Option<[String; 2]>,
 }
 
-/// A file of parts that was read.
+/// A file of statements that was read.
 #[derive(Clone, Debug)]
 pub struct IncludedFile {
     /// Path as written.

@@ -16,11 +16,19 @@ use lagrange_expr::diagnostics::Origin;
 
 /// Name of a system that consists of a bare list of statements.
 const DEFAULT_NAME: &str = "System";
+/// Number of tokens of `include "arm.lag";`.
+const FILE_TOKENS: usize = 3;
 
 /// Returns the declaration for a bare list of statements.
 pub(super) fn default_header() -> Declaration {
     let name = Name::new(DEFAULT_NAME, Span::call_site());
-    declaration(Attributes::default(), (quote!(pub), Span::call_site()), name, ScalarType::F64)
+    let head = declaration(Attributes::default(), (quote!(pub), Span::call_site()), name, ScalarType::F64);
+    Declaration { has_header: false, ..head }
+}
+
+/// True if the only statement includes a file, which then contains the whole declaration.
+pub(super) fn file_ahead(cursor: &Cursor) -> bool {
+    cursor.at_word("include") && cursor.rest().len() <= FILE_TOKENS
 }
 
 /// True if a struct follows, possibly after attributes and a visibility.
@@ -56,6 +64,7 @@ fn declaration(
         is_in_space: false,
         arrays: Vec::new(),
         placed: Vec::new(),
+        has_header: true,
         included: Vec::new(),
         unplaced: Vec::new(),
         counted: HashSet::default(),

@@ -69,7 +69,7 @@ use proc_macro2::TokenStream;
 
 use ast::{Declaration, Name, Statement, declared_bodies};
 use cursor::Cursor;
-use header::{default_header, header_ahead};
+use header::{default_header, file_ahead, header_ahead};
 pub use identifiers::can_be_declared;
 pub use keywords::{NAMEABLE_FUNCTIONS, STRUCTURAL_FUNCTIONS, is_function};
 use lagrange_expr::diagnostics::{Origin, Report};
@@ -78,13 +78,10 @@ use parser::Parser;
 
 /// Reads the input of `system!`.
 ///
-/// The result contains everything readable, regardless of errors elsewhere. It is `None` only if no
-/// struct is named, which is an error in the report.
+/// The result contains everything readable, regardless of errors elsewhere. It is `None` only if
+/// neither a struct nor the file of a whole declaration is named, which is an error in the report.
 pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
-    let cursor = &mut Cursor::new(tokens);
-    let parser = &mut Parser::new(report);
-    let header = parser.header(cursor).ok()?;
-    Some(with_statements(header, parser, cursor))
+    declaration(tokens, file_ahead, report)
 }
 
 /// Reads a declaration from a string.
@@ -93,12 +90,22 @@ pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declarat
 /// computes in `f64` and is named `System`. Text that is not a sequence of tokens, for example with
 /// an unclosed bracket, gives an error and `None`.
 pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
-    let cursor = &mut Cursor::new(text::tokens(text, report)?);
+    declaration(text::tokens(text, report)?, lacks_header, report)
+}
+
+fn lacks_header(cursor: &Cursor) -> bool {
+    !header_ahead(cursor)
+}
+
+/// Reads a declaration from tokens. The header may be missing where the function returns true.
+fn declaration(
+    tokens: TokenStream,
+    may_lack_header: fn(&Cursor) -> bool,
+    report: &mut Report,
+) -> Option<Declaration> {
+    let cursor = &mut Cursor::new(tokens);
     let parser = &mut Parser::new(report);
-    let header = match header_ahead(cursor) {
-        true => parser.header(cursor).ok()?,
-        false => default_header(),
-    };
+    let header = if may_lack_header(cursor) { default_header() } else { parser.header(cursor).ok()? };
     Some(with_statements(header, parser, cursor))
 }
 
@@ -117,13 +124,7 @@ pub fn parse_included(
     declaration: &mut Declaration,
     report: &mut Report,
 ) -> (Vec<Statement>, Option<String>) {
-    let mut own = Report::default();
-    let Some(tokens) = text::tokens(text, &mut own) else {
-        text::report_at(path, text, &own, report);
-        return (Vec::new(), None);
-    };
-    let first = tokens.clone().into_iter().next().map(|token| Origin::from(token.span()));
-    let file = first.filter(|first| first.position().is_some()).map(|first| first.start.file());
+    let Some((tokens, file)) = file_tokens((path, text), report) else { return (Vec::new(), None) };
     let parser = &mut Parser::new(report);
     parser.expressions = std::mem::take(&mut declaration.expressions);
     parser.unreadable_words = std::mem::take(&mut declaration.unreadable_words);
@@ -135,6 +136,26 @@ pub fn parse_included(
     declaration.has_units |= parser.has_units;
     declaration.has_dimensions |= parser.has_dimensions;
     (statements, file)
+}
+
+/// Reads a file that contains a whole declaration, as [`parse_text`] does. Also returns the name of
+/// the file in the spans of its tokens, if these have locations.
+pub fn parse_file(file: (&Name, &str), report: &mut Report) -> (Option<Declaration>, Option<String>) {
+    let Some((tokens, name)) = file_tokens(file, report) else { return (None, None) };
+    (declaration(tokens, lacks_header, report), name)
+}
+
+/// Splits a file into tokens. Also returns the name of the file in their spans, if these have
+/// locations.
+fn file_tokens((path, text): (&Name, &str), report: &mut Report) -> Option<(TokenStream, Option<String>)> {
+    let mut own = Report::default();
+    let Some(tokens) = text::tokens(text, &mut own) else {
+        text::report_at(path, text, &own, report);
+        return None;
+    };
+    let first = tokens.clone().into_iter().next().map(|token| Origin::from(token.span()));
+    let file = first.filter(|first| first.position().is_some()).map(|first| first.start.file());
+    Some((tokens, file))
 }
 
 fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cursor) -> Declaration {

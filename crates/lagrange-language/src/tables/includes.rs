@@ -1,37 +1,24 @@
-//! Files of parts: reading of included files, and their names in messages.
+//! Files of statements: reading of included files, and their names in messages.
 
 use super::messages;
 use super::{FileText, Reader};
 use crate::syntax::ast::{Block, Declaration, IncludedFile, Name, Statement, StatementKind};
-use crate::syntax::parse_included;
+use crate::syntax::{parse_file, parse_included};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::limits::{MAX_PART_BYTES, MAX_PARTS_NESTED};
+use std::path::{Path, PathBuf};
 
 /// State of reading files that include each other.
-struct Includer<'a> {
+pub(super) struct Includer<'a> {
     read: Reader<'a>,
+    /// Folder of the file of the whole declaration, from which other paths in it start.
+    folder: PathBuf,
     /// Paths that have been read, so that each is read only once.
     known: HashSet<String>,
     /// Paths of the files that include the current one.
     around: Vec<String>,
     bytes: u64,
-}
-
-/// Inserts the parts of included files before the statements of a declaration. Errors in files are
-/// reported.
-pub(super) fn include_parts(declaration: &mut Declaration, read: Reader<'_>, report: &mut Report) {
-    let paths = paths(&declaration.statements);
-    if paths.is_empty() {
-        return;
-    }
-    let mut includer = Includer { read, known: HashSet::default(), around: Vec::new(), bytes: 0 };
-    let mut parts = Vec::new();
-    for path in paths {
-        includer.include(&path, path.span.into(), (&mut *declaration, &mut parts), report);
-    }
-    parts.append(&mut declaration.statements);
-    declaration.statements = parts;
 }
 
 /// Returns the paths that statements include.
@@ -43,8 +30,48 @@ fn paths(statements: &[Statement]) -> Vec<Name> {
     paths.collect()
 }
 
-impl Includer<'_> {
-    /// Reads a file and the files that it includes. `root` is the place in the declaration.
+impl<'a> Includer<'a> {
+    pub(super) fn new(read: Reader<'a>) -> Self {
+        Includer { read, folder: PathBuf::new(), known: HashSet::default(), around: Vec::new(), bytes: 0 }
+    }
+
+    /// Reads the files of statements that a declaration includes. Errors in files are reported.
+    pub(super) fn read_statements(&mut self, declaration: &mut Declaration, report: &mut Report) {
+        let root = self.read_whole(declaration, report);
+        let mut parts = Vec::new();
+        for path in paths(&declaration.statements) {
+            let root = root.unwrap_or(path.span.into());
+            self.include(&path, root, (&mut *declaration, &mut parts), report);
+        }
+        parts.append(&mut declaration.statements);
+        declaration.statements = parts;
+    }
+
+    /// Replaces a declaration that consists of a file by the one in it. Returns where the file is
+    /// named.
+    fn read_whole(&mut self, declaration: &mut Declaration, report: &mut Report) -> Option<Origin> {
+        let mut root = None;
+        while let Some(path) = whole_file(declaration) {
+            // Unless it is read, nothing is known about what the file declares.
+            declaration.statements.clear();
+            declaration.unreadable_words.insert(path.text.clone());
+            let root = *root.get_or_insert(path.span.into());
+            let Some((file, known)) = self.open(&path, report) else { break };
+            let (whole, span_file) = parse_file((&path, &file.text), report);
+            let mut included = std::mem::take(&mut declaration.included);
+            included.push(IncludedFile { path: path.text.clone(), watched: file.path, span_file, root });
+            if let Some(whole) = whole {
+                *declaration = whole;
+            }
+            declaration.included = included;
+            self.folder = Path::new(&known).parent().map(Path::to_owned).unwrap_or_default();
+            self.around.push(known);
+        }
+        root
+    }
+
+    /// Reads a file of parts and the files that it includes. `root` is the place in the
+    /// declaration.
     fn include(
         &mut self,
         path: &Name,
@@ -52,24 +79,11 @@ impl Includer<'_> {
         (declaration, parts): (&mut Declaration, &mut Vec<Statement>),
         report: &mut Report,
     ) {
-        if self.around.contains(&path.text) {
-            let message = messages::includes_itself(&path.text);
-            report.error(path.span, message).help(messages::INCLUDES_ITSELF_HELP);
-            return;
-        }
-        if self.around.len() >= MAX_PARTS_NESTED {
-            let message = messages::too_deep(MAX_PARTS_NESTED);
-            report.error(path.span, message).help(messages::TOO_MUCH_TEXT_HELP);
-            return;
-        }
-        if !self.known.insert(path.text.clone()) {
-            return;
-        }
-        let Some(file) = self.text(path, report) else { return };
+        let Some((file, known)) = self.open(path, report) else { return };
         let (statements, span_file) = parse_included((path, &file.text), declaration, report);
         let included = IncludedFile { path: path.text.clone(), watched: file.path, span_file, root };
         declaration.included.push(included);
-        self.around.push(path.text.clone());
+        self.around.push(known);
         for inner in paths(&statements) {
             self.include(&inner, root, (&mut *declaration, &mut *parts), report);
         }
@@ -77,17 +91,52 @@ impl Includer<'_> {
         parts.extend(statements.into_iter().filter_map(|statement| part(statement, report)));
     }
 
-    fn text(&mut self, path: &Name, report: &mut Report) -> Option<FileText> {
-        let (message, help) = match (self.read)(&path.text) {
+    /// Reads a file that is not known yet, and returns it with the path by which it then is.
+    fn open(&mut self, path: &Name, report: &mut Report) -> Option<(FileText, String)> {
+        let known = self.path(&path.text);
+        if self.around.contains(&known) {
+            let message = messages::includes_itself(&path.text);
+            report.error(path.span, message).help(messages::INCLUDES_ITSELF_HELP);
+            return None;
+        }
+        if self.around.len() >= MAX_PARTS_NESTED {
+            let message = messages::too_deep(MAX_PARTS_NESTED);
+            report.error(path.span, message).help(messages::TOO_MUCH_TEXT_HELP);
+            return None;
+        }
+        if !self.known.insert(known.clone()) {
+            return None;
+        }
+        let (message, help) = match (self.read)(&known) {
             Ok(file) if self.bytes + file.text.len() as u64 <= MAX_PART_BYTES => {
                 self.bytes += file.text.len() as u64;
-                return Some(file);
+                return Some((file, known));
             }
             Ok(_) => (messages::too_much_text(&path.text, MAX_PART_BYTES), messages::TOO_MUCH_TEXT_HELP),
             Err(reason) => (messages::unreadable(&path.text, &reason), messages::UNREADABLE_PARTS_HELP),
         };
         report.error(path.span, message).help(help);
         None
+    }
+
+    /// Returns the path of a file that the declaration names.
+    fn path(&self, named: &str) -> String {
+        self.folder.join(named).to_string_lossy().into_owned()
+    }
+
+    /// Reads a file that the declaration names.
+    pub(super) fn text(&self, path: &str) -> Result<FileText, String> {
+        (self.read)(&self.path(path))
+    }
+}
+
+/// Returns the path of the file that a declaration without a header consists of.
+fn whole_file(declaration: &Declaration) -> Option<Name> {
+    match &declaration.statements[..] {
+        [Statement { kind: StatementKind::Block(Block::Include(path)), .. }] if !declaration.has_header => {
+            Some(path.clone())
+        }
+        _ => None,
     }
 }
 

@@ -7,7 +7,7 @@ messages! {
 
     NO_FILES = "only `lagrange::system!` and `pipeline::parse_with` read files";
     UNREADABLE_HELP =
-        "give the path from the folder of your `Cargo.toml`, or list the points: `= [(0, 1), (2, 5)]`";
+        "give the path from the folder of your `Cargo.toml` or of the declaration's file, or list the points: `= [(0, 1), (2, 5)]`";
     FORM_HELP =
         "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
     POINT_OR_GRID_HELP =
@@ -18,7 +18,7 @@ messages! {
 
     INCLUDES_ITSELF_HELP = "remove this line: the parts of the file are known anyway";
     TOO_MUCH_TEXT_HELP = "include fewer or smaller files of parts";
-    UNREADABLE_PARTS_HELP = "give the path from the folder of your `Cargo.toml`";
+    UNREADABLE_PARTS_HELP = "give the path from the folder of your `Cargo.toml` or of the declaration's file";
     PARTS_ONLY = "an included file contains parts only";
     PARTS_ONLY_HELP = "move this statement into a part, or into the declaration that includes the file";
     includes_itself(path) = "`{path}` includes itself";

@@ -13,7 +13,7 @@ pub mod messages;
 mod tests;
 
 use crate::syntax::ast::{Declaration, StatementKind, TableDefinition, TableFile, TableSource};
-use includes::include_parts;
+use includes::Includer;
 pub use includes::name_files;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::MAX_FILE_BYTES;
@@ -67,7 +67,9 @@ pub fn no_files(_: &str) -> Result<FileText, String> {
 /// Reads the files that a declaration includes, then those that tables name. Errors in them are
 /// reported where they are named.
 pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut Report) {
-    include_parts(declaration, read, report);
+    let mut includer = Includer::new(read);
+    includer.read_statements(declaration, report);
+    let read: Reader<'_> = &|path| includer.text(path);
     let mut pending = declaration.statements.iter_mut().collect::<Vec<_>>();
     pending.reverse();
     while let Some(statement) = pending.pop() {

@@ -107,3 +107,69 @@ fn errors_of_the_macro_name_files_lines_and_columns() {
     assert!(items.contains("p.lag:3:13: unknown name `mm` in the part `P`"), "{items}");
     assert!(items.contains("struct S"));
 }
+
+/// A declaration in a folder of its own, which includes parts and a table from there.
+const ARM: [(&str, &str); 3] = [
+    (
+        "models/arm.lag",
+        "/// An arm.\nstruct Arm;\ninclude \"spring.lag\";\ncoord x;\nkinetic = dot(x)^2;\n\
+         table load(x) = \"load.csv\", interpolation: linear, outside: clamp;\nforce x = load(x);\nspring: Spring { on: x; }",
+    ),
+    ("models/spring.lag", SPRING),
+    ("models/load.csv", "0, 1\n1, 3\n"),
+];
+
+#[test]
+fn a_file_may_be_the_whole_declaration() {
+    let included = emitted("include \"models/arm.lag\";", &ARM);
+    for (path, _) in ARM {
+        assert_eq!(included.matches(&format!("include_bytes ! (\"/crate/{path}\")")).count(), 1, "{path}");
+    }
+    let beside = ARM.map(|(path, text)| (path.trim_start_matches("models/"), text));
+    let written = emitted(ARM[0].1, &beside);
+    let unwatched = |code: &str| {
+        let lines = code.replace("const _ : & [u8] = :: core :: include_bytes !", "\n").replace("; ", ";\n");
+        lines.lines().filter(|line| !line.trim().starts_with("(\"/crate/")).collect::<String>()
+    };
+    assert_eq!(unwatched(&included), unwatched(&written));
+    let again = [("all.lag", "include \"models/arm.lag\";"), ARM[0], ARM[1], ARM[2]];
+    assert_eq!(unwatched(&emitted("include \"all.lag\";", &again)), unwatched(&written));
+    let tokens = "include \"models/arm.lag\"".parse().expect("tokens");
+    let items = expand_with(tokens, &quote!(::lagrange), &files(&ARM)).to_string();
+    assert!(items.contains("missing `;`") && items.contains("struct Arm"), "{items}");
+    let tokens = "include \"models/arm.lag\";".parse().expect("tokens");
+    let items = expand_with(tokens, &quote!(::lagrange), &files(&ARM)).to_string();
+    assert_eq!(unwatched(&items), unwatched(&written));
+}
+
+#[test]
+fn mistakes_in_a_whole_declaration_name_their_file() {
+    let cases = [
+        ("struct Arm;\ncoord x;\nkinetic = mm * dot(x)^2;", "1:9 arm.lag:3:11: unknown name `mm`"),
+        ("coord x;\nkinetic = (dot(x)^2;", "1:9 arm.lag:2:11: `(` is never closed"),
+        (
+            "struct Arm {}\ncoord x; kinetic = dot(x)^2;",
+            "1:9 arm.lag:1:12: fields come from `param` and `input` statements, not from the struct",
+        ),
+        ("struct;", "1:9 arm.lag:1:7: expected a name, found `;`"),
+        ("include \"arm.lag\";", "1:9 arm.lag:1:9: `arm.lag` includes itself"),
+        (
+            "struct Arm;\ninclude \"arm.lag\";\ncoord x; kinetic = dot(x)^2;",
+            "1:9 arm.lag:2:9: `arm.lag` includes itself",
+        ),
+        (
+            "struct Arm;\ninclude \"p.lag\";\ncoord x; kinetic = dot(x)^2;",
+            "1:9 arm.lag:2:9: `p.lag` cannot be read: it is not there",
+        ),
+        ("include \"p.lag\";", "1:9 arm.lag:1:9: `p.lag` cannot be read: it is not there"),
+        ("part P {}", "a system needs at least one generalised coordinate"),
+    ];
+    for (file, expected) in cases {
+        let text = "include \"arm.lag\";";
+        assert_eq!(mistakes(text, &[("arm.lag", file)]), [expected], "{file}");
+        let items =
+            expand_with(text.parse().expect("tokens"), &quote!(::lagrange), &files(&[("arm.lag", file)]));
+        let message = expected.trim_start_matches("1:9 ").replace('"', "\\\"");
+        assert!(items.to_string().contains(&message), "{file}: {items}");
+    }
+}
