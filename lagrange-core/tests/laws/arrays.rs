@@ -97,6 +97,17 @@ fn systems_of_the_oracle_have_the_same_bits_with_arrays() {
     }
 }
 
+#[test]
+fn words_that_continue_statements_may_name_arrays() {
+    let text = "param k[2] = [1, 2]; coord x[2]; param end = 3;
+         kinetic = k[0] * dot(x[0])^2 + k[1] * dot(x[1])^2;
+         force x[1] = end * k[1];";
+    let words = text.replace("k[", "along[").replace("x[", "at[").replace("end", "inside");
+    for text in [text, &words] {
+        assert_eq!(numeric(text).acceleration(0.0, &[0.5, -2.0], &[1.0, 0.25]), [0.0, 1.5], "{text}");
+    }
+}
+
 /// Interpolates linearly by hand, and continues beyond the last point as declared.
 fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
     let piece = points.windows(2).find(|pair| x <= pair[1].0).unwrap_or(&points[points.len() - 2..]);

@@ -141,6 +141,8 @@ impl Parser<'_> {
             "include" if matches!(cursor.peek(), Some(TokenTree::Literal(_))) => self.include(cursor),
             _ => match self.scene_statement(&keyword, cursor) {
                 Some(statement) => Ok(StatementKind::Scene(statement?)),
+                // An error says why the statement that declares it is unreadable.
+                None if self.unreadable_words.contains(&keyword.to_string()) => Err(Reported),
                 None => Err(self.unknown_statement(&keyword, cursor)),
             },
         }

@@ -63,8 +63,5 @@ impl SquareBrackets {
 fn can_be_name(token: &TokenTree) -> bool {
     let TokenTree::Ident(word) = token else { return false };
     let word = word.to_string();
-    !(keywords::begins_statement(&word)
-        || is_rust_keyword(&word)
-        || keywords::is_connective(&word)
-        || keywords::is_function(&word))
+    !(keywords::begins_statement(&word) || is_rust_keyword(&word) || keywords::is_function(&word))
 }
