@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use lagrange::Simulate;
 use lagrange::linear::{DenseMatrix, DesignError, LinearModel, Linearise};
 
 lagrange::system! {
@@ -49,11 +50,52 @@ lagrange::system! {
     emit { system_matrix }
 }
 
+lagrange::system! {
+    /// The cart, pushed by a regulator whose Riccati equation runs in the declaration.
+    #[derive(Clone, Debug)]
+    struct Regulated;
+
+    param cart = 1.0, pole = 0.1, l = 0.5, g = 9.81;
+    // The linear model of x, theta and their rates where the pole is upright.
+    let c = pole * g / cart;
+    let a = (g + c) / l;
+    let A = ((0, 0, 1, 0), (0, 0, 0, 1), (0, c, 0, 0), (0, a, 0, 0));
+    param B[4][1] = [[0], [0], [1], [2]];
+    param Q[4][4] = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
+    state S[4][4];
+    dot(S) = transpose(A) * S + S * A - S * B * transpose(B) * S + Q;
+    coord x, theta;
+    kinetic = 1/2 * cart * dot(x)^2 + kinetic_energy(pole, dot((x + l*sin(theta), -l*cos(theta))));
+    potential = -pole * g * l * cos(theta);
+    let gain = (transpose(B) * S)[0];
+    force x = -inner(gain, (x, theta - pi, dot(x), dot(theta)));
+}
+
 fn upright() -> LinearModel {
     let pushed = Pushed::default();
     let found = pushed.equilibrium([0.0, 3.0, 0.0, 0.0]).solve().expect("an equilibrium");
     assert!((found.state[1] - PI).abs() < 1e-15 && found.freedom == 1, "{found:?}");
     pushed.linearise(0.0, found.state).expect("smooth")
+}
+
+/// The gain of the Riccati equation at rest is that of the model, and holds the pole upright.
+#[test]
+fn a_regulator_in_matrices_of_the_declaration_is_that_of_the_model() {
+    let regulated = Regulated::default();
+    let mut start = [0.0; 20];
+    start[1] = PI;
+    let mut start = regulated.simulate(start).until(10.0).run().expect("comes to rest").last();
+    [start[0], start[1]] = [0.1, PI - 0.2];
+    let run = regulated.simulate(start).until(20.0).run().expect("moves");
+    let identity = DenseMatrix::identity(4);
+    let regulator = upright().lqr(&identity, &DenseMatrix::identity(1)).expect("a regulator");
+    let riccati = &run.last()[2..18];
+    for (column, gain) in (0..4).map(|column| (column, regulator.gain[(0, column)])) {
+        let found = riccati[8 + column] + 2.0 * riccati[12 + column];
+        assert!((found - gain).abs() < 1e-8 * gain.abs(), "{found}, not {gain}");
+    }
+    let [x, theta] = [run.last()[0], run.last()[1]];
+    assert!(x.abs() < 1e-6 && (theta - PI).abs() < 1e-6, "{x}, {theta}");
 }
 
 #[test]
