@@ -162,6 +162,7 @@ fn operator_help(cursor: &Cursor, wanted: &str) -> String {
             '#' => messages::COMMENT_HELP,
             ':' => messages::TYPE_HELP,
             '?' => habits::QUESTION_HELP,
+            ',' if cursor.equals_past(2) => habits::SECOND_DEFINITION_HELP,
             ',' => habits::LIST_HELP,
             '=' => messages::SECOND_EQUALS_HELP,
             '|' => messages::MAGNITUDE_HELP,

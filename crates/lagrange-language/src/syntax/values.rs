@@ -21,7 +21,10 @@ impl Parser<'_> {
             Ok(_) => self.no_operator(cursor, "`;`"),
             Err(reported) => reported,
         };
+        let behind = cursor.position();
         self.skip_statement(cursor);
+        // It may be a second definition.
+        self.leave_out(cursor, behind);
         self.unreadable(cursor, start)
     }
 

@@ -64,6 +64,7 @@ messages! {
     MISSING_EXPRESSION = "write an expression here, such as `0`";
     SUM_HELP = "write a sum over a loop as `sum(i in 0..n, e)`";
     QUESTION_HELP = "write `if a < b { … } else { … }`";
+    SECOND_DEFINITION_HELP = "end each definition with `;`, and begin the next with its keyword: `let b = e;`";
     LIST_HELP = "write vectors in parentheses, `(a, b)`, and `;` after the statement";
     LINE_END_HELP = "each line between the braces ends in `;`, not in `,`";
     LONELY_CHARACTER_HELP =
