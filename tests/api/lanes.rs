@@ -66,20 +66,24 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Tables of one and of two arguments, with evenly and unevenly spaced points, and a function
+    /// Tables of one to three arguments, with evenly and unevenly spaced points, and a function
     /// of the crate.
     struct Hoist;
 
     table motor(rate) = [(0, 90), (1, 140), (2, 120), (3, 60)], interpolation: monotone, outside: clamp;
     table hill(x) = [(-1, 0), (0.5, 1), (4, 0.5), (6, 2)], interpolation: natural, outside: extend;
     table drag(rate, x) = [(0, -1, 0), (0, 1, 1), (10, -1, 3), (10, 1, 2)], interpolation: linear, outside: error;
+    table wind(x, y, rate) = [
+        (0, 0, 0, 1), (0, 1, 0, 2), (1, 0, 0, 4), (1, 1, 0, 3),
+        (0, 0, 2, 0), (0, 1, 2, 1), (1, 0, 2, -2), (1, 1, 2, 5),
+    ], interpolation: natural, outside: extend;
     function stiffness(x);
     param m = 2, g = 9.81;
     coord x, y;
     kinetic = kinetic_energy(m, dot((x, hill(x)))) + kinetic_energy(m, dot(y));
     potential = m * g * hill(x);
     force x = motor(dot(x)) - drag(abs(dot(x)), y);
-    force y = -stiffness(y) * y;
+    force y = -stiffness(y) * y + wind(x, y, dot(x));
     emit { lanes }
 }
 

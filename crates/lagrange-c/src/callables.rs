@@ -1,6 +1,7 @@
 //! Functions without a formula: tables, and solutions of equations.
 
 use lagrange_core::code::{Surroundings, Target, Unrepresentable, statements};
+use lagrange_core::limits::MAX_TABLE_ARGUMENTS;
 use lagrange_core::opaque::{Opaque, Table};
 use lagrange_core::pipeline::Programs;
 use lagrange_core::program::{NewtonProgram, Op, Program};
@@ -144,29 +145,43 @@ fn definition(target: Target, index: usize, first: usize, function: &Opaque) -> 
         }
         out += &constants(target, &format!("coefficients_{index}"), &table.coefficients);
     }
-    let parameters = ["double x", "double x, double y"][usize::from(table.axes.len() > 1)];
-    let call = call(target, first, function, table);
-    let head = head(target, "LAGRANGE_FUNCTION double", &format!("table_{index}"), parameters);
-    out + &format!("{head}\n{{\n    return {call}, coefficients_{first}, {size});\n}}\n")
+    let parameters = ARGUMENTS[..table.axes.len()].iter().map(|argument| format!("double {argument}"));
+    let parameters = parameters.collect::<Vec<_>>().join(", ");
+    let [axes, values] = lookup(target, first, function, table);
+    let count = table.axes.len();
+    let head = head(target, "LAGRANGE_FUNCTION double", &format!("table_{index}"), &parameters);
+    let call = in_language(
+        target,
+        [
+            format!("lookup({count}, {axes}, {values}, coefficients_{first}, {size})"),
+            format!("lookup({axes}, {values}, coefficients_{first}, {size})"),
+        ],
+    );
+    out + &format!("{head}\n{{\n    return {call};\n}}\n")
 }
 
-/// Returns the call of the lookup function up to the coefficients.
-fn call(target: Target, first: usize, function: &Opaque, table: &Table) -> String {
-    let arguments = table.axes.iter().zip(["x", "y"]).zip(function.orders()).enumerate();
-    let axes = arguments.map(|(argument, ((axis, variable), order))| {
+/// Names of the arguments of tables.
+const ARGUMENTS: [&str; MAX_TABLE_ARGUMENTS] = ["x", "y", "z"];
+
+/// Returns the lists of the axes and of the arguments of a table.
+fn lookup(target: Target, first: usize, function: &Opaque, table: &Table) -> [String; 2] {
+    let axes = table.axes.iter().zip(function.orders()).enumerate().map(|(argument, (axis, order))| {
         let (density, knots) = (number(axis.density), format!("knots_{first}_{argument}"));
         let count = axis.knots.len();
-        let axis = in_language(
+        in_language(
             target,
             [
-                format!("&(const Axis){{ {knots}, {count}, {density}, {order} }}"),
+                format!("{{ {knots}, {count}, {density}, {order} }}"),
                 format!("{{ knots: {knots}, density: {density}, order: {order} }}"),
             ],
-        );
-        format!("{axis}, {variable}")
+        )
     });
-    let name = ["curve", "surface"][usize::from(table.axes.len() > 1)];
-    format!("{name}({}", axes.collect::<Vec<_>>().join(", "))
+    let axes = axes.collect::<Vec<_>>().join(", ");
+    let values = ARGUMENTS[..table.axes.len()].join(", ");
+    [
+        in_language(target, [format!("(const Axis[]){{ {axes} }}"), format!("[{axes}]")]),
+        in_language(target, [format!("(const double[]){{ {values} }}"), format!("[{values}]")]),
+    ]
 }
 
 /// The arguments of the equation of an algebraic unknown.

@@ -40,38 +40,36 @@ LAGRANGE_FUNCTION double falling(size_t n, size_t k)
     return product;
 }
 
-// A derivative of the polynomial with these coefficients of ascending powers of s.
-LAGRANGE_FUNCTION double polynomial(const double *coefficients, size_t size, size_t order, double s)
+// A derivative of a product of polynomials of distances s, whose coefficients belong to ascending powers; those of the last distance are adjacent.
+LAGRANGE_FUNCTION double polynomial(size_t count, const Axis *axes, const double *s, const double *coefficients, size_t size)
 {
-    double sum;
-    if (order >= size)
+    size_t step = 1;
+    double sum = 0;
+    if (axes->order >= size)
         return 0;
-    sum = coefficients[size - 1] * falling(size - 1, order);
-    for (size_t i = size - 1; i > order; i--)
-        sum = LAGRANGE_MULTIPLY_ADD(sum, s, coefficients[i - 1] * falling(i - 1, order));
+    for (size_t i = 1; i < count; i++)
+        step *= size;
+    for (size_t i = size; i > axes->order; i--) {
+        const double *const next = coefficients + (i - 1) * step;
+        const double term = (count > 1 ? polynomial(count - 1, axes + 1, s + 1, next, size) : *next) * falling(i - 1, axes->order);
+        sum = i == size ? term : LAGRANGE_MULTIPLY_ADD(sum, *s, term);
+    }
     return sum;
 }
 
-LAGRANGE_FUNCTION double curve(const Axis *axis, double x, const double *coefficients, size_t size)
+// The value or a derivative of a table of several arguments x.
+LAGRANGE_FUNCTION double lookup(size_t count, const Axis *axes, const double *x, const double *coefficients, size_t size)
 {
-    if (x == x) {
-        const size_t piece = piece_of(axis, x);
-        const double s = x - axis->knots[piece > 0 ? piece - 1 : 0];
-        return polynomial(coefficients + piece * size, size, axis->order, s);
+    double s[3];
+    size_t piece = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!(x[i] == x[i]))
+            return x[i];
+        const size_t along = piece_of(axes + i, x[i]);
+        s[i] = x[i] - axes[i].knots[along > 0 ? along - 1 : 0];
+        piece = piece * (axes[i].count + 1) + along;
     }
-    return x;
-}
-
-LAGRANGE_FUNCTION double surface(const Axis *along_x, double x, const Axis *along_y, double y, const double *coefficients, size_t size)
-{
-    if (x == x && y == y) {
-        double rows[4];
-        const size_t i = piece_of(along_x, x), j = piece_of(along_y, y);
-        const double s = x - along_x->knots[i > 0 ? i - 1 : 0], r = y - along_y->knots[j > 0 ? j - 1 : 0];
-        const double *const piece = coefficients + (i * (along_y->count + 1) + j) * size * size;
-        for (size_t row = 0; row < size; row++)
-            rows[row] = polynomial(piece + row * size, size, along_y->order, r);
-        return polynomial(rows, size, along_x->order, s);
-    }
-    return x + y;
+    for (size_t i = 0; i < count; i++)
+        piece *= size;
+    return polynomial(count, axes, s, coefficients + piece, size);
 }

@@ -18,29 +18,25 @@ function falling(n, k) {
   return product;
 }
 
-// A derivative of the polynomial with these coefficients of ascending powers of s.
-function polynomial(coefficients, first, size, order, s) {
+// A derivative of a product of polynomials of distances, whose coefficients belong to ascending powers; those of the last distance are adjacent.
+function polynomial(axes, distances, at, coefficients, first, size) {
+  const [order, step] = [axes[at].order, size ** (axes.length - 1 - at)];
   if (order >= size) return 0;
-  let sum = coefficients[first + size - 1] * falling(size - 1, order);
-  for (let i = size - 1; i > order; i--) sum = sum * s + coefficients[first + i - 1] * falling(i - 1, order);
+  const term = (i) => (step > 1 ? polynomial(axes, distances, at + 1, coefficients, first + i * step, size) : coefficients[first + i]) * falling(i, order);
+  let sum = term(size - 1);
+  for (let i = size - 2; i >= order; i--) sum = sum * distances[at] + term(i);
   return sum;
 }
 
-const beyond = ({ knots }, piece, x) => x - knots[piece > 0 ? piece - 1 : 0];
-
-function curve(axis, x, coefficients, size) {
-  if (x !== x) return x;
-  const piece = pieceOf(axis, x);
-  return polynomial(coefficients, piece * size, size, axis.order, beyond(axis, piece, x));
-}
-
-function surface(alongX, x, alongY, y, coefficients, size) {
-  if (x !== x || y !== y) return x + y;
-  const [i, j] = [pieceOf(alongX, x), pieceOf(alongY, y)];
-  const first = (i * (alongY.knots.length + 1) + j) * size * size;
-  const rows = [];
-  for (let row = 0; row < size; row++) {
-    rows.push(polynomial(coefficients, first + row * size, size, alongY.order, beyond(alongY, j, y)));
+// The value or a derivative of a table of several arguments.
+function lookup(axes, values, coefficients, size) {
+  let piece = 0;
+  const distances = [];
+  for (const [i, x] of values.entries()) {
+    if (x !== x) return x;
+    const along = pieceOf(axes[i], x);
+    distances.push(x - axes[i].knots[along > 0 ? along - 1 : 0]);
+    piece = piece * (axes[i].knots.length + 1) + along;
   }
-  return polynomial(rows, 0, size, alongX.order, beyond(alongX, i, x));
+  return polynomial(axes, distances, 0, coefficients, piece * size ** axes.length, size);
 }

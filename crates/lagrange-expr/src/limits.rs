@@ -45,6 +45,9 @@ pub const MAX_INLINED: u64 = 200_000;
 /// Points of a table.
 pub const MAX_POINTS: usize = 100_000;
 
+/// Arguments of a table.
+pub const MAX_TABLE_ARGUMENTS: usize = 3;
+
 /// Bytes of a table file: sufficient for the largest table, which an unoptimised macro reads in
 /// seconds.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;

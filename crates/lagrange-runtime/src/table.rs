@@ -98,73 +98,60 @@ fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
     values
 }
 
-/// A function of one argument, given by piecewise polynomials with N coefficients.
+/// A function of D arguments, given by piecewise products of polynomials with N coefficients each.
 ///
 /// ```
-/// use lagrange::table::{Axis, Curve};
+/// use lagrange::table::{Axis, Table};
 ///
 /// // 1 + 2 x from 0 to 3, and the values at the ends beyond.
-/// let curve = Curve { axis: Axis { knots: &[0.0, 3.0], density: 1.0 / 3.0 }, pieces: &[[1.0, 0.0], [1.0, 2.0], [7.0, 0.0]] };
-/// assert_eq!([curve.value(-1.0), curve.value(2.0), curve.value(5.0)], [1.0, 5.0, 7.0]);
-/// assert_eq!(curve.derivative(1, 2.0_f32), 2.0);
+/// let axis = Axis { knots: &[0.0, 3.0], density: 1.0 / 3.0 };
+/// let table = Table { axes: [axis], rows: &[[1.0, 0.0], [1.0, 2.0], [7.0, 0.0]] };
+/// assert_eq!([-1.0, 2.0, 5.0].map(|x| table.value([x])), [1.0, 5.0, 7.0]);
+/// assert_eq!(table.derivative([1], [2.0_f32]), 2.0);
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Curve<const N: usize> {
-    /// The knots at which pieces meet.
-    pub axis: Axis,
-    /// Coefficients of each piece. There is one piece more than there are knots: the first precedes
-    /// the first knot, the last follows the last knot. Coefficients belong to ascending powers of
-    /// the distance from the start of the piece; for the first piece, from the first knot.
-    pub pieces: &'static [[f64; N]],
+pub struct Table<const D: usize, const N: usize> {
+    /// The knots at which pieces meet, along each argument.
+    pub axes: [Axis; D],
+    /// Coefficients of the pieces, in rows of ascending powers of the distance along the last
+    /// argument from the start of the piece. The other powers change from row to row, the last
+    /// fastest. There is one piece more than there are knots on an axis: the first precedes the
+    /// first knot and is measured from it, the last follows the last knot. Pieces along the last
+    /// argument are adjacent.
+    pub rows: &'static [[f64; N]],
 }
 
-impl<const N: usize> Curve<N> {
-    /// Computes the value; NaN for NaN.
-    #[inline]
-    pub fn value<S: Number>(&self, x: S) -> S {
-        self.derivative(0, x)
-    }
-
-    /// Computes the derivative of this order; NaN for NaN.
-    #[inline]
-    pub fn derivative<S: Number>(&self, order: usize, x: S) -> S {
-        in_groups(|group| match self.axis.find(group, x) {
-            Some((piece, s)) => polynomial(order, s, |power| S::from_f64(self.pieces[piece][power]), N),
-            None => S::NAN,
-        })
-    }
-}
-
-/// A function of two arguments, given by piecewise products of polynomials with N coefficients
-/// each.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Surface<const N: usize> {
-    /// The knots at which pieces meet, along the first and along the second argument.
-    pub axes: [Axis; 2],
-    /// Coefficients of each piece, in rows of ascending powers of the first distance; each row
-    /// contains ascending powers of the second distance. Pieces are arranged in rows along the
-    /// second argument, with the same number as in a [`Curve`].
-    pub pieces: &'static [[[f64; N]; N]],
-}
-
-impl<const N: usize> Surface<N> {
+impl<const D: usize, const N: usize> Table<D, N> {
     /// Computes the value; NaN if an argument is NaN.
     #[inline]
-    pub fn value<S: Number>(&self, x: S, y: S) -> S {
-        self.derivative([0, 0], [x, y])
+    pub fn value<S: Number>(&self, arguments: [S; D]) -> S {
+        self.derivative([0; D], arguments)
     }
 
-    /// Computes the derivative of these orders with respect to the two arguments; NaN if an
-    /// argument is NaN.
+    /// Computes the derivative of these orders with respect to the arguments; NaN if an argument is
+    /// NaN.
     #[inline]
-    pub fn derivative<S: Number>(&self, [by_x, by_y]: [usize; 2], [x, y]: [S; 2]) -> S {
-        let [along_x, along_y] = &self.axes;
+    pub fn derivative<S: Number>(&self, orders: [usize; D], arguments: [S; D]) -> S {
         in_groups(|group| {
-            let Some((i, s)) = along_x.find(group, x) else { return S::NAN };
-            let Some((j, r)) = along_y.find(group, y) else { return S::NAN };
-            let rows = &self.pieces[i * (along_y.knots.len() + 1) + j];
-            let row = |power: usize| polynomial(by_y, r, |k| S::from_f64(rows[power][k]), N);
-            polynomial(by_x, s, row, N)
+            let (mut piece, mut distances) = (0, arguments);
+            for (axis, distance) in self.axes.iter().zip(&mut distances) {
+                let Some((along, from_start)) = axis.find(group, *distance) else { return S::NAN };
+                piece = piece * (axis.knots.len() + 1) + along;
+                *distance = from_start;
+            }
+            // Loops over arguments would not be unrolled. Their number is known, so only one of
+            // these products is compiled.
+            let row = |row: usize| {
+                let coefficient = |power: usize| S::from_f64(self.rows[row][power]);
+                polynomial(orders[D - 1], distances[D - 1], coefficient, N)
+            };
+            let rows =
+                |block: usize| polynomial(orders[D - 2], distances[D - 2], |power| row(block * N + power), N);
+            match D {
+                1 => row(piece),
+                2 => rows(piece),
+                _ => polynomial(orders[0], distances[0], |power| rows(piece * N + power), N),
+            }
         })
     }
 }

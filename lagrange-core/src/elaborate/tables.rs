@@ -13,6 +13,11 @@ use lagrange_language::syntax::ast::{
     AstId, Name, Statement, StatementKind, TableDefinition, TableGrid, TableSource,
 };
 use lagrange_language::tables::messages as shared;
+use std::cmp::Ordering;
+
+/// Number of coefficients for each point up to which tables have the maximum number of points: that
+/// of natural tables of two arguments.
+const MANY_COEFFICIENTS: usize = 16;
 
 /// A point with its place in the declaration or its line in a file.
 struct Point {
@@ -24,11 +29,11 @@ struct Point {
 
 /// Declares a table. Invalid points are reported, and the table is then declared without values.
 pub(super) fn define_table(elaborator: &mut Elaborator<'_>, table: &TableDefinition) {
-    let source = points(elaborator, table).and_then(|points| match table.parameters.len() {
-        1 => curve(elaborator, table, &points),
-        2 => surface(elaborator, table, points),
-        _ => None,
+    let points = points(elaborator, table).filter(|points| {
+        // Points of one argument are listed like a curve, those of a grid in any order.
+        table.parameters.len() > 1 || ascend(elaborator, table, points)
     });
+    let source = points.and_then(|points| on_grid(elaborator, table, points));
     if let Some((source, values)) = &source {
         let name = &table.name;
         if !source.is_finite() {
@@ -78,8 +83,10 @@ fn points(elaborator: &mut Elaborator<'_>, table: &TableDefinition) -> Option<Ve
             .help(words::TOO_FEW_HELP);
         return None;
     }
-    if points.len() > MAX_POINTS {
-        let message = shared::too_many(&table.name.text, points.len(), MAX_POINTS);
+    let per_point = table.interpolation.coefficients().pow(table.parameters.len() as u32);
+    let most = MAX_POINTS * MANY_COEFFICIENTS / per_point.max(MANY_COEFFICIENTS);
+    if points.len() > most {
+        let message = shared::too_many(&table.name.text, points.len(), most);
         report.error(table.name.span, message).help(shared::TOO_MANY_HELP);
         return None;
     }
@@ -145,39 +152,34 @@ fn number(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
     Some(number)
 }
 
-/// Returns a table of one argument, with its values.
-fn curve(
-    elaborator: &mut Elaborator<'_>,
-    table: &TableDefinition,
-    points: &[Point],
-) -> Option<(Table, Vec<f64>)> {
+/// True if the arguments of the points ascend; otherwise it is reported.
+fn ascend(elaborator: &mut Elaborator<'_>, table: &TableDefinition, points: &[Point]) -> bool {
     for pair in points.windows(2) {
         let [before, after] = [pair[0].components[0], pair[1].components[0]];
         if before >= after {
             let message = shared::not_ascending(&table.parameters[0].text, before, after);
             report_point(elaborator, &pair[1], &message).help(words::NOT_ASCENDING_HELP);
-            return None;
+            return false;
         }
     }
-    let points = points.iter().map(|point| (point.components[0], point.components[1])).collect::<Vec<_>>();
-    let values = points.iter().map(|(_, value)| *value).collect();
-    Some((Table::curve(&points, table.interpolation, table.outside), values))
+    true
 }
 
-/// Returns a table of two arguments with its values in rows, from the points of a grid in any
+/// Returns a table with its values in the order of its axes, from the points of a grid in any
 /// order.
-fn surface(
+fn on_grid(
     elaborator: &mut Elaborator<'_>,
     table: &TableDefinition,
     mut points: Vec<Point>,
 ) -> Option<(Table, Vec<f64>)> {
+    let count = table.parameters.len();
     let axis = |argument: usize| {
         let mut knots = points.iter().map(|point| point.components[argument]).collect::<Vec<_>>();
         knots.sort_by(f64::total_cmp);
         knots.dedup();
         knots
     };
-    let axes = [axis(0), axis(1)];
+    let axes = (0..count).map(axis).collect::<Vec<_>>();
     for (knots, name) in axes.iter().zip(&table.parameters) {
         if knots.len() < 2 {
             let report = &mut elaborator.evaluator.report;
@@ -186,25 +188,39 @@ fn surface(
             return None;
         }
     }
+    let arguments = |point: &Point| point.components[..count].to_vec();
     points.sort_by(|a, b| {
-        a.components[0].total_cmp(&b.components[0]).then(a.components[1].total_cmp(&b.components[1]))
+        let pairs = a.components.iter().zip(&b.components).take(count);
+        pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(b)))
     });
-    if let Some(pair) = points.windows(2).find(|pair| pair[0].components[..2] == pair[1].components[..2]) {
+    if let Some(pair) = points.windows(2).find(|pair| arguments(&pair[0]) == arguments(&pair[1])) {
         report_point(elaborator, &pair[1], words::REPEATED_POINT).help(words::GRID_HELP);
         return None;
     }
-    let grid = axes[0].iter().flat_map(|x| axes[1].iter().map(move |y| [*x, *y]));
-    let mut missing = grid.zip(points.iter().map(Some).chain(std::iter::repeat(None)));
-    let is_missing =
-        |point: &Option<&Point>, at: [f64; 2]| point.is_none_or(|point| point.components[..2] != at);
-    if let Some((at, _)) = missing.find(|(at, point)| is_missing(point, *at)) {
+    let size = axes.iter().map(Vec::len).product::<usize>();
+    let missing = (0..size.min(points.len() + 1))
+        .map(|index| grid_point(&axes, index))
+        .zip(points.iter().map(Some).chain([None]))
+        .find(|(at, point)| point.is_none_or(|point| arguments(point) != *at));
+    if let Some((at, _)) = missing {
         let report = &mut elaborator.evaluator.report;
-        report.error(table.name.span, words::missing_point(&table.name.text, at)).help(words::GRID_HELP);
+        report.error(table.name.span, words::missing_point(&table.name.text, &at)).help(words::GRID_HELP);
         return None;
     }
-    let values = points.iter().map(|point| point.components[2]).collect::<Vec<_>>();
-    let rows = values.chunks(axes[1].len()).map(<[f64]>::to_vec).collect::<Vec<_>>();
-    Some((Table::surface(axes, &rows, table.interpolation, table.outside), values))
+    let values = points.iter().map(|point| point.components[count]).collect::<Vec<_>>();
+    Some((Table::new(axes, &values, table.interpolation, table.outside), values))
+}
+
+/// Returns the arguments of a point of a grid, those along the last axis changing fastest.
+fn grid_point(axes: &[Vec<f64>], mut index: usize) -> Vec<f64> {
+    let mut point = axes.iter().rev().map(|knots| {
+        let knot = knots[index % knots.len()];
+        index /= knots.len();
+        knot
+    });
+    let mut point = point.by_ref().collect::<Vec<_>>();
+    point.reverse();
+    point
 }
 
 fn report_point<'a>(elaborator: &'a mut Elaborator<'_>, point: &Point, message: &str) -> &'a mut Diagnostic {
@@ -268,10 +284,11 @@ pub(super) fn names_of_functions(statements: &[Statement]) -> Vec<&Name> {
 fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
     let parameters = table.parameters.iter().map(|name| name.text.clone()).collect::<Vec<_>>();
     let orders = 0..table.interpolation.coefficients() as u8;
-    let all = match parameters.len() {
-        1 => orders.map(|order| vec![order]).collect::<Vec<_>>(),
-        _ => orders.clone().flat_map(|x| orders.clone().map(move |y| vec![x, y])).collect(),
-    };
+    let all = parameters.iter().fold(vec![vec![]], |all, _| {
+        let extended =
+            all.iter().flat_map(|of: &Vec<u8>| orders.clone().map(|order| [&of[..], &[order]].concat()));
+        extended.collect()
+    });
     let derivatives = all.iter().filter(|orders| orders.iter().any(|order| *order > 0));
     derivatives.map(|orders| default_name(&table.name.text, &parameters, orders)).collect()
 }

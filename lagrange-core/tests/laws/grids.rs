@@ -1,7 +1,7 @@
 //! A table by axes and a matrix, in the declaration or in a file, is the table of its points.
 
 use lagrange_core::derive::StrategyChoice;
-use lagrange_core::pipeline::parse_with;
+use lagrange_core::pipeline::{NumericSystem, parse, parse_with};
 use lagrange_core::tables::FileText;
 use proptest::prelude::{Strategy, any, prop_assert_eq, proptest};
 use quote::quote;
@@ -102,6 +102,53 @@ fn without_fingerprint(code: &str) -> String {
     let (before, after) = code.split_once("FINGERPRINT").expect("a fingerprint");
     let (_, after) = after.split_once(';').expect("its end");
     format!("{before}{after}")
+}
+
+/// Returns the place of a number between the knots that surround it, and how far it is between
+/// them.
+fn between(knots: &[f64], x: f64) -> (usize, f64) {
+    let i = (1..knots.len() - 1).rev().find(|i| knots[*i] <= x).unwrap_or(0);
+    (i, (x - knots[i]) / (knots[i + 1] - knots[i]))
+}
+
+/// Interpolates between the eight corners around a place by hand; the points are listed in any
+/// order.
+#[test]
+fn tables_of_three_arguments_interpolate_between_eight_corners() {
+    let (a, b, c) = ([0.0, 1.0, 2.5], [-1.0, 0.5], [0.0, 10.0, 20.0, 40.0]);
+    let value = |i: usize, j: usize, k: usize| ((5 * i + 3 * j * j + 7 * k) % 11) as f64 + (i * j * k) as f64;
+    let places = (0..24).map(|n| (n / 8, n % 2, n / 2 % 4)).collect::<Vec<_>>();
+    let points =
+        places.iter().map(|&(i, j, k)| format!("({}, {}, {}, {})", a[i], b[j], c[k], value(i, j, k)));
+    let points = points.rev().collect::<Vec<_>>().join(", ");
+    let text = |outside: &str| {
+        format!(
+            "table map(a, b, c) = [{points}], interpolation: linear, outside: {outside};
+             coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); force x = map(x, y, t);"
+        )
+    };
+    let derived = |text: &str| {
+        let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+        NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")))
+    };
+    let [clamped, strict] = ["clamp", "error"].map(|outside| derived(&text(outside)));
+    for (x, y, t) in
+        [(0.0, -1.0, 0.0), (0.3, 0.1, 7.0), (2.0, 0.5, 33.0), (2.5, -0.2, 40.0), (1.0, 0.0, 20.0)]
+    {
+        let [(i, u), (j, v), (k, w)] = [between(&a, x), between(&b, y), between(&c, t)];
+        let corner = |n: usize| {
+            let [di, dj, dk] = [n & 1, n >> 1 & 1, n >> 2];
+            let part = |step: usize, part: f64| if step == 1 { part } else { 1.0 - part };
+            part(di, u) * part(dj, v) * part(dk, w) * value(i + di, j + dj, k + dk)
+        };
+        let expected = (0..8).map(corner).sum::<f64>();
+        for system in [&clamped, &strict] {
+            let found = system.acceleration(t, &[x, y], &[0.0; 2])[0];
+            assert!((found - expected).abs() < 1e-13, "{found}, not {expected}, at {x}, {y}, {t}");
+        }
+    }
+    assert_eq!(clamped.acceleration(50.0, &[-1.0, 9.0], &[0.0; 2])[0], value(0, 1, 3));
+    assert!(strict.acceleration(50.0, &[0.5, 0.0], &[0.0; 2])[0].is_nan());
 }
 
 proptest! {

@@ -11,7 +11,7 @@ use lagrange_core::limits::{
     MAX_DECIMAL_EXPONENT, MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS, MAX_EVENTS, MAX_EXPANDED_NESTING,
     MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS, MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING,
     MAX_NOISES, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS, MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED,
-    MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
+    MAX_POINTS, MAX_STATES, MAX_TABLE_ARGUMENTS, MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
 };
 use lagrange_core::pipeline::{expand, parse_with};
 use lagrange_core::tables::{FileText, decoded};
@@ -110,6 +110,10 @@ fn excesses() -> Vec<Excess> {
         excess!(MAX_ELEMENTS, format!("param k[{}]; {coordinate}", MAX_ELEMENTS + 1)),
         excess!(MAX_INLINED, calls + "potential = f19(x);"),
         excess!(MAX_POINTS, table(&format!("[{}]", points(MAX_POINTS + 1)))),
+        excess!(
+            MAX_TABLE_ARGUMENTS,
+            format!("table f(a, b, c, d) = [(0, 0, 0, 0, 1), (1, 1, 1, 1, 2)], interpolation: linear, outside: clamp; {coordinate}")
+        ),
         excess!(MAX_FILE_BYTES, table("\"big.csv\"")),
         excess!(MAX_PART_BYTES, format!("include \"big.lag\"; {coordinate}")),
         excess!(MAX_ITERATIONS, format!("{coordinate} {solved} potential = y;")),

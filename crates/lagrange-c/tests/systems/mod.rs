@@ -1,7 +1,7 @@
 //! Declarations for the C tests.
 
 /// Systems with everything that a module may contain.
-pub(crate) const SYSTEMS: [&str; 16] = [
+pub(crate) const SYSTEMS: [&str; 17] = [
     DOUBLE_PENDULUM,
     "struct Chain; param k[3] = [10.0, 20.0, 30.0]; input push = 1; coord x[3] = [0.1, 0.2, 0.3];
         kinetic = 1/2 * sum(i in 0..3, dot(x[i])^2);
@@ -39,6 +39,12 @@ pub(crate) const SYSTEMS: [&str; 16] = [
     "struct Map; table lift(a, b) = [(0, 0, 1), (0, 1, 2), (0, 3, 0), (1, 0, 4), (1, 1, 3), (1, 3, 1)],
         interpolation: natural, outside: extend;
         coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = lift(x, y);",
+    "struct Solid; table lift(a, b, c) = [(0, 0, 0, 1), (0, 1, 0, 2), (1, 0, 0, 4), (1, 1, 0, 3),
+        (0, 0, 2, 0), (0, 1, 2, 1), (1, 0, 2, -2), (1, 1, 2, 5)], interpolation: natural, outside: extend;
+        table push(a, b, c) = [(0, 0, 0, 1), (0, 1, 0, 2), (1, 0, 0, 4), (1, 1, 0, 3),
+        (0, 0, 2, 0), (0, 1, 2, 1), (1, 0, 2, -2), (1, 1, 2, 5)], interpolation: linear, outside: clamp;
+        coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = lift(x, y, t);
+        force x = push(y, dot(x), dot(y));",
     "struct Implicit; coord x; solve y: 0 = y^3 + y - x, start: x;
         kinetic = 1/2 * dot(x)^2; potential = 2 * y^2; output root = y;",
     "struct FourBar; param d = 3.5; coord phi;

@@ -1,8 +1,8 @@
 //! Tables: piecewise polynomial functions, between and beyond the points of a declaration.
 //!
-//! With one argument, a table is a spline. With two, it is the tensor product of two splines, since
-//! splines depend linearly on the values that they interpolate. The coefficients of the splines
-//! along one axis are interpolated along the other.
+//! With one argument, a table is a spline. With several, it is the tensor product of splines, since
+//! these depend linearly on the values that they interpolate. The coefficients of the splines along
+//! the last axes are interpolated along the first.
 
 use crate::elementary::multiply_add;
 
@@ -18,8 +18,8 @@ pub struct Table {
     /// Values beyond the first and the last point.
     pub outside: Outside,
     /// Coefficients of the pieces, including those before the first knot and after the last. They
-    /// belong to ascending powers of the distance from the start of a piece. With two arguments,
-    /// both coefficients and pieces are in rows.
+    /// belong to ascending powers of the distance from the start of a piece. The piece along the
+    /// last argument changes fastest, and so does the power of its distance within a piece.
     pub coefficients: Vec<f64>,
 }
 
@@ -91,45 +91,17 @@ impl Axis {
 }
 
 impl Table {
-    /// Creates a table of one argument through at least two points whose first components ascend.
-    pub fn curve(points: &[(f64, f64)], interpolation: Interpolation, outside: Outside) -> Table {
-        let (knots, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
-        let coefficients = pieces(&knots, &values, interpolation, outside).concat();
-        Table { axes: vec![Axis::new(knots)], interpolation, outside, coefficients }
-    }
-
-    /// Creates a table of two arguments with these values, in rows for each knot of the first
-    /// argument. It only supports interpolations that depend linearly on the values.
-    pub fn surface(
-        [along_x, along_y]: [Vec<f64>; 2],
-        values: &[Vec<f64>],
-        interpolation: Interpolation,
-        outside: Outside,
-    ) -> Table {
-        let rows = values.iter().map(|row| pieces(&along_y, row, interpolation, outside).concat());
-        let rows = rows.collect::<Vec<_>>();
-        let size = interpolation.coefficients();
-        let (columns, per_row) = (rows[0].len(), along_y.len() + 1);
-        // A spline along x through each coefficient of the splines along y.
-        let splines = (0..columns).map(|column| {
-            let values = rows.iter().map(|row| row[column]).collect::<Vec<_>>();
-            pieces(&along_x, &values, interpolation, outside)
-        });
-        let splines = splines.collect::<Vec<_>>();
-        let mut coefficients = Vec::with_capacity((along_x.len() + 1) * columns * size);
-        for (i, j) in (0..=along_x.len()).flat_map(|i| (0..per_row).map(move |j| (i, j))) {
-            let of_piece = &splines[j * size..][..size];
-            coefficients
-                .extend((0..size).flat_map(|power| of_piece.iter().map(move |along_x| along_x[i][power])));
-        }
-        let axes = vec![Axis::new(along_x), Axis::new(along_y)];
-        Table { axes, interpolation, outside, coefficients }
+    /// Creates a table with these values at the points of a grid, those along the last axis
+    /// changing fastest. Each axis has at least two knots, which ascend. Interpolations of several
+    /// arguments must depend linearly on the values.
+    pub fn new(axes: Vec<Vec<f64>>, values: &[f64], interpolation: Interpolation, outside: Outside) -> Table {
+        let coefficients = products(&axes, values, interpolation, outside);
+        Table { axes: axes.into_iter().map(Axis::new).collect(), interpolation, outside, coefficients }
     }
 
     /// Returns the largest magnitude of a value at the start of a piece.
     pub fn largest_value(&self) -> f64 {
-        let size = self.interpolation.coefficients().pow(self.axes.len() as u32);
-        let values = self.coefficients.iter().step_by(size).filter(|value| value.is_finite());
+        let values = self.coefficients.iter().step_by(self.piece_size()).filter(|value| value.is_finite());
         values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 
@@ -155,40 +127,39 @@ impl Table {
     /// True if all polynomials have finite coefficients, including those beyond the points unless
     /// the table is undefined there.
     pub fn is_finite(&self) -> bool {
-        let per_row = self.axes.last().map_or(1, Axis::pieces);
-        let is_between = |axis: &Axis, piece: usize| (1..axis.knots.len()).contains(&piece);
-        let are_between = |piece: usize| match &self.axes[..] {
-            [along_x, along_y] => {
-                is_between(along_x, piece / per_row) && is_between(along_y, piece % per_row)
-            }
-            axes => axes.iter().all(|axis| is_between(axis, piece)),
+        let are_between = |mut piece: usize| {
+            self.axes.iter().rev().all(|axis| {
+                let along = piece % axis.pieces();
+                piece /= axis.pieces();
+                (1..axis.knots.len()).contains(&along)
+            })
         };
-        let size = self.interpolation.coefficients().pow(self.axes.len() as u32);
-        let mut pieces = self.coefficients.chunks(size).enumerate();
+        let mut pieces = self.coefficients.chunks(self.piece_size()).enumerate();
         let has_end = self.outside == Outside::Error;
         pieces
             .all(|(piece, of_piece)| has_end && !are_between(piece) || of_piece.iter().all(|c| c.is_finite()))
     }
 
-    /// True if each polynomial ends at the value where the next one starts. Values are in rows, as
-    /// in [`Table::surface`].
+    /// True if each polynomial ends at the value where the next one starts. Values are in the order
+    /// of [`Table::new`].
     ///
     /// If distances between points differ by many orders of magnitude, a spline oscillates so
     /// strongly that rounding errors exceed the values.
     pub fn goes_through(&self, values: &[f64]) -> bool {
         let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        let is_met = |found: f64, value: f64| (found - value).abs() <= MISSED * largest;
-        let ends = |axis: &Axis| 1..axis.knots.len();
-        let end = |axis: &Axis, piece: usize| (piece, axis.knots[piece] - axis.knots[piece - 1]);
-        match &self.axes[..] {
-            [axis] => ends(axis).all(|i| is_met(self.piece_value(&[0], &[end(axis, i)]), values[i])),
-            [along_x, along_y] => ends(along_x).all(|i| {
-                let row = &values[i * along_y.knots.len()..];
-                ends(along_y)
-                    .all(|j| is_met(self.piece_value(&[0, 0], &[end(along_x, i), end(along_y, j)]), row[j]))
-            }),
-            _ => false,
-        }
+        let orders = vec![0; self.axes.len()];
+        values.iter().enumerate().all(|(mut index, value)| {
+            let ends = self.axes.iter().rev().map(|axis| {
+                let knot = index % axis.knots.len();
+                index /= axis.knots.len();
+                (knot, axis.knots[knot] - axis.knots[knot.saturating_sub(1)])
+            });
+            let mut ends = ends.collect::<Vec<_>>();
+            ends.reverse();
+            // No polynomial ends at a first knot.
+            ends.iter().any(|(piece, _)| *piece == 0)
+                || (self.piece_value(&orders, &ends) - value).abs() <= MISSED * largest
+        })
     }
 
     /// Computes a value or a derivative like emitted code; NaN for NaN.
@@ -200,26 +171,51 @@ impl Table {
 
     /// Computes a value or a derivative of a polynomial at distances from its start.
     fn piece_value(&self, orders: &[u8], places: &[(usize, f64)]) -> f64 {
-        let size = self.interpolation.coefficients();
-        match (&self.axes[..], orders, places) {
-            ([_], [order], [(piece, s)]) => {
-                polynomial(&self.coefficients[piece * size..][..size], usize::from(*order), *s)
-            }
-            ([_, along_y], [by_x, by_y], [(i, s), (j, r)]) => {
-                let piece = (i * along_y.pieces() + j) * size * size;
-                let rows = self.coefficients[piece..][..size * size].chunks(size);
-                let along_x = rows.map(|row| polynomial(row, usize::from(*by_y), *r)).collect::<Vec<_>>();
-                polynomial(&along_x, usize::from(*by_x), *s)
-            }
-            _ => f64::NAN,
-        }
+        let piece = self.axes.iter().zip(places).fold(0, |index, (axis, (i, _))| index * axis.pieces() + i);
+        let size = self.piece_size();
+        product(&self.coefficients[piece * size..][..size], self.interpolation.coefficients(), orders, places)
+    }
+
+    /// Returns the number of coefficients of each piece.
+    fn piece_size(&self) -> usize {
+        self.interpolation.coefficients().pow(self.axes.len() as u32)
     }
 }
 
-/// Computes a derivative of this order of Σ cᵢ sⁱ, by Horner's rule.
-fn polynomial(coefficients: &[f64], order: usize, s: f64) -> f64 {
-    let terms = coefficients.iter().enumerate().skip(order).rev();
-    let mut terms = terms.map(|(power, coefficient)| coefficient * falling(power, order));
+/// Returns the coefficients of a table: splines along the first axis through each coefficient of
+/// the splines along the others.
+fn products(axes: &[Vec<f64>], values: &[f64], interpolation: Interpolation, outside: Outside) -> Vec<f64> {
+    let Some((first, others)) = axes.split_first() else { return values.to_vec() };
+    let at_knots = values.chunks(values.len() / first.len());
+    let at_knots =
+        at_knots.map(|values| products(others, values, interpolation, outside)).collect::<Vec<_>>();
+    let splines = (0..at_knots[0].len()).map(|column| {
+        let values = at_knots.iter().map(|coefficients| coefficients[column]).collect::<Vec<_>>();
+        pieces(first, &values, interpolation, outside)
+    });
+    let splines = splines.collect::<Vec<_>>();
+    let size = interpolation.coefficients();
+    let of_pieces = (0..=first.len())
+        .flat_map(|i| splines.chunks(size.pow(others.len() as u32)).map(move |of_piece| (i, of_piece)));
+    of_pieces
+        .flat_map(|(i, of_piece)| {
+            (0..size).flat_map(move |power| of_piece.iter().map(move |spline| spline[i][power]))
+        })
+        .collect()
+}
+
+/// Computes a derivative of a product of polynomials with this number of coefficients each.
+fn product(coefficients: &[f64], count: usize, orders: &[u8], places: &[(usize, f64)]) -> f64 {
+    let ([order, orders @ ..], [(_, s), places @ ..]) = (orders, places) else { return coefficients[0] };
+    let size = coefficients.len() / count;
+    let coefficient = |power: usize| product(&coefficients[power * size..][..size], count, orders, places);
+    polynomial(coefficient, count, usize::from(*order), *s)
+}
+
+/// Computes a derivative of this order of Σ cᵢ sⁱ with this number of coefficients, by Horner's
+/// rule.
+fn polynomial(coefficient: impl Fn(usize) -> f64, count: usize, order: usize, s: f64) -> f64 {
+    let mut terms = (order..count).rev().map(|power| coefficient(power) * falling(power, order));
     let Some(highest) = terms.next() else { return 0.0 };
     terms.fold(highest, |sum, term| multiply_add(sum, s, term))
 }

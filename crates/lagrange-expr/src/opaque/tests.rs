@@ -44,6 +44,11 @@ fn the_order_in_which_a_function_is_differentiated_does_not_matter() {
 
 const POINTS: [(f64, f64); 6] = [(0.0, 0.0), (1.0, 0.5), (1.5, 2.0), (3.0, 2.0), (3.5, 1.0), (6.0, -4.0)];
 
+fn curve(points: &[(f64, f64)], interpolation: Interpolation, outside: Outside) -> Table {
+    let (knots, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
+    Table::new(vec![knots], &values, interpolation, outside)
+}
+
 fn central_difference(table: &Table, order: u8, x: f64) -> f64 {
     let h = 1e-5;
     (table.value(&[order], &[x + h]) - table.value(&[order], &[x - h])) / (2.0 * h)
@@ -52,7 +57,7 @@ fn central_difference(table: &Table, order: u8, x: f64) -> f64 {
 #[test]
 fn tables_go_through_their_points_and_have_the_derivatives_of_their_polynomials() {
     for (name, interpolation) in Interpolation::ALL {
-        let table = Table::curve(&POINTS, interpolation, Outside::Extend);
+        let table = curve(&POINTS, interpolation, Outside::Extend);
         for (x, y) in POINTS {
             assert!((table.value(&[0], &[x]) - y).abs() < 1e-15, "{name} at {x}");
         }
@@ -69,7 +74,7 @@ fn tables_go_through_their_points_and_have_the_derivatives_of_their_polynomials(
 /// Evaluates from both sides of every knot, including the ends.
 #[test]
 fn natural_splines_that_are_extended_have_continuous_second_derivatives() {
-    let table = Table::curve(&POINTS, Interpolation::Natural, Outside::Extend);
+    let table = curve(&POINTS, Interpolation::Natural, Outside::Extend);
     for (x, _) in POINTS {
         for order in 0..3 {
             let [below, above] = [-1e-12, 1e-12].map(|by| table.value(&[order], &[x + by]));
@@ -80,7 +85,7 @@ fn natural_splines_that_are_extended_have_continuous_second_derivatives() {
 
 #[test]
 fn monotone_splines_never_overshoot() {
-    let table = Table::curve(&POINTS, Interpolation::Monotone, Outside::Error);
+    let table = curve(&POINTS, Interpolation::Monotone, Outside::Error);
     let samples = (0..=6000).map(|i| f64::from(i) / 1000.0).collect::<Vec<_>>();
     for pair in samples.windows(2) {
         let [before, after] = [pair[0], pair[1]].map(|x| table.value(&[0], &[x]));
@@ -93,8 +98,7 @@ fn monotone_splines_never_overshoot() {
 
 #[test]
 fn what_lies_outside_is_as_declared() {
-    let value =
-        |outside, order, x| Table::curve(&POINTS, Interpolation::Monotone, outside).value(&[order], &[x]);
+    let value = |outside, order, x| curve(&POINTS, Interpolation::Monotone, outside).value(&[order], &[x]);
     assert!(value(Outside::Error, 0, -1e-9).is_nan() && value(Outside::Error, 1, 6.1).is_nan());
     assert_eq!([value(Outside::Error, 0, 0.0), value(Outside::Error, 0, 6.0)], [0.0, -4.0]);
     assert_eq!([value(Outside::Clamp, 0, -5.0), value(Outside::Clamp, 0, 7.0)], [0.0, -4.0]);
@@ -106,24 +110,39 @@ fn what_lies_outside_is_as_declared() {
 
 /// A polynomial with the form of products of splines is its own interpolation.
 #[test]
-fn tables_of_two_arguments_are_products_of_splines() {
-    let [along_x, along_y] = [vec![0.0, 1.0, 2.5, 4.0], vec![-1.0, 0.0, 2.0]];
-    let at = |x: f64, y: f64| (1.0 + 2.0 * x) * (3.0 - y);
-    let values =
-        along_x.iter().map(|x| along_y.iter().map(|y| at(*x, *y)).collect()).collect::<Vec<Vec<f64>>>();
-    for interpolation in [Interpolation::Linear, Interpolation::Natural] {
-        let axes = [along_x.clone(), along_y.clone()];
-        let table = Table::surface(axes, &values, interpolation, Outside::Extend);
-        for (x, y) in [(0.5, 0.5), (2.5, 2.0), (3.9, -0.9), (-1.0, 1.0), (5.0, 4.0)] {
-            let found = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|orders| table.value(&orders, &[x, y]));
-            for (found, expected) in found.into_iter().zip([at(x, y), 2.0 * (3.0 - y), -1.0 - 2.0 * x, -2.0])
-            {
-                assert!((found - expected).abs() < 1e-13, "{found} at {x}, {y} is not {expected}");
+fn tables_of_several_arguments_are_products_of_splines() {
+    let axes = vec![vec![0.0, 1.0, 2.5, 4.0], vec![-1.0, 0.0, 2.0], vec![10.0, 11.0, 13.0]];
+    let factors = |x: &[f64]| [1.0 + 2.0 * x[0], 3.0 - x[1], 0.5 * x[2] - 1.0];
+    let slopes = [2.0, -1.0, 0.5];
+    for (count, interpolation) in [2, 3]
+        .into_iter()
+        .flat_map(|count| [Interpolation::Linear, Interpolation::Natural].map(|way| (count, way)))
+    {
+        let at = |x: &[f64]| factors(&[x, &[4.0]].concat())[..count].iter().product::<f64>();
+        let points = axes[..count].iter().fold(vec![vec![]], |points, axis| {
+            let extended =
+                points.iter().flat_map(|point| axis.iter().map(move |knot| [&point[..], &[*knot]].concat()));
+            extended.collect::<Vec<Vec<f64>>>()
+        });
+        let values = points.iter().map(|point| at(point)).collect::<Vec<_>>();
+        let table = |outside| Table::new(axes[..count].to_vec(), &values, interpolation, outside);
+        let extended = table(Outside::Extend);
+        assert!(extended.goes_through(&values) && extended.is_finite());
+        for x in [[0.5, 0.5, 10.5], [2.5, 2.0, 13.0], [3.9, -0.9, 12.0], [-1.0, 1.0, 9.0], [5.0, 4.0, 14.0]] {
+            let factors = factors(&x);
+            for choice in 0..1 << count {
+                let orders = (0..count).map(|axis| choice >> axis & 1).collect::<Vec<u8>>();
+                let expected =
+                    (0..count).map(|i| if orders[i] > 0 { slopes[i] } else { factors[i] }).product::<f64>();
+                let found = extended.value(&orders, &x[..count]);
+                assert!((found - expected).abs() < 1e-12, "{found} at {x:?} is not {expected}, {orders:?}");
             }
         }
-        let strict =
-            Table::surface([along_x.clone(), along_y.clone()], &values, interpolation, Outside::Error);
-        assert!(strict.value(&[0, 0], &[1.0, 3.0]).is_nan() && strict.value(&[0, 0], &[-0.1, 1.0]).is_nan());
+        let strict = table(Outside::Error);
+        for outside in [[1.0, 3.0, 11.0], [-0.1, 1.0, 11.0]] {
+            assert!(strict.value(&vec![0; count], &outside[..count]).is_nan());
+        }
+        assert_eq!(strict.value(&vec![0; count], &[1.0, 1.0, 9.0][..count]).is_nan(), count == 3);
     }
 }
 
@@ -131,7 +150,7 @@ fn tables_of_two_arguments_are_products_of_splines() {
 fn even_grids_are_recognised_and_give_the_same_values() {
     let knots = (0..50).map(|i| 0.1 * f64::from(i) - 1.0).collect::<Vec<_>>();
     let points = knots.iter().map(|x| (*x, x.sin())).collect::<Vec<_>>();
-    let even = Table::curve(&points, Interpolation::Natural, Outside::Error);
+    let even = curve(&points, Interpolation::Natural, Outside::Error);
     assert!((even.axes[0].density - 10.0).abs() < 1e-12);
     let mut searched = even.clone();
     searched.axes[0].density = 0.0;
@@ -150,17 +169,16 @@ fn pieces_that_miss_the_next_point_by_rounding_are_found() {
     let uneven = |scale: f64| vec![1.0, 2.0, 3.0 * scale, 6.0 * scale, 7.0 * scale, 8.0 * scale];
     for (name, interpolation) in Interpolation::ALL {
         let curve = |knots: Vec<f64>| {
-            let points = knots.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();
-            Table::curve(&points, interpolation, Outside::Error).goes_through(&values)
+            Table::new(vec![knots], &values, interpolation, Outside::Error).goes_through(&values)
         };
         assert!(curve(even.clone()) && curve(uneven(1e3)), "{name}");
         assert_eq!(curve(uneven(1e18)), interpolation != Interpolation::Natural, "{name}");
         if interpolation != Interpolation::Monotone {
             let surface = |knots: Vec<f64>| {
-                let rows = vec![values.clone(), values.clone(), values.iter().rev().copied().collect()];
+                let rows = [values.clone(), values.clone(), values.iter().rev().copied().collect()].concat();
                 let table =
-                    Table::surface([vec![0.0, 1.0, 3.0], knots], &rows, interpolation, Outside::Error);
-                table.goes_through(&rows.concat())
+                    Table::new(vec![vec![0.0, 1.0, 3.0], knots], &rows, interpolation, Outside::Error);
+                table.goes_through(&rows)
             };
             assert!(surface(even.clone()), "{name}");
             assert_eq!(surface(uneven(1e18)), interpolation == Interpolation::Linear, "{name}");
@@ -173,15 +191,15 @@ fn tables_with_points_at_the_limits_of_numbers_hold_finite_numbers_or_are_refuse
     let least = f64::MIN_POSITIVE;
     // One piece in a length of 2^-1024 exceeds the range of numbers.
     let close = [(least, 1.0), (1.25 * least, 1.0)];
-    let table = Table::curve(&close, Interpolation::Linear, Outside::Extend);
+    let table = curve(&close, Interpolation::Linear, Outside::Extend);
     assert_eq!((table.axes[0].density, table.is_finite()), (0.0, true));
     assert_eq!(table.value(&[0], &[1.125 * least]), 1.0);
     // Values rise by 1e300 from one row to the next, slopes after the last column by 1.25e300.
     // Three times this in a length of 1.8e-8 only exceeds the range of numbers for the slopes.
     let surface = |outside| {
-        let knots = [vec![0.0, 1.8e-8], vec![0.0, 1.0, 2.0]];
-        let rows = [vec![0.0; 3], vec![0.0, 0.0, 1e300]];
-        Table::surface(knots, &rows, Interpolation::Natural, outside).is_finite()
+        let knots = vec![vec![0.0, 1.8e-8], vec![0.0, 1.0, 2.0]];
+        let rows = [0.0, 0.0, 0.0, 0.0, 0.0, 1e300];
+        Table::new(knots, &rows, Interpolation::Natural, outside).is_finite()
     };
     assert_eq!(Outside::ALL.map(|(_, outside)| surface(outside)), [true, true, false]);
 }

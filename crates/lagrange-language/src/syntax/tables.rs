@@ -14,6 +14,7 @@ use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
 use grid::{Row, TableValues};
 use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::limits::MAX_TABLE_ARGUMENTS;
 use lagrange_expr::opaque::{Interpolation, Outside};
 
 /// The options after the points, with their places.
@@ -34,8 +35,9 @@ impl Parser<'_> {
     /// Reads `f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend`.
     pub(super) fn table(&mut self, cursor: &mut Cursor) -> Parsed<TableDefinition> {
         let (name, parameters) = self.function_head("table", cursor)?;
-        if let [_, _, third, ..] = &parameters[..] {
-            self.report.error(third.span, words::TOO_MANY_ARGUMENTS).help(form("table"));
+        if let Some(beyond) = parameters.get(MAX_TABLE_ARGUMENTS) {
+            let message = words::too_many_arguments(MAX_TABLE_ARGUMENTS);
+            return Err(self.fail_with_help(beyond.span, message, form("table")));
         }
         self.equals(form("table"), cursor)?;
         let values = self.points_or_file(parameters.len() + 1, cursor)?;

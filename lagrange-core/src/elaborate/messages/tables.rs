@@ -5,7 +5,7 @@ use lagrange_expr::diagnostics::messages;
 messages! {
     pub(in crate::elaborate):
 
-    TOO_FEW_HELP = "list at least two points; with two arguments, at least two of each";
+    TOO_FEW_HELP = "list at least two points; with several arguments, at least two of each";
     NOT_CONSTANT = "a table is built at compile time and cannot depend on this";
     NOT_CONSTANT_HELP =
         "compute it from numbers, `pi` and `const` names; multiply the table by values known at run time";
@@ -40,8 +40,9 @@ pub(in crate::elaborate) fn too_few(name: &str, count: usize) -> String {
     format!("the table `{name}` has {count} {points}")
 }
 
-pub(in crate::elaborate) fn missing_point(name: &str, [x, y]: [f64; 2]) -> String {
-    format!("the grid of the table `{name}` lacks the point ({x}, {y})")
+pub(in crate::elaborate) fn missing_point(name: &str, at: &[f64]) -> String {
+    let at = at.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+    format!("the grid of the table `{name}` lacks the point ({at})")
 }
 
 /// Returns help for a table that is evaluated beyond its ends.

@@ -50,18 +50,12 @@ fn piece(shape: &Shape<'_>, table: &Opaque, argument: usize, constant: &Ident) -
     let (krate, name, parameter) =
         (shape.krate, piece_name(table, argument), local(&table.function().parameters[argument]));
     let docs = doc(&format!("Table: the ends of the piece of `{}`.", table.function().name));
-    let axis = match table.arity() {
-        1 => quote!(axis),
-        _ => {
-            let argument = length(argument);
-            quote!(axes[#argument])
-        }
-    };
+    let argument = length(argument);
     quote! {
         #docs
         #[inline]
         fn #name<S: #krate::Number>(#parameter: S) -> [S; 2] {
-            #constant.#axis.piece(#parameter)
+            #constant.axes[#argument].piece(#parameter)
         }
     }
 }
@@ -88,29 +82,12 @@ fn points(shape: &Shape<'_>, constant: &Ident, table: &Table) -> TokenStream {
             quote!([#(#numbers),*])
         }
     };
-    let axes = table.axes.iter().map(|axis| axis_tokens(shape, axis)).collect::<Vec<_>>();
-    match &axes[..] {
-        [axis] => {
-            let pieces = table.coefficients.chunks(table.interpolation.coefficients()).map(row);
-            quote! {
-                static #constant: #krate::table::Curve<#size> =
-                    #krate::table::Curve { axis: #axis, pieces: &[#(#pieces),*] };
-            }
-        }
-        _ => {
-            let count = table.interpolation.coefficients();
-            let pieces = table.coefficients.chunks(count * count).map(|piece| {
-                if piece.iter().all(|number| number.is_nan()) {
-                    return quote!([[#nowhere; #size]; #size]);
-                }
-                let rows = piece.chunks(count).map(row);
-                quote!([#(#rows),*])
-            });
-            quote! {
-                static #constant: #krate::table::Surface<#size> =
-                    #krate::table::Surface { axes: [#(#axes),*], pieces: &[#(#pieces),*] };
-            }
-        }
+    let axes = table.axes.iter().map(|axis| axis_tokens(shape, axis));
+    let rows = table.coefficients.chunks(table.interpolation.coefficients()).map(row);
+    let count = length(table.axes.len());
+    quote! {
+        static #constant: #krate::table::Table<#count, #size> =
+            #krate::table::Table { axes: [#(#axes),*], rows: &[#(#rows),*] };
     }
 }
 
@@ -127,9 +104,8 @@ fn method(shape: &Shape<'_>, function: &Opaque, constant: &Ident) -> TokenStream
         function.function().parameters.iter().map(|parameter| local(parameter)).collect::<Vec<_>>();
     let docs = doc(&format!("Table: {}.", function.describe()));
     let orders = function.orders().iter().map(|order| length(usize::from(*order))).collect::<Vec<_>>();
-    let value = match (function.order(), &parameters[..], &orders[..]) {
-        (0, ..) => quote!(#constant.value(#(#parameters),*)),
-        (_, [parameter], [order]) => quote!(#constant.derivative(#order, #parameter)),
+    let value = match function.order() {
+        0 => quote!(#constant.value([#(#parameters),*])),
         _ => quote!(#constant.derivative([#(#orders),*], [#(#parameters),*])),
     };
     quote! {
