@@ -115,9 +115,9 @@ pub struct Table<const D: usize, const N: usize> {
     pub axes: [Axis; D],
     /// Coefficients of the pieces, in rows of ascending powers of the distance along the last
     /// argument from the start of the piece. The other powers change from row to row, the last
-    /// fastest. There is one piece more than there are knots on an axis: the first precedes the
-    /// first knot and is measured from it, the last follows the last knot. Pieces along the last
-    /// argument are adjacent.
+    /// fastest. An axis has one piece more than it has knots. The first piece precedes the first
+    /// knot and is measured from it; the last follows the last knot. Pieces along the last argument
+    /// are adjacent.
     pub rows: &'static [[f64; N]],
 }
 
