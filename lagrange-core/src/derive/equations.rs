@@ -2,6 +2,7 @@
 
 use super::conserved::add_conserved;
 use super::constraints::ConstraintEquations;
+use super::coriolis::coriolis_matrix;
 use super::diffusion::Diffusion;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
@@ -126,6 +127,7 @@ impl Equations {
         for product in model.products.clone() {
             let found = match product {
                 Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
+                Product::CoriolisMatrix => coriolis_matrix(model, &split),
                 Product::Momenta => gradient(&mut model.graph, model.lagrangian, &velocities),
                 Product::MomentumRates => {
                     let sums = [&constraints.forces[..], &[]]

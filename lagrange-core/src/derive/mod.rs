@@ -83,7 +83,8 @@
 //! is the same sweep with accelerations kept, which makes it the recursive Newton–Euler algorithm
 //! on chains. Jacobians are found in two ways, and the cheaper is kept (`jacobian`). One is forward
 //! differentiation of the accelerations as computed. The other is implicit, from the inverse
-//! dynamics, with the factors of M shared by all columns. The regressor consists of Newton–Euler
+//! dynamics, with the factors of M shared by all columns. The Coriolis matrix
+//! consists of slopes of the bias (`coriolis`). The regressor consists of Newton–Euler
 //! wrenches of bodies and of slopes of the remaining inverse dynamics (`regressor`).
 //!
 //! **Non-smooth terms switch** (`switches`): conditions of `if` and the kinks of `abs`, `sign`,
@@ -96,6 +97,7 @@
 mod algebra;
 mod conserved;
 mod constraints;
+mod coriolis;
 mod cost;
 mod coupling;
 mod curvature;

@@ -293,6 +293,12 @@ impl<'a> Elaborator<'a> {
         self.forbid(UNKNOWNS, (syntax, value), what, help)
     }
 
+    /// Returns the places where a product is requested.
+    pub(super) fn demands(&self, product: Product) -> Vec<Span> {
+        let wanted = self.wanted.iter().filter(|(named, wanted, _)| *named == product && *wanted);
+        wanted.map(|(.., span)| *span).collect()
+    }
+
     /// Returns a scalar, which may depend on time, positions, velocities, states and inputs.
     pub(super) fn known_scalar(&mut self, syntax: AstId, what: &str, help: &str) -> Option<ExprId> {
         value_of(&mut self.evaluator, syntax)?;

@@ -149,6 +149,10 @@ messages! {
     HESSIAN_OF_ORIENTATION = "`lagrangian_hessian` cannot be combined with orientations by unit quaternions";
     HESSIAN_OF_ORIENTATION_HELP =
         "describe the orientation by angles, or take the derivatives of motions from `tangent_jacobian`";
+    CORIOLIS_OF_MOVING_INERTIA =
+        "`coriolis_matrix` does not exist for a system whose mass matrix depends on velocities";
+    CORIOLIS_OF_MOVING_INERTIA_HELP =
+        "take the vector of these terms from `bias`, or their derivatives from `jacobian`";
     DISCRETE_IS_HERE = "this changes discontinuously";
     DISCRETE_LINEAR_MODEL_HELP =
         "declare a `param` for what stays, or an `input` for what a sampled controller sets";

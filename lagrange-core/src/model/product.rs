@@ -14,6 +14,7 @@ pub enum Product {
     MassMatrix,
     Forcing,
     Bias,
+    CoriolisMatrix,
     Momenta,
     MomentumRates,
     KineticEnergy,

@@ -4,6 +4,7 @@
 mod arrays;
 mod callables;
 mod conditions;
+mod coriolis;
 mod coupled;
 mod dampers;
 mod declarations;

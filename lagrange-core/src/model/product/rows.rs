@@ -6,7 +6,7 @@ use super::ProductShape::{Matrix, Scalar, Vector};
 use super::{Extent, Product, ProductRow};
 
 /// Every product in the order of emission, which is that of [`Product`].
-pub(super) const ROWS: [ProductRow; 34] = [
+pub(super) const ROWS: [ProductRow; 35] = [
     ProductRow::new(Product::MassMatrix, "mass_matrix", Always)
         .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &["Mass matrix M, in rows."]),
     ProductRow::new(Product::Forcing, "forcing", Always)
@@ -15,6 +15,11 @@ pub(super) const ROWS: [ProductRow; 34] = [
         .with_method(State, Vector(Extent::Velocities), &[
             "Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,",
             "without applied forces and dissipation.",
+        ]),
+    ProductRow::new(Product::CoriolisMatrix, "coriolis_matrix", Demand)
+        .with_method(State, Matrix(Extent::Velocities, Extent::Velocities), &[
+            "Coriolis matrix C, in rows: C v are the terms of `bias` with velocities, and Ṁ − 2C is skew if",
+            "M does not depend explicitly on time or states.",
         ]),
     ProductRow::new(Product::Momenta, "momenta", Always)
         .with_method(State, Vector(Extent::Velocities), &["Generalised momenta ∂L/∂v."]),
