@@ -4,7 +4,8 @@
     python3 tools/dynamics_matrices.py
 
 The Coriolis matrix is that of `computeCoriolisMatrix` (Echeandia and Wensing, "Numerical methods to compute the Coriolis matrix and
-Christoffel symbols for rigid-body systems", J. Comput. Nonlinear Dynam. 16 (2021) 091004). Arms are the public descriptions of
+Christoffel symbols for rigid-body systems", J. Comput. Nonlinear Dynam. 16 (2021) 091004). Its inverse of the mass matrix is that of `computeMinverse`.
+Arms are the public descriptions of
 `tools/spatial_models.py`, and a planar arm that is declared here and there.
 """
 
@@ -48,7 +49,10 @@ def lines(name, declared, model):
     yield from (f"> {line}" for line in declared)
     for (q, v), _ in zip(robots.states(model), range(STATES)):
         coriolis = pin.computeCoriolisMatrix(model, data, q, v)
+        inverse = pin.computeMinverse(model, data, q)
+        inverse = np.triu(inverse) + np.triu(inverse, 1).T
         words = {"state": [0], "q": robots.positions(model, q), "v": v, "coriolis_matrix": coriolis.flatten()}
+        words |= {"inverse_mass_matrix": inverse.flatten(), "condition": [float(f"{np.linalg.cond(inverse, 1):.2e}")]}
         yield from (f"{word} {' '.join(repr(float(x)) for x in numbers)}" for word, numbers in words.items())
 
 

@@ -60,6 +60,9 @@ hints! {
     pub trait EmitsBias {} for fn bias in Bias:
         "the declaration of `{Self}` does not emit `bias`",
         "add `emit {{ bias }}` to the declaration";
+    pub trait EmitsInverseMassMatrix {} for fn inverse_mass_matrix in InverseMassMatrix:
+        "the declaration of `{Self}` does not emit `inverse_mass_matrix`",
+        "add `emit {{ inverse_mass_matrix }}` to the declaration";
     pub trait EmitsCoriolisMatrix {} for fn coriolis_matrix in CoriolisMatrix:
         "the declaration of `{Self}` does not emit `coriolis_matrix`",
         "add `emit {{ coriolis_matrix }}` to the declaration";
@@ -163,11 +166,11 @@ macro_rules! __hints {
         use $crate::private::hints::{
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
             Constraints as _, CoriolisMatrix as _, Energy as _, Forcing as _, GeneralisedForces as _,
-            InverseDynamics as _, Jacobian as _, KernelF32 as _, KernelF64 as _, KineticEnergy as _,
-            LagrangianFunction as _, LagrangianHessian as _, Lanes as _, Latex as _, MassMatrix as _,
-            Momenta as _, MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _,
-            Prepared as _, Regressor as _, Start as _, Statements as _, SystemMatrix as _,
-            TangentJacobian as _, Taylor as _,
+            InverseDynamics as _, InverseMassMatrix as _, Jacobian as _, KernelF32 as _, KernelF64 as _,
+            KineticEnergy as _, LagrangianFunction as _, LagrangianHessian as _, Lanes as _, Latex as _,
+            MassMatrix as _, Momenta as _, MomentumRates as _, ParameterJacobian as _, Parameters as _,
+            PotentialEnergy as _, Prepared as _, Regressor as _, Start as _, Statements as _,
+            SystemMatrix as _, TangentJacobian as _, Taylor as _,
         };
     };
     (default) => {

@@ -13,6 +13,7 @@ use super::frame_jacobians::{frame_biases, frame_jacobians};
 use super::grading::grade_parameters;
 use super::indefinite::{largest, pivot_growth};
 use super::inverse_dynamics::residual;
+use super::inverse_mass_matrix::inverse_mass_matrix;
 use super::jacobian::{Derivatives, lagrangian_hessian};
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::power::add_power;
@@ -128,6 +129,10 @@ impl Equations {
             let found = match product {
                 Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
                 Product::CoriolisMatrix => coriolis_matrix(model, &split),
+                Product::InverseMassMatrix => match inverse_mass_matrix(model, &split) {
+                    Some(rows) => rows,
+                    None => continue,
+                },
                 Product::Momenta => gradient(&mut model.graph, model.lagrangian, &velocities),
                 Product::MomentumRates => {
                     let sums = [&constraints.forces[..], &[]]

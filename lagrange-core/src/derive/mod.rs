@@ -112,6 +112,7 @@ mod gibbs_appell;
 mod grading;
 mod indefinite;
 mod inverse_dynamics;
+mod inverse_mass_matrix;
 mod jacobian;
 mod least_constraint;
 mod messages;
@@ -134,7 +135,7 @@ mod virtual_displacements;
 
 use proc_macro2::Span;
 
-use crate::model::Model;
+use crate::model::{Model, Product};
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use undetermined::undetermined;
@@ -160,7 +161,9 @@ pub fn derive(
     report: &mut Report,
 ) -> Option<Equations> {
     let singular = match Equations::derive(model, choice) {
-        Ok(equations) => return Some(equations),
+        Ok(equations) => {
+            return report_missing_inverse(declaration, model, &equations, report).map(|()| equations);
+        }
         Err(error) => error,
     };
     let moving = undetermined(model);
@@ -178,5 +181,22 @@ pub fn derive(
     let place = place.unwrap_or(declaration.name.span);
     let names = moving.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
     report.error(place, singular.message(&names)).help(singular.help());
+    None
+}
+
+/// Reports a requested inverse of a mass matrix that is singular. Constraints may determine a
+/// motion without inertia.
+fn report_missing_inverse(
+    declaration: &Declaration,
+    model: &Model,
+    equations: &Equations,
+    report: &mut Report,
+) -> Option<()> {
+    let wanted = Product::InverseMassMatrix;
+    if !model.products.contains(&wanted) || equations.product(wanted, model).is_some() {
+        return Some(());
+    }
+    let place = declaration.demand(wanted.name()).unwrap_or(&declaration.name).span;
+    report.error(place, messages::NO_INVERSE).help(messages::NO_INVERSE_HELP);
     None
 }

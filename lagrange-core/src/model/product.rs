@@ -12,6 +12,7 @@ use rows::ROWS;
 #[expect(missing_docs, reason = "the names are those of the rows")]
 pub enum Product {
     MassMatrix,
+    InverseMassMatrix,
     Forcing,
     Bias,
     CoriolisMatrix,

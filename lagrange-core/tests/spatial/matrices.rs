@@ -10,27 +10,33 @@ use crate::cases::{Case, cases};
 const TOLERANCE: f64 = 2e-15;
 
 fn numeric(case: &Case) -> NumericSystem {
-    let text = format!("struct Robot; {} emit {{ coriolis_matrix }}", case.text);
+    let text = format!("struct Robot; {} emit {{ coriolis_matrix, inverse_mass_matrix }}", case.text);
     let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{}: {report}", case.name)))
 }
 
 #[track_caller]
-fn assert_near(found: &[f64], expected: &[f64]) {
+fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
     assert!(!expected.is_empty() && found.len() == expected.len());
     let largest = expected.iter().fold(1.0, |a: f64, b| a.max(b.abs()));
     let error = found.iter().zip(expected).fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs()));
-    assert!(error < TOLERANCE * largest, "{error:e} of {largest}");
+    assert!(error < tolerance * largest, "{error:e} of {largest}");
 }
 
 #[test]
-fn coriolis_matrices_are_those_of_pinocchio() {
+fn matrices_are_those_of_pinocchio() {
     for case in cases("matrices.txt") {
         let system = numeric(&case);
         for state in &case.states {
             let [q, v] = ["q", "v"].map(|word| state.numbers(word));
-            let found = system.product(Product::CoriolisMatrix, 0.0, q, v).expect("it is requested");
-            assert_near(&found, state.numbers("coriolis_matrix"));
+            let tolerances = [
+                (Product::CoriolisMatrix, TOLERANCE),
+                (Product::InverseMassMatrix, TOLERANCE * state.number("condition").expect("a number")),
+            ];
+            for (product, tolerance) in tolerances {
+                let found = system.product(product, 0.0, q, v).expect("it is requested");
+                assert_near(&found, state.numbers(product.name()), tolerance);
+            }
         }
     }
 }

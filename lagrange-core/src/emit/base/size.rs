@@ -190,6 +190,7 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
         (Product::ParameterJacobian, [state, fields]),
         (Product::SystemMatrix, [state, state + model.inputs.len()]),
         (Product::LagrangianHessian, [state, state]),
+        (Product::InverseMassMatrix, [velocities, velocities]),
         (Product::CoriolisMatrix, [velocities, velocities]),
     ];
     let wanted = matrices.into_iter().filter(|(product, _)| model.products.contains(product));

@@ -26,8 +26,9 @@ use lagrange_algebra::program::Preparation;
 
 /// Products, in addition to `acceleration` and `rhs`, for which the prepared type has methods if
 /// the system has them.
-pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 11] = [
+pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 12] = [
     Product::MassMatrix,
+    Product::InverseMassMatrix,
     Product::Forcing,
     Product::Bias,
     Product::CoriolisMatrix,

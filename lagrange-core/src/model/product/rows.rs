@@ -6,9 +6,13 @@ use super::ProductShape::{Matrix, Scalar, Vector};
 use super::{Extent, Product, ProductRow};
 
 /// Every product in the order of emission, which is that of [`Product`].
-pub(super) const ROWS: [ProductRow; 35] = [
+pub(super) const ROWS: [ProductRow; 36] = [
     ProductRow::new(Product::MassMatrix, "mass_matrix", Always)
         .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &["Mass matrix M, in rows."]),
+    ProductRow::new(Product::InverseMassMatrix, "inverse_mass_matrix", Demand)
+        .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &[
+            "Inverse M⁻¹ of the mass matrix, in rows: accelerations due to unit forces, without constraints.",
+        ]),
     ProductRow::new(Product::Forcing, "forcing", Always)
         .with_method(State, Vector(Extent::Velocities), &["Right-hand side f of M q̈ = f."]),
     ProductRow::new(Product::Bias, "bias", Demand)
