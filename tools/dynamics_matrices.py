@@ -4,7 +4,8 @@
     python3 tools/dynamics_matrices.py
 
 The Coriolis matrix is that of `computeCoriolisMatrix` (Echeandia and Wensing, "Numerical methods to compute the Coriolis matrix and
-Christoffel symbols for rigid-body systems", J. Comput. Nonlinear Dynam. 16 (2021) 091004). Its inverse of the mass matrix is that of `computeMinverse`.
+Christoffel symbols for rigid-body systems", J. Comput. Nonlinear Dynam. 16 (2021) 091004). Its inverse of the mass matrix is that of `computeMinverse`. Derivatives
+of the inverse dynamics, by positions and then by velocities, are those of `computeRNEADerivatives`.
 Arms are the public descriptions of
 `tools/spatial_models.py`, and a planar arm that is declared here and there.
 """
@@ -44,15 +45,18 @@ def planar_declaration():
 
 
 def lines(name, declared, model):
-    data = model.createData()
+    data, rng = model.createData(), np.random.default_rng(41)
     yield f"system {name}"
     yield from (f"> {line}" for line in declared)
     for (q, v), _ in zip(robots.states(model), range(STATES)):
         coriolis = pin.computeCoriolisMatrix(model, data, q, v)
         inverse = pin.computeMinverse(model, data, q)
         inverse = np.triu(inverse) + np.triu(inverse, 1).T
-        words = {"state": [0], "q": robots.positions(model, q), "v": v, "coriolis_matrix": coriolis.flatten()}
+        wanted = rng.integers(-128, 128, model.nv, endpoint=True) / 64
+        by_place, by_speed, _ = pin.computeRNEADerivatives(model, data, q, v, wanted)
+        words = {"state": [0], "q": robots.positions(model, q), "v": v, "wanted": wanted, "coriolis_matrix": coriolis.flatten()}
         words |= {"inverse_mass_matrix": inverse.flatten(), "condition": [float(f"{np.linalg.cond(inverse, 1):.2e}")]}
+        words["inverse_dynamics_jacobian"] = np.hstack([by_place, by_speed]).flatten()
         yield from (f"{word} {' '.join(repr(float(x)) for x in numbers)}" for word, numbers in words.items())
 
 

@@ -66,6 +66,9 @@ hints! {
     pub trait EmitsCoriolisMatrix {} for fn coriolis_matrix in CoriolisMatrix:
         "the declaration of `{Self}` does not emit `coriolis_matrix`",
         "add `emit {{ coriolis_matrix }}` to the declaration";
+    pub trait EmitsInverseDynamicsJacobian {} for fn inverse_dynamics_jacobian in InverseDynamicsJacobian:
+        "the declaration of `{Self}` does not emit `inverse_dynamics_jacobian`",
+        "add `emit {{ inverse_dynamics_jacobian }}` to the declaration";
     pub trait EmitsRegressor {} for fn regressor in Regressor:
         "the declaration of `{Self}` does not emit `regressor`",
         "add `emit {{ regressor }}` to the declaration",
@@ -166,11 +169,12 @@ macro_rules! __hints {
         use $crate::private::hints::{
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
             Constraints as _, CoriolisMatrix as _, Energy as _, Forcing as _, GeneralisedForces as _,
-            InverseDynamics as _, InverseMassMatrix as _, Jacobian as _, KernelF32 as _, KernelF64 as _,
-            KineticEnergy as _, LagrangianFunction as _, LagrangianHessian as _, Lanes as _, Latex as _,
-            MassMatrix as _, Momenta as _, MomentumRates as _, ParameterJacobian as _, Parameters as _,
-            PotentialEnergy as _, Prepared as _, Regressor as _, Start as _, Statements as _,
-            SystemMatrix as _, TangentJacobian as _, Taylor as _,
+            InverseDynamics as _, InverseDynamicsJacobian as _, InverseMassMatrix as _, Jacobian as _,
+            KernelF32 as _, KernelF64 as _, KineticEnergy as _, LagrangianFunction as _,
+            LagrangianHessian as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
+            MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
+            Regressor as _, Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _,
+            Taylor as _,
         };
     };
     (default) => {

@@ -1,6 +1,6 @@
 //! The functions of a module: their content and order.
 
-use lagrange_core::model::{Extent, Product, ProductShape};
+use lagrange_core::model::{Extent, ProductArguments, ProductShape};
 use lagrange_core::pipeline::{Layout, Programs, Reaction};
 use lagrange_core::program::Program;
 
@@ -88,10 +88,12 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
 
 /// Returns the functions of products that depend only on the state.
 fn of_products(programs: &Programs) -> Vec<Function<'_>> {
-    let is_of_state = |product: Product| !product.is_derivative() && product != Product::InverseDynamics;
-    let known = programs.products.iter().filter(|(product, _)| is_of_state(*product));
+    let known = programs.products.iter().filter(|(product, _)| !product.is_derivative());
     let written = known.filter_map(|(product, program)| {
         let method = product.row().method.as_ref()?;
+        if method.arguments == ProductArguments::Motion {
+            return None;
+        }
         let docs = method.docs.iter().map(|line| line.replace('`', "")).collect();
         let shape = shape(method.returns, &programs.layout, program.outputs().len());
         let parts = vec![Part::of(program)];

@@ -12,7 +12,7 @@ use super::forms::{Forms, Rows};
 use super::frame_jacobians::{frame_biases, frame_jacobians};
 use super::grading::grade_parameters;
 use super::indefinite::{largest, pivot_growth};
-use super::inverse_dynamics::residual;
+use super::inverse_dynamics::{inverse_dynamics_jacobian, residual};
 use super::inverse_mass_matrix::inverse_mass_matrix;
 use super::jacobian::{Derivatives, lagrangian_hessian};
 use super::least_constraint::{SplitLagrangian, Terms};
@@ -129,6 +129,7 @@ impl Equations {
             let found = match product {
                 Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
                 Product::CoriolisMatrix => coriolis_matrix(model, &split),
+                Product::InverseDynamicsJacobian => inverse_dynamics_jacobian(model, &split),
                 Product::InverseMassMatrix => match inverse_mass_matrix(model, &split) {
                     Some(rows) => rows,
                     None => continue,

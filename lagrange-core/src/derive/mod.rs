@@ -150,6 +150,7 @@ pub use series::SeriesEquations;
 pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};
 pub use structure::{Conserved, MassStructure, Structure};
 pub use switches::{Switch, one_sided};
+pub(crate) use virtual_displacements::along_displacements;
 
 /// Derives the equations of a model. A failure is reported at `place`, or at an undetermined
 /// coordinate.

@@ -22,6 +22,7 @@ pub enum Product {
     PotentialEnergy,
     Energy,
     InverseDynamics,
+    InverseDynamicsJacobian,
     Regressor,
     Constraints,
     ConstraintVelocity,

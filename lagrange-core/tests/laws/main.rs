@@ -15,6 +15,7 @@ mod gibbs;
 mod grids;
 mod growth;
 mod ignored;
+mod inverse_dynamics_jacobian;
 mod inverse_mass_matrix;
 mod machines;
 mod magnitudes;

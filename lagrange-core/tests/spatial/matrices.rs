@@ -10,7 +10,10 @@ use crate::cases::{Case, cases};
 const TOLERANCE: f64 = 2e-15;
 
 fn numeric(case: &Case) -> NumericSystem {
-    let text = format!("struct Robot; {} emit {{ coriolis_matrix, inverse_mass_matrix }}", case.text);
+    let text = format!(
+        "struct Robot; {} emit {{ coriolis_matrix, inverse_mass_matrix, inverse_dynamics_jacobian }}",
+        case.text
+    );
     let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{}: {report}", case.name)))
 }
@@ -37,6 +40,12 @@ fn matrices_are_those_of_pinocchio() {
                 let found = system.product(product, 0.0, q, v).expect("it is requested");
                 assert_near(&found, state.numbers(product.name()), tolerance);
             }
+            let found = system.inverse_dynamics_jacobian(0.0, q, v, state.numbers("wanted"));
+            assert_near(
+                &found.expect("it is requested"),
+                state.numbers("inverse_dynamics_jacobian"),
+                TOLERANCE,
+            );
         }
     }
 }

@@ -191,6 +191,7 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
         (Product::SystemMatrix, [state, state + model.inputs.len()]),
         (Product::LagrangianHessian, [state, state]),
         (Product::InverseMassMatrix, [velocities, velocities]),
+        (Product::InverseDynamicsJacobian, [velocities, state]),
         (Product::CoriolisMatrix, [velocities, velocities]),
     ];
     let wanted = matrices.into_iter().filter(|(product, _)| model.products.contains(product));

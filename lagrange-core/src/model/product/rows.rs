@@ -6,7 +6,7 @@ use super::ProductShape::{Matrix, Scalar, Vector};
 use super::{Extent, Product, ProductRow};
 
 /// Every product in the order of emission, which is that of [`Product`].
-pub(super) const ROWS: [ProductRow; 36] = [
+pub(super) const ROWS: [ProductRow; 37] = [
     ProductRow::new(Product::MassMatrix, "mass_matrix", Always)
         .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &["Mass matrix M, in rows."]),
     ProductRow::new(Product::InverseMassMatrix, "inverse_mass_matrix", Demand)
@@ -39,6 +39,11 @@ pub(super) const ROWS: [ProductRow; 36] = [
         .with_method(Motion, Vector(Extent::Velocities), &[
             "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
             "to produce given accelerations.",
+        ]),
+    ProductRow::new(Product::InverseDynamicsJacobian, "inverse_dynamics_jacobian", Demand)
+        .with_method(Motion, Matrix(Extent::Velocities, Extent::Tangent), &[
+            "Derivatives of `inverse_dynamics`, in rows, by displacements of the positions, changes of the",
+            "states and of the velocities; those by the accelerations are the mass matrix.",
         ]),
     ProductRow::new(Product::Regressor, "regressor", Demand)
         .with_method(Motion, Matrix(Extent::Velocities, Extent::Regressed), &[
