@@ -48,6 +48,10 @@ hints! {
     pub trait EmitsSystemMatrix {} for fn system_matrix in SystemMatrix:
         "the declaration of `{Self}` does not emit `system_matrix`",
         "add `emit {{ system_matrix }}` to the declaration";
+    pub trait EmitsEventJacobian {} for fn event_jacobian in EventJacobian:
+        "the declaration of `{Self}` does not emit `event_jacobian`",
+        "add `emit {{ event_jacobian }}` to the declaration",
+        "only systems with events have it";
     pub trait EmitsLagrangian {} for fn lagrangian in LagrangianFunction:
         "the declaration of `{Self}` does not emit `lagrangian`",
         "add `emit {{ lagrangian }}` to the declaration";
@@ -168,13 +172,13 @@ macro_rules! __hints {
         #[allow(unused_imports, reason = "they are for what the compiler says of what is not emitted")]
         use $crate::private::hints::{
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
-            Constraints as _, CoriolisMatrix as _, Energy as _, Forcing as _, GeneralisedForces as _,
-            InverseDynamics as _, InverseDynamicsJacobian as _, InverseMassMatrix as _, Jacobian as _,
-            KernelF32 as _, KernelF64 as _, KineticEnergy as _, LagrangianFunction as _,
-            LagrangianHessian as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
-            MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
-            Regressor as _, Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _,
-            Taylor as _,
+            Constraints as _, CoriolisMatrix as _, Energy as _, EventJacobian as _, Forcing as _,
+            GeneralisedForces as _, InverseDynamics as _, InverseDynamicsJacobian as _,
+            InverseMassMatrix as _, Jacobian as _, KernelF32 as _, KernelF64 as _, KineticEnergy as _,
+            LagrangianFunction as _, LagrangianHessian as _, Lanes as _, Latex as _, MassMatrix as _,
+            Momenta as _, MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _,
+            Prepared as _, Regressor as _, Start as _, Statements as _, SystemMatrix as _,
+            TangentJacobian as _, Taylor as _,
         };
     };
     (default) => {

@@ -104,9 +104,12 @@ fn of_products(programs: &Programs) -> Vec<Function<'_>> {
 
 /// Returns the shape of a product with this number of entries.
 fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
+    let states = layout.positions + layout.velocities;
     let extent = |extent| match extent {
         Extent::Velocities => layout.velocities,
-        Extent::State => layout.positions + layout.velocities,
+        Extent::State => states,
+        Extent::StateAndTime => states + 1,
+        Extent::Events => entries / (states + 1),
         Extent::Constraints => layout.multipliers,
         _ => entries,
     };

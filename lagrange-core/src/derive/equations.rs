@@ -8,6 +8,7 @@ use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
 use super::elimination::solution::{Solution, push_down};
 use super::energy_function::energy_function;
+use super::event_jacobian::event_jacobian;
 use super::forms::{Forms, Rows};
 use super::frame_jacobians::{frame_biases, frame_jacobians};
 use super::grading::grade_parameters;
@@ -129,6 +130,7 @@ impl Equations {
             let found = match product {
                 Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
                 Product::CoriolisMatrix => coriolis_matrix(model, &split),
+                Product::EventJacobian => event_jacobian(model, &solution.values, &constraints.multipliers),
                 Product::InverseDynamicsJacobian => inverse_dynamics_jacobian(model, &split),
                 Product::InverseMassMatrix => match inverse_mass_matrix(model, &split) {
                     Some(rows) => rows,

@@ -106,6 +106,7 @@ mod displacements;
 mod elimination;
 mod energy_function;
 mod equations;
+mod event_jacobian;
 mod forms;
 mod frame_jacobians;
 mod gibbs_appell;

@@ -205,7 +205,7 @@ impl<'a> Elaborator<'a> {
         let wanted = |&product: &Product| {
             let otherwise = match product.row().when {
                 Availability::Always | Availability::SeparateEnergies | Availability::Constraints => true,
-                Availability::Demand | Availability::Bodies => false,
+                Availability::Demand | Availability::Events | Availability::Bodies => false,
                 Availability::With(other) => asked(other, false),
             };
             asked(product, otherwise) && !self.is_undefined(product)
@@ -217,6 +217,7 @@ impl<'a> Elaborator<'a> {
         match product.row().when {
             Availability::SeparateEnergies => !self.lagrangian.is_empty(),
             Availability::Constraints => self.constraints.is_empty(),
+            Availability::Events => self.events.is_empty(),
             Availability::Bodies => self.staged.lacks(product),
             Availability::Always | Availability::Demand | Availability::With(_) => false,
         }

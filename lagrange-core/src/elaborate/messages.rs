@@ -138,6 +138,9 @@ messages! {
     unknown_product(name) = "`{name}` cannot be emitted";
     needs_separate_energies(name) = "`{name}` is not defined for a system given by its `lagrangian`";
     needs_constraints(name) = "`{name}` is not defined for a system without constraints";
+    needs_events(name) = "`{name}` is not defined for a system without events";
+    EVENT_HELP = "write `event name = e, falling => record;` for a zero of e";
+    EVENT_OF_JUMPS_HELP = "remove it, or the accelerations and multipliers from the functions of events";
     CONSTRAINT_HELP = "write `constraint name = e;` for e = 0";
     needed_product(name) = "`{name}` cannot be left out here";
     needed_product_help(name, reason) = "remove `no {name}`: {reason}";

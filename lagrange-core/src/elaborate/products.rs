@@ -20,6 +20,7 @@ pub(super) fn check_products(elaborator: &mut Elaborator<'_>) {
                 _ if product.is_of_constraints() => {
                     (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP)
                 }
+                _ if product.is_of_events() => (messages::needs_events(product.name()), messages::EVENT_HELP),
                 _ => (messages::needs_separate_energies(product.name()), messages::LAGRANGIAN_HELP),
             };
             elaborator.evaluator.report.error(span, message).help(help);
@@ -27,6 +28,7 @@ pub(super) fn check_products(elaborator: &mut Elaborator<'_>) {
     }
     check_needed_products(elaborator);
     check_derivatives(elaborator);
+    check_event_jacobian(elaborator);
     check_linear_model(elaborator);
     check_hessian(elaborator);
     check_delays(elaborator);
@@ -76,6 +78,22 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
                 elaborator.evaluator.report.error(span, message).help(messages::DERIVATIVE_OF_JUMPS_HELP);
             error.related(Origin::from(*declared), messages::acts_here(&reaction.name));
         }
+    }
+}
+
+/// Reports derivatives of events that contain accelerations, beside contacts and friction, at whose
+/// changes of mode they jump.
+fn check_event_jacobian(elaborator: &mut Elaborator<'_>) {
+    let Some((reaction, declared)) = elaborator.reactions.first() else { return };
+    let (graph, jumping) =
+        (&elaborator.evaluator.graph, Dependencies::ACCELERATION | Dependencies::MULTIPLIER);
+    if !elaborator.events.iter().any(|(event, _)| graph.dependencies(event.value).intersects(jumping)) {
+        return;
+    }
+    for span in elaborator.demands(Product::EventJacobian) {
+        let message = messages::derivative_of_jumps(Product::EventJacobian.name());
+        let error = elaborator.evaluator.report.error(span, message).help(messages::EVENT_OF_JUMPS_HELP);
+        error.related(Origin::from(*declared), messages::acts_here(&reaction.name));
     }
 }
 

@@ -32,6 +32,7 @@ pub enum Product {
     TangentJacobian,
     ParameterJacobian,
     SystemMatrix,
+    EventJacobian,
     Prepared,
     Kernel,
     Lanes,
@@ -74,6 +75,8 @@ pub enum Availability {
     Constraints,
     /// On demand.
     Demand,
+    /// On demand, for systems with events.
+    Events,
     /// On demand, or together with another product.
     With(Product),
     /// On demand, for systems with rigid bodies.
@@ -114,6 +117,10 @@ pub enum Extent {
     Fields,
     /// One for each column of the regressor.
     Regressed,
+    /// One for each declared event.
+    Events,
+    /// One for each position and each velocity, and one for time.
+    StateAndTime,
 }
 
 /// The result of a product's method.
@@ -206,6 +213,11 @@ impl Product {
             self,
             Product::Jacobian | Product::TangentJacobian | Product::ParameterJacobian | Product::SystemMatrix
         )
+    }
+
+    /// True if only systems with events have it.
+    pub fn is_of_events(self) -> bool {
+        self.row().when == Availability::Events
     }
 
     /// True if only systems with rigid bodies have it. No method has its name.

@@ -9,6 +9,7 @@ mod coupled;
 mod dampers;
 mod declarations;
 mod dimensions;
+mod event_jacobian;
 mod expressions;
 mod formulas;
 mod gibbs;

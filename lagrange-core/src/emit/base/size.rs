@@ -189,6 +189,7 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
         (Product::TangentJacobian, [state, state]),
         (Product::ParameterJacobian, [state, fields]),
         (Product::SystemMatrix, [state, state + model.inputs.len()]),
+        (Product::EventJacobian, [model.events.len(), state]),
         (Product::LagrangianHessian, [state, state]),
         (Product::InverseMassMatrix, [velocities, velocities]),
         (Product::InverseDynamicsJacobian, [velocities, state]),

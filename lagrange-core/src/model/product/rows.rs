@@ -1,12 +1,12 @@
 //! The rows of all products.
 
-use super::Availability::{Always, Bodies, Constraints, Demand, SeparateEnergies, With};
+use super::Availability::{Always, Bodies, Constraints, Demand, Events, SeparateEnergies, With};
 use super::ProductArguments::{Configuration, Motion, Positions, State, Whole};
 use super::ProductShape::{Matrix, Scalar, Vector};
 use super::{Extent, Product, ProductRow};
 
 /// Every product in the order of emission, which is that of [`Product`].
-pub(super) const ROWS: [ProductRow; 37] = [
+pub(super) const ROWS: [ProductRow; 38] = [
     ProductRow::new(Product::MassMatrix, "mass_matrix", Always)
         .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &["Mass matrix M, in rows."]),
     ProductRow::new(Product::InverseMassMatrix, "inverse_mass_matrix", Demand)
@@ -86,6 +86,11 @@ pub(super) const ROWS: [ProductRow; 37] = [
         .with_method(Whole, Matrix(Extent::LinearRows, Extent::LinearColumns), &[
             "System matrix [A B; C D; G 0] of the linearised system, in rows: `tangent_jacobian` and the",
             "derivatives by the inputs, then those of the outputs and of the constraint velocities.",
+        ]),
+    ProductRow::new(Product::EventJacobian, "event_jacobian", Events)
+        .with_method(Whole, Matrix(Extent::Events, Extent::StateAndTime), &[
+            "Derivatives of the functions of declared events, in rows, by the entries of the state and, last,",
+            "by time. For contacts they are those of the gaps.",
         ]),
     ProductRow::new(Product::Prepared, "prepared", Demand),
     ProductRow::new(Product::Kernel, "kernel", Demand),
