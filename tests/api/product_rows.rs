@@ -71,6 +71,8 @@ fn size(extent: Extent) -> &'static str {
         Extent::Constraints => "M",
         Extent::Fields => "P",
         Extent::Regressed => "K",
+        Extent::Axes => "3",
+        Extent::Motions => "6",
         Extent::Events => "E",
         Extent::StateAndTime => "2N + 1",
         Extent::LinearColumns => "2N + K",

@@ -110,6 +110,7 @@ fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
         Extent::State => states,
         Extent::StateAndTime => states + 1,
         Extent::Events => entries / (states + 1),
+        Extent::Motions => entries / layout.velocities.max(1),
         Extent::Constraints => layout.multipliers,
         _ => entries,
     };

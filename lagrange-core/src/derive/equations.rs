@@ -1,5 +1,6 @@
 //! The equations derived from a model.
 
+use super::centroidal::{center_of_mass, centroidal_momentum, centroidal_momentum_matrix};
 use super::conserved::add_conserved;
 use super::constraints::ConstraintEquations;
 use super::coriolis::coriolis_matrix;
@@ -130,6 +131,9 @@ impl Equations {
             let found = match product {
                 Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
                 Product::CoriolisMatrix => coriolis_matrix(model, &split),
+                Product::CenterOfMass => center_of_mass(model),
+                Product::CentroidalMomentum => centroidal_momentum(model),
+                Product::CentroidalMomentumMatrix => centroidal_momentum_matrix(model),
                 Product::EventJacobian => event_jacobian(model, &solution.values, &constraints.multipliers),
                 Product::InverseDynamicsJacobian => inverse_dynamics_jacobian(model, &split),
                 Product::InverseMassMatrix => match inverse_mass_matrix(model, &split) {

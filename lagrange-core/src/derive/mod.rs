@@ -95,6 +95,7 @@
 //! without switches are emitted as if there were none.
 
 mod algebra;
+mod centroidal;
 mod conserved;
 mod constraints;
 mod coriolis;

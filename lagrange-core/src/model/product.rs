@@ -44,6 +44,9 @@ pub enum Product {
     LagrangianHessian,
     GeneralisedForces,
     Tests,
+    CenterOfMass,
+    CentroidalMomentum,
+    CentroidalMomentumMatrix,
     Motion,
     Frames,
     FrameJacobians,
@@ -121,6 +124,10 @@ pub enum Extent {
     Events,
     /// One for each position and each velocity, and one for time.
     StateAndTime,
+    /// One for each axis of the plane or of space.
+    Axes,
+    /// One for each rotation, then one for each axis, of the plane or of space.
+    Motions,
 }
 
 /// The result of a product's method.
@@ -220,9 +227,22 @@ impl Product {
         self.row().when == Availability::Events
     }
 
-    /// True if only systems with rigid bodies have it. No method has its name.
+    /// True if only systems with rigid bodies have it.
     pub fn is_of_bodies(self) -> bool {
         self.row().when == Availability::Bodies
+    }
+
+    /// True if it is computed from the motions of bodies.
+    pub fn needs_motions(self) -> bool {
+        matches!(self, Product::Motion | Product::Drawing) || self.is_centroidal()
+    }
+
+    /// True for totals of all bodies.
+    pub fn is_centroidal(self) -> bool {
+        matches!(
+            self,
+            Product::CenterOfMass | Product::CentroidalMomentum | Product::CentroidalMomentumMatrix
+        )
     }
 
     /// True if its name is the name of a method, or of a constant in lower case.

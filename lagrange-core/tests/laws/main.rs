@@ -3,6 +3,7 @@
 
 mod arrays;
 mod callables;
+mod centroidal;
 mod conditions;
 mod coriolis;
 mod coupled;

@@ -9,11 +9,9 @@ use crate::cases::{Case, cases};
 /// Error relative to the largest entry.
 const TOLERANCE: f64 = 2e-15;
 
-fn numeric(case: &Case) -> NumericSystem {
-    let text = format!(
-        "struct Robot; {} emit {{ coriolis_matrix, inverse_mass_matrix, inverse_dynamics_jacobian }}",
-        case.text
-    );
+fn numeric(case: &Case, products: &[Product]) -> NumericSystem {
+    let products = products.iter().map(|product| product.name()).collect::<Vec<_>>().join(", ");
+    let text = format!("struct Robot; {} emit {{ {products} }}", case.text);
     let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{}: {report}", case.name)))
 }
@@ -29,7 +27,9 @@ fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
 #[test]
 fn matrices_are_those_of_pinocchio() {
     for case in cases("matrices.txt") {
-        let system = numeric(&case);
+        let matrices =
+            [Product::CoriolisMatrix, Product::InverseMassMatrix, Product::InverseDynamicsJacobian];
+        let system = numeric(&case, &matrices);
         for state in &case.states {
             let [q, v] = ["q", "v"].map(|word| state.numbers(word));
             let tolerances = [
@@ -46,6 +46,21 @@ fn matrices_are_those_of_pinocchio() {
                 state.numbers("inverse_dynamics_jacobian"),
                 TOLERANCE,
             );
+        }
+    }
+}
+
+#[test]
+fn centroidal_momenta_are_those_of_pinocchio() {
+    let products = [Product::CenterOfMass, Product::CentroidalMomentum, Product::CentroidalMomentumMatrix];
+    for case in cases("centroidal.txt") {
+        let system = numeric(&case, &products);
+        for state in &case.states {
+            let [q, v] = ["q", "v"].map(|word| state.numbers(word));
+            for product in products {
+                let found = system.product(product, 0.0, q, v).expect("it is requested");
+                assert_near(&found, state.numbers(product.name()), TOLERANCE);
+            }
         }
     }
 }

@@ -75,6 +75,10 @@ pub(in crate::emit) fn signature(
         Extent::Fields => shape.fields.len(),
         // At most ten for each body, and one for each parameter.
         Extent::Regressed => 0,
+        Extent::Axes if shape.declaration.is_in_space => 3,
+        Extent::Axes => 2,
+        Extent::Motions if shape.declaration.is_in_space => 6,
+        Extent::Motions => 3,
         Extent::Events => shape.events.len(),
         Extent::StateAndTime => shape.coordinates.len() + shape.velocities.len() + 1,
     };

@@ -6,7 +6,7 @@ use super::ProductShape::{Matrix, Scalar, Vector};
 use super::{Extent, Product, ProductRow};
 
 /// Every product in the order of emission, which is that of [`Product`].
-pub(super) const ROWS: [ProductRow; 38] = [
+pub(super) const ROWS: [ProductRow; 41] = [
     ProductRow::new(Product::MassMatrix, "mass_matrix", Always)
         .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &["Mass matrix M, in rows."]),
     ProductRow::new(Product::InverseMassMatrix, "inverse_mass_matrix", Demand)
@@ -111,6 +111,17 @@ pub(super) const ROWS: [ProductRow; 38] = [
             "constraints, contacts and friction.",
         ]),
     ProductRow::new(Product::Tests, "tests", Demand),
+    ProductRow::new(Product::CenterOfMass, "center_of_mass", Bodies)
+        .with_method(Positions, Vector(Extent::Axes), &["Centre of mass of all bodies."]),
+    ProductRow::new(Product::CentroidalMomentum, "centroidal_momentum", Bodies)
+        .with_method(State, Vector(Extent::Motions), &[
+            "Momentum of all bodies, in world axes: angular momentum about their centre of mass, then linear",
+            "momentum.",
+        ]),
+    ProductRow::new(Product::CentroidalMomentumMatrix, "centroidal_momentum_matrix", Bodies)
+        .with_method(Positions, Matrix(Extent::Motions, Extent::Velocities), &[
+            "Matrix A of the centroidal momentum A v, in rows; what time alone adds is omitted.",
+        ]),
     ProductRow::new(Product::Motion, "motion", Bodies),
     ProductRow::new(Product::Frames, "frames", Bodies),
     ProductRow::new(Product::FrameJacobians, "frame_jacobians", Bodies),

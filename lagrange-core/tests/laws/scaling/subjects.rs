@@ -317,8 +317,10 @@ impl Subject {
             Extent::LinearRows => [self.units(Extent::Tangent), self.units(Extent::Constraints)].concat(),
             Extent::Constraints => lengths(&self.constraints),
             Extent::Fields => self.parameters.iter().map(|(_, unit)| *unit).collect(),
-            // The derivation chooses the columns, and no subject has events.
-            Extent::Regressed | Extent::Events | Extent::StateAndTime => Vec::new(),
+            // The derivation chooses the columns, no subject has events, and few have bodies.
+            Extent::Regressed | Extent::Events | Extent::StateAndTime | Extent::Axes | Extent::Motions => {
+                Vec::new()
+            }
         }
     }
 
