@@ -90,7 +90,7 @@ fn prepared_systems_and_other_numbers_have_the_same_matrices() {
     }
 }
 
-/// By hand: C has the only entry −m l sin φ φ̇, in the row of x and the column of φ.
+/// The only entry is −m l sin φ φ̇, in the row of x and the column of φ.
 #[test]
 fn a_rod_on_a_cart_has_the_matrix_found_by_hand() {
     let entry = -2.0 * 0.7 * Q[1].sin() * V[1];

@@ -1,7 +1,7 @@
 //! The functions of a module: their content and order.
 
-use lagrange_core::model::{Extent, ProductArguments, ProductShape};
-use lagrange_core::pipeline::{Layout, Programs, Reaction};
+use lagrange_core::model::ProductArguments;
+use lagrange_core::pipeline::{Programs, Reaction};
 use lagrange_core::program::Program;
 
 use crate::names::with_unit;
@@ -95,29 +95,11 @@ fn of_products(programs: &Programs) -> Vec<Function<'_>> {
             return None;
         }
         let docs = method.docs.iter().map(|line| line.replace('`', "")).collect();
-        let shape = shape(method.returns, &programs.layout, program.outputs().len());
+        let shape = programs.layout.shape_of(method.returns, program.outputs().len());
         let parts = vec![Part::of(program)];
         Some(Function { name: product.name().to_owned(), docs, shape, parts, takes_residuals: false })
     });
     written.collect()
-}
-
-/// Returns the shape of a product with this number of entries.
-fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
-    let states = layout.positions + layout.velocities;
-    let extent = |extent| match extent {
-        Extent::Velocities => layout.velocities,
-        Extent::State => states,
-        Extent::StateAndTime => states + 1,
-        Extent::Events => entries / (states + 1),
-        Extent::Motions => entries / layout.velocities.max(1),
-        Extent::Constraints => layout.multipliers,
-        _ => entries,
-    };
-    match shape {
-        ProductShape::Scalar | ProductShape::Vector(_) => vec![entries],
-        ProductShape::Matrix(rows, columns) => vec![extent(rows), extent(columns)],
-    }
 }
 
 /// Returns the functions that project states onto the constraints.

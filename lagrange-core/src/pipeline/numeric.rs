@@ -369,7 +369,9 @@ impl NumericSystem {
         self.run(&self.programs.regressor_parameters, self.at(f64::NAN, &[], &[]))
     }
 
-    fn with_accelerations(
+    /// Computes the components of a product at given accelerations, in the order of
+    /// [`product`](Self::product). `None` if it was not derived.
+    pub fn with_accelerations(
         &self,
         product: Product,
         (t, q, v, a): (f64, &[f64], &[f64], &[f64]),

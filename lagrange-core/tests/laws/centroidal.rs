@@ -68,6 +68,6 @@ fn a_pair_of_bodies_in_the_plane_has_the_totals_found_by_hand() {
 fn systems_without_bodies_have_no_totals() {
     let text = format!("struct S; coord x; kinetic = dot(x)^2; {ASKED}");
     let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
-    let report = derived.err().expect("a mistake").to_string();
+    let report = derived.expect_err("a mistake").to_string();
     assert!(report.contains("`center_of_mass` is not defined for a system without rigid bodies"), "{report}");
 }

@@ -199,7 +199,7 @@ fn an_inertia_that_moves_with_velocities_has_none() {
         "coord x; state m = 1; lagrangian = 1/2*m*dot(x)^2; dot(m) = -0.1*dot(x)^2;",
     ] {
         let report = lagrange_core::pipeline::parse(&format!("struct S; {text} emit {{ coriolis_matrix }}"));
-        let report = report.err().expect("a mistake").to_string();
+        let report = report.expect_err("a mistake").to_string();
         assert!(report.contains("mass matrix depends on velocities"), "{report}");
     }
 }

@@ -61,7 +61,7 @@ fn systems_without_it_are_refused() {
     ] {
         let system = parse(&format!("struct S; {text} emit {{ event_jacobian }}"));
         let derived = system.and_then(|system| system.derive(StrategyChoice::Cheapest));
-        let report = derived.err().expect("a mistake").to_string();
+        let report = derived.expect_err("a mistake").to_string();
         assert!(report.contains(says), "{report}");
     }
 }

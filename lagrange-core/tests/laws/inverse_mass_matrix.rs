@@ -60,7 +60,7 @@ fn constraints_are_no_part_of_it() {
     let massless = "struct S; coord x, y; kinetic = 1/2*dot(x)^2; constraint c = x - y;
          emit { inverse_mass_matrix }";
     let derived = parse(massless).and_then(|system| system.derive(StrategyChoice::Cheapest));
-    let report = derived.err().expect("a mistake").to_string();
+    let report = derived.expect_err("a mistake").to_string();
     assert!(report.contains("only constraints give some motion"), "{report}");
 }
 

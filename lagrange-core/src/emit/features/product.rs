@@ -39,7 +39,7 @@ pub(in crate::emit) fn plan(
         // The number of components of an output usually follows from its syntax, but not always,
         // and contacts may share an event.
         (Product::SystemMatrix | Product::EventJacobian, Returns::Matrix(rows, columns)) => {
-            *rows = roots.len() / *columns
+            *rows = roots.len() / *columns;
         }
         // The derivation finds the columns.
         (Product::Regressor, Returns::Matrix(rows, columns)) => *columns = roots.len() / *rows,
