@@ -83,6 +83,10 @@ class System:
         """Computes the mass matrix, of shape (velocities, velocities)."""
     def energy(self, t: float, y: State) -> float:
         """Computes the energy, in J if units are declared."""
+    def product(self, name: str, t: float, y: State, a: State | None = None) -> Array:
+        """Computes a product of `emit { … }` at a state, such as `coriolis_matrix` or
+        `inverse_mass_matrix`. Those of the accelerations `a` are `inverse_dynamics`,
+        `inverse_dynamics_jacobian` and `regressor`. It is derived the first time."""
     def jacobian(self, t: float, y: State) -> Array:
         """Computes the derivatives of `rhs` by the state, of shape (entries, entries), as the `jac`
         of `scipy.integrate.solve_ivp`. They are exact, and derived the first time."""

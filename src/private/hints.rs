@@ -48,6 +48,22 @@ hints! {
     pub trait EmitsSystemMatrix {} for fn system_matrix in SystemMatrix:
         "the declaration of `{Self}` does not emit `system_matrix`",
         "add `emit {{ system_matrix }}` to the declaration";
+    pub trait EmitsEventJacobian {} for fn event_jacobian in EventJacobian:
+        "the declaration of `{Self}` does not emit `event_jacobian`",
+        "add `emit {{ event_jacobian }}` to the declaration",
+        "only systems with events have it";
+    pub trait EmitsCenterOfMass {} for fn center_of_mass in CenterOfMass:
+        "the declaration of `{Self}` does not emit `center_of_mass`",
+        "add `emit {{ center_of_mass }}` to the declaration",
+        "only systems with rigid bodies have it";
+    pub trait EmitsCentroidalMomentum {} for fn centroidal_momentum in CentroidalMomentum:
+        "the declaration of `{Self}` does not emit `centroidal_momentum`",
+        "add `emit {{ centroidal_momentum }}` to the declaration",
+        "only systems with rigid bodies have it";
+    pub trait EmitsCentroidalMomentumMatrix {} for fn centroidal_momentum_matrix in CentroidalMomentumMatrix:
+        "the declaration of `{Self}` does not emit `centroidal_momentum_matrix`",
+        "add `emit {{ centroidal_momentum_matrix }}` to the declaration",
+        "only systems with rigid bodies have it";
     pub trait EmitsLagrangian {} for fn lagrangian in LagrangianFunction:
         "the declaration of `{Self}` does not emit `lagrangian`",
         "add `emit {{ lagrangian }}` to the declaration";
@@ -60,6 +76,15 @@ hints! {
     pub trait EmitsBias {} for fn bias in Bias:
         "the declaration of `{Self}` does not emit `bias`",
         "add `emit {{ bias }}` to the declaration";
+    pub trait EmitsInverseMassMatrix {} for fn inverse_mass_matrix in InverseMassMatrix:
+        "the declaration of `{Self}` does not emit `inverse_mass_matrix`",
+        "add `emit {{ inverse_mass_matrix }}` to the declaration";
+    pub trait EmitsCoriolisMatrix {} for fn coriolis_matrix in CoriolisMatrix:
+        "the declaration of `{Self}` does not emit `coriolis_matrix`",
+        "add `emit {{ coriolis_matrix }}` to the declaration";
+    pub trait EmitsInverseDynamicsJacobian {} for fn inverse_dynamics_jacobian in InverseDynamicsJacobian:
+        "the declaration of `{Self}` does not emit `inverse_dynamics_jacobian`",
+        "add `emit {{ inverse_dynamics_jacobian }}` to the declaration";
     pub trait EmitsRegressor {} for fn regressor in Regressor:
         "the declaration of `{Self}` does not emit `regressor`",
         "add `emit {{ regressor }}` to the declaration",
@@ -158,9 +183,11 @@ macro_rules! __hints {
     () => {
         #[allow(unused_imports, reason = "they are for what the compiler says of what is not emitted")]
         use $crate::private::hints::{
-            Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
-            Constraints as _, Energy as _, Forcing as _, GeneralisedForces as _, InverseDynamics as _,
-            Jacobian as _, KernelF32 as _, KernelF64 as _, KineticEnergy as _, LagrangianFunction as _,
+            Bias as _, CenterOfMass as _, CentroidalMomentum as _, CentroidalMomentumMatrix as _,
+            ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _, Constraints as _,
+            CoriolisMatrix as _, Energy as _, EventJacobian as _, Forcing as _, GeneralisedForces as _,
+            InverseDynamics as _, InverseDynamicsJacobian as _, InverseMassMatrix as _, Jacobian as _,
+            KernelF32 as _, KernelF64 as _, KineticEnergy as _, LagrangianFunction as _,
             LagrangianHessian as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
             MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
             Regressor as _, Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _,

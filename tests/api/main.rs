@@ -35,6 +35,7 @@ mod kinematics;
 mod lanes;
 mod laws;
 mod long_rope;
+mod matrices;
 mod methods;
 mod orientations;
 mod overdetermined;

@@ -32,7 +32,7 @@ fn advice(product: Product) -> String {
             format!("take `no {name}` out of its `emit {{{{ … }}}}`")
         }
         Availability::Constraints => "systems with constraints emit it".to_owned(),
-        Availability::Demand | Availability::With(_) | Availability::Bodies => {
+        Availability::Demand | Availability::Events | Availability::With(_) | Availability::Bodies => {
             format!("add `emit {{{{ {name} }}}}` to the declaration")
         }
     }
@@ -71,6 +71,10 @@ fn size(extent: Extent) -> &'static str {
         Extent::Constraints => "M",
         Extent::Fields => "P",
         Extent::Regressed => "K",
+        Extent::Axes => "3",
+        Extent::Motions => "6",
+        Extent::Events => "E",
+        Extent::StateAndTime => "2N + 1",
         Extent::LinearColumns => "2N + K",
         Extent::LinearRows => "2N + L + M",
     }
@@ -90,7 +94,9 @@ fn the_description_of_the_language_has_a_line_for_every_product() {
         let row = product.row();
         let is_on_demand = match row.when {
             Availability::Always | Availability::SeparateEnergies | Availability::Constraints => false,
-            Availability::Demand | Availability::With(_) | Availability::Bodies => true,
+            Availability::Demand | Availability::Events | Availability::With(_) | Availability::Bodies => {
+                true
+            }
         };
         let first = if is_on_demand { format!("| `{}`", row.name) } else { format!("| `{}(", row.name) };
         let line = LANGUAGE.lines().find(|line| line.starts_with(&first));

@@ -167,8 +167,8 @@ const PYTHON: &[Layer] = &[
         purpose: "columns by name; exceptions; computations that Ctrl-C interrupts; values by name",
     },
     Layer {
-        modules: &["derivation", "picture"],
-        purpose: "systems from declarations, with derivatives; plots and films for notebooks",
+        modules: &["derivation", "picture", "product"],
+        purpose: "systems from declarations, with derivatives; plots and films for notebooks; products by name",
     },
     Layer { modules: &["motion"], purpose: "motions by column" },
     Layer {

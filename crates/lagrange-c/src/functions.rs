@@ -1,7 +1,7 @@
 //! The functions of a module: their content and order.
 
-use lagrange_core::model::{Extent, Product, ProductShape};
-use lagrange_core::pipeline::{Layout, Programs, Reaction};
+use lagrange_core::model::ProductArguments;
+use lagrange_core::pipeline::{Programs, Reaction};
 use lagrange_core::program::Program;
 
 use crate::names::with_unit;
@@ -88,30 +88,18 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
 
 /// Returns the functions of products that depend only on the state.
 fn of_products(programs: &Programs) -> Vec<Function<'_>> {
-    let is_of_state = |product: Product| !product.is_derivative() && product != Product::InverseDynamics;
-    let known = programs.products.iter().filter(|(product, _)| is_of_state(*product));
+    let known = programs.products.iter().filter(|(product, _)| !product.is_derivative());
     let written = known.filter_map(|(product, program)| {
         let method = product.row().method.as_ref()?;
+        if method.arguments == ProductArguments::Motion {
+            return None;
+        }
         let docs = method.docs.iter().map(|line| line.replace('`', "")).collect();
-        let shape = shape(method.returns, &programs.layout, program.outputs().len());
+        let shape = programs.layout.shape_of(method.returns, program.outputs().len());
         let parts = vec![Part::of(program)];
         Some(Function { name: product.name().to_owned(), docs, shape, parts, takes_residuals: false })
     });
     written.collect()
-}
-
-/// Returns the shape of a product with this number of entries.
-fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
-    let extent = |extent| match extent {
-        Extent::Velocities => layout.velocities,
-        Extent::State => layout.positions + layout.velocities,
-        Extent::Constraints => layout.multipliers,
-        _ => entries,
-    };
-    match shape {
-        ProductShape::Scalar | ProductShape::Vector(_) => vec![entries],
-        ProductShape::Matrix(rows, columns) => vec![extent(rows), extent(columns)],
-    }
 }
 
 /// Returns the functions that project states onto the constraints.

@@ -1,105 +1,50 @@
 //! Systems from declarations, with additional products derived on demand.
 
-use std::sync::{Arc, OnceLock};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Backend, Derived, Programs, System};
-use lagrange_dynamic::{DeclaredSystem, MethodChoice, Source};
+use lagrange_dynamic::{DeclaredSystem, Source};
 use lagrange_jit::Compiler;
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::{PyResult, Python};
 
 use crate::error::declaration_error;
 
-/// A system with additional products, each empty until first used.
+/// A system with additional products, each derived when it is first used.
 #[derive(Default)]
 pub(crate) struct Derivatives {
-    linearised: OnceLock<DeclaredSystem>,
-    differentiated: OnceLock<DeclaredSystem>,
-    parametric: OnceLock<DeclaredSystem>,
-    drawn: OnceLock<DeclaredSystem>,
-    expanded: OnceLock<DeclaredSystem>,
+    known: Mutex<BTreeMap<Product, DeclaredSystem>>,
 }
 
 impl Derivatives {
-    /// Returns the system with its system matrix.
-    pub(crate) fn linearised(
+    /// Returns the system with a product, and with the values of another. Its programs are compiled
+    /// if those of the other are.
+    pub(crate) fn with(
         &self,
         py: Python<'_>,
-        source: &Source,
-        system: &DeclaredSystem,
+        (source, values): (&Source, &DeclaredSystem),
+        product: Product,
     ) -> PyResult<DeclaredSystem> {
-        with_product(py, &self.linearised, (source, "system_matrix"), system)
+        let known = self.known().get(&product).cloned();
+        let mut system = match known {
+            Some(known) => known,
+            None => {
+                let backend = values.numeric().backend().cloned();
+                let found = runnable(&derive(py, source.system_with(product.name()))?, backend)?;
+                self.known().entry(product).or_insert(found).clone()
+            }
+        };
+        copy_values(&mut system, values.numeric().fields())?;
+        Ok(system)
     }
 
-    /// Returns the system with the derivatives of its rates by the state.
-    pub(crate) fn differentiated(
-        &self,
-        py: Python<'_>,
-        source: &Source,
-        system: &DeclaredSystem,
-    ) -> PyResult<DeclaredSystem> {
-        with_product(py, &self.differentiated, (source, "jacobian"), system)
+    fn known(&self) -> MutexGuard<'_, BTreeMap<Product, DeclaredSystem>> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
-
-    /// Returns the system with the derivatives of its rates by parameters and inputs.
-    pub(crate) fn parametric(
-        &self,
-        py: Python<'_>,
-        source: &Source,
-        system: &DeclaredSystem,
-    ) -> PyResult<DeclaredSystem> {
-        with_product(py, &self.parametric, (source, "parameter_jacobian"), system)
-    }
-
-    /// Returns the system with the product of a method, or the system itself if it needs none.
-    pub(crate) fn for_method(
-        &self,
-        py: Python<'_>,
-        source: &Source,
-        system: &DeclaredSystem,
-        method: MethodChoice,
-    ) -> PyResult<DeclaredSystem> {
-        match method.product() {
-            Some(product) => with_product(py, &self.expanded, (source, product.name()), system),
-            None => Ok(system.clone()),
-        }
-    }
-
-    /// Returns the system with its drawing.
-    ///
-    /// # Errors
-    /// `ValueError` if it has no bodies.
-    pub(crate) fn drawn(
-        &self,
-        py: Python<'_>,
-        source: &Source,
-        system: &DeclaredSystem,
-    ) -> PyResult<DeclaredSystem> {
-        let without = |_| PyValueError::new_err("a film needs bodies, and the declaration has none");
-        with_product(py, &self.drawn, (source, "drawing"), system).map_err(without)
-    }
-}
-
-/// The system with a product, and with the values of another. Its programs are compiled if those of
-/// the other are.
-fn with_product(
-    py: Python<'_>,
-    known: &OnceLock<DeclaredSystem>,
-    (source, product): (&Source, &str),
-    values: &DeclaredSystem,
-) -> PyResult<DeclaredSystem> {
-    let mut system = match known.get() {
-        Some(known) => known.clone(),
-        None => {
-            let backend = values.numeric().backend().cloned();
-            let found = runnable(&derive(py, source.system_with(product))?, backend)?;
-            known.get_or_init(|| found).clone()
-        }
-    };
-    copy_values(&mut system, values.numeric().fields())?;
-    Ok(system)
 }
 
 /// Sets all parameters and inputs except delayed signals, whose values runs compute.

@@ -16,6 +16,7 @@ mod interrupt;
 mod linear;
 mod motion;
 mod picture;
+mod product;
 mod simulation;
 mod system;
 mod values;

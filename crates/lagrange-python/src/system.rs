@@ -8,9 +8,10 @@ use lagrange_c::Module;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::Derived;
 use lagrange_dynamic::{
-    DeclaredFilm, DeclaredSystem, EnsembleSettings, FitSettings, RunSettings, SearchSettings, Source,
+    DeclaredFilm, DeclaredSystem, EnsembleSettings, FitSettings, MethodChoice, RunSettings, SearchSettings,
+    Source,
 };
-use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
+use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
 use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
@@ -24,6 +25,7 @@ use crate::interrupt::interruptible;
 use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::picture::PyFilm;
+use crate::product::{entries_of, evaluated, product_named};
 use crate::simulation::{DrivenRun, FreeRun, SampledInputs, SampledRun, chosen};
 use crate::values::{check_values, names, numbers, pairs, start_of};
 
@@ -131,7 +133,8 @@ impl PySystem {
 
     #[doc = described!(System.energy)]
     fn energy(&self, t: f64, y: &Bound<'_, PyAny>) -> PyResult<f64> {
-        let energy = self.product(Product::Energy, "energy", t, y)?;
+        let y = self.entries("`y`", y)?;
+        let energy = entries_of(&self.declared, Product::Energy, (t, &y, None))?;
         Ok(energy.first().copied().unwrap_or(f64::NAN))
     }
 
@@ -141,10 +144,24 @@ impl PySystem {
         py: Python<'py>,
         t: f64,
         y: &Bound<'_, PyAny>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let size = self.declared.programs().layout.velocities;
-        let entries = self.product(Product::MassMatrix, "mass matrix", t, y)?;
-        entries.to_pyarray(py).reshape([size, size])
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        evaluated(py, &self.declared, Product::MassMatrix, (t, &self.entries("`y`", y)?, None))
+    }
+
+    #[doc = described!(System.product)]
+    #[pyo3(signature = (name, t, y, a=None))]
+    fn product<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        t: f64,
+        y: &Bound<'_, PyAny>,
+        a: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let y = self.entries("`y`", y)?;
+        let a = a.map(|a| numbers("`a`", a)).transpose()?;
+        let product = product_named(name)?;
+        evaluated(py, &self.with(py, product)?, product, (t, &y, a.as_deref()))
     }
 
     #[doc = described!(System.jacobian)]
@@ -156,7 +173,7 @@ impl PySystem {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let y = self.entries("`y`", y)?;
         let (q, v) = y.split_at(self.declared.programs().layout.positions);
-        let system = self.derivatives.differentiated(py, &self.source, &self.declared)?;
+        let system = self.with(py, Product::Jacobian)?;
         let program = system.programs().jacobian.as_ref();
         let program = program.ok_or_else(|| PyValueError::new_err("the rates have no derivatives"))?;
         system.numeric().evaluate(program, t, q, v).to_pyarray(py).reshape([y.len(), y.len()])
@@ -236,7 +253,7 @@ impl PySystem {
             }
             None => {
                 self.check_values()?;
-                let system = self.derivatives.for_method(py, &self.source, &self.declared, method)?;
+                let system = self.for_method(py, method)?;
                 interruptible(py, |watch| system.visit(FreeRun(settings, watch)))
             }
         };
@@ -262,7 +279,8 @@ impl PySystem {
             return Err(PyValueError::new_err("the motion is that of another system"));
         }
         let (times, states) = (columns.column(py, 0).as_array().to_vec(), columns.states(py));
-        let system = self.derivatives.drawn(py, &self.source, &self.declared)?;
+        let without = |_| PyValueError::new_err("a film needs bodies, and the declaration has none");
+        let system = self.with(py, Product::Drawing).map_err(without)?;
         let film = DeclaredFilm::new(&system, &times, states.iter().map(Vec::as_slice), forces);
         let film = film.and_then(|film| match columns.place("energy") {
             Ok(place) if energy => film.with_column("energy", &columns.column(py, place).as_array().to_vec()),
@@ -291,7 +309,7 @@ impl PySystem {
         let method = chosen(method, tolerance, step, seed)?;
         let (starts, varied) = motions(&self.declared, starts, parameters)?;
         let settings = EnsembleSettings { starts, varied, from: begin, until, method, threads };
-        let system = self.derivatives.for_method(py, &self.source, &self.declared, method)?;
+        let system = self.for_method(py, method)?;
         PyEnsemble::compute(py, &system, &settings)
     }
 
@@ -408,7 +426,7 @@ impl PySystem {
     /// Returns the system with its system matrix.
     fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
         self.check_values()?;
-        self.derivatives.linearised(py, &self.source, &self.declared)
+        self.with(py, Product::SystemMatrix)
     }
 
     /// Returns the derivatives of the rates by a range of parameters and inputs, in this order.
@@ -427,12 +445,22 @@ impl PySystem {
         if columns.is_empty() {
             return Ok(PyArray2::zeros(py, [y.len(), 0], false));
         }
-        let system = self.derivatives.parametric(py, &self.source, &self.declared)?;
+        let system = self.with(py, Product::ParameterJacobian)?;
         let program = system.programs().parameter_jacobian.as_ref();
         let program = program.ok_or_else(|| PyValueError::new_err("the rates have no derivatives"))?;
         let entries = system.numeric().evaluate(program, t, q, v);
         let rows = entries.chunks(count).flat_map(|row| row[columns.clone()].to_vec());
         PyArray1::from_iter(py, rows).reshape([y.len(), columns.len()])
+    }
+
+    /// Returns the system with a product.
+    fn with(&self, py: Python<'_>, product: Product) -> PyResult<DeclaredSystem> {
+        self.derivatives.with(py, (&self.source, &self.declared), product)
+    }
+
+    /// Returns the system with the product of a method, or the system itself if it needs none.
+    fn for_method(&self, py: Python<'_>, method: MethodChoice) -> PyResult<DeclaredSystem> {
+        method.product().map_or_else(|| Ok(self.declared.clone()), |product| self.with(py, product))
     }
 
     fn derived(&self, py: Python<'_>) -> PyResult<Derived> {
@@ -468,12 +496,5 @@ impl PySystem {
 
     fn check_values(&self) -> PyResult<()> {
         check_values(&self.declared)
-    }
-
-    fn product(&self, product: Product, name: &str, t: f64, y: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
-        let y = self.entries("`y`", y)?;
-        let program = self.declared.programs().product(product);
-        let missing = || PyValueError::new_err(format!("the declaration excludes the {name}"));
-        Ok(self.declared.evaluate(program.ok_or_else(missing)?, t, &y))
     }
 }

@@ -58,6 +58,29 @@ def test_rates_are_those_by_hand():
         assert system.outputs(0.0, y) == pytest.approx({"height": height}, abs=1e-14)
 
 
+def test_products_are_derived_by_name():
+    system = lagrange.System(DOUBLE)
+    y, a = np.array([0.3, -0.7, 0.5, 2.0]), np.array([1.0, -0.5])
+    sine = np.sin(y[0] - y[1])
+    coriolis = system.product("coriolis_matrix", 0.0, y)
+    np.testing.assert_allclose(coriolis, [[0, sine * y[3]], [-sine * y[2], 0]], atol=1e-14)
+    mass, inverse = system.mass_matrix(0.0, y), system.product("inverse_mass_matrix", 0.0, y)
+    np.testing.assert_allclose(mass @ inverse, np.eye(2), atol=1e-14)
+    torques = system.product("inverse_dynamics", 0.0, y, a)
+    np.testing.assert_allclose(torques, mass @ (a - system.accelerations(0.0, y)), atol=1e-13)
+    assert system.product("inverse_dynamics_jacobian", 0.0, y, a).shape == (2, 4)
+    assert system.product("energy", 0.0, y) == system.energy(0.0, y)
+    np.testing.assert_array_equal(system.with_parameters(g=0).product("bias", 0.0, 0 * y), 0)
+    for arguments, message in [
+        (("coriolis", 0.0, y), "there is no product `coriolis`; known are mass_matrix"),
+        (("inverse_dynamics", 0.0, y), "`inverse_dynamics` needs `a`"),
+        (("bias", 0.0, y, a), "`bias` does not depend on accelerations"),
+        (("center_of_mass", 0.0, y), "without rigid bodies"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            system.product(*arguments)
+
+
 @pytest.mark.parametrize("text", [DOUBLE, CART.replace("input u;", "input u = 0.3;"), BALL])
 def test_machine_code_has_the_bits_of_the_interpreter(text):
     compiled, interpreted = lagrange.System(text), lagrange.System(text, compile=False)

@@ -3,17 +3,12 @@
 //! A noise w of the density S is √S dW/dt. The equations M v̇ = f + Σ wₖ dₖ and ż = h + Σ wₖ eₖ
 //! have the diffusions gₖ = √Sₖ (eₖ, M⁻¹ dₖ). M is factorised only once.
 
-use super::cost::cost;
-use super::elimination::order::{eliminate_dense, eliminate_recursive};
 use super::forms::Forms;
-use super::sweep::Rotations;
+use super::inverse_mass_matrix::{cheapest, solved_each_way};
 use crate::model::{Model, Noise};
 use lagrange_algebra::calculus::{adjoint, jacobian};
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::number::Number;
-
-/// Number of velocities above which a full matrix is not tried.
-const LARGEST_TRIAL: usize = 20;
 
 /// The diffusions of a model.
 #[derive(Clone, Default, Debug)]
@@ -67,32 +62,14 @@ fn rate(model: &mut Model, noise: &Noise, position: ExprId) -> ExprId {
 /// Computes the accelerations due to a unit of each noise, by the cheaper of two factorisations of
 /// M.
 fn accelerations(model: &mut Model, forms: &mut Forms) -> Vec<Vec<ExprId>> {
-    let velocities = model.velocities();
-    let noises = model.noises.clone();
+    let (velocities, noises) = (model.velocities(), model.noises.clone());
     let linear = noises.iter().map(|noise| {
         let forces = adjoint(&mut model.graph, &noise.loads, &velocities);
         forces.into_iter().map(|force| model.graph.negate(force)).collect::<Vec<_>>()
     });
     let linear = linear.collect::<Vec<_>>();
-    if velocities.is_empty() {
-        return linear;
-    }
-    let form = forms.form.clone();
-    let recursive = eliminate_recursive(&mut model.graph, form, &velocities, Rotations::Last);
-    let mut ways = recursive.into_iter().collect::<Vec<_>>();
-    if ways.is_empty() || velocities.len() <= LARGEST_TRIAL {
-        let pushed = forms.pushed(model).clone();
-        ways.extend(eliminate_dense(&mut model.graph, pushed, &velocities));
-    }
-    let graph = &mut model.graph;
-    let found = ways.iter().map(|way| {
-        let columns = linear.iter().map(|linear| way.solve_again(graph, linear, &velocities));
-        columns.collect::<Vec<_>>()
-    });
-    let found = found.collect::<Vec<_>>();
-    let costs = found.iter().map(|columns| cost(graph, &columns.concat())).collect::<Vec<_>>();
-    let cheapest = costs.into_iter().zip(found).min_by(|(one, _), (other, _)| one.total_cmp(other));
-    cheapest.map_or_else(Vec::new, |(_, columns)| columns)
+    let found = solved_each_way(model, forms, &linear);
+    cheapest(&model.graph, found).unwrap_or_default()
 }
 
 /// Determines the dependence of the diffusions g on the state. All (gⱼ·∇) gₖ vanish if no diffusion

@@ -1,17 +1,21 @@
 //! The equations derived from a model.
 
+use super::centroidal::{center_of_mass, centroidal_momentum, centroidal_momentum_matrix};
 use super::conserved::add_conserved;
 use super::constraints::ConstraintEquations;
+use super::coriolis::coriolis_matrix;
 use super::diffusion::Diffusion;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
 use super::elimination::solution::{Solution, push_down};
 use super::energy_function::energy_function;
+use super::event_jacobian::event_jacobian;
 use super::forms::{Forms, Rows};
 use super::frame_jacobians::{frame_biases, frame_jacobians};
 use super::grading::grade_parameters;
 use super::indefinite::{largest, pivot_growth};
-use super::inverse_dynamics::residual;
+use super::inverse_dynamics::{inverse_dynamics_jacobian, residual};
+use super::inverse_mass_matrix::inverse_mass_matrix;
 use super::jacobian::{Derivatives, lagrangian_hessian};
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::power::add_power;
@@ -126,6 +130,16 @@ impl Equations {
         for product in model.products.clone() {
             let found = match product {
                 Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
+                Product::CoriolisMatrix => coriolis_matrix(model, &split),
+                Product::CenterOfMass => center_of_mass(model),
+                Product::CentroidalMomentum => centroidal_momentum(model),
+                Product::CentroidalMomentumMatrix => centroidal_momentum_matrix(model),
+                Product::EventJacobian => event_jacobian(model, &solution.values, &constraints.multipliers),
+                Product::InverseDynamicsJacobian => inverse_dynamics_jacobian(model, &split),
+                Product::InverseMassMatrix => match inverse_mass_matrix(model, &split) {
+                    Some(rows) => rows,
+                    None => continue,
+                },
                 Product::Momenta => gradient(&mut model.graph, model.lagrangian, &velocities),
                 Product::MomentumRates => {
                     let sums = [&constraints.forces[..], &[]]

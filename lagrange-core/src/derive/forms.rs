@@ -51,8 +51,14 @@ struct VelocityForm {
 impl Forms {
     /// Creates the form of a model without pushing it down.
     pub(super) fn new(model: &mut Model, split: &SplitLagrangian) -> Forms {
-        let mut form = least_constraint_form(model, split, AccelerationTerms::Dropped, Terms::All);
-        join_multipliers(model, &mut form);
+        let mut forms = Forms::without_constraints(model, split);
+        join_multipliers(model, &mut forms.form);
+        forms
+    }
+
+    /// Creates the form of a model without its constraints, and without pushing it down.
+    pub(super) fn without_constraints(model: &mut Model, split: &SplitLagrangian) -> Forms {
+        let form = least_constraint_form(model, split, AccelerationTerms::Dropped, Terms::All);
         Forms { form, velocity_form: None }
     }
 

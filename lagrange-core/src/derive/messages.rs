@@ -16,3 +16,8 @@ pub(super) fn singular_mass_matrix(coordinates: &[&str]) -> String {
 
 pub(super) const SINGULAR_HELP: &str =
     "add the missing kinetic energy, or describe the motion with fewer coordinates";
+
+pub(super) const NO_INVERSE: &str =
+    "`inverse_mass_matrix` does not exist: only constraints give some motion of the coordinates an inertia";
+
+pub(super) const NO_INVERSE_HELP: &str = "add the missing kinetic energy, or take responses to forces from `acceleration`, with an `input` as the force";

@@ -83,7 +83,8 @@
 //! is the same sweep with accelerations kept, which makes it the recursive Newton–Euler algorithm
 //! on chains. Jacobians are found in two ways, and the cheaper is kept (`jacobian`). One is forward
 //! differentiation of the accelerations as computed. The other is implicit, from the inverse
-//! dynamics, with the factors of M shared by all columns. The regressor consists of Newton–Euler
+//! dynamics, with the factors of M shared by all columns. The Coriolis matrix
+//! consists of slopes of the bias (`coriolis`). The regressor consists of Newton–Euler
 //! wrenches of bodies and of slopes of the remaining inverse dynamics (`regressor`).
 //!
 //! **Non-smooth terms switch** (`switches`): conditions of `if` and the kinks of `abs`, `sign`,
@@ -94,8 +95,10 @@
 //! without switches are emitted as if there were none.
 
 mod algebra;
+mod centroidal;
 mod conserved;
 mod constraints;
+mod coriolis;
 mod cost;
 mod coupling;
 mod curvature;
@@ -104,12 +107,14 @@ mod displacements;
 mod elimination;
 mod energy_function;
 mod equations;
+mod event_jacobian;
 mod forms;
 mod frame_jacobians;
 mod gibbs_appell;
 mod grading;
 mod indefinite;
 mod inverse_dynamics;
+mod inverse_mass_matrix;
 mod jacobian;
 mod least_constraint;
 mod messages;
@@ -132,7 +137,7 @@ mod virtual_displacements;
 
 use proc_macro2::Span;
 
-use crate::model::Model;
+use crate::model::{Model, Product};
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use undetermined::undetermined;
@@ -147,6 +152,7 @@ pub use series::SeriesEquations;
 pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};
 pub use structure::{Conserved, MassStructure, Structure};
 pub use switches::{Switch, one_sided};
+pub(crate) use virtual_displacements::along_displacements;
 
 /// Derives the equations of a model. A failure is reported at `place`, or at an undetermined
 /// coordinate.
@@ -158,7 +164,9 @@ pub fn derive(
     report: &mut Report,
 ) -> Option<Equations> {
     let singular = match Equations::derive(model, choice) {
-        Ok(equations) => return Some(equations),
+        Ok(equations) => {
+            return report_missing_inverse(declaration, model, &equations, report).map(|()| equations);
+        }
         Err(error) => error,
     };
     let moving = undetermined(model);
@@ -176,5 +184,22 @@ pub fn derive(
     let place = place.unwrap_or(declaration.name.span);
     let names = moving.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
     report.error(place, singular.message(&names)).help(singular.help());
+    None
+}
+
+/// Reports a requested inverse of a mass matrix that is singular. Constraints may determine a
+/// motion without inertia.
+fn report_missing_inverse(
+    declaration: &Declaration,
+    model: &Model,
+    equations: &Equations,
+    report: &mut Report,
+) -> Option<()> {
+    let wanted = Product::InverseMassMatrix;
+    if !model.products.contains(&wanted) || equations.product(wanted, model).is_some() {
+        return Some(());
+    }
+    let place = declaration.demand(wanted.name()).unwrap_or(&declaration.name).span;
+    report.error(place, messages::NO_INVERSE).help(messages::NO_INVERSE_HELP);
     None
 }

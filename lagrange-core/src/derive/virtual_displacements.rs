@@ -12,7 +12,7 @@
 
 use super::quadratic_form::QuadraticForm;
 use crate::model::Model;
-use lagrange_algebra::calculus::{adjoint, gradient};
+use lagrange_algebra::calculus::{adjoint, gradient, jacobian};
 use lagrange_expr::expr::ExprId;
 
 /// Adds −∂L/∂q at the rates of the positions. First-order states are not displaced.
@@ -51,4 +51,27 @@ pub(super) fn applied_forces(model: &mut Model) -> Vec<ExprId> {
     let forces = adjoint(graph, &loads, &velocities);
     let resistances = gradient(graph, model.dissipation, &velocities);
     forces.into_iter().zip(resistances).map(|(force, resistance)| graph.subtract(force, resistance)).collect()
+}
+
+/// Converts derivatives with respect to positions to those with respect to displacements: ∂f/∂q N
+/// replaces ∂f/∂q in each row, and the other entries stay.
+pub(crate) fn along_displacements(model: &mut Model, rows: &[ExprId], columns: usize) -> Vec<ExprId> {
+    let n = model.speeds.len();
+    let positions = model.coordinates.iter().filter(|coordinate| !coordinate.is_state);
+    let rates = positions.map(|position| position.rate).collect::<Vec<_>>();
+    let velocities = model.velocities();
+    // N
+    let directions = jacobian(&mut model.graph, &rates, &velocities);
+    let mut entries = Vec::new();
+    for row in rows.chunks_exact(columns) {
+        let (by_positions, others) = row.split_at(rates.len());
+        for column in 0..n {
+            let products = by_positions.iter().zip(&directions);
+            let products = products.map(|(&slope, direction)| model.graph.multiply(slope, direction[column]));
+            let products = products.collect::<Vec<_>>();
+            entries.push(model.graph.total(products));
+        }
+        entries.extend(others);
+    }
+    entries
 }

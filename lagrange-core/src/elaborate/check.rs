@@ -2,7 +2,6 @@
 
 use super::constraints::{check_reduced_constraints, is_constrained};
 use super::damping::with_limits;
-use super::delays::check_delays;
 use super::elaborator::{Elaborator, SourceTerm};
 use super::events::check_reduced_events;
 use super::gibbs::total_gibbs;
@@ -10,9 +9,10 @@ use super::history::{check_history, set_past_signals};
 use super::ignored::Terms;
 use super::limits::store_limits;
 use super::magnitudes::check_magnitudes;
-use super::messages::{self, scene};
+use super::messages;
 use super::noise::{check_noise, separate_noises};
 use super::opaque::report_uncalled;
+use super::products::{check_coriolis_matrix, check_products};
 use super::reductions::check_reductions;
 use super::scalar_range::largest;
 use super::scene::check_names_of_bodies;
@@ -29,7 +29,7 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::units::NamedUnits;
-use lagrange_language::syntax::ast::{StateKind, StatementKind};
+use lagrange_language::syntax::ast::StatementKind;
 
 /// Returns the model and its reductions; `None` after an error, which has been reported.
 pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>, Terms)> {
@@ -47,6 +47,7 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
     check_signs(&mut elaborator);
     let lagrangian = without_kinks(&mut elaborator.evaluator.graph, lagrangian);
     check_inertia(&mut elaborator, lagrangian);
+    check_coriolis_matrix(&mut elaborator, lagrangian);
     if elaborator.evaluator.report.has_errors() {
         return None;
     }
@@ -154,104 +155,6 @@ fn check_energies(elaborator: &mut Elaborator<'_>) {
     {
         let kinds = &[Dependencies::VELOCITY];
         elaborator.forbid(kinds, (syntax, value), "the potential energy", messages::POTENTIAL_HELP);
-    }
-}
-
-fn check_products(elaborator: &mut Elaborator<'_>) {
-    for &(product, wanted, span) in &elaborator.wanted {
-        // A body may be in an unreadable part of the text.
-        let is_unclear = product.is_of_bodies() && !elaborator.declaration.unreadable_words.is_empty();
-        if wanted && elaborator.is_undefined(product) && !is_unclear {
-            let (message, help) = match product {
-                _ if product.is_of_bodies() => without_bodies(elaborator, product),
-                _ if product.is_of_constraints() => {
-                    (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP)
-                }
-                _ => (messages::needs_separate_energies(product.name()), messages::LAGRANGIAN_HELP),
-            };
-            elaborator.evaluator.report.error(span, message).help(help);
-        }
-    }
-    check_needed_products(elaborator);
-    check_derivatives(elaborator);
-    check_linear_model(elaborator);
-    check_hessian(elaborator);
-    check_delays(elaborator);
-}
-
-/// Returns the mistake of a product that requires bodies that do not exist, or that exist in the
-/// wrong number of dimensions.
-fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'static str) {
-    let staged = &elaborator.staged;
-    match product {
-        Product::Frames | Product::FrameJacobians if !staged.bodies.is_empty() => {
-            (scene::only_in_space(product.name()), scene::IN_THE_PLANE_HELP)
-        }
-        _ => (scene::needs_bodies(product.name()), scene::BODY_HELP),
-    }
-}
-
-/// Checks that methods called by others are also emitted.
-fn check_needed_products(elaborator: &mut Elaborator<'_>) {
-    let is_canonical =
-        elaborator.velocities_are_rates() && elaborator.products().contains(&Product::MomentumRates);
-    let is_constrained = !elaborator.constraints.is_empty();
-    let is_ignoring = elaborator.reductions.iter().any(|reduction| !reduction.ignored.is_empty());
-    for &(product, wanted, span) in &elaborator.wanted {
-        let reason = match product {
-            Product::Momenta if is_ignoring => messages::NEEDED_BY_IGNORED,
-            Product::Momenta | Product::MassMatrix if is_canonical => messages::NEEDED_BY_MOMENTUM_RATES,
-            Product::ConstraintVelocity | Product::ConstraintJacobian if is_constrained => {
-                messages::NEEDED_BY_PROJECTION
-            }
-            _ => continue,
-        };
-        if !wanted {
-            let error = elaborator.evaluator.report.error(span, messages::needed_product(product.name()));
-            error.help(messages::needed_product_help(product.name(), reason));
-        }
-    }
-}
-
-/// Reports derivatives beside contacts and friction, at whose changes of mode accelerations jump.
-fn check_derivatives(elaborator: &mut Elaborator<'_>) {
-    let Some((reaction, declared)) = elaborator.reactions.first() else { return };
-    for &(product, wanted, span) in &elaborator.wanted {
-        if wanted && product.is_derivative() {
-            let message = messages::derivative_of_jumps(product.name());
-            let error =
-                elaborator.evaluator.report.error(span, message).help(messages::DERIVATIVE_OF_JUMPS_HELP);
-            error.related(Origin::from(*declared), messages::acts_here(&reaction.name));
-        }
-    }
-}
-
-/// Reports linear models of discrete systems. A linear model does not include jumps of the state,
-/// and the matrix of constants without a rate is singular.
-fn check_linear_model(elaborator: &mut Elaborator<'_>) {
-    let discrete = elaborator.states.iter().filter(|state| state.kind == StateKind::Discrete);
-    let mut places = discrete.map(|state| state.name.span).chain(elaborator.clocks.iter().map(|(_, at)| *at));
-    let Some(place) = places.next() else { return };
-    for &(product, wanted, span) in &elaborator.wanted {
-        if wanted && product == Product::SystemMatrix {
-            let error = elaborator.evaluator.report.error(span, messages::DISCRETE_LINEAR_MODEL);
-            error.related(Origin::from(place), messages::DISCRETE_IS_HERE);
-            error.help(messages::DISCRETE_LINEAR_MODEL_HELP);
-        }
-    }
-}
-
-/// Reports Hessians with unit quaternions. Second derivatives by their components depend on the
-/// extension of the Lagrangian to other lengths.
-fn check_hessian(elaborator: &mut Elaborator<'_>) {
-    if elaborator.orientations.is_empty() {
-        return;
-    }
-    for &(product, wanted, span) in &elaborator.wanted {
-        if wanted && product == Product::LagrangianHessian {
-            let report = &mut *elaborator.evaluator.report;
-            report.error(span, messages::HESSIAN_OF_ORIENTATION).help(messages::HESSIAN_OF_ORIENTATION_HELP);
-        }
     }
 }
 

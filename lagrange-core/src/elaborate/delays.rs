@@ -36,12 +36,11 @@ fn lag_of(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
 /// reductions.
 pub(super) fn check_delays(elaborator: &mut Elaborator<'_>) {
     let Some(place) = elaborator.delays.first().map(|(_, place)| Origin::from(*place)) else { return };
+    let demands = elaborator.demands(Product::SystemMatrix);
     let report = &mut elaborator.evaluator.report;
-    for &(product, wanted, span) in &elaborator.wanted {
-        if wanted && product == Product::SystemMatrix {
-            let error = report.error(span, words::LINEAR_MODEL).related(place, words::DELAYED_HERE);
-            error.help(words::LINEAR_MODEL_HELP);
-        }
+    for span in demands {
+        let error = report.error(span, words::LINEAR_MODEL).related(place, words::DELAYED_HERE);
+        error.help(words::LINEAR_MODEL_HELP);
     }
     for reduction in &elaborator.reductions {
         let error = report.error(reduction.name.span, words::REDUCTION).related(place, words::DELAYED_HERE);

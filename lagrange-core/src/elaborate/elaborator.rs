@@ -205,7 +205,7 @@ impl<'a> Elaborator<'a> {
         let wanted = |&product: &Product| {
             let otherwise = match product.row().when {
                 Availability::Always | Availability::SeparateEnergies | Availability::Constraints => true,
-                Availability::Demand | Availability::Bodies => false,
+                Availability::Demand | Availability::Events | Availability::Bodies => false,
                 Availability::With(other) => asked(other, false),
             };
             asked(product, otherwise) && !self.is_undefined(product)
@@ -217,6 +217,7 @@ impl<'a> Elaborator<'a> {
         match product.row().when {
             Availability::SeparateEnergies => !self.lagrangian.is_empty(),
             Availability::Constraints => self.constraints.is_empty(),
+            Availability::Events => self.events.is_empty(),
             Availability::Bodies => self.staged.lacks(product),
             Availability::Always | Availability::Demand | Availability::With(_) => false,
         }
@@ -291,6 +292,12 @@ impl<'a> Elaborator<'a> {
     pub(super) fn forbid_accelerations(&mut self, syntax: AstId, value: ExprId, what: &str) -> Option<()> {
         let help = messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS;
         self.forbid(UNKNOWNS, (syntax, value), what, help)
+    }
+
+    /// Returns the places where a product is requested.
+    pub(super) fn demands(&self, product: Product) -> Vec<Span> {
+        let wanted = self.wanted.iter().filter(|(named, wanted, _)| *named == product && *wanted);
+        wanted.map(|(.., span)| *span).collect()
     }
 
     /// Returns a scalar, which may depend on time, positions, velocities, states and inputs.

@@ -138,6 +138,9 @@ messages! {
     unknown_product(name) = "`{name}` cannot be emitted";
     needs_separate_energies(name) = "`{name}` is not defined for a system given by its `lagrangian`";
     needs_constraints(name) = "`{name}` is not defined for a system without constraints";
+    needs_events(name) = "`{name}` is not defined for a system without events";
+    EVENT_HELP = "write `event name = e, falling => record;` for a zero of e";
+    EVENT_OF_JUMPS_HELP = "remove it, or the accelerations and multipliers from the functions of events";
     CONSTRAINT_HELP = "write `constraint name = e;` for e = 0";
     needed_product(name) = "`{name}` cannot be left out here";
     needed_product_help(name, reason) = "remove `no {name}`: {reason}";
@@ -149,6 +152,10 @@ messages! {
     HESSIAN_OF_ORIENTATION = "`lagrangian_hessian` cannot be combined with orientations by unit quaternions";
     HESSIAN_OF_ORIENTATION_HELP =
         "describe the orientation by angles, or take the derivatives of motions from `tangent_jacobian`";
+    CORIOLIS_OF_MOVING_INERTIA =
+        "`coriolis_matrix` does not exist for a system whose mass matrix depends on velocities";
+    CORIOLIS_OF_MOVING_INERTIA_HELP =
+        "take the vector of these terms from `bias`, or their derivatives from `jacobian`";
     DISCRETE_IS_HERE = "this changes discontinuously";
     DISCRETE_LINEAR_MODEL_HELP =
         "declare a `param` for what stays, or an `input` for what a sampled controller sets";

@@ -35,6 +35,7 @@ mod opaque;
 mod operand;
 mod partials;
 mod pinned;
+mod products;
 mod ranges;
 mod rate_equations;
 mod reactions;

@@ -35,8 +35,8 @@ pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
     elaborator.staged = staged(plain);
     add_scene_in_space(elaborator, &plain.in_space);
     let products = elaborator.products();
-    let [moves, is_drawn] = [Product::Motion, Product::Drawing].map(|product| products.contains(&product));
-    if moves || is_drawn {
+    let is_drawn = products.contains(&Product::Drawing);
+    if products.iter().any(|product| product.needs_motions()) {
         let motions = plain.motions.iter().map(|motion| body_motion(elaborator, motion)).collect::<Vec<_>>();
         elaborator.scene.motions.extend(motions.into_iter().flatten());
     }
@@ -194,13 +194,9 @@ fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<O
 pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
     let products = elaborator.products();
     // Bodies may be called `parameter` or `tangent`.
-    let of_product = |product: Product| (products.contains(&product), product.name());
-    let others = [
-        (!elaborator.constraints.is_empty(), "redundant_motion"),
-        of_product(Product::ParameterJacobian),
-        of_product(Product::TangentJacobian),
-    ];
-    let others = others.into_iter().filter_map(|(exists, name)| exists.then_some(name)).collect::<Vec<_>>();
+    let others = products.iter().filter(|product| product.is_method()).map(|product| product.name());
+    let mut others = others.collect::<Vec<_>>();
+    others.extend((!elaborator.constraints.is_empty()).then_some("redundant_motion"));
     for product in products {
         let report = &mut *elaborator.evaluator.report;
         for (body, method) in elaborator.staged.methods(product) {

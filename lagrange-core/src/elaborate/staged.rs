@@ -23,6 +23,7 @@ impl Staged {
         let is_empty = self.bodies.is_empty() && self.frames.is_empty();
         match product {
             Product::Motion => self.bodies.is_empty(),
+            _ if product.is_centroidal() => self.bodies.is_empty(),
             Product::Drawing => self.bodies.is_empty() && !self.is_visible,
             Product::Frames | Product::FrameJacobians => !self.is_in_space || is_empty,
             Product::Statements => is_empty && !self.is_visible,

@@ -12,14 +12,17 @@ use rows::ROWS;
 #[expect(missing_docs, reason = "the names are those of the rows")]
 pub enum Product {
     MassMatrix,
+    InverseMassMatrix,
     Forcing,
     Bias,
+    CoriolisMatrix,
     Momenta,
     MomentumRates,
     KineticEnergy,
     PotentialEnergy,
     Energy,
     InverseDynamics,
+    InverseDynamicsJacobian,
     Regressor,
     Constraints,
     ConstraintVelocity,
@@ -29,6 +32,7 @@ pub enum Product {
     TangentJacobian,
     ParameterJacobian,
     SystemMatrix,
+    EventJacobian,
     Prepared,
     Kernel,
     Lanes,
@@ -40,6 +44,9 @@ pub enum Product {
     LagrangianHessian,
     GeneralisedForces,
     Tests,
+    CenterOfMass,
+    CentroidalMomentum,
+    CentroidalMomentumMatrix,
     Motion,
     Frames,
     FrameJacobians,
@@ -71,6 +78,8 @@ pub enum Availability {
     Constraints,
     /// On demand.
     Demand,
+    /// On demand, for systems with events.
+    Events,
     /// On demand, or together with another product.
     With(Product),
     /// On demand, for systems with rigid bodies.
@@ -111,6 +120,14 @@ pub enum Extent {
     Fields,
     /// One for each column of the regressor.
     Regressed,
+    /// One for each declared event.
+    Events,
+    /// One for each position and each velocity, and one for time.
+    StateAndTime,
+    /// One for each axis of the plane or of space.
+    Axes,
+    /// One for each rotation, then one for each axis, of the plane or of space.
+    Motions,
 }
 
 /// The result of a product's method.
@@ -205,9 +222,27 @@ impl Product {
         )
     }
 
-    /// True if only systems with rigid bodies have it. No method has its name.
+    /// True if only systems with events have it.
+    pub fn is_of_events(self) -> bool {
+        self.row().when == Availability::Events
+    }
+
+    /// True if only systems with rigid bodies have it.
     pub fn is_of_bodies(self) -> bool {
         self.row().when == Availability::Bodies
+    }
+
+    /// True if it is computed from the motions of bodies.
+    pub fn needs_motions(self) -> bool {
+        matches!(self, Product::Motion | Product::Drawing) || self.is_centroidal()
+    }
+
+    /// True for totals of all bodies.
+    pub fn is_centroidal(self) -> bool {
+        matches!(
+            self,
+            Product::CenterOfMass | Product::CentroidalMomentum | Product::CentroidalMomentumMatrix
+        )
     }
 
     /// True if its name is the name of a method, or of a constant in lower case.

@@ -35,6 +35,46 @@ impl BodyMotion {
     /// Number of values that describe the motion of a body in the plane, and in space.
     pub const VALUES: [usize; 2] = [13, 37];
 
+    fn is_in_space(&self) -> bool {
+        self.values.len() == BodyMotion::VALUES[1]
+    }
+
+    /// Returns the values from one place in the plane, or in space.
+    fn part(&self, places: [usize; 2], counts: [usize; 2]) -> &[ExprId] {
+        let dimension = usize::from(self.is_in_space());
+        &self.values[places[dimension]..][..counts[dimension]]
+    }
+
+    /// Returns the mass.
+    pub(crate) fn mass(&self) -> ExprId {
+        self.values[0]
+    }
+
+    /// Returns the moment of inertia, or the tensor in rows, about the centre of mass in own axes.
+    pub(crate) fn inertia(&self) -> &[ExprId] {
+        self.part([1, 1], [1, 9])
+    }
+
+    /// Returns the centre of mass.
+    pub(crate) fn place(&self) -> &[ExprId] {
+        self.part([4, 13], [2, 3])
+    }
+
+    /// Returns the rotation from own axes to those of the world in space, in rows.
+    pub(crate) fn rotation(&self) -> Option<&[ExprId]> {
+        self.is_in_space().then(|| &self.values[16..25])
+    }
+
+    /// Returns the velocity of the centre of mass.
+    pub(crate) fn velocity(&self) -> &[ExprId] {
+        self.part([7, 25], [2, 3])
+    }
+
+    /// Returns the angular velocity.
+    pub(crate) fn angular_velocity(&self) -> &[ExprId] {
+        self.part([9, 28], [1, 3])
+    }
+
     /// Returns the centre of mass in the plane.
     pub(crate) fn center(&self) -> [ExprId; 2] {
         [self.values[4], self.values[5]]

@@ -1,5 +1,6 @@
 //! Places of the arguments of programs.
 
+use crate::model::{Extent, ProductShape};
 use lagrange_expr::symbol::Role;
 
 /// Numbers of arguments of each kind, in their order in p.
@@ -51,6 +52,25 @@ impl Layout {
             }
             Role::Noise(_) | Role::Operand(_) | Role::Placeholder(_) => return None,
         })
+    }
+
+    /// Returns the numbers of rows and columns of a product with this number of entries, or the
+    /// number of entries of a vector. At most one of the two numbers follows from the other.
+    pub fn shape_of(&self, shape: ProductShape, entries: usize) -> Vec<usize> {
+        let states = self.positions + self.velocities;
+        let extent = |extent| match extent {
+            Extent::Velocities => Some(self.velocities),
+            Extent::State => Some(states),
+            Extent::StateAndTime => Some(states + 1),
+            Extent::Constraints => Some(self.multipliers),
+            _ => None,
+        };
+        let ProductShape::Matrix(rows, columns) = shape else { return vec![entries] };
+        let other = |known: usize| entries / known.max(1);
+        match [extent(rows), extent(columns)] {
+            [Some(rows), columns] => vec![rows, columns.unwrap_or_else(|| other(rows))],
+            [None, columns] => columns.map_or_else(|| vec![entries], |columns| vec![other(columns), columns]),
+        }
     }
 
     /// Returns the number of parameters and inputs.

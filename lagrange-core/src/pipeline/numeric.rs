@@ -351,6 +351,12 @@ impl NumericSystem {
         self.with_accelerations(Product::InverseDynamics, (t, q, v, a))
     }
 
+    /// Computes the derivatives of the inverse dynamics in rows, by displacements of the positions,
+    /// by states and by velocities. `None` if they were not derived.
+    pub fn inverse_dynamics_jacobian(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
+        self.with_accelerations(Product::InverseDynamicsJacobian, (t, q, v, a))
+    }
+
     /// Computes the regressor of the inverse dynamics in rows. Its columns multiply
     /// [`regressor_parameters`](Self::regressor_parameters), whose names are in
     /// [`Variables`](crate::emit::Variables). `None` if it was not derived.
@@ -363,7 +369,9 @@ impl NumericSystem {
         self.run(&self.programs.regressor_parameters, self.at(f64::NAN, &[], &[]))
     }
 
-    fn with_accelerations(
+    /// Computes the components of a product at given accelerations, in the order of
+    /// [`product`](Self::product). `None` if it was not derived.
+    pub fn with_accelerations(
         &self,
         product: Product,
         (t, q, v, a): (f64, &[f64], &[f64], &[f64]),

@@ -3,17 +3,22 @@
 
 mod arrays;
 mod callables;
+mod centroidal;
 mod conditions;
+mod coriolis;
 mod coupled;
 mod dampers;
 mod declarations;
 mod dimensions;
+mod event_jacobian;
 mod expressions;
 mod formulas;
 mod gibbs;
 mod grids;
 mod growth;
 mod ignored;
+mod inverse_dynamics_jacobian;
+mod inverse_mass_matrix;
 mod machines;
 mod magnitudes;
 mod mechanics;

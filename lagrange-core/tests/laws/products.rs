@@ -30,6 +30,9 @@ const IN_SPACE: &str = "
 /// An oscillator, which conserves its energy.
 const CONSERVATIVE: &str = "param k = 1; coord x; kinetic = 1/2*dot(x)^2; potential = spring_energy(k, x);";
 
+/// A cart that stops.
+const STOPPING: &str = "coord x; kinetic = 1/2*dot(x)^2; force x = -x; event wall = x - 1, rising => stop;";
+
 /// A derivation with some products.
 struct Emission {
     expressions: usize,
@@ -95,6 +98,7 @@ fn system_with(product: Product) -> &'static str {
     match product {
         Product::Frames | Product::FrameJacobians => IN_SPACE,
         Product::Conserved | Product::Tests => CONSERVATIVE,
+        Product::EventJacobian => STOPPING,
         _ => SYSTEM,
     }
 }

@@ -6,7 +6,7 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 
 use crate::random::Random;
 
-fn numeric(text: &str) -> NumericSystem {
+pub(crate) fn numeric(text: &str) -> NumericSystem {
     let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
     let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
     NumericSystem::new(&derived)

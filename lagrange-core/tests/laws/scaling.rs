@@ -22,8 +22,10 @@ use super::random::Random;
 const LARGEST: i32 = 900;
 
 /// Products whose components have units.
-const PRODUCTS: [Product; 16] = [
+const PRODUCTS: [Product; 19] = [
     Product::MassMatrix,
+    Product::InverseMassMatrix,
+    Product::CoriolisMatrix,
     Product::Forcing,
     Product::Bias,
     Product::Momenta,
@@ -32,6 +34,7 @@ const PRODUCTS: [Product; 16] = [
     Product::PotentialEnergy,
     Product::Energy,
     Product::InverseDynamics,
+    Product::InverseDynamicsJacobian,
     Product::Constraints,
     Product::ConstraintVelocity,
     Product::ConstraintJacobian,
@@ -138,6 +141,7 @@ fn results(subject: &Subject, system: &NumericSystem, motion: &Motion, scale: Sc
     for product in PRODUCTS {
         let values = match product {
             Product::InverseDynamics => system.inverse_dynamics(0.0, &q, &v, &a),
+            Product::InverseDynamicsJacobian => system.inverse_dynamics_jacobian(0.0, &q, &v, &a),
             _ => system.product(product, 0.0, &q, &v),
         };
         let found =

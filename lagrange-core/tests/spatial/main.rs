@@ -7,6 +7,7 @@ mod cases;
 mod closed_forms;
 mod comparison;
 mod drawing;
+mod matrices;
 mod models;
 mod motion;
 mod operations;

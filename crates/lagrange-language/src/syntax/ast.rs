@@ -193,14 +193,19 @@ impl Declaration {
         named
     }
 
-    /// True if a product emitted on demand is requested; the last request applies.
+    /// True if a product emitted on demand is requested.
     pub fn asks_for(&self, product: &str) -> bool {
+        self.demand(product).is_some()
+    }
+
+    /// Returns the name of a product where it is requested; the last request applies.
+    pub fn demand(&self, product: &str) -> Option<&Name> {
         let items = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Emit(items) => Some(items),
             _ => None,
         });
         let mut asked = items.flatten().filter(|item| item.product.text == product);
-        asked.next_back().is_some_and(|item| item.wanted)
+        asked.next_back().filter(|item| item.wanted).map(|item| &item.product)
     }
 
     /// Returns the ranges of parameters that have one.

@@ -10,7 +10,7 @@ use crate::model::Product;
 use lagrange_algebra::code::Precision;
 use lagrange_algebra::series::NoSeries;
 use lagrange_expr::diagnostics::Report;
-use lagrange_language::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
+use lagrange_language::syntax::ast::{Declaration, ScalarType};
 
 /// Reason why a system cannot be written.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -58,12 +58,7 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
 
 /// Returns the place where a product is requested.
 fn demand(declaration: &Declaration, product: Product) -> Span {
-    let items = declaration.statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Emit(items) => Some(items),
-        _ => None,
-    });
-    let is_demand = |item: &&EmitItem| item.wanted && item.product.text == product.name();
-    items.flatten().rfind(is_demand).map_or(declaration.name.span, |item| item.product.span)
+    declaration.demand(product.name()).unwrap_or(&declaration.name).span
 }
 
 /// Reports constants from the derivation that the scalar cannot represent; constants in the

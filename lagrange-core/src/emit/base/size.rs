@@ -183,15 +183,21 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
     }
     let (state, fields) =
         (model.coordinates.len() + model.speeds.len(), model.parameters.len() + model.inputs.len());
-    let jacobians = [
-        (Product::Jacobian, state),
-        (Product::TangentJacobian, state),
-        (Product::ParameterJacobian, fields),
-        (Product::SystemMatrix, state + model.inputs.len()),
-        (Product::LagrangianHessian, state),
+    let velocities = model.speeds.len();
+    let matrices = [
+        (Product::Jacobian, [state, state]),
+        (Product::TangentJacobian, [state, state]),
+        (Product::ParameterJacobian, [state, fields]),
+        (Product::SystemMatrix, [state, state + model.inputs.len()]),
+        (Product::EventJacobian, [model.events.len(), state]),
+        (Product::LagrangianHessian, [state, state]),
+        (Product::InverseMassMatrix, [velocities, velocities]),
+        (Product::InverseDynamicsJacobian, [velocities, state]),
+        (Product::CoriolisMatrix, [velocities, velocities]),
     ];
-    let wanted = jacobians.into_iter().filter(|(product, _)| model.products.contains(product));
-    let entries = wanted.map(|(_, columns)| state.saturating_mul(columns)).fold(0, usize::saturating_add);
+    let wanted = matrices.into_iter().filter(|(product, _)| model.products.contains(product));
+    let entries =
+        wanted.map(|(_, [rows, columns])| rows.saturating_mul(columns)).fold(0, usize::saturating_add);
     let has_matrix = model.products.contains(&Product::MassMatrix);
     let entries = entries.saturating_add(if has_matrix { coupled_by_one_square(model) } else { 0 });
     if Size(model.graph.len().max(entries)).is_hopeless() {

@@ -8,6 +8,7 @@
 //! Source: Sola, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", 2018,
 //! §IV.
 
+use crate::derive::along_displacements;
 use crate::model::Model;
 use lagrange_algebra::calculus::jacobian;
 use lagrange_expr::expr::ExprId;
@@ -40,29 +41,6 @@ pub(super) fn linearised(model: &mut Model, accelerations: &[ExprId], inputs: &[
     let mut rows = jacobian(&mut model.graph, &rates, &arguments).concat();
     rows.extend(accelerations);
     entries.extend(along_displacements(model, &rows, arguments.len()));
-    entries
-}
-
-/// Converts derivatives with respect to positions to those with respect to displacements: ∂f/∂q N
-/// replaces ∂f/∂q in each row, and the other entries stay.
-pub(super) fn along_displacements(model: &mut Model, rows: &[ExprId], columns: usize) -> Vec<ExprId> {
-    let n = model.speeds.len();
-    let positions = model.coordinates.iter().filter(|coordinate| !coordinate.is_state);
-    let rates = positions.map(|position| position.rate).collect::<Vec<_>>();
-    let velocities = model.velocities();
-    // N
-    let directions = jacobian(&mut model.graph, &rates, &velocities);
-    let mut entries = Vec::new();
-    for row in rows.chunks_exact(columns) {
-        let (by_positions, others) = row.split_at(rates.len());
-        for column in 0..n {
-            let products = by_positions.iter().zip(&directions);
-            let products = products.map(|(&slope, direction)| model.graph.multiply(slope, direction[column]));
-            let products = products.collect::<Vec<_>>();
-            entries.push(model.graph.total(products));
-        }
-        entries.extend(others);
-    }
     entries
 }
 

@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::jacobian::{along_displacements, linearised};
+use super::jacobian::linearised;
 use super::ports::has_outputs;
-use crate::derive::Equations;
+use crate::derive::{Equations, along_displacements};
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, length};

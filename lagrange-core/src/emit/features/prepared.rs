@@ -26,11 +26,14 @@ use lagrange_algebra::program::Preparation;
 
 /// Products, in addition to `acceleration` and `rhs`, for which the prepared type has methods if
 /// the system has them.
-pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 10] = [
+pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 13] = [
     Product::MassMatrix,
+    Product::InverseMassMatrix,
     Product::Forcing,
     Product::Bias,
+    Product::CoriolisMatrix,
     Product::InverseDynamics,
+    Product::InverseDynamicsJacobian,
     Product::Regressor,
     Product::Momenta,
     Product::MomentumRates,

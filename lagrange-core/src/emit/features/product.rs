@@ -36,8 +36,11 @@ pub(in crate::emit) fn plan(
         _ => found,
     };
     match (product, &mut returns) {
-        // The number of components of an output usually follows from its syntax, but not always.
-        (Product::SystemMatrix, Returns::Matrix(rows, columns)) => *rows = roots.len() / *columns,
+        // The number of components of an output usually follows from its syntax, but not always,
+        // and contacts may share an event.
+        (Product::SystemMatrix | Product::EventJacobian, Returns::Matrix(rows, columns)) => {
+            *rows = roots.len() / *columns;
+        }
         // The derivation finds the columns.
         (Product::Regressor, Returns::Matrix(rows, columns)) => *columns = roots.len() / *rows,
         _ => {}
@@ -72,6 +75,12 @@ pub(in crate::emit) fn signature(
         Extent::Fields => shape.fields.len(),
         // At most ten for each body, and one for each parameter.
         Extent::Regressed => 0,
+        Extent::Axes if shape.declaration.is_in_space => 3,
+        Extent::Axes => 2,
+        Extent::Motions if shape.declaration.is_in_space => 6,
+        Extent::Motions => 3,
+        Extent::Events => shape.events.len(),
+        Extent::StateAndTime => shape.coordinates.len() + shape.velocities.len() + 1,
     };
     let returns = match method.returns {
         ProductShape::Scalar => Returns::Scalar,

@@ -1,20 +1,29 @@
 //! The rows of all products.
 
-use super::Availability::{Always, Bodies, Constraints, Demand, SeparateEnergies, With};
+use super::Availability::{Always, Bodies, Constraints, Demand, Events, SeparateEnergies, With};
 use super::ProductArguments::{Configuration, Motion, Positions, State, Whole};
 use super::ProductShape::{Matrix, Scalar, Vector};
 use super::{Extent, Product, ProductRow};
 
 /// Every product in the order of emission, which is that of [`Product`].
-pub(super) const ROWS: [ProductRow; 34] = [
+pub(super) const ROWS: [ProductRow; 41] = [
     ProductRow::new(Product::MassMatrix, "mass_matrix", Always)
         .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &["Mass matrix M, in rows."]),
+    ProductRow::new(Product::InverseMassMatrix, "inverse_mass_matrix", Demand)
+        .with_method(Configuration, Matrix(Extent::Velocities, Extent::Velocities), &[
+            "Inverse M⁻¹ of the mass matrix, in rows: accelerations due to unit forces, without constraints.",
+        ]),
     ProductRow::new(Product::Forcing, "forcing", Always)
         .with_method(State, Vector(Extent::Velocities), &["Right-hand side f of M q̈ = f."]),
     ProductRow::new(Product::Bias, "bias", Demand)
         .with_method(State, Vector(Extent::Velocities), &[
             "Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,",
             "without applied forces and dissipation.",
+        ]),
+    ProductRow::new(Product::CoriolisMatrix, "coriolis_matrix", Demand)
+        .with_method(State, Matrix(Extent::Velocities, Extent::Velocities), &[
+            "Coriolis matrix C, in rows: C v are the terms of `bias` with velocities, and Ṁ − 2C is skew if",
+            "M does not depend explicitly on time or states.",
         ]),
     ProductRow::new(Product::Momenta, "momenta", Always)
         .with_method(State, Vector(Extent::Velocities), &["Generalised momenta ∂L/∂v."]),
@@ -30,6 +39,11 @@ pub(super) const ROWS: [ProductRow; 34] = [
         .with_method(Motion, Vector(Extent::Velocities), &[
             "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
             "to produce given accelerations.",
+        ]),
+    ProductRow::new(Product::InverseDynamicsJacobian, "inverse_dynamics_jacobian", Demand)
+        .with_method(Motion, Matrix(Extent::Velocities, Extent::Tangent), &[
+            "Derivatives of `inverse_dynamics`, in rows, by displacements of the positions, changes of the",
+            "states and of the velocities; those by the accelerations are the mass matrix.",
         ]),
     ProductRow::new(Product::Regressor, "regressor", Demand)
         .with_method(Motion, Matrix(Extent::Velocities, Extent::Regressed), &[
@@ -73,6 +87,11 @@ pub(super) const ROWS: [ProductRow; 34] = [
             "System matrix [A B; C D; G 0] of the linearised system, in rows: `tangent_jacobian` and the",
             "derivatives by the inputs, then those of the outputs and of the constraint velocities.",
         ]),
+    ProductRow::new(Product::EventJacobian, "event_jacobian", Events)
+        .with_method(Whole, Matrix(Extent::Events, Extent::StateAndTime), &[
+            "Derivatives of the functions of declared events, in rows, by the entries of the state and, last,",
+            "by time. For contacts they are those of the gaps.",
+        ]),
     ProductRow::new(Product::Prepared, "prepared", Demand),
     ProductRow::new(Product::Kernel, "kernel", Demand),
     ProductRow::new(Product::Lanes, "lanes", Demand),
@@ -92,6 +111,17 @@ pub(super) const ROWS: [ProductRow; 34] = [
             "constraints, contacts and friction.",
         ]),
     ProductRow::new(Product::Tests, "tests", Demand),
+    ProductRow::new(Product::CenterOfMass, "center_of_mass", Bodies)
+        .with_method(Positions, Vector(Extent::Axes), &["Centre of mass of all bodies."]),
+    ProductRow::new(Product::CentroidalMomentum, "centroidal_momentum", Bodies)
+        .with_method(State, Vector(Extent::Motions), &[
+            "Momentum of all bodies, in world axes: angular momentum about their centre of mass, then linear",
+            "momentum.",
+        ]),
+    ProductRow::new(Product::CentroidalMomentumMatrix, "centroidal_momentum_matrix", Bodies)
+        .with_method(Positions, Matrix(Extent::Motions, Extent::Velocities), &[
+            "Matrix A of the centroidal momentum A v, in rows; what time alone adds is omitted.",
+        ]),
     ProductRow::new(Product::Motion, "motion", Bodies),
     ProductRow::new(Product::Frames, "frames", Bodies),
     ProductRow::new(Product::FrameJacobians, "frame_jacobians", Bodies),

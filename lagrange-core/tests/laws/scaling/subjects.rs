@@ -298,6 +298,9 @@ fn rods(n: usize, more: &str) -> String {
 impl Subject {
     /// True if the system has a product.
     pub(super) fn has(&self, product: Product) -> bool {
+        if product == Product::InverseMassMatrix && self.name.contains("without inertia") {
+            return false;
+        }
         match product.row().when {
             Availability::Constraints => !self.constraints.is_empty(),
             Availability::SeparateEnergies => !self.declaration.contains("lagrangian"),
@@ -314,8 +317,10 @@ impl Subject {
             Extent::LinearRows => [self.units(Extent::Tangent), self.units(Extent::Constraints)].concat(),
             Extent::Constraints => lengths(&self.constraints),
             Extent::Fields => self.parameters.iter().map(|(_, unit)| *unit).collect(),
-            // The derivation chooses its columns.
-            Extent::Regressed => Vec::new(),
+            // The derivation chooses the columns, no subject has events, and few have bodies.
+            Extent::Regressed | Extent::Events | Extent::StateAndTime | Extent::Axes | Extent::Motions => {
+                Vec::new()
+            }
         }
     }
 
@@ -343,7 +348,9 @@ impl Subject {
             Product::ConstraintJacobian => {
                 slopes(self.units(Extent::Constraints), self.units(Extent::Velocities))
             }
-            Product::MassMatrix => slopes(forces, self.units(Extent::Velocities)),
+            Product::MassMatrix | Product::CoriolisMatrix => slopes(forces, self.units(Extent::Velocities)),
+            Product::InverseMassMatrix => slopes(self.units(Extent::Velocities), forces),
+            Product::InverseDynamicsJacobian => slopes(forces, self.units(Extent::Tangent)),
             Product::Jacobian => slopes(self.units(Extent::Velocities), self.units(Extent::State)),
             Product::TangentJacobian => slopes(self.units(Extent::Velocities), self.units(Extent::Tangent)),
             Product::ParameterJacobian => slopes(self.units(Extent::Velocities), self.units(Extent::Fields)),

@@ -27,9 +27,11 @@ pub(in crate::bodies) struct Asked {
 
 impl Asked {
     pub(in crate::bodies) fn of(declaration: &Declaration) -> Asked {
-        let [motions, frames, twists] =
-            ["motion", "frames", "frame_jacobians"].map(|product| declaration.asks_for(product));
-        Asked { motions: motions || declaration.asks_for("drawing"), frames, twists }
+        let asks_for = |products: &[&str]| products.iter().any(|product| declaration.asks_for(product));
+        let motions =
+            ["motion", "drawing", "center_of_mass", "centroidal_momentum", "centroidal_momentum_matrix"];
+        let [motions, frames, twists] = [&motions[..], &["frames"], &["frame_jacobians"]].map(asks_for);
+        Asked { motions, frames, twists }
     }
 }
 
