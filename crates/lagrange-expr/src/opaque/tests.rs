@@ -111,7 +111,7 @@ fn what_lies_outside_is_as_declared() {
 /// A polynomial with the form of products of splines is its own interpolation.
 #[test]
 fn tables_of_several_arguments_are_products_of_splines() {
-    let axes = vec![vec![0.0, 1.0, 2.5, 4.0], vec![-1.0, 0.0, 2.0], vec![10.0, 11.0, 13.0]];
+    let axes = [vec![0.0, 1.0, 2.5, 4.0], vec![-1.0, 0.0, 2.0], vec![10.0, 11.0, 13.0]];
     let factors = |x: &[f64]| [1.0 + 2.0 * x[0], 3.0 - x[1], 0.5 * x[2] - 1.0];
     let slopes = [2.0, -1.0, 0.5];
     for (count, interpolation) in [2, 3]

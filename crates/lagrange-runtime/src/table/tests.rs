@@ -78,8 +78,8 @@ fn tables_of_several_arguments_are_products() {
         numbers
     }
     let numbers = Table { axes: [UNEVEN, UNEVEN, EVEN], rows: &NUMBERS };
-    assert_eq!(numbers.value([0.5, -2.0, 1.7]), ((2 * 4) * 5 + 4) as f64);
-    assert_eq!(numbers.value([2.5, 0.5, 0.2_f32]), ((3 * 4 + 2) * 5 + 1) as f32);
+    assert_eq!(numbers.value([0.5, -2.0, 1.7]), 44.0);
+    assert_eq!(numbers.value([2.5, 0.5, 0.2_f32]), 71.0);
 }
 
 /// Two numbers in lanes.
