@@ -5,6 +5,13 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// True if some part of a limit is negative.
+    pub(super) fn may_have_negative_limits(&self) -> bool {
+        let free = self.kinetic.iter().chain(&self.fixed);
+        let slopes = self.slopes.iter().flat_map(|slope| [&slope.kinetic, &slope.fixed]);
+        free.chain(slopes).any(|part| *part < S::ZERO)
+    }
+
     /// Checks limits of friction that contain no constraint forces.
     ///
     /// A limit may be negative if it is small relative to the forces at its friction. Where v
@@ -24,7 +31,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 Mode::Friction(_) => S::ONE,
             };
             let of = |slope: fn(&LimitSlope<S>) -> S| {
-                self.slopes_of(k).iter().map(move |entry| (entry.reaction, slope(entry)))
+                self.slopes_of(k).map(move |entry| (entry.reaction, slope(entry)))
             };
             let negative = negative(side, self.kinetic[k], of(|slope| slope.kinetic), modes)
                 .or_else(|| negative(side, self.fixed[k], of(|slope| slope.fixed), modes));
