@@ -83,8 +83,8 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     is_of_step: bool,
     /// Size of forces below which the pieces of targets merge smoothly; zero for the law.
     smoothing: S,
-    /// The range of velocities outside which the row and the response of each reaction are zero,
-    /// as well as those on which its limit depends, if there are many velocities.
+    /// Ranges of velocities for each reaction, if there are many velocities. Outside, its row and
+    /// response are zero, and so are those on which its limit depends.
     spans: [(usize, usize); K],
 }
 

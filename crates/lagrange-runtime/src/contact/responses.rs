@@ -270,9 +270,9 @@ impl<S: Scalar, const N: usize> TreeFactors<S, N> {
 
 /// The factors of a symmetric matrix.
 enum MassFactors<S, const N: usize> {
-    /// Those of a positive definite one.
+    /// The factors, if all pivots are positive.
     Definite(TreeFactors<S, N>),
-    /// The matrix itself, if not all pivots are positive.
+    /// The matrix itself.
     Indefinite([[S; N]; N]),
 }
 

@@ -99,9 +99,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         vectors.into_iter().all(|vector| are(vector)) && are_slopes && are_complete
     }
 
-    /// Searches for the impulses, starting from these. Contacts that are pushed together by others
-    /// take part as well, once they would overlap, and from the start if they did in the step
-    /// before.
+    /// Searches for the impulses, starting from these. Contacts that others push together take part
+    /// once they would overlap. Those that did so in the step before take part from the start.
     pub(super) fn solve(&mut self, restitutions: &[S; K], start: &[S; K]) -> Impulses<S, N, K> {
         let mut acts = [false; K];
         (0..K).for_each(|k| acts[k] = start[k] > S::ZERO || self.closes(k, self.free[k]));
