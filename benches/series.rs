@@ -65,6 +65,35 @@ lagrange::system! {
     emit { taylor }
 }
 
+lagrange::system! {
+    /// The sun and the five outer planets: lengths in astronomical units, times in days, masses in
+    /// those of the sun.
+    struct OuterPlanets;
+
+    const n = 6;
+    param m[n] = [
+        1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449,
+        1 / 130000000,
+    ];
+    param g = 2.95912208286e-4;
+    coord x[n], y[n], z[n];
+    kinetic = sum(i in 0..n, 1/2 * m[i] * (dot(x[i])^2 + dot(y[i])^2 + dot(z[i])^2));
+    potential = -g * sum(i in 0..n, sum(j in 0..i,
+        m[i] * m[j] / sqrt((x[i] - x[j])^2 + (y[i] - y[j])^2 + (z[i] - z[j])^2)));
+    emit { taylor }
+}
+
+/// Positions and velocities of the sun and the outer planets on 5 September 1994. Source: Hairer,
+/// Lubich, Wanner, *Geometric Numerical Integration*, table I.2.2.
+const PLANETS: [[f64; 6]; 6] = [
+    [0.0; 6],
+    [-3.5023653, -3.8169847, -1.5507963, 0.00565429, -0.00412490, -0.00190589],
+    [9.0755314, -3.0458353, -1.6483708, 0.00168318, 0.00483525, 0.00192462],
+    [8.3101420, -16.2901086, -7.2521278, 0.00354178, 0.00137102, 0.00055029],
+    [11.4707666, -25.7294829, -10.8169456, 0.00288930, 0.00114527, 0.00039677],
+    [-15.5387357, -25.2225594, -3.1902382, 0.00276725, -0.00170702, -0.00136504],
+];
+
 const REPEATS: usize = 40;
 /// Number of motions in an ensemble.
 const MOTIONS: usize = 32;
@@ -177,4 +206,7 @@ fn main() {
     compare_in_lanes("Kepler", &Kepler, [0.4, 0.0, 0.0, 5.0], 20.0 * std::f64::consts::PI);
     compare_in_lanes("chain of six", &Chain::default(), chain, 3.0);
     compare("heavy top", &Top::default(), [0.9, 0.3, 0.1, 0.3, 0.1, 0.2, 5.0], 10.0);
+    // Coordinates are listed axis by axis.
+    let planets = std::array::from_fn(|entry| PLANETS[entry % 6][entry / 6]);
+    compare("outer planets", &OuterPlanets::default(), planets, 20_000.0);
 }

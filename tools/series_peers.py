@@ -38,9 +38,74 @@ def kepler():
     return [(r, u), (phi, w), (u, r * w**2 - r**-2.0), (w, -2 * u * w / r)]
 
 
+def chain():
+    """Six unit masses on unit rods, with the mass matrix solved by an unrolled factorisation."""
+    n, g = 6, 9.81
+    angles = heyoka.make_vars(*[f"q{i}" for i in range(n)])
+    rates = heyoka.make_vars(*[f"v{i}" for i in range(n)])
+    beyond = [[n - max(i, j) for j in range(n)] for i in range(n)]
+    matrix = [[beyond[i][j] * heyoka.cos(angles[i] - angles[j]) for j in range(i + 1)] for i in range(n)]
+    right = [
+        -(n - i) * g * heyoka.sin(angles[i])
+        - sum(beyond[i][j] * heyoka.sin(angles[i] - angles[j]) * rates[j] ** 2 for j in range(n) if j != i)
+        for i in range(n)
+    ]
+    factor = [[None] * n for _ in range(n)]
+    pivots = [None] * n
+    for j in range(n):
+        pivots[j] = matrix[j][j] - sum(factor[j][k] ** 2 * pivots[k] for k in range(j))
+        for i in range(j + 1, n):
+            gained = sum(factor[i][k] * factor[j][k] * pivots[k] for k in range(j))
+            factor[i][j] = (matrix[i][j] - gained) / pivots[j]
+    found = [None] * n
+    for i in range(n):
+        found[i] = right[i] - sum(factor[i][k] * found[k] for k in range(i))
+    found = [value / pivot for value, pivot in zip(found, pivots)]
+    for i in reversed(range(n)):
+        found[i] = found[i] - sum(factor[k][i] * found[k] for k in range(i + 1, n))
+    return list(zip(angles, rates)) + list(zip(rates, found))
+
+
+def top():
+    """Euler's equations in body axes, with a quaternion."""
+    a, c, h = 1.0, 0.5, 0.7
+    w, x, y, z = heyoka.make_vars("qw", "qx", "qy", "qz")
+    r, s, t = heyoka.make_vars("wx", "wy", "wz")
+    # The vertical in body axes.
+    down, aside = 2 * (x * z - w * y), 2 * (y * z + w * x)
+    return [
+        (w, -0.5 * (x * r + y * s + z * t)),
+        (x, 0.5 * (w * r + y * t - z * s)),
+        (y, 0.5 * (w * s + z * r - x * t)),
+        (z, 0.5 * (w * t + x * s - y * r)),
+        (r, ((a - c) * s * t + h * aside) / a),
+        (s, ((c - a) * t * r - h * down) / a),
+        (t, heyoka.expression(0.0)),
+    ]
+
+
+# Masses, positions and velocities as in the benchmark.
+PLANET_MASSES = [1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449, 1 / 1.3e8]
+PLANETS = [
+    [0.0] * 6,
+    [-3.5023653, -3.8169847, -1.5507963, 0.00565429, -0.00412490, -0.00190589],
+    [9.0755314, -3.0458353, -1.6483708, 0.00168318, 0.00483525, 0.00192462],
+    [8.3101420, -16.2901086, -7.2521278, 0.00354178, 0.00137102, 0.00055029],
+    [11.4707666, -25.7294829, -10.8169456, 0.00288930, 0.00114527, 0.00039677],
+    [-15.5387357, -25.2225594, -3.1902382, 0.00276725, -0.00170702, -0.00136504],
+]
+
+
+def planets():
+    return heyoka.model.nbody(6, masses=PLANET_MASSES, Gconst=2.95912208286e-4)
+
+
 MOTIONS = {
     "double pendulum": (double_pendulum(), [2.0, 1.5, 0.0, 0.0], 10.0),
     "Kepler": (kepler(), [0.4, 0.0, 0.0, 5.0], 20 * math.pi),
+    "chain of six": (chain(), [1.0, 1.2, 1.4, 1.6, 1.8, 2.0] + 6 * [0.0], 3.0),
+    "heavy top": (top(), [0.9, 0.3, 0.1, 0.3, 0.1, 0.2, 5.0], 10.0),
+    "outer planets": (planets(), np.concatenate(PLANETS).tolist(), 20_000.0),
 }
 
 

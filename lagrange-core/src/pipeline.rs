@@ -38,7 +38,7 @@ pub use phases::DerivedPart;
 pub use programs::{Programs, Range, Reaction, TickingClock, TouchingPrograms};
 pub use routines::{Backend, Call, Code, LISTS, Numbers};
 pub use series::{MotionSeries, ResultPlaces, SlotPlaces};
-pub use system::{Derived, System, parse, parse_with};
+pub use system::{Derived, System, parse, parse_adding, parse_with};
 
 /// Expands the macro: writes all items emitted for a declaration, including errors.
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {

@@ -1,6 +1,7 @@
 //! Limits of friction that are, or become, negative.
 
 use lagrange::Simulate;
+use lagrange::contact::Stepped;
 use lagrange::integrate::StepFailure;
 
 lagrange::system! {
@@ -22,19 +23,28 @@ lagrange::system! {
 
 #[test]
 fn negative_limits_of_friction_are_errors_by_name() {
-    let start = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0];
+    let starts = [1.0, -1.0].map(|speed| [0.0, 0.0, 0.0, speed, 0.0, 0.0]);
     for (mu, own, name) in [(-0.3, 0.0, "rub"), (-0.3, -1.0, "rub"), (0.0, -1.0, "rub"), (0.3, -1.0, "brush")]
     {
         let system = Limited { mu, own, ..Limited::default() };
-        let refused = system.simulate(start).until(1.0).run().unwrap_err();
-        let StepFailure::FrictionLimit { friction, value } = refused.cause else { panic!("{refused}") };
-        assert!(friction == name && value < 0.0, "{refused}");
-        assert!(refused.to_string().contains("is the magnitude of a force"), "{refused}");
-        assert_eq!(refused.time(), 0.0);
+        for start in starts {
+            let located = system.simulate(start).until(1.0).run().map(drop).unwrap_err();
+            let stepped = system.simulate(start).until(1.0).method(Stepped::every(0.01)).run();
+            for refused in [located.cause, stepped.map(drop).unwrap_err().cause] {
+                let StepFailure::FrictionLimit { friction, value } = refused else { panic!("{refused}") };
+                assert!(friction == name && value < 0.0, "{refused}");
+                assert!(refused.to_string().contains("is the magnitude of a force"), "{refused}");
+            }
+            assert_eq!(located.time(), 0.0);
+        }
     }
     for (mu, own, guide) in [(0.3, 0.0, 0.1), (0.3, 0.0, -0.1), (0.0, 0.0, 0.0), (0.2, 1.0, 0.1)] {
         let system = Limited { mu, own, guide, ..Limited::default() };
-        assert!(system.simulate(start).until(1.0).run().is_ok(), "{mu} {own} {guide}");
+        for start in starts {
+            assert!(system.simulate(start).until(1.0).run().is_ok(), "{mu} {own} {guide}");
+            let stepped = system.simulate(start).until(1.0).method(Stepped::every(0.01)).run();
+            assert!(stepped.is_ok(), "{mu} {own} {guide}");
+        }
     }
 }
 

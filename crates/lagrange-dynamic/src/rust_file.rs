@@ -71,8 +71,9 @@ fn declaration(tokens: &[TokenTree]) -> Option<Declaration> {
     is_one.then(|| Declaration { name: name(group.stream()), inside })
 }
 
-/// Returns the word after `struct`.
+/// Returns the word after `struct`, or the path of the file that is the declaration.
 fn name(tokens: TokenStream) -> String {
-    let mut behind = tokens.into_iter().skip_while(|token| token.to_string() != "struct").skip(1);
-    behind.next().map(|token| token.to_string()).unwrap_or_default()
+    let mut behind = tokens.clone().into_iter().skip_while(|token| token.to_string() != "struct").skip(1);
+    let name = behind.next().or_else(|| tokens.into_iter().nth(1));
+    name.map(|token| token.to_string().trim_matches('"').to_owned()).unwrap_or_default()
 }

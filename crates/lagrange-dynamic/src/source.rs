@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::files;
-use lagrange_core::pipeline::{Derived, System, parse_with};
+use lagrange_core::pipeline::{Derived, System, parse_adding, parse_with};
 use lagrange_core::tables::FileText;
 
 use crate::rust_file::with_declaration;
@@ -51,7 +51,7 @@ impl Source {
     /// # Errors
     /// With all errors in it and in its tables.
     pub fn system(&self) -> Result<System, Report> {
-        self.parsed(&without_macro(&self.text))
+        self.parsed("")
     }
 
     /// Parses and checks the declaration, with an additional product such as `drawing`.
@@ -59,8 +59,7 @@ impl Source {
     /// # Errors
     /// With all errors in it and in its tables, or the reason why it cannot have this product.
     pub fn system_with(&self, product: &str) -> Result<System, Report> {
-        let longer = format!("{}\nemit {{ {product} }}", without_macro(&self.text));
-        self.parsed(&longer)
+        self.parsed(&format!("emit {{ {product} }}"))
     }
 
     /// Derives the equations with the derivatives of rates and outputs with respect to state and
@@ -87,13 +86,14 @@ impl Source {
         paths.into_inner()
     }
 
-    fn parsed(&self, text: &str) -> Result<System, Report> {
+    /// Parses the declaration, with further statements.
+    fn parsed(&self, statements: &str) -> Result<System, Report> {
         // Written code contains the points of tables, and is compiled without their files.
         let table = |path: &str| {
             let file = files::read(&self.folder, path)?;
             Ok(FileText { path: String::new(), ..file })
         };
-        parse_with(text, &table)
+        parse_adding((&without_macro(&self.text), statements), &table)
     }
 }
 

@@ -98,7 +98,8 @@ fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
     values
 }
 
-/// A function of D arguments, given by piecewise products of polynomials with N coefficients each.
+/// A function of one to three arguments, D, given by piecewise products of polynomials with N
+/// coefficients each.
 ///
 /// ```
 /// use lagrange::table::{Axis, Table};
@@ -132,6 +133,7 @@ impl<const D: usize, const N: usize> Table<D, N> {
     /// NaN.
     #[inline]
     pub fn derivative<S: Number>(&self, orders: [usize; D], arguments: [S; D]) -> S {
+        const { assert!(1 <= D && D <= 3, "a table has one to three arguments") };
         in_groups(|group| {
             let (mut piece, mut distances) = (0, arguments);
             for (axis, distance) in self.axes.iter().zip(&mut distances) {

@@ -35,9 +35,8 @@ pub(super) fn centroidal_momentum(model: &mut Model) -> Vec<ExprId> {
         angular.push(spin(graph, motion));
     }
     let count = angular.first().map_or(0, Vec::len);
-    let mut momentum =
-        (0..count).map(|axis| graph.total(angular.iter().map(|part| part[axis]).collect::<Vec<_>>()));
-    let mut momentum = momentum.by_ref().collect::<Vec<_>>();
+    let total = |axis| graph.total(angular.iter().map(|part| part[axis]).collect::<Vec<_>>());
+    let mut momentum = (0..count).map(total).collect::<Vec<_>>();
     momentum.extend(weighted(graph, motions, BodyMotion::velocity));
     momentum
 }

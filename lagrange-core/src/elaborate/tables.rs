@@ -173,33 +173,49 @@ fn on_grid(
     mut points: Vec<Point>,
 ) -> Option<(Table, Vec<f64>)> {
     let count = table.parameters.len();
+    let axes = axes(elaborator, table, &points)?;
+    points.sort_by(|a, b| {
+        let pairs = a.components.iter().zip(&b.components).take(count);
+        pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(b)))
+    });
+    each_once(elaborator, table, (&axes, &points))?;
+    let values = points.iter().map(|point| point.components[count]).collect::<Vec<_>>();
+    Some((Table::new(axes, &values, table.interpolation, table.outside), values))
+}
+
+/// Returns the values of each argument in ascending order; at least two are needed.
+fn axes(elaborator: &mut Elaborator<'_>, table: &TableDefinition, points: &[Point]) -> Option<Vec<Vec<f64>>> {
     let axis = |argument: usize| {
         let mut knots = points.iter().map(|point| point.components[argument]).collect::<Vec<_>>();
         knots.sort_by(f64::total_cmp);
         knots.dedup();
         knots
     };
-    let axes = (0..count).map(axis).collect::<Vec<_>>();
-    for (knots, name) in axes.iter().zip(&table.parameters) {
-        if knots.len() < 2 {
-            let report = &mut elaborator.evaluator.report;
-            let message = words::flat_grid(&table.name.text, &name.text);
-            report.error(table.name.span, message).help(words::TOO_FEW_HELP);
-            return None;
-        }
+    let axes = (0..table.parameters.len()).map(axis).collect::<Vec<_>>();
+    let flat = axes.iter().zip(&table.parameters).find(|(knots, _)| knots.len() < 2);
+    if let Some((_, name)) = flat {
+        let report = &mut elaborator.evaluator.report;
+        let message = words::flat_grid(&table.name.text, &name.text);
+        report.error(table.name.span, message).help(words::TOO_FEW_HELP);
+        return None;
     }
-    let arguments = |point: &Point| point.components[..count].to_vec();
-    points.sort_by(|a, b| {
-        let pairs = a.components.iter().zip(&b.components).take(count);
-        pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(b)))
-    });
+    Some(axes)
+}
+
+/// Checks that ordered points are those of a grid, each once.
+fn each_once(
+    elaborator: &mut Elaborator<'_>,
+    table: &TableDefinition,
+    (axes, points): (&[Vec<f64>], &[Point]),
+) -> Option<()> {
+    let arguments = |point: &Point| point.components[..axes.len()].to_vec();
     if let Some(pair) = points.windows(2).find(|pair| arguments(&pair[0]) == arguments(&pair[1])) {
         report_point(elaborator, &pair[1], words::REPEATED_POINT).help(words::GRID_HELP);
         return None;
     }
     let size = axes.iter().map(Vec::len).product::<usize>();
     let missing = (0..size.min(points.len() + 1))
-        .map(|index| grid_point(&axes, index))
+        .map(|index| grid_point(axes, index))
         .zip(points.iter().map(Some).chain([None]))
         .find(|(at, point)| point.is_none_or(|point| arguments(point) != *at));
     if let Some((at, _)) = missing {
@@ -207,18 +223,17 @@ fn on_grid(
         report.error(table.name.span, words::missing_point(&table.name.text, &at)).help(words::GRID_HELP);
         return None;
     }
-    let values = points.iter().map(|point| point.components[count]).collect::<Vec<_>>();
-    Some((Table::new(axes, &values, table.interpolation, table.outside), values))
+    Some(())
 }
 
 /// Returns the arguments of a point of a grid, those along the last axis changing fastest.
 fn grid_point(axes: &[Vec<f64>], mut index: usize) -> Vec<f64> {
-    let mut point = axes.iter().rev().map(|knots| {
+    let reversed = axes.iter().rev().map(|knots| {
         let knot = knots[index % knots.len()];
         index /= knots.len();
         knot
     });
-    let mut point = point.by_ref().collect::<Vec<_>>();
+    let mut point = reversed.collect::<Vec<_>>();
     point.reverse();
     point
 }

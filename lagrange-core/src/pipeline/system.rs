@@ -9,7 +9,7 @@ use crate::model::{Model, Product};
 use lagrange_algebra::code::Precision;
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::Declaration;
-use lagrange_language::syntax::parse_text;
+use lagrange_language::syntax::{parse_included, parse_text};
 use lagrange_language::tables::{Reader, no_files, read_files};
 
 /// A declaration with its checked model.
@@ -51,9 +51,23 @@ pub fn parse(text: &str) -> Result<System, Report> {
 /// # Errors
 /// With all errors in the declaration or its files.
 pub fn parse_with(text: &str, read: Reader<'_>) -> Result<System, Report> {
+    parse_adding((text, ""), read)
+}
+
+/// Parses a declaration, with further statements such as `emit { jacobian }`. They are added to the
+/// one in a file if the text names that.
+///
+/// # Errors
+/// With all errors in the declaration or its files.
+pub fn parse_adding((text, statements): (&str, &str), read: Reader<'_>) -> Result<System, Report> {
     let mut report = Report::default();
     let Some(mut declaration) = parse_text(text, &mut report) else { return Err(report) };
     read_files(&mut declaration, read, &mut report);
+    if !statements.is_empty() {
+        let here = declaration.name.clone();
+        let (added, _) = parse_included((&here, statements), &mut declaration, &mut report);
+        declaration.statements.extend(added);
+    }
     match model_of(declaration, &mut report) {
         (declaration, Some(model)) => Ok(System { declaration, model, report }),
         (_, None) => Err(report),

@@ -84,7 +84,7 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["use", "import", "include", "from", "using", "extern"],
-        "only files of parts are included here",
+        "only files of parts, or of a whole declaration, are included here",
         "write `include \"parts/leg.lag\";` for these, or `param name;` for a number from outside",
     ),
     (

@@ -7,7 +7,7 @@ use crate::syntax::{parse_file, parse_included};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::limits::{MAX_PART_BYTES, MAX_PARTS_NESTED};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// State of reading files that include each other.
 pub(super) struct Includer<'a> {
@@ -119,9 +119,18 @@ impl<'a> Includer<'a> {
         None
     }
 
-    /// Returns the path of a file that the declaration names.
+    /// Returns the path of a file that the declaration names, in one spelling for each file.
     fn path(&self, named: &str) -> String {
-        self.folder.join(named).to_string_lossy().into_owned()
+        let mut path = PathBuf::new();
+        for component in self.folder.join(named).components() {
+            let is_left = matches!(path.components().next_back(), Some(Component::Normal(_)));
+            match component {
+                Component::CurDir => {}
+                Component::ParentDir if is_left => drop(path.pop()),
+                _ => path.push(component),
+            }
+        }
+        path.to_string_lossy().into_owned()
     }
 
     /// Reads a file that the declaration names.

@@ -131,8 +131,8 @@ impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
     /// before.
     pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
         let entry = |k: usize, j: usize| inner(&self.rows[k], &self.terms.responses[j]);
-        // More reactions than velocities depend on each other. Among many velocities, their zeros
-        // are skipped.
+        // More reactions than velocities depend on each other. Without their matrix, zeros among
+        // many velocities are skipped.
         let count = choices.iter().filter(|choice| **choice != Choice::Only(Rule::Absent)).count();
         if const { K <= MOST_DENSE && K <= N } {
             Cone::<_, N, K, K>::new(self, choices, true, entry).best(start)

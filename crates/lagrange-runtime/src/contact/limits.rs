@@ -6,10 +6,22 @@ use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// True if some part of a limit is negative.
-    pub(super) fn may_have_negative_limits(&self) -> bool {
-        let free = self.kinetic.iter().chain(&self.fixed);
-        let slopes = self.slopes.iter().flat_map(|slope| [&slope.kinetic, &slope.fixed]);
-        free.chain(slopes).any(|part| *part < S::ZERO)
+    pub(super) fn may_have_negative_limits(&self, modes: &[Mode; K]) -> bool {
+        let is_negative = |k: usize, parts: [S; 2]| {
+            self.side(k, modes).is_some_and(|side| parts.iter().any(|part| side * *part < S::ZERO))
+        };
+        (0..K).any(|k| is_negative(k, [self.kinetic[k], self.fixed[k]]))
+            || self.slopes.iter().any(|slope| is_negative(slope.limited, [slope.kinetic, slope.fixed]))
+    }
+
+    /// Returns the sign that the limits of friction k have; `None` for contacts.
+    fn side(&self, k: usize, modes: &[Mode; K]) -> Option<S> {
+        match modes[k] {
+            Mode::Contact(_) | Mode::Across(_) => None,
+            // Its kinetic limit has the sign of the slip velocity.
+            Mode::Smooth => Some(self.rates[k].sign()),
+            Mode::Friction(_) => Some(S::ONE),
+        }
     }
 
     /// Checks limits of friction that contain no constraint forces.
@@ -24,12 +36,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         M: ContactSystem<N, K, Scalar = S>,
     {
         for k in (0..K).filter(|&k| !system.limit_reverses(k)) {
-            let side = match modes[k] {
-                Mode::Contact(_) | Mode::Across(_) => continue,
-                // Its kinetic limit has the sign of the slip velocity.
-                Mode::Smooth => self.rates[k].sign(),
-                Mode::Friction(_) => S::ONE,
-            };
+            let Some(side) = self.side(k, modes) else { continue };
             let of = |slope: fn(&LimitSlope<S>) -> S| {
                 self.slopes_of(k).map(move |entry| (entry.reaction, slope(entry)))
             };

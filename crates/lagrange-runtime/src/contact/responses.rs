@@ -48,7 +48,7 @@ impl<T, S: Scalar, const N: usize> ForcedTerms<T, S, N> {
     }
 
     /// Returns the terms and the mass matrix, to which emitted code adds that of dampers, times the
-    /// length of the step.
+    /// length of the step. Complete terms then count as forced ones, with a mass matrix of zeros.
     #[inline(always)]
     pub fn parts(&mut self) -> (&mut T, &mut [[S; N]; N]) {
         (&mut self.terms, self.inertia.get_or_insert([[S::ZERO; N]; N]))

@@ -100,7 +100,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     }
 
     /// Searches for the impulses, starting from these. Contacts that others push together take part
-    /// once they would overlap. Those that did so in the step before take part from the start.
+    /// once they would overlap. Contacts with an impulse at the start take part from the beginning.
     pub(super) fn solve(&mut self, restitutions: &[S; K], start: &[S; K]) -> Impulses<S, N, K> {
         let mut acts = [false; K];
         (0..K).for_each(|k| acts[k] = start[k] > S::ZERO || self.closes(k, self.free[k]));

@@ -324,7 +324,7 @@ where
             return Err(StepFailure::NotFinite);
         }
         let restitutions = step.terms.restitutions(system, &modes, |_| true)?;
-        if step.terms.may_have_negative_limits() {
+        if step.terms.may_have_negative_limits(&modes) {
             metric.respond(step.terms, &[true; K]);
             step.terms.check_limits(system, &modes)?;
         }

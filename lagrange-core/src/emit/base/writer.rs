@@ -20,6 +20,9 @@ use lagrange_algebra::code::{FunctionBody, Names, Scalar, body};
 use lagrange_algebra::program::{Labels, Op, OperationCounts, Preparation, Program, lower, optimise};
 use lagrange_expr::expr::ExprId;
 
+/// Names of variables that features declare after the values of a method.
+const LOCALS: [&str; 4] = ["terms", "inertia", "forced", "step"];
+
 /// Writes the methods of one system. Features add to its members.
 pub(in crate::emit) struct MethodWriter<'a> {
     pub(in crate::emit) shape: &'a Shape<'a>,
@@ -208,7 +211,7 @@ impl<'a> MethodWriter<'a> {
             .into_iter()
             .chain([&argument_names.visit, &argument_names.place]);
         let reserved = reserved.map(ToString::to_string).collect::<Vec<_>>();
-        let mut names = Names::new(reserved.iter().map(String::as_str));
+        let mut names = Names::new(reserved.iter().map(String::as_str).chain(LOCALS));
         let scalar = match emitted_type {
             EmittedType::Lanes => self.shape.lanes_computed_with(),
             _ => self.shape.computed_with(),

@@ -82,7 +82,7 @@ pub(super) fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     writer.members.slopes = terms.slopes.len();
     writer.members.is_forced = !terms.inertia.is_empty();
     writer.members.is_damped = terms.inertia.len() > 1;
-    let krate = writer.shape.krate;
+    let (krate, scalar) = (writer.shape.krate, writer.shape.scalar());
     let [name, matrix, forced, step] = ["terms", "inertia", "forced", "step"].map(local);
     let (body, _) = writer.lowered(&terms.roots(), Arguments::State, |results| {
         let mut results = Results { left: results };
@@ -104,10 +104,12 @@ pub(super) fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
         }));
         for damping in damping {
             let values = results.take(damping.len());
-            statements.extend(entries(damping, zero, n, |index, place| {
+            let damped = entries(damping, zero, n, |index, place| {
                 let value = &values[place];
                 quote!(#matrix #index = #krate::Number::multiply_add(#step, #value, #matrix #index);)
-            }));
+            });
+            // Damping without bounds does not matter at an instant.
+            statements.extend(quote!(if #step != <#scalar as #krate::Number>::ZERO { #damped }));
         }
         quote! {
             let mut #forced = #krate::contact::ForcedTerms::zeros();

@@ -5,7 +5,8 @@ use lagrange_language::tables::FileText;
 use quote::quote;
 
 use crate::derive::StrategyChoice;
-use crate::pipeline::{expand_with, parse_with};
+use crate::model::Product;
+use crate::pipeline::{NumericSystem, expand_with, parse_adding, parse_with};
 
 /// Returns a reader of the given files with their paths.
 fn files<'f>(files: &'f [(&str, &str)]) -> impl Fn(&str) -> Result<FileText, String> + 'f {
@@ -140,6 +141,31 @@ fn a_file_may_be_the_whole_declaration() {
     let tokens = "include \"models/arm.lag\";".parse().expect("tokens");
     let items = expand_with(tokens, &quote!(::lagrange), &files(&ARM)).to_string();
     assert_eq!(unwatched(&items), unwatched(&written));
+}
+
+#[test]
+fn products_are_added_to_the_declaration_in_a_file() {
+    let parsed = |text: &str, of: &[(&str, &str)]| {
+        let system = parse_adding((text, "emit { bias }"), &files(of)).expect("a system");
+        let derived = system.derive(StrategyChoice::Cheapest).expect("equations");
+        NumericSystem::new(&derived).product(Product::Bias, 0.0, &[0.5], &[1.0]).expect("is emitted")
+    };
+    let beside = ARM.map(|(path, text)| (path.trim_start_matches("models/"), text));
+    assert_eq!(parsed("include \"models/arm.lag\";", &ARM), parsed(ARM[0].1, &beside));
+}
+
+#[test]
+fn a_file_has_one_spelling() {
+    let of = [("models/spring.lag", SPRING), ("models/arm.lag", ARM[0].1), ("models/load.csv", ARM[2].1)];
+    let spelt = ARM[0].1.replace("\"spring.lag\"", "\"./spring.lag\"");
+    let twice = spelt.replace("coord x;", "include \"../models/spring.lag\"; coord x;");
+    for text in [spelt, twice] {
+        let of = [of[0], (of[1].0, &text[..]), of[2]];
+        assert!(emitted("include \"./models/arm.lag\";", &of).contains("spring_k"));
+    }
+    let itself = [("models/arm.lag", "include \"../models/arm.lag\";")];
+    let found = mistakes("include \"models/arm.lag\";", &itself);
+    assert_eq!(found, ["1:9 models/arm.lag:1:9: `../models/arm.lag` includes itself"]);
 }
 
 #[test]
