@@ -14,9 +14,10 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             || self.slopes.iter().any(|slope| is_negative(slope.limited, [slope.kinetic, slope.fixed]))
     }
 
-    /// Returns the sign that the limits of friction k have; `None` for contacts.
+    /// Returns the sign that the limits of friction k have; `None` for contacts, and for the unused
+    /// slopes of systems read at run time.
     fn side(&self, k: usize, modes: &[Mode; K]) -> Option<S> {
-        match modes[k] {
+        match modes.get(k)? {
             Mode::Contact(_) | Mode::Across(_) => None,
             // Its kinetic limit has the sign of the slip velocity.
             Mode::Smooth => Some(self.rates[k].sign()),
