@@ -62,6 +62,9 @@ pub(super) struct ForceSearch<S, const K: usize> {
     goal: S,
     /// The error, relative to the forces, up to which reactions obey the law.
     rounding: S,
+    /// True for impulses over a step. Undetermined ones may become large, and a search ends where
+    /// only rounding is left.
+    is_of_step: bool,
 }
 
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
@@ -73,6 +76,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             is_exact: false,
             goal: S::epsilon(),
             rounding: BALANCED_BY_SEARCH.part(),
+            is_of_step: false,
         };
         let is_found =
             self.descend(&mut search, Step::Short, MOST_SHORT_STEPS) || self.sharpen(&mut search, &near);
@@ -92,6 +96,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             // percent.
             rounding: (BALANCED_BY_SEARCH.part::<S>() * S::from_f64(self.count.max(1) as f64).sqrt())
                 .min(S::epsilon().sqrt()),
+            is_of_step: true,
         };
         search.is_exact =
             self.descend(&mut search, Step::Newton, MOST_STEPS_NEAR) || self.sharpen(&mut search, &start);
@@ -103,7 +108,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     fn sharpen(&self, search: &mut ForceSearch<S, K>, start: &[S; K]) -> bool {
         let ends = |search: &ForceSearch<S, K>| self.is_within(search, S::from_f64(TRIFLE) * nearly());
         for stride in STRIDES {
-            if self.approach(search, start, S::from_f64(stride)) || (self.is_of_step && ends(search)) {
+            if self.approach(search, start, S::from_f64(stride)) || (search.is_of_step && ends(search)) {
                 return self.is_balanced(search);
             }
         }
@@ -149,7 +154,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
                 search.best = present;
             }
             let is_slow = search.best.error > half * best;
-            if self.is_of_step && is_slow && self.is_within(search, search.rounding.min(nearly())) {
+            if search.is_of_step && is_slow && self.is_within(search, search.rounding.min(nearly())) {
                 break;
             }
         }
