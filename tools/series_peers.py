@@ -19,6 +19,7 @@ import time
 import heyoka
 import numpy as np
 
+ROUNDING = 1e-17
 TURNS = 3
 RUNS = 60
 TOLERANCES = [1e-4, 1e-6, 1e-9, 1e-12, 1e-14]
@@ -130,8 +131,13 @@ def of_this_crate(benchmark):
 
 def at(error, points):
     """Returns the time at an error, between neighbours, or None if it is not reached."""
-    points = sorted(points, reverse=True)
-    if points[-1][0] > error:
+    # Errors below rounding, or equal ones, have no logarithms or slopes.
+    best = {}
+    for reached, microseconds in points:
+        reached = max(reached, ROUNDING)
+        best[reached] = min(best.get(reached, math.inf), microseconds)
+    points = sorted(best.items(), reverse=True)
+    if len(points) < 2 or points[-1][0] > error:
         return None
     x = [math.log(e) for e, _ in points]
     y = [math.log(t) for _, t in points]
