@@ -60,14 +60,5 @@ fn compare(robot: &str, reference: &str, options: &Options) -> Result<String, St
 fn operations(derived: &Derived) -> usize {
     let roots: &[ExprId] = &derived.equations.accelerations;
     let program = lower(&derived.model.graph, roots, &Labels::default());
-    let OperationCounts {
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        functions,
-        sin_cos,
-        selections,
-    } = OperationCounts::of(&optimise(&program, Accuracy::Standard));
-    additions + multiplications + divisions + square_roots + functions + sin_cos + selections
+    OperationCounts::of(&optimise(&program, Accuracy::Standard)).total()
 }

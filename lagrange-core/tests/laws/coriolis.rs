@@ -61,7 +61,7 @@ pub(crate) fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
 }
 
 /// Checks that C v is the part of the bias with velocities, and that C + Cᵀ is the rate of M.
-/// What depends on time or on states counts twice in this sum.
+/// Parts that depend on time or on states count twice in this sum.
 fn assert_laws(text: &str, driven: &[usize]) {
     let system = numeric(text);
     let n = system.programs().layout.velocities;

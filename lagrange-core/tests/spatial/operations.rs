@@ -71,14 +71,5 @@ fn cost_of(derived: &Derived, product: Product) -> usize {
 
 fn count(derived: &Derived, roots: &[ExprId]) -> usize {
     let program = lower(&derived.model.graph, roots, &Labels::default());
-    let OperationCounts {
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        functions,
-        sin_cos,
-        selections,
-    } = OperationCounts::of(&optimise(&program, Accuracy::Standard));
-    additions + multiplications + divisions + square_roots + functions + sin_cos + selections
+    OperationCounts::of(&optimise(&program, Accuracy::Standard)).total()
 }
