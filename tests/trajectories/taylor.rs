@@ -63,6 +63,34 @@ lagrange::system! {
     emit { taylor }
 }
 
+lagrange::system! {
+    /// A sun with five planets, whose products fill many groups.
+    #[derive(Clone, Debug)]
+    struct Planets<S>;
+
+    const n = 6;
+    param m[n] = [1, 1e-3, 3e-4, 4e-5, 5e-5, 7e-9];
+    coord x[n], y[n], z[n];
+    kinetic = sum(i in 0..n, 1/2 * m[i] * (dot(x[i])^2 + dot(y[i])^2 + dot(z[i])^2));
+    potential = -sum(i in 0..n, sum(j in 0..i,
+        m[i] * m[j] / sqrt((x[i] - x[j])^2 + (y[i] - y[j])^2 + (z[i] - z[j])^2)));
+    emit { taylor }
+}
+
+lagrange::system! {
+    /// Two rods that do not know of each other, and a coordinate alone.
+    #[derive(Clone, Debug)]
+    struct Rods;
+
+    param m = 1.0, g = 9.81;
+    coord x[2], y[2], s;
+    kinetic = 1/2 * m * sum(i in 0..2, dot(x[i])^2 + dot(y[i])^2) + 1/2 * (1 + s^2) * dot(s)^2;
+    potential = m * g * (y[0] + y[1]) + s^2;
+    constraint first = x[0]^2 + y[0]^2 - 1;
+    constraint second = x[1]^2 + y[1]^2 - 1;
+    emit { taylor }
+}
+
 fn end<M: OdeSystem<Scalar = f64>>(system: &M, start: M::State, t: f64, method: &impl Method<M>) -> M::State {
     integrate(system, 0.0, start, t, method, |_, _| {}).expect("reaches the end")
 }
@@ -134,6 +162,46 @@ fn numbers_of_single_precision_have_series() {
     let wanted = end(&Mixture::<f64>::default(), start.map(f64::from), 3.0, &Verner98::tolerance(1e-12));
     let error = error(&found.map(f64::from), &wanted);
     assert!(error < 2e-5, "{error:e}");
+}
+
+/// Returns circular orbits in slightly inclined planes, around a sun at rest.
+fn orbits() -> [f64; 36] {
+    let mut state = [0.0; 36];
+    for (body, radius) in [1.0_f64, 1.8, 3.5, 5.7, 7.5].into_iter().enumerate() {
+        let (sine, cosine) = (2.0 * body as f64).sin_cos();
+        let speed = radius.sqrt().recip();
+        let entries = [radius * cosine, radius * sine, 0.1 * radius, -speed * sine, speed * cosine, 0.02];
+        for (axis, entry) in entries.into_iter().enumerate() {
+            state[6 * axis + body + 1] = entry;
+        }
+    }
+    state
+}
+
+#[test]
+fn many_bodies_attract_each_other() {
+    let (system, start) = (Planets::<f64>::default(), orbits());
+    let wanted = end(&system, start, 6.0, &Verner98::tolerance(1e-14));
+    for (tolerance, bound) in [(1e-4, 1e-3), (1e-9, 1e-8), (1e-14, 2e-13)] {
+        for fused in [false, true] {
+            let method = Taylor { fused, ..Taylor::tolerance(tolerance) };
+            let error = error(&end(&system, start, 6.0, &method), &wanted);
+            assert!(error < bound, "{tolerance:e}, fused {fused}: {error:e}");
+        }
+    }
+    let system = Planets::<f32>::default();
+    let start = start.map(|entry| entry as f32);
+    let found = integrate(&system, 0.0, start, 6.0, &Taylor::tolerance(1e-6), |_, _| {}).unwrap();
+    let error = error(&found.map(f64::from), &wanted);
+    assert!(error < 1e-4, "in single precision: {error:e}");
+}
+
+#[test]
+fn equations_that_are_not_coupled_have_series() {
+    let start = [0.6, 0.0, -0.8, 1.0, 0.3, 0.0, 0.5, 0.0, 0.0, 0.4];
+    let wanted = end(&Rods::default(), start, 3.0, &Verner98::tolerance(1e-14));
+    let error = error(&end(&Rods::default(), start, 3.0, &Taylor::tolerance(1e-14)), &wanted);
+    assert!(error < 1e-12, "{error:e}");
 }
 
 #[test]

@@ -64,6 +64,11 @@ impl<const CAPACITY: usize> TaylorSystem for DynamicSystem<CAPACITY> {
         DynamicSeries { slots: Vec::new(), results: Vec::new(), products: StoredProducts::EMPTY }
     }
 
+    #[inline]
+    fn product_groups(&self) -> usize {
+        self.programs().known_series().map_or(0, |of| of.of_group.len())
+    }
+
     // Compiled once for each instruction set that the method selects from.
     #[inline(always)]
     fn expand<const FUSED: bool>(

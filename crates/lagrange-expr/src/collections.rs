@@ -184,3 +184,24 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         self.0.is_empty()
     }
 }
+
+/// Returns the indices below `count` in sets that are not coupled to each other, each in ascending
+/// order.
+pub fn coupled_blocks(count: usize, is_coupled: impl Fn(usize, usize) -> bool) -> Vec<Vec<usize>> {
+    let mut is_placed = vec![false; count];
+    let mut blocks = Vec::new();
+    for start in 0..count {
+        let (mut members, mut pending) = (Vec::new(), vec![start]);
+        while let Some(i) = pending.pop() {
+            if !std::mem::replace(&mut is_placed[i], true) {
+                members.push(i);
+                pending.extend((0..count).filter(|&j| is_coupled(i, j) || is_coupled(j, i)));
+            }
+        }
+        if !members.is_empty() {
+            members.sort_unstable();
+            blocks.push(members);
+        }
+    }
+    blocks
+}

@@ -4,7 +4,7 @@
 use crate::model::{Action, Model};
 use lagrange_algebra::calculus::{adjoint, gradient};
 use lagrange_algebra::simplify::{ROUNDING, somewhere, vanishing};
-use lagrange_expr::collections::HashSet;
+use lagrange_expr::collections::{HashSet, coupled_blocks};
 use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};
 use lagrange_expr::symbol::Role;
@@ -30,7 +30,7 @@ impl MassStructure {
         MassStructure {
             is_constant: dependencies.is_constant_in_motion(),
             depends_on_velocities: dependencies.intersects(Dependencies::VELOCITY),
-            blocks: blocks(graph, matrix),
+            blocks: coupled_blocks(matrix.len(), |i, j| !graph.is_zero(matrix[i][j])),
         }
     }
 
@@ -124,32 +124,6 @@ impl InertialForces {
     fn exceeds_rounding(&self, force: f64) -> bool {
         force.abs() > self.rounding
     }
-}
-
-/// Finds the connected components of the coupling, each in ascending order.
-fn blocks(graph: &Graph, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
-    let is_coupled = |entry: &ExprId| !graph.is_zero(*entry);
-    let neighbours =
-        matrix.iter().map(|row| (0..row.len()).filter(|&j| is_coupled(&row[j])).collect::<Vec<_>>());
-    let neighbours = neighbours.collect::<Vec<_>>();
-    let mut block_of = vec![None; matrix.len()];
-    let mut blocks = Vec::new();
-    for start in 0..matrix.len() {
-        if block_of[start].is_some() {
-            continue;
-        }
-        let mut members = Vec::new();
-        let mut pending = vec![start];
-        while let Some(i) = pending.pop() {
-            if block_of[i].replace(blocks.len()).is_none() {
-                members.push(i);
-                pending.extend(&neighbours[i]);
-            }
-        }
-        members.sort_unstable();
-        blocks.push(members);
-    }
-    blocks
 }
 
 fn cyclic_coordinates(model: &mut Model) -> Vec<usize> {

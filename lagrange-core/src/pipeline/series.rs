@@ -152,19 +152,23 @@ impl Step<'_> {
         (0..entries).chain(carried).chain(arguments).chain(factors).map(|place| kept[place]).collect()
     }
 
-    /// Computes (a, λ) = −M⁻¹ r, column by column.
+    /// Computes (a, λ) = −M⁻¹ r block by block, each column by column.
     fn accelerations(&self, builder: &mut Builder, residuals: &[ValueId]) -> Vec<ValueId> {
-        let mut sums: Vec<ValueId> = Vec::new();
-        for (column, &residual) in residuals.iter().enumerate() {
-            for row in 0..self.unknowns {
-                let entry = slot(builder, self.places.inverse + column * self.unknowns + row);
-                match sums.get(row).copied() {
-                    Some(sum) => sums[row] = builder.push(Op::MultiplyAdd(entry, residual, sum)),
-                    None => sums.push(builder.multiply(entry, residual)),
+        let mut accelerations = residuals.to_vec();
+        for block in &self.programs.blocks {
+            for &row in block {
+                let mut sum = None;
+                for &column in block {
+                    let entry = slot(builder, self.places.inverse + column * self.unknowns + row);
+                    sum = Some(match sum {
+                        Some(sum) => builder.push(Op::MultiplyAdd(entry, residuals[column], sum)),
+                        None => builder.multiply(entry, residuals[column]),
+                    });
                 }
+                accelerations[row] = sum.unwrap_or(accelerations[row]);
             }
         }
-        sums
+        accelerations
     }
 
     /// Computes the outputs of a program over the slots of [`SeriesPrograms`].

@@ -155,6 +155,9 @@ pub struct SeriesPrograms {
     pub initials: usize,
     /// Number of kept values.
     pub kept: usize,
+    /// Unknowns in sets that the matrix couples. Each set has equations of its own: those of the
+    /// same indices.
+    pub blocks: Vec<Vec<usize>>,
 }
 
 /// Maximum number of sums of a step whose time depends on chains of operations rather than on their

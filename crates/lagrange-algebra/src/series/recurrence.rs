@@ -7,6 +7,7 @@ use super::schedule::Source;
 use super::slots::Slot;
 use super::{SeriesPrograms, TableArgument};
 use crate::program::{Builder, Op, Program, ValueId, ValueTable};
+use lagrange_expr::collections::coupled_blocks;
 use lagrange_expr::expr::Relation;
 use lagrange_expr::number::Number;
 use lagrange_expr::opaque::Opaque;
@@ -33,6 +34,9 @@ impl Coefficients<'_> {
             carried.into_iter().map(|value| (self.keep(value.into()), self.initial(Initial::Value(value))));
         let carried = carried.collect();
         let matrix = self.matrix();
+        let unknowns = self.motion.residuals.len();
+        let is_zero = |place: usize| matrix.op(matrix.outputs()[place]) == &Op::Constant(Number::ZERO);
+        let blocks = coupled_blocks(unknowns, |i, j| !is_zero(i * unknowns + j));
         let (initials, mut factors) = (self.initials.len(), Factors::default());
         let mut flat = |program: &Program| flatten(program, &mut self.slots, initials, &mut factors);
         let (expansion, correction) = (flat(&expansion), correction.as_ref().map(flat));
@@ -47,6 +51,7 @@ impl Coefficients<'_> {
             arguments,
             slots: self.slots.list(),
             kept: kept.len(),
+            blocks,
         }
     }
 

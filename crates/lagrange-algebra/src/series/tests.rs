@@ -278,6 +278,7 @@ fn accelerations_follow_from_residuals() {
     // Four products for each angle: the components of its velocity, which are the rates of sine and
     // cosine, and those of the force.
     assert_eq!(programs.sums.len(), 8);
+    assert_eq!(programs.blocks, [[0, 1]]);
     let start = [2.0, 1.5, 0.3, -0.2];
     let found = expanded(&programs, value_of(&start), &start);
     let error = defect(&found, 0.1, |_, y| {

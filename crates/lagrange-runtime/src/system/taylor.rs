@@ -44,6 +44,13 @@ pub trait TaylorSystem: OdeSystem {
         coefficients: &mut [Self::State],
     );
 
+    /// Returns the number of groups of four products that an order sums up, which influences the
+    /// cheapest order.
+    #[inline]
+    fn product_groups(&self) -> usize {
+        0
+    }
+
     /// Returns the part of the time `h` for which the last expansion in `series` is valid. It ends
     /// where an argument of a table passes a grid point.
     #[inline]
@@ -55,6 +62,10 @@ pub trait TaylorSystem: OdeSystem {
 /// Size of the largest numbers of which four groups are added up in one loop: those of a single
 /// motion.
 const LARGEST_TOGETHER: usize = 16;
+
+/// Maximum number of groups whose newest factors are likely still in registers, one by one. Those
+/// of more groups are loaded in fours.
+const MAX_IN_REGISTERS: usize = 8;
 
 /// Four numbers that are added and multiplied lane by lane.
 #[derive(Clone, Copy, Debug)]
@@ -84,25 +95,43 @@ impl<S: Number> Four<S> {
     }
 }
 
-/// Computes Σ aⱼ bₖ₋ⱼ for several products, whose terms `accumulate` adds. There are two sums, so
-/// that no product waits for the previous one.
+/// Computes Σ aⱼ bₖ₋ⱼ for N groups starting at `group`, whose factors a are at the indices
+/// `shared`. There are two sums, so that no product waits for the previous one.
 #[inline(always)]
-fn inner_sums<S: Number, A, B, const N: usize>(
+fn inner_sums<const FUSED: bool, S: Number, A: AsRef<[Four<S>]>, B: AsRef<[Four<S>]>, const N: usize>(
     a: &[A],
     b: &[B],
-    accumulate: impl Fn(&mut [Four<S>; N], &A, &B),
+    shared: [usize; N],
+    group: usize,
 ) -> [Four<S>; N] {
     let (mut even, mut odd) = ([Four::ZERO; N], [Four::ZERO; N]);
     let (last_of_a, pairs_of_a) = a.as_rchunks::<2>();
     let (pairs_of_b, last_of_b) = b.as_chunks::<2>();
     for ([a1, a0], [b0, b1]) in pairs_of_a.iter().rev().zip(pairs_of_b) {
-        accumulate(&mut even, a0, b0);
-        accumulate(&mut odd, a1, b1);
+        add_terms::<FUSED, S, N>(&mut even, a0.as_ref(), b0.as_ref(), shared, group);
+        add_terms::<FUSED, S, N>(&mut odd, a1.as_ref(), b1.as_ref(), shared, group);
     }
     if let ([a], [b]) = (last_of_a, last_of_b) {
-        accumulate(&mut even, a, b);
+        add_terms::<FUSED, S, N>(&mut even, a.as_ref(), b.as_ref(), shared, group);
     }
-    core::array::from_fn(|place| even[place].sum(&odd[place]))
+    for place in 0..N {
+        even[place] = even[place].sum(&odd[place]);
+    }
+    even
+}
+
+/// Adds a term to each sum. A closure would be compiled without the instructions of its caller.
+#[inline(always)]
+fn add_terms<const FUSED: bool, S: Number, const N: usize>(
+    sums: &mut [Four<S>; N],
+    a: &[Four<S>],
+    b: &[Four<S>],
+    shared: [usize; N],
+    group: usize,
+) {
+    for place in 0..N {
+        sums[place] = sums[place].plus::<FUSED>(&a[shared[place]], &b[group + place]);
+    }
 }
 
 /// Factors of products a b of series, order by order. Products form groups of four; groups may
@@ -171,12 +200,8 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         }
         let inner = 1..k.saturating_sub(1);
         let (a, b) = (self.a.get(inner.clone()), self.b.get(inner));
-        let sums =
-            inner_sums(a.unwrap_or_default(), b.unwrap_or_default(), |sums: &mut [Four<S>; N], a, b| {
-                for place in 0..N {
-                    sums[place] = sums[place].plus::<FUSED>(&a[shared[place]], &b[group + place]);
-                }
-            });
+        let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
+        let sums = inner_sums::<FUSED, _, _, _, N>(a, b, shared, group);
         self.inner[group..group + N].copy_from_slice(&sums);
     }
 
@@ -231,11 +256,17 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         core::hint::black_box(&mut self.inner);
         let (first_a, first_b) = &self.first;
         let mut sums = [[S::ZERO; 4]; GROUPS];
-        for (group, (sums, a)) in sums.iter_mut().zip(shared).enumerate() {
-            for (lane, sum) in sums.iter_mut().enumerate() {
+        for group in 0..GROUPS {
+            let a = shared[group];
+            if GROUPS > MAX_IN_REGISTERS {
+                let early = self.inner[group].plus::<FUSED>(&Four(newest_a[a]), &Four(first_b[group]));
+                sums[group] = early.plus::<FUSED>(&Four(first_a[a]), &Four(newest_b[group])).0;
+                continue;
+            }
+            for lane in 0..4 {
                 let inner = self.inner[group].0[lane];
                 let early = product_sum::<FUSED, S>(newest_a[a][lane], first_b[group][lane], inner);
-                *sum = product_sum::<FUSED, S>(first_a[a][lane], newest_b[group][lane], early);
+                sums[group][lane] = product_sum::<FUSED, S>(first_a[a][lane], newest_b[group][lane], early);
             }
         }
         sums

@@ -4,9 +4,12 @@
 //! Products of series are computed in groups of four, which fit vector registers
 //! ([`Groups`]).
 
+mod blocks;
+
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 
+use self::blocks::{acceleration_of, inverted, solved};
 use super::series::{WithoutSeries, derived_series};
 use super::tables::piece_name;
 use crate::emit::base::members::{Members, Taylor};
@@ -87,12 +90,14 @@ fn newest(
     let has_product_sums = expansion.has_product_sums || correction.has_product_sums;
     let [expansion, correction] = [expansion, correction].map(|step| step.block);
     let unknowns = writer.model.speeds.len() + writer.model.constraints.len();
-    let (kept, n) = (length(programs.kept), length(unknowns));
-    let [partial, acceleration, velocity] = ["partial", "acceleration", "velocity"].map(local);
-    let [solver, order] = ["solver", "present"].map(local);
+    let [partial, acceleration, velocity, order] =
+        ["partial", "acceleration", "velocity", "present"].map(local);
+    let solved = solved(programs, &partial);
+    let accelerations = (0..unknowns).map(acceleration_of);
     let block = quote!({
         let #partial = #expansion;
-        let #acceleration: [_; #n] = #solver.accelerations::<FUSED>(&#partial[#kept..]);
+        #solved
+        let #acceleration = [#(#accelerations),*];
         let #velocity = #order.divide(&#acceleration);
         #correction
     });
@@ -108,7 +113,7 @@ fn expansion(
     (start_values, step): (&TokenStream, &Step),
 ) -> TokenStream {
     let (krate, all) = (shape.krate, shape.state_length());
-    let [start, now, next, sum, solver] = ["start", "now", "next", "sum", "solver"].map(local);
+    let [start, now, next, sum] = ["start", "now", "next", "sum"].map(local);
     let [order, integral, k] = ["present", "integral", "k"].map(local);
     let [series, coefficients, newest] = ["series", "coefficients", "newest"].map(local);
     let factors = |side: &[[usize; 4]]| {
@@ -128,8 +133,7 @@ fn expansion(
     let places = |(kept, initial): &(usize, usize)| (length(*kept), length(*initial));
     let (kept, initial): (Vec<_>, Vec<_>) = programs.carried.iter().map(places).unzip();
     let carried = length(programs.carried.len());
-    let matrix = (programs.initials..programs.initial.outputs().len()).map(length);
-    let inversion = format_ident!("{inversion}");
+    let inverted = inverted(krate, programs, inversion);
     let Step { block: next_values, has_product_sums } = step;
     let product_sums = has_product_sums.then(|| {
         let multiply_add = local("multiply_add");
@@ -140,10 +144,6 @@ fn expansion(
             };
         }
     });
-    let inverted = programs
-        .correction
-        .as_ref()
-        .map(|_| quote!(let #solver = #krate::private::SeriesSolver::#inversion([#(#start[#matrix]),*]);));
     let (starts, all_kept) = (length(programs.initial.outputs().len()), length(programs.kept));
     let [follow, keep_arguments] = followed(programs);
     quote! {
@@ -272,6 +272,7 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
     let (time, state) = (&members.names.time, &members.names.state);
     let [series, coefficients] = ["series", "coefficients"].map(local);
     let (products, own) = (products(krate, &scalar.to_token_stream(), taylor), &taylor.body);
+    let groups = length(taylor.groups);
     let in_lanes = taylor.is_in_lanes.then(|| {
         quote!(
             const IN_LANES: ::core::primitive::bool = true;
@@ -289,6 +290,10 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
             #in_lanes
             fn series() -> Self::Series {
                 #krate::private::Products::EMPTY
+            }
+            #[inline]
+            fn product_groups(&self) -> ::core::primitive::usize {
+                #groups
             }
             // Compiled once for each instruction set that the method selects from.
             #[inline(always)]

@@ -46,8 +46,9 @@ fn polynomial<const FUSED: bool, S: Number, Y: StateVector<S>>(
         }
     }
     let [total, first, second, third] = sums;
-    let [even, odd] = [(&total, &second), (&first, &third)]
-        .map(|(first, second)| combined::<FUSED, S, Y>(first, square, second));
+    // A closure would be compiled without the instructions of its caller.
+    let even = combined::<FUSED, S, Y>(&total, square, &second);
+    let odd = combined::<FUSED, S, Y>(&first, square, &third);
     combined::<FUSED, S, Y>(&even, h, &odd)
 }
 

@@ -83,7 +83,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         end: M::Scalar,
     ) -> Result<Self, StepFailure<M::Scalar>> {
         check_finite(end, y)?;
-        let (order, length) = (settings.chosen_order(), M::Scalar::ZERO);
+        let (order, length) = (settings.chosen_order(system.product_groups()), M::Scalar::ZERO);
         let expansion = Expansion { t, y: *y, order, length, coefficients: [M::State::ZERO; MAX_ORDER] };
         let mut stepper = TaylorStepper {
             rule: StepRule::new(settings, order, end - t, system.domain()),

@@ -38,9 +38,8 @@ impl<S: Number> StoredProducts<S> {
         let inner = 1..last.max(1);
         for ((sums, side), b) in sums.iter_mut().zip(of_group).zip(&self.b) {
             let a = &self.a[*side];
-            let [sum] = inner_sums(&a[inner.clone()], &b[inner.clone()], |[sum]: &mut [Four<S>; 1], a, b| {
-                *sum = sum.plus::<FUSED>(a, b);
-            });
+            let [of_a, of_b] = [a, b].map(|factors| factors[inner.clone()].as_chunks::<1>().0);
+            let [sum] = inner_sums::<FUSED, S, _, _, 1>(of_a, of_b, [0], 0);
             // The product of both factors of order zero occurs only once.
             let first = if last == 0 { &Four::ZERO } else { &b[0] };
             *sums = sum.plus::<FUSED>(&a[last], first).plus::<FUSED>(&a[0], &b[last]).0;
