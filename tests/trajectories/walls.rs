@@ -5,6 +5,7 @@
 
 use lagrange::Simulate;
 use lagrange::contact::Stepped;
+use lagrange::integrate::{Method, Stepper};
 use lagrange::simulate::Trajectory;
 
 use super::{G, at, state};
@@ -158,9 +159,15 @@ fn thrown_cubes_come_to_rest_in_a_pile() {
                 .copy_from_slice(&std::array::from_fn::<f64, 3, _>(|_| 4.0 * next()));
         }
         let pile = Pile { mu, ..Pile::default() };
+        let mut stepper = Stepped::every(2e-3).start(&pile, 0.0, &start, 4.0).expect("they fall");
+        while stepper.time() < 4.0 {
+            stepper.step(&pile, 4.0).expect("a step");
+        }
+        let residual = stepper.worst_residual();
+        println!("{mu}: {residual:e}, {:?}", stepper.work());
+        assert!(residual < 1e-8, "{mu}: steps that are not exact miss the law by {residual:e}");
         let run = pile.simulate(start).until(4.0).method(Stepped::every(2e-3)).energy().run();
         let run = run.expect("they fall");
-        println!("{mu}: {:?}", run.work());
         assert!(run.last()[21..].iter().all(|rate| rate.abs() < 1e-9), "{mu}: {:?}", run.last());
         assert!(run.work().inexact < 40, "{mu}: {:?}", run.work());
         let energy = run.column("energy").expect("recorded");

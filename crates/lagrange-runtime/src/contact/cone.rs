@@ -47,14 +47,12 @@ mod search;
 mod targets;
 mod velocities;
 
-use core::array;
-
 use self::targets::TargetPiece;
 use super::choice::{Choice, Rule, Settled};
 use super::law::ContactLaw;
 use super::reaction_forces::{Balance, unit};
 use super::slip::length;
-use crate::linalg::vector::{dot, inner};
+use crate::linalg::vector::{UNROLLED, dot, inner};
 use crate::scalar::Scalar;
 use crate::tolerance::BALANCED_BY_SEARCH;
 
@@ -62,9 +60,9 @@ use crate::tolerance::BALANCED_BY_SEARCH;
 pub(super) const MOST_DENSE: usize = 64;
 
 /// The problem in units in which reactions change their own rates by one. It contains only the
-/// reactions that may act; a place is an index among them. D is K if responses are stored as a
-/// matrix. It is zero if they follow from changes of velocities, which suits many reactions, and
-/// those that depend on each other.
+/// reactions that may act; a place is an index among them. Responses are stored as a matrix if D is
+/// at least their number. D is zero if they follow from changes of velocities, which suits many
+/// reactions, and those that depend on each other.
 #[derive(Clone, Copy)]
 pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     law: &'a ContactLaw<'a, S, N, K>,
@@ -74,18 +72,19 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize, const D: usize> {
     /// The place of each reaction; K for those that do not act.
     places: [usize; K],
     choices: [Choice<S>; K],
-    /// First index of the slopes of each limit, and the index after the last.
-    slopes: [(usize, usize); K],
     /// Units of rates; the units of reactions are their reciprocals.
     units: [S; K],
     /// Derivatives of the rates with respect to the reactions.
-    matrix: [[S; K]; D],
+    matrix: [[S; D]; D],
     /// Rates without reactions.
     offsets: [S; K],
+    /// True for impulses over a step. Undetermined ones may become large, and a search ends where
+    /// only rounding is left.
+    is_of_step: bool,
     /// Size of forces below which the pieces of targets merge smoothly; zero for the law.
     smoothing: S,
-    /// The range of velocities outside which the row and the response of each reaction are zero,
-    /// as well as those on which its limit depends.
+    /// Ranges of velocities for each reaction, if there are many velocities. Outside, its row and
+    /// response are zero, and so are those on which its limit depends.
     spans: [(usize, usize); K],
 }
 
@@ -121,7 +120,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Finds rules among these choices that fit together, and the reactions, by Newton's method.
     /// Undetermined reactions are close to the shortest ones that hold all rates.
     pub(super) fn in_cone(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
-        let cone = Cone::<_, N, K, K>::new(self.law(), choices, [(0, N); K], |k, j| self.entry(k, j));
+        let cone = Cone::<_, N, K, K>::new(self.law(), choices, false, |k, j| self.entry(k, j));
         let shortest = self.reactions(&choices.map(|choice| choice.rule(0)));
         Some(cone.settled(&cone.point(cone.solve(cone.scaled(&shortest))?)))
     }
@@ -131,32 +130,30 @@ impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
     /// Finds the reactions that obey the law best, starting from these, such as those of the step
     /// before.
     pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
-        let spans = array::from_fn(|k| match choices[k] {
-            Choice::Only(Rule::Absent) => (0, 0),
-            _ => self.terms.span(k),
-        });
-        let entry = |k: usize, j: usize| {
-            let (from, to) = (spans[k].0.max(spans[j].0), spans[k].1.min(spans[j].1));
-            let to = to.max(from);
-            inner(&self.terms.rows[k][from..to], &self.terms.responses[j][from..to])
-        };
-        // More reactions than velocities depend on each other if all of them hold.
+        let entry = |k: usize, j: usize| inner(&self.rows[k], &self.terms.responses[j]);
+        // More reactions than velocities depend on each other. Without their matrix, zeros among
+        // many velocities are skipped.
+        let count = choices.iter().filter(|choice| **choice != Choice::Only(Rule::Absent)).count();
         if const { K <= MOST_DENSE && K <= N } {
-            Cone::<_, N, K, K>::new(self, choices, spans, entry).best(start)
-        } else {
-            Cone::<_, N, K, 0>::new(self, choices, spans, entry).best(start)
+            return Cone::<_, N, K, K>::new(self, choices, true, entry).best(start);
         }
+        let by_matrix = (const { N <= UNROLLED } && count <= N)
+            .then(|| Cone::<_, N, K, N>::new(self, choices, true, entry).best(start));
+        if let Some(found) = by_matrix.filter(|found| found.is_exact) {
+            return found;
+        }
+        // Few reactions may depend on each other, too, as at two corners of a body.
+        Cone::<_, N, K, 0>::new(self, choices, true, entry).best(start)
     }
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, N, K, D> {
     /// Builds the problem. `entry` returns the change of a rate with a reaction, which is
-    /// symmetric. `all_spans` are the ranges of velocities outside which rows and responses are
-    /// zero.
+    /// symmetric.
     pub(super) fn new(
         law: &'a ContactLaw<'a, S, N, K>,
         all: &[Choice<S>; K],
-        all_spans: [(usize, usize); K],
+        is_of_step: bool,
         entry: impl Fn(usize, usize) -> S,
     ) -> Self {
         let (mut active, mut places, mut count) = ([0; K], [K; K], 0);
@@ -165,17 +162,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
         }
         let mut units = [S::ONE; K];
         let mut choices = [Choice::Only(Rule::Absent); K];
-        let (mut slopes, mut spans) = ([(0, 0); K], [(0, 0); K]);
+        let mut spans = [(0, 0); K];
         for (place, &k) in active[..count].iter().enumerate() {
             (units[place], choices[place]) = (unit(entry(k, k)), all[k]);
-            slopes[place] = law.terms.range_of_slopes(k);
-            // Reactions on which limits depend come first.
-            let limiting = law.terms.slopes_of(k).iter().map(|slope| places[slope.reaction]);
-            let limiting = limiting.filter(|other| *other < place);
-            spans[place] = limiting.fold(all_spans[k], |span, other| joined(span, spans[other]));
-            if all[k] == Choice::Across {
-                let span = joined(spans[place - 1], spans[place]);
-                (spans[place - 1], spans[place]) = (span, span);
+            if const { D == 0 && N > UNROLLED } {
+                // Reactions on which limits depend come first.
+                let limiting = law.slopes(k).iter().map(|slope| places[slope.reaction]);
+                let limiting = limiting.filter(|other| *other < place);
+                spans[place] = limiting.fold(law.span(k), |span, other| joined(span, spans[other]));
+                if all[k] == Choice::Across {
+                    let span = joined(spans[place - 1], spans[place]);
+                    (spans[place - 1], spans[place]) = (span, span);
+                }
             }
         }
         // Both components have the same unit, so that a disk remains a disk.
@@ -185,7 +183,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
             let unit = (half * squares).sqrt();
             (units[place - 1], units[place]) = (unit, unit);
         }
-        let (mut matrix, mut offsets) = ([[S::ZERO; K]; D], [S::ZERO; K]);
+        let (mut matrix, mut offsets) = ([[S::ZERO; D]; D], [S::ZERO; K]);
         for (place, &k) in active[..count].iter().enumerate() {
             offsets[place] = law.offsets[k] / units[place];
         }
@@ -201,10 +199,10 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
             active,
             places,
             choices,
-            slopes,
             units,
             matrix,
             offsets,
+            is_of_step,
             smoothing: S::ZERO,
             spans,
         }
@@ -232,7 +230,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'a, S, 
         for k in 0..self.count {
             let change = match self.matrix.get(k) {
                 Some(row) => {
-                    let parts = row[..self.count].iter().zip(&forces);
+                    let parts = row.iter().take(self.count).zip(&forces);
                     parts.fold(S::ZERO, |sum, (entry, force)| entry.multiply_add(*force, sum))
                 }
                 None => self.rate(k, &velocities),

@@ -180,6 +180,6 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
 
     /// True if the limits of friction k grow with reactions.
     fn has_impulses(&self, k: usize) -> bool {
-        self.slopes_of(k).iter().any(LimitSlope::is_present)
+        self.slopes_of(k).any(LimitSlope::is_present)
     }
 }

@@ -10,6 +10,10 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy)]
 pub(super) struct ContactLaw<'a, S, const N: usize, const K: usize> {
     pub(super) terms: &'a Terms<S, N, K>,
+    /// The gradients of rates, in the coordinates of the responses.
+    pub(super) rows: &'a [[S; N]; K],
+    /// First index of the slopes of each limit, and the index after the last.
+    pub(super) ranges: [(usize, usize); K],
     /// Rates without reactions.
     pub(super) offsets: [S; K],
     /// The time over which forces act: one for forces, and the length of a step for impulses over
@@ -21,7 +25,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactLaw<'a, S, N, K> {
     /// Returns the law for forces and the rates of rates.
     pub(super) fn of_forces(terms: &'a Terms<S, N, K>) -> Self {
         let offsets = core::array::from_fn(|k| dot(&terms.rows[k], &terms.free) + terms.drifts[k]);
-        ContactLaw { terms, offsets, presence: S::ONE }
+        Self::new(terms, offsets, S::ONE)
+    }
+
+    pub(super) fn new(terms: &'a Terms<S, N, K>, offsets: [S; K], presence: S) -> Self {
+        ContactLaw { terms, rows: &terms.rows, ranges: terms.ranges_of_slopes(), offsets, presence }
     }
 
     /// Returns the kinetic limit of friction k without reactions.
@@ -36,7 +44,16 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactLaw<'a, S, N, K> {
 
     /// Returns the slopes of the limits of friction k.
     pub(super) fn slopes(&self, k: usize) -> &'a [LimitSlope<S>] {
-        self.terms.slopes_of(k)
+        let (from, to) = self.ranges[k];
+        &self.terms.slopes[from..to]
+    }
+
+    /// Returns the range of velocities outside which the row and the response of reaction k are
+    /// zero.
+    pub(super) fn span(&self, k: usize) -> (usize, usize) {
+        let is_present = |i: &usize| self.rows[k][*i] != S::ZERO || self.terms.responses[k][*i] != S::ZERO;
+        let from = (0..N).find(is_present).unwrap_or(N);
+        (from, (from..N).rfind(is_present).map_or(from, |last| last + 1))
     }
 
     /// True if friction k has a limit if these reactions may act.

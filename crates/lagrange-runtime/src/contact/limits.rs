@@ -5,6 +5,26 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// True if some part of a limit is negative.
+    pub(super) fn may_have_negative_limits(&self, modes: &[Mode; K]) -> bool {
+        let is_negative = |k: usize, parts: [S; 2]| {
+            self.side(k, modes).is_some_and(|side| parts.iter().any(|part| side * *part < S::ZERO))
+        };
+        (0..K).any(|k| is_negative(k, [self.kinetic[k], self.fixed[k]]))
+            || self.slopes.iter().any(|slope| is_negative(slope.limited, [slope.kinetic, slope.fixed]))
+    }
+
+    /// Returns the sign that the limits of friction k have; `None` for contacts, and for the unused
+    /// slopes of systems read at run time.
+    fn side(&self, k: usize, modes: &[Mode; K]) -> Option<S> {
+        match modes.get(k)? {
+            Mode::Contact(_) | Mode::Across(_) => None,
+            // Its kinetic limit has the sign of the slip velocity.
+            Mode::Smooth => Some(self.rates[k].sign()),
+            Mode::Friction(_) => Some(S::ONE),
+        }
+    }
+
     /// Checks limits of friction that contain no constraint forces.
     ///
     /// A limit may be negative if it is small relative to the forces at its friction. Where v
@@ -17,14 +37,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         M: ContactSystem<N, K, Scalar = S>,
     {
         for k in (0..K).filter(|&k| !system.limit_reverses(k)) {
-            let side = match modes[k] {
-                Mode::Contact(_) | Mode::Across(_) => continue,
-                // Its kinetic limit has the sign of the slip velocity.
-                Mode::Smooth => self.rates[k].sign(),
-                Mode::Friction(_) => S::ONE,
-            };
+            let Some(side) = self.side(k, modes) else { continue };
             let of = |slope: fn(&LimitSlope<S>) -> S| {
-                self.slopes_of(k).iter().map(move |entry| (entry.reaction, slope(entry)))
+                self.slopes_of(k).map(move |entry| (entry.reaction, slope(entry)))
             };
             let negative = negative(side, self.kinetic[k], of(|slope| slope.kinetic), modes)
                 .or_else(|| negative(side, self.fixed[k], of(|slope| slope.fixed), modes));

@@ -107,6 +107,7 @@ pub use crate::system::{EventKind, Impact};
 
 use core::ops::{Deref, DerefMut};
 
+use crate::linalg::vector::add_scaled;
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, StepFailure};
 
@@ -318,24 +319,19 @@ impl<S, const N: usize, const K: usize, const L: usize> DerefMut for Terms<S, N,
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Returns the slopes of the limits of friction k.
-    fn slopes_of(&self, k: usize) -> &[LimitSlope<S>] {
-        let (from, to) = self.range_of_slopes(k);
-        &self.slopes[from..to]
+    fn slopes_of(&self, k: usize) -> impl Iterator<Item = &LimitSlope<S>> {
+        self.slopes.iter().filter(move |slope| slope.limited == k)
     }
 
-    /// Returns where the slopes of the limits of friction k begin and end.
-    fn range_of_slopes(&self, k: usize) -> (usize, usize) {
-        let from = self.slopes.partition_point(|slope| slope.limited < k);
-        let count = self.slopes[from..].iter().take_while(|slope| slope.limited == k).count();
-        (from, from + count)
-    }
-
-    /// Returns the range of velocities outside which the row and the response of reaction k are
-    /// zero.
-    fn span(&self, k: usize) -> (usize, usize) {
-        let is_present = |i: &usize| self.rows[k][*i] != S::ZERO || self.responses[k][*i] != S::ZERO;
-        let from = (0..N).find(is_present).unwrap_or(N);
-        (from, (from..N).rfind(is_present).map_or(from, |last| last + 1))
+    /// Returns where the slopes of each limit begin and end.
+    fn ranges_of_slopes(&self) -> [(usize, usize); K] {
+        let (mut ranges, mut from) = ([(0, 0); K], 0);
+        for (k, range) in ranges.iter_mut().enumerate() {
+            let count = self.slopes[from..].iter().take_while(|slope| slope.limited == k).count();
+            *range = (from, from + count);
+            from += count;
+        }
+        ranges
     }
 
     /// Returns the accelerations with these reactions.
@@ -351,11 +347,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Adds the responses to these reactions to a vector.
     fn added(&self, to: &[S; N], reactions: &[S; K]) -> [S; N] {
         let mut sum = *to;
-        for (response, &reaction) in self.responses.iter().zip(reactions) {
-            for (sum, &part) in sum.iter_mut().zip(response) {
-                *sum = part.multiply_add(reaction, *sum);
-            }
-        }
+        let acting = self.responses.iter().zip(reactions).filter(|(_, reaction)| **reaction != S::ZERO);
+        acting.for_each(|(response, reaction)| add_scaled(&mut sum, *reaction, response));
         sum
     }
 }

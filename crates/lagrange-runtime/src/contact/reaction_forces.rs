@@ -87,7 +87,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     }
 
     fn at_an_instant(terms: &'a Terms<S, N, K>, offsets: [S; K], is_exact: bool) -> Self {
-        let (law, sizes) = (ContactLaw { terms, offsets, presence: S::ZERO }, offsets.map(Number::abs));
+        let (law, sizes) = (ContactLaw::new(terms, offsets, S::ZERO), offsets.map(Number::abs));
         Balance { law, matrix: terms.matrix(), sizes, is_exact }
     }
 

@@ -22,11 +22,10 @@
 
 use core::array;
 use core::ops::DerefMut;
-use core::slice;
 
-use super::Terms;
+use super::{LimitSlope, Terms};
 use crate::linalg::singular::regular;
-use crate::linalg::vector::add;
+use crate::linalg::vector::{UNROLLED, add, add_scaled};
 use crate::scalar::Scalar;
 
 /// Number of vectors that are solved for together.
@@ -46,6 +45,13 @@ impl<T, S: Scalar, const N: usize> ForcedTerms<T, S, N> {
     #[inline]
     pub fn complete(terms: T) -> Self {
         ForcedTerms { terms, inertia: None }
+    }
+
+    /// Returns the terms and the mass matrix, to which emitted code adds that of dampers, times the
+    /// length of the step. Complete terms then count as forced ones, with a mass matrix of zeros.
+    #[inline(always)]
+    pub fn parts(&mut self) -> (&mut T, &mut [[S; N]; N]) {
+        (&mut self.terms, self.inertia.get_or_insert([[S::ZERO; N]; N]))
     }
 
     /// Wraps terms that hold generalised forces, under this mass matrix.
@@ -68,6 +74,39 @@ impl<T, S: Scalar, const N: usize> ForcedTerms<T, S, N> {
     }
 }
 
+impl<S: Scalar, const N: usize, const K: usize, const L: usize> Terms<S, N, K, [LimitSlope<S>; L]> {
+    /// Returns terms of zeros, which emitted code fills.
+    #[inline(always)]
+    #[must_use]
+    pub fn zeros() -> Self {
+        let (zeros, matrix) = ([S::ZERO; K], [[S::ZERO; N]; K]);
+        let none = LimitSlope { limited: 0, reaction: 0, kinetic: S::ZERO, fixed: S::ZERO };
+        Terms {
+            free: [S::ZERO; N],
+            responses: matrix,
+            rows: matrix,
+            gaps: zeros,
+            rates: zeros,
+            drifts: zeros,
+            restitutions: zeros,
+            kinetic: zeros,
+            fixed: zeros,
+            slopes: [none; L],
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize, const L: usize>
+    ForcedTerms<Terms<S, N, K, [LimitSlope<S>; L]>, S, N>
+{
+    /// Returns terms and a mass matrix of zeros, whose [`parts`](Self::parts) emitted code fills.
+    #[inline(always)]
+    #[must_use]
+    pub fn zeros() -> Self {
+        ForcedTerms { terms: Terms::zeros(), inertia: Some([[S::ZERO; N]; N]) }
+    }
+}
+
 impl<T, S: Scalar, const N: usize, const K: usize> ForcedTerms<T, S, N>
 where
     T: DerefMut<Target = Terms<S, N, K>>,
@@ -82,29 +121,28 @@ where
     #[must_use]
     pub fn accelerated(mut self) -> T {
         if let Some(inertia) = self.inertia {
-            accelerate(&mut self.terms, &MassFactors::new(inertia));
+            accelerate(&mut self.terms, &MassFactors::new(&inertia));
         }
         self.terms
     }
 
-    /// Expresses the terms in coordinates of velocities in which the inertia is one. Without an
-    /// inertia, or if it is not positive definite, they are the velocities themselves.
-    pub(super) fn normalise(&mut self) -> Metric<S, N> {
-        let Some(inertia) = self.inertia.take() else { return Metric { factors: None } };
+    /// Computes free accelerations, and the coordinates of velocities in which the inertia is one.
+    /// Responses follow from [`Metric::respond`]. Without an inertia, or if it is not positive
+    /// definite, the coordinates are the velocities, and responses are complete.
+    pub(super) fn normalise(&mut self) -> (&mut Terms<S, N, K>, Metric<S, N>) {
         let terms = &mut *self.terms;
-        match MassFactors::new(inertia) {
-            MassFactors::Definite(factors) => {
-                let factors = TreeFactors::new(factors);
-                factors.normalise(slice::from_mut(&mut terms.free));
-                factors.normalise(&mut terms.rows);
-                terms.responses = terms.rows;
-                Metric { factors: Some(factors) }
+        let factors = match self.inertia.as_ref().map(MassFactors::new) {
+            Some(MassFactors::Definite(factors)) => {
+                [terms.free] = factors.solve(&[terms.free]);
+                Some(factors)
             }
-            factors @ MassFactors::Indefinite(_) => {
+            Some(factors) => {
                 accelerate(terms, &factors);
-                Metric { factors: None }
+                None
             }
-        }
+            None => None,
+        };
+        (terms, Metric { factors })
     }
 }
 
@@ -116,19 +154,47 @@ fn accelerate<S: Scalar, const N: usize, const K: usize>(
     terms.responses = factors.solve(&terms.rows);
 }
 
-/// The coordinates of velocities in which [`ForcedTerms::normalise`] expresses terms.
+/// Coordinates of velocities.
 pub(super) struct Metric<S, const N: usize> {
     /// `None` if they are the velocities.
     factors: Option<TreeFactors<S, N>>,
 }
 
 impl<S: Scalar, const N: usize> Metric<S, N> {
-    /// Returns the velocities with these coordinates.
-    pub(super) fn velocities(&self, mut coordinates: [S; N]) -> [S; N] {
-        if let Some(factors) = &self.factors {
-            factors.restore(&mut coordinates);
+    /// True if the inertia is one in these coordinates: responses are then also the gradients of
+    /// rates.
+    pub(super) fn is_normal(&self) -> bool {
+        self.factors.is_some()
+    }
+
+    /// Computes the responses to these reactions, if they are not complete.
+    pub(super) fn respond<const K: usize>(&self, terms: &mut Terms<S, N, K>, acts: &[bool; K]) {
+        let Some(factors) = &self.factors else { return };
+        let mut next = (0..K).filter(|&k| acts[k]);
+        loop {
+            let together: [Option<usize>; TOGETHER] = array::from_fn(|_| next.next());
+            if together[0].is_none() {
+                break;
+            }
+            let mut x = [[S::ZERO; TOGETHER]; N];
+            for (lane, k) in together.iter().enumerate() {
+                let Some(k) = k else { break };
+                x.iter_mut().zip(&terms.rows[*k]).for_each(|(x, entry)| x[lane] = *entry);
+            }
+            factors.normalise(&mut x);
+            for (lane, k) in together.iter().enumerate() {
+                let Some(k) = k else { break };
+                terms.responses[*k].iter_mut().zip(&x).for_each(|(entry, x)| *entry = x[lane]);
+            }
         }
-        coordinates
+    }
+
+    /// Returns the velocities with these coordinates.
+    pub(super) fn velocities(&self, coordinates: [S; N]) -> [S; N] {
+        match &self.factors {
+            Some(factors) => factors.restored(coordinates),
+            None => coordinates,
+        }
     }
 }
 
@@ -136,116 +202,106 @@ impl<S: Scalar, const N: usize> Metric<S, N> {
 struct TreeFactors<S, const N: usize> {
     /// L below the diagonal, and the reciprocals of D on it.
     factors: [[S; N]; N],
-    /// The places of each row of L that are not zero, and their number.
-    places: [([usize; N], usize); N],
+    /// The place of the first entry of each row of L that is not zero.
+    starts: [usize; N],
     /// D^−½
     roots: [S; N],
 }
 
 impl<S: Scalar, const N: usize> TreeFactors<S, N> {
     fn new(factors: [[S; N]; N]) -> Self {
-        let mut places = [([0; N], 0); N];
-        for (k, (places, count)) in places.iter_mut().enumerate() {
-            for i in (0..k).filter(|&i| factors[k][i] != S::ZERO) {
-                places[*count] = i;
-                *count += 1;
-            }
+        let start = |k: usize| (0..k).find(|&i| factors[k][i] != S::ZERO).unwrap_or(k);
+        TreeFactors {
+            starts: array::from_fn(start),
+            roots: array::from_fn(|k| factors[k][k].sqrt()),
+            factors,
         }
-        TreeFactors { factors, places, roots: array::from_fn(|k| factors[k][k].sqrt()) }
     }
 
     /// Returns the entries of a row of L that are not zero, with their places.
     fn row(&self, k: usize) -> impl Iterator<Item = (usize, S)> {
-        let (places, count) = &self.places[k];
-        places[..*count].iter().map(move |&i| (i, self.factors[k][i]))
+        let entries = self.factors[k][..k].iter().copied().enumerate().skip(self.starts[k]);
+        entries.filter(|(_, entry)| *entry != S::ZERO)
     }
 
-    /// Computes D^−½ L^−ᵀ x for each of these vectors, in place.
-    fn normalise(&self, vectors: &mut [[S; N]]) {
-        for vectors in vectors.chunks_mut(TOGETHER) {
-            let mut x = [[S::ZERO; TOGETHER]; N];
-            for (lane, vector) in vectors.iter().enumerate() {
-                for (x, entry) in x.iter_mut().zip(vector) {
-                    x[lane] = *entry;
-                }
-            }
-            for k in (0..N).rev() {
-                let own = x[k];
-                if own == [S::ZERO; TOGETHER] {
-                    continue;
-                }
-                for (i, factor) in self.row(k) {
-                    x[i] = array::from_fn(|lane| (-factor).multiply_add(own[lane], x[i][lane]));
-                }
-            }
-            for (lane, vector) in vectors.iter_mut().enumerate() {
-                for (entry, (x, root)) in vector.iter_mut().zip(x.iter().zip(&self.roots)) {
-                    *entry = x[lane] * *root;
-                }
+    /// Computes L^−ᵀ x in place, for several vectors at once.
+    fn descend<const C: usize>(&self, x: &mut [[S; C]; N]) {
+        for k in (0..N).rev() {
+            let own = x[k];
+            if own != [S::ZERO; C] {
+                self.row(k).for_each(|(i, factor)| add(&mut x[i], -factor, &own));
             }
         }
     }
 
-    /// Computes L⁻¹ D^−½ x in place.
-    fn restore(&self, x: &mut [S; N]) {
+    /// Computes L⁻¹ x in place, for several vectors at once.
+    fn ascend<const C: usize>(&self, x: &mut [[S; C]; N]) {
         for k in 0..N {
-            let own = x[k] * self.roots[k];
-            x[k] = self.row(k).fold(own, |sum, (i, factor)| (-factor).multiply_add(x[i], sum));
+            let mut own = x[k];
+            self.row(k).for_each(|(i, factor)| add(&mut own, -factor, &x[i]));
+            x[k] = own;
         }
+    }
+
+    /// Computes D^−½ L^−ᵀ x in place, for several vectors at once.
+    fn normalise<const C: usize>(&self, x: &mut [[S; C]; N]) {
+        self.descend(x);
+        x.iter_mut().zip(&self.roots).for_each(|(x, root)| *x = x.map(|entry| entry * *root));
+    }
+
+    /// Computes L⁻¹ D^−½ x.
+    fn restored(&self, x: [S; N]) -> [S; N] {
+        let mut x = array::from_fn(|k| [x[k] * self.roots[k]]);
+        self.ascend(&mut x);
+        x.map(|[entry]| entry)
+    }
+
+    /// Computes M⁻¹ x for several vectors at once.
+    fn solve<const C: usize>(&self, vectors: &[[S; N]; C]) -> [[S; N]; C] {
+        let mut x = transposed(vectors);
+        self.descend(&mut x);
+        for (k, x) in x.iter_mut().enumerate() {
+            *x = x.map(|entry| entry * self.factors[k][k]);
+        }
+        self.ascend(&mut x);
+        transposed(&x)
     }
 }
 
 /// The factors of a symmetric matrix.
 enum MassFactors<S, const N: usize> {
-    /// L below the diagonal, and the reciprocals of D on it, all positive.
-    Definite([[S; N]; N]),
-    /// The matrix itself, if not all pivots are positive.
+    /// The factors, if all pivots are positive.
+    Definite(TreeFactors<S, N>),
+    /// The matrix itself.
     Indefinite([[S; N]; N]),
 }
 
 impl<S: Scalar, const N: usize> MassFactors<S, N> {
-    fn new(matrix: [[S; N]; N]) -> Self {
-        let mut factors = matrix;
+    fn new(matrix: &[[S; N]; N]) -> Self {
+        let mut factors = *matrix;
         for k in (0..N).rev() {
-            let (above, own) = factors.split_at_mut(k);
-            let (own, pivot) = own[0].split_at_mut(k);
-            if !(pivot[0] > S::ZERO && pivot[0].is_finite()) {
-                return MassFactors::Indefinite(matrix);
+            // A copy is known to be apart from the rows above.
+            let own = factors[k];
+            if !(own[k] > S::ZERO && own[k].is_finite()) {
+                return MassFactors::Indefinite(*matrix);
             }
-            pivot[0] = S::ONE / pivot[0];
-            for (i, row) in above.iter_mut().enumerate().filter(|(i, _)| own[*i] != S::ZERO) {
-                let multiple = -(own[i] * pivot[0]);
-                for (entry, factor) in row[..=i].iter_mut().zip(&*own) {
-                    *entry = multiple.multiply_add(*factor, *entry);
-                }
+            let reciprocal = S::ONE / own[k];
+            for (i, row) in factors[..k].iter_mut().enumerate().filter(|(i, _)| own[*i] != S::ZERO) {
+                let end = if const { N <= UNROLLED } { N } else { i + 1 };
+                add_scaled(&mut row[..end], -(own[i] * reciprocal), &own[..end]);
             }
-            own.iter_mut().for_each(|entry| *entry = *entry * pivot[0]);
+            factors[k] = own.map(|entry| entry * reciprocal);
+            factors[k][k] = reciprocal;
         }
-        MassFactors::Definite(factors)
+        MassFactors::Definite(TreeFactors::new(factors))
     }
 
     /// Returns the solutions for these right-hand sides.
     fn solve<const C: usize>(&self, rights: &[[S; N]; C]) -> [[S; N]; C] {
-        let factors = match self {
-            MassFactors::Definite(factors) => factors,
-            MassFactors::Indefinite(matrix) => return rights.map(|right| regular(matrix, &right, N)),
-        };
-        // All sides are solved in one pass over the factors.
-        let mut x: [[S; C]; N] = transposed(rights);
-        for k in (0..N).rev() {
-            let (before, own) = x.split_at_mut(k);
-            for (entries, factor) in before.iter_mut().zip(&factors[k]).filter(|(_, l)| **l != S::ZERO) {
-                add(entries, -*factor, &own[0]);
-            }
+        match self {
+            MassFactors::Definite(factors) => factors.solve(rights),
+            MassFactors::Indefinite(matrix) => rights.map(|right| regular(matrix, &right, N)),
         }
-        for (k, row) in factors.iter().enumerate() {
-            let (before, own) = x.split_at_mut(k);
-            own[0] = own[0].map(|entry| entry * row[k]);
-            for (entries, factor) in before.iter().zip(row).filter(|(_, l)| **l != S::ZERO) {
-                add(&mut own[0], -*factor, entries);
-            }
-        }
-        transposed(&x)
     }
 }
 

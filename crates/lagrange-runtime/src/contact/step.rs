@@ -31,6 +31,7 @@ use super::cone::Approximation;
 use super::heading::Heading;
 use super::law::ContactLaw;
 use super::pace::Pace;
+use super::responses::Metric;
 use super::slip::{is_planar, present_direction};
 use super::{Contact, Friction, Mode, Terms};
 use crate::linalg::vector::inner;
@@ -45,7 +46,7 @@ const SHARE: f64 = 0.5;
 const BISECTIONS: u32 = 20;
 
 /// Impulses over a step.
-pub(super) struct Impulses<S, const K: usize> {
+pub(super) struct Impulses<S, const N: usize, const K: usize> {
     pub(super) impulses: [S; K],
     /// Modes in which the step ends; friction that slips in a plane has directions instead.
     pub(super) modes: [Mode; K],
@@ -55,11 +56,14 @@ pub(super) struct Impulses<S, const K: usize> {
     pub(super) residual: (S, usize),
     pub(super) is_exact: bool,
     pub(super) iterations: u32,
+    /// The velocities that the impulses add.
+    pub(super) change: [S; N],
 }
 
 /// The terms of a step of length h.
 pub(super) struct ContactStep<'a, S, const N: usize, const K: usize> {
-    terms: &'a Terms<S, N, K>,
+    pub(super) terms: &'a mut Terms<S, N, K>,
+    metric: &'a Metric<S, N>,
     modes: &'a [Mode; K],
     h: S,
     /// Gaps up to which contacts are closed, as they differ from zero by rounding. Supports that
@@ -70,55 +74,82 @@ pub(super) struct ContactStep<'a, S, const N: usize, const K: usize> {
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
-    pub(super) fn new(terms: &'a Terms<S, N, K>, modes: &'a [Mode; K], h: S, closed: S) -> Self {
-        let rate = |k: usize| inner(&terms.rows[k], &terms.free) + terms.drifts[k];
-        let free = array::from_fn(|k| h.multiply_add(rate(k), terms.rates[k]));
-        ContactStep { terms, modes, h, closed, free }
+    pub(super) fn new(
+        terms: &'a mut Terms<S, N, K>,
+        metric: &'a Metric<S, N>,
+        modes: &'a [Mode; K],
+        [h, closed]: [S; 2],
+    ) -> Self {
+        let mut free = [S::ZERO; K];
+        for (k, free) in free.iter_mut().enumerate() {
+            let rate = inner(&terms.rows[k], &terms.free) + terms.drifts[k];
+            *free = h.multiply_add(rate, terms.rates[k]);
+        }
+        ContactStep { terms, metric, modes, h, closed, free }
     }
 
-    /// True if everything that impulses depend on is finite.
+    /// True if everything that impulses depend on is finite. Rates are, if gradients and inertia
+    /// are.
     pub(super) fn is_finite(&self) -> bool {
-        let terms = self.terms;
-        let limits = terms.kinetic.iter().chain(&terms.fixed);
-        let slopes = terms.slopes.iter().flat_map(|slope| [&slope.kinetic, &slope.fixed]);
-        let responses = terms.responses.iter().flatten();
-        let values = self.free.iter().chain(&terms.gaps).chain(limits).chain(slopes).chain(responses);
-        values.fold(true, |all, value| all & value.is_finite())
+        let terms = &*self.terms;
+        let are = |values: &[S]| values.iter().fold(true, |all, value| all & value.is_finite());
+        let are_slopes = terms.slopes.iter().all(|slope| are(&[slope.kinetic, slope.fixed]));
+        let are_complete = self.metric.is_normal() || terms.responses.iter().all(|response| are(response));
+        let vectors = [&self.free, &terms.gaps, &terms.kinetic, &terms.fixed];
+        vectors.into_iter().all(|vector| are(vector)) && are_slopes && are_complete
     }
 
-    /// Searches for the impulses, starting from these. Contacts that are pushed together by others
-    /// take part as well, once they would overlap.
-    pub(super) fn solve(&self, restitutions: &[S; K], start: &[S; K]) -> Impulses<S, K> {
-        let mut acts: [bool; K] = array::from_fn(|k| self.closes(k, self.free[k]));
+    /// Searches for the impulses, starting from these. Contacts that others push together take part
+    /// once they would overlap. Contacts with an impulse at the start take part from the beginning.
+    pub(super) fn solve(&mut self, restitutions: &[S; K], start: &[S; K]) -> Impulses<S, N, K> {
+        let mut acts = [false; K];
+        (0..K).for_each(|k| acts[k] = start[k] > S::ZERO || self.closes(k, self.free[k]));
         let (mut start, mut iterations) = (*start, 0);
         loop {
-            let found = self.without_gain(restitutions, &acts, &start);
+            let choices = self.choices(&acts);
+            self.respond(&choices);
+            let found = self.without_gain(restitutions, &choices, &start);
             iterations += found.iterations;
             let impulses = &found.settled.reactions;
-            let rates = self.rates(impulses);
-            let also: [bool; K] = array::from_fn(|k| acts[k] || self.closes(k, rates[k]));
+            let change = self.change(impulses);
+            let rates = self.rates(&change);
+            let mut also = acts;
+            also.iter_mut().enumerate().for_each(|(k, acts)| *acts |= self.closes(k, rates[k]));
             if also == acts {
                 let (modes, directions) = self.modes_after(&found.settled, &rates);
                 let Approximation { settled, residual, is_exact, .. } = found;
                 let impulses = settled.reactions;
-                return Impulses { impulses, modes, directions, residual, is_exact, iterations };
+                return Impulses { impulses, modes, directions, residual, is_exact, iterations, change };
             }
             (acts, start) = (also, *impulses);
         }
     }
 
-    /// Computes the impulses whose displacements remove overlaps beyond these slits; `None` without
-    /// such overlaps.
-    pub(super) fn separation(&self, slits: &[S; K]) -> Option<[S; K]> {
-        if !(0..K).any(|k| self.is_contact(k) && self.terms.gaps[k] < -slits[k]) {
-            return None;
-        }
+    /// Computes the displacements that remove overlaps beyond these slits.
+    pub(super) fn separation(&mut self, slits: &[S; K]) -> [S; N] {
         let near: [bool; K] = array::from_fn(|k| self.is_contact(k) && self.terms.gaps[k] <= slits[k]);
         let choices = array::from_fn(|k| if near[k] { Choice::Touch } else { Choice::Only(Rule::Absent) });
         let share = S::from_f64(SHARE);
         let values = array::from_fn(|k| if near[k] { share * self.terms.gaps[k] } else { S::ZERO });
-        let law = ContactLaw { terms: self.terms, offsets: values, presence: S::ZERO };
-        Some(law.near(&choices, &[S::ZERO; K]).settled.reactions)
+        self.respond(&choices);
+        self.change(&self.law(values, S::ZERO).near(&choices, &[S::ZERO; K]).settled.reactions)
+    }
+
+    /// Computes the responses to reactions that may act.
+    fn respond(&mut self, choices: &[Choice<S>; K]) {
+        let acts = array::from_fn(|k| choices[k] != Choice::Only(Rule::Absent));
+        self.metric.respond(self.terms, &acts);
+    }
+
+    fn law(&self, offsets: [S; K], presence: S) -> ContactLaw<'_, S, N, K> {
+        let terms = &*self.terms;
+        let rows = if self.metric.is_normal() { &terms.responses } else { &terms.rows };
+        ContactLaw { rows, ..ContactLaw::new(terms, offsets, presence) }
+    }
+
+    /// Returns the velocities that these impulses add.
+    fn change(&self, impulses: &[S; K]) -> [S; N] {
+        self.metric.velocities(self.terms.change(impulses))
     }
 
     fn is_contact(&self, k: usize) -> bool {
@@ -140,10 +171,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     }
 
     /// Computes the impulses with the largest fraction of the restitution that creates no energy.
-    fn without_gain(&self, restitutions: &[S; K], acts: &[bool; K], start: &[S; K]) -> Approximation<S, K> {
-        let with = |part: S| self.approximate(&restitutions.map(|e| part * e), acts, start);
+    fn without_gain(
+        &self,
+        restitutions: &[S; K],
+        choices: &[Choice<S>; K],
+        start: &[S; K],
+    ) -> Approximation<S, K> {
+        let with = |part: S| self.approximate(&restitutions.map(|e| part * e), choices, start);
         let whole = with(S::ONE);
-        let hits = |k: usize| acts[k] && self.is_hit(k, restitutions[k]);
+        let hits = |k: usize| choices[k] == Choice::Touch && self.is_hit(k, restitutions[k]);
         if !(0..K).any(hits) {
             return whole;
         }
@@ -167,19 +203,23 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         with(below)
     }
 
-    fn approximate(&self, restitutions: &[S; K], acts: &[bool; K], start: &[S; K]) -> Approximation<S, K> {
-        let offsets = array::from_fn(|k| match self.is_contact(k) {
-            true if self.is_hit(k, restitutions[k]) => {
-                restitutions[k].multiply_add(self.terms.rates[k], self.free[k])
-            }
-            true => self.free[k] + self.open_gap(k) / self.h,
-            false => self.free[k],
-        });
-        let choices = self.choices(acts);
-        let law = ContactLaw { terms: self.terms, offsets, presence: self.h };
-        law.near(&law.possible(&choices), start)
+    fn approximate(
+        &self,
+        restitutions: &[S; K],
+        choices: &[Choice<S>; K],
+        start: &[S; K],
+    ) -> Approximation<S, K> {
+        let mut offsets = self.free;
+        for k in (0..K).filter(|&k| choices[k] == Choice::Touch) {
+            offsets[k] = match self.is_hit(k, restitutions[k]) {
+                true => restitutions[k].multiply_add(self.terms.rates[k], self.free[k]),
+                false => self.free[k] + self.open_gap(k) / self.h,
+            };
+        }
+        self.law(offsets, self.h).near(choices, start)
     }
 
+    /// Returns what is possible for each reaction if these contacts act.
     fn choices(&self, acts: &[bool; K]) -> [Choice<S>; K] {
         let mut choices = [Choice::Only(Rule::Absent); K];
         for k in 0..K {
@@ -191,7 +231,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
                 _ => continue,
             };
         }
-        choices
+        self.law([S::ZERO; K], self.h).possible(&choices)
     }
 
     /// True if contact k is hit, instead of coming to rest.
@@ -201,16 +241,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         restitution > S::ZERO && approach < -(S::from_f64(HIT) * change)
     }
 
-    /// Returns the rates after these impulses.
-    fn rates(&self, impulses: &[S; K]) -> [S; K] {
-        let change = self.terms.change(impulses);
-        array::from_fn(|k| self.free[k] + inner(&self.terms.rows[k], &change))
+    /// Returns the rates after this change of the velocities.
+    fn rates(&self, change: &[S; N]) -> [S; K] {
+        let mut rates = self.free;
+        rates.iter_mut().zip(&self.terms.rows).for_each(|(rate, row)| *rate = *rate + inner(row, change));
+        rates
     }
 
     /// True if these impulses add more energy than rounding.
     fn creates_energy(&self, impulses: &[S; K]) -> bool {
         let (mut work, mut exchanged) = (S::ZERO, S::ZERO);
-        for ((impulse, before), after) in impulses.iter().zip(&self.free).zip(self.rates(impulses)) {
+        let rates = self.rates(&self.change(impulses));
+        for ((impulse, before), after) in impulses.iter().zip(&self.free).zip(rates) {
             work = work + *impulse * (*before + after);
             exchanged = exchanged + (*impulse * *before).abs();
         }

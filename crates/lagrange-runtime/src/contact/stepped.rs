@@ -4,7 +4,7 @@ use core::array;
 
 use super::padding::{filled, joined, own, parts};
 use super::step::{ContactStep, Impulses, directed};
-use super::{Contact, ContactSystem, ForcedTerms, Friction, Mode};
+use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::integrate::{FixedStepper, Formula, Memory, Method, Stepper, Work};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
@@ -243,7 +243,7 @@ impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
     /// Keeps impulses that satisfy the law accurately enough.
     fn keep(
         &mut self,
-        found: &Impulses<S, K>,
+        found: &Impulses<S, N, K>,
         h: S,
         name: impl Fn(usize) -> &'static str,
     ) -> Result<(), StepFailure<S>> {
@@ -274,25 +274,25 @@ impl<S: Scalar, const N: usize, const K: usize> Memory<S> for ImpulseFormula<S, 
     }
 }
 
-/// Returns the depths up to which overlaps are rounding, if there are overlaps of more than this
-/// depth.
+/// Returns the depths up to which overlaps are rounding, at least this one, if there are deeper
+/// overlaps.
 fn slits<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
     q: &M::Coordinates,
-    forced: &ForcedTerms<M::Terms, M::Scalar, N>,
+    terms: &Terms<M::Scalar, N, K>,
     least: M::Scalar,
 ) -> Option<[M::Scalar; K]>
 where
     M: ContactSystem<N, K>,
 {
-    let terms = forced.terms();
-    if !terms.gaps.iter().any(|gap| *gap < -least) {
+    let overlaps = |k: &usize| terms.gaps[*k] < -least;
+    if !(0..K).any(|k| overlaps(&k)) {
         return None;
     }
     let (lengths, root) = (filled::<M, N>(&reach(system, t, q, q)), M::Scalar::epsilon().sqrt());
     let slit = |k: usize| (root * terms.size_of(k, &lengths)).max(least);
-    Some(array::from_fn(slit))
+    (0..K).filter(overlaps).any(|k| terms.gaps[k] < -slit(k)).then(|| array::from_fn(slit))
 }
 
 impl<M, const N: usize, const K: usize> Formula<M> for ImpulseFormula<M::Scalar, N, K>
@@ -316,27 +316,28 @@ where
         let (mut forced, modes) = (system.step_terms(t, &q, &v, h), system.modes());
         let largest = q.as_ref().iter().fold(M::Scalar::ZERO, |largest, q| largest.max(q.abs()));
         let closed = CLOSED_GAP.part::<M::Scalar>() * largest;
-        let slits = slits(system, t, &q, &forced, closed);
-        let metric = forced.normalise();
-        let terms = forced.terms();
+        let slits = slits(system, t, &q, forced.terms(), closed);
+        let (terms, metric) = forced.normalise();
         work.evaluations += 1;
-        let step = ContactStep::new(terms, &modes, h, closed);
+        let mut step = ContactStep::new(terms, &metric, &modes, [h, closed]);
         if !step.is_finite() {
             return Err(StepFailure::NotFinite);
         }
-        let restitutions = terms.restitutions(system, &modes, |_| true)?;
-        terms.check_limits(system, &modes)?;
+        let restitutions = step.terms.restitutions(system, &modes, |_| true)?;
+        if step.terms.may_have_negative_limits(&modes) {
+            metric.respond(step.terms, &[true; K]);
+            step.terms.check_limits(system, &modes)?;
+        }
         let found = step.solve(&restitutions, &self.expected(h));
         work.iterations += u64::from(found.iterations);
         work.inexact += u64::from(!found.is_exact);
         self.keep(&found, h, |k| system.reaction_name(k))?;
-        let change = metric.velocities(combined(&terms.change(&found.impulses), h, &terms.free));
-        let to = combined(&v, M::Scalar::ONE, &change);
+        let displacement = slits.map(|slits| step.separation(&slits));
+        let to = combined(&combined(&v, h, &step.terms.free), M::Scalar::ONE, &found.change);
         let rates = system.position_rates(t, &q, &own(system, &to));
         let mut moved = combined(&q, h, &rates);
-        if let Some(shares) = slits.and_then(|slits| step.separation(&slits)) {
-            let displacement = own(system, &metric.velocities(terms.change(&shares)));
-            moved = displaced(system, t, &moved, [(M::Scalar::ONE, &displacement)]);
+        if let Some(displacement) = displacement {
+            moved = displaced(system, t, &moved, [(M::Scalar::ONE, &own(system, &displacement))]);
         }
         let end = joined(system, &moved, &to);
         Ok(difference(&end, y))

@@ -1,7 +1,7 @@
 //! Linear equations whose unknowns are eliminated in their order, without exchanges where possible.
 
 use crate::linalg::singular::regular;
-use crate::linalg::vector::{add_scaled, inner};
+use crate::linalg::vector::{UNROLLED, add_scaled, inner};
 use crate::scalar::Scalar;
 
 /// The smallest pivot, relative to one, by which an unknown is eliminated in its order.
@@ -16,20 +16,21 @@ pub(crate) fn solve_in_order<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S;
 
 fn eliminated<S: Scalar, const K: usize>(mut a: [[S; K]; K], mut x: [S; K]) -> Option<[S; K]> {
     for k in (0..K).rev() {
-        let (above, own) = a.split_at_mut(k);
-        let (row, pivot) = (&own[0][..k], own[0][k]);
-        if !(pivot >= S::from_f64(LEAST_PIVOT) && pivot.is_finite()) {
+        // A copy is known to be apart from the lines, so that loops become vector instructions.
+        let row = a[k];
+        if !(row[k] >= S::from_f64(LEAST_PIVOT) && row[k].is_finite()) {
             return None;
         }
-        let reciprocal = S::ONE / pivot;
-        for (i, line) in above.iter_mut().enumerate().filter(|(_, line)| line[k] != S::ZERO) {
+        let (reciprocal, end) = (S::ONE / row[k], if const { K <= UNROLLED } { K } else { k });
+        for (i, line) in a[..k].iter_mut().enumerate().filter(|(_, line)| line[k] != S::ZERO) {
             let multiple = -(line[k] * reciprocal);
-            add_scaled(&mut line[..k], multiple, row);
+            add_scaled(&mut line[..end], multiple, &row[..end]);
             x[i] = multiple.multiply_add(x[k], x[i]);
         }
+        a[k][k] = reciprocal;
     }
     for k in 0..K {
-        x[k] = (x[k] - inner(&a[k][..k], &x[..k])) / a[k][k];
+        x[k] = (x[k] - inner(&a[k][..k], &x[..k])) * a[k][k];
     }
     Some(x)
 }

@@ -4,7 +4,7 @@
 //! computed from orthogonal factors of the rows.
 
 use crate::linalg::orthogonal::OrthogonalFactors;
-use crate::linalg::vector::dot;
+use crate::linalg::vector::{UNROLLED, add_scaled, dot};
 use crate::scalar::Scalar;
 
 /// Returns the shortest x with A x = b, or NaN if there is none. A is assumed to be scaled to
@@ -56,18 +56,18 @@ fn eliminated<S: Scalar, const K: usize>(
             return None;
         }
         let (pivot_row, reciprocal) = (a[k], S::ONE / a[k][k]);
+        let (from, to) = if const { K <= UNROLLED } { (0, K) } else { (k + 1, count) };
         for row in k + 1..count {
             let multiple = -(a[row][k] * reciprocal);
-            for (entry, pivot) in a[row][k + 1..count].iter_mut().zip(&pivot_row[k + 1..count]) {
-                *entry = multiple.multiply_add(*pivot, *entry);
-            }
+            add_scaled(&mut a[row][from..to], multiple, &pivot_row[from..to]);
             x[row] = multiple.multiply_add(x[k], x[row]);
         }
+        a[k][k] = reciprocal;
     }
     for row in (0..count).rev() {
-        let known =
-            (row + 1..count).fold(x[row], |sum, column| (-a[row][column]).multiply_add(x[column], sum));
-        x[row] = known / a[row][row];
+        x[row] = x[row] * a[row][row];
+        let known = x[row];
+        a[..row].iter().zip(&mut x[..row]).for_each(|(a, x)| *x = (-a[row]).multiply_add(known, *x));
     }
     Some(x)
 }

@@ -4,6 +4,9 @@ use core::fmt::Debug;
 
 use crate::scalar::{Number, Scalar, product_sum};
 
+/// Length up to which a loop over a whole array, which is unrolled, is faster than one over a part.
+pub(crate) const UNROLLED: usize = 24;
+
 /// A vector of numbers, such as `[S; K]`. Its length is part of its type. For systems read at run
 /// time, the type specifies only the maximum length.
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
@@ -121,7 +124,7 @@ pub(crate) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
 
 /// Computes aᵀb for vectors of equal length, in four partial sums. Zeros at their ends change no
 /// bit.
-#[inline]
+#[inline(always)]
 pub(crate) fn inner<S: Scalar>(a: &[S], b: &[S]) -> S {
     let ((a, last_of_a), (b, last_of_b)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
     let mut sums = [S::ZERO; 4];
@@ -136,7 +139,7 @@ pub(crate) fn inner<S: Scalar>(a: &[S], b: &[S]) -> S {
 }
 
 /// Adds c x to y, for vectors of equal length.
-#[inline]
+#[inline(always)]
 pub(crate) fn add_scaled<S: Scalar>(y: &mut [S], c: S, x: &[S]) {
     for (y, x) in y.iter_mut().zip(x) {
         *y = x.multiply_add(c, *y);

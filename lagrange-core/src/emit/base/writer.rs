@@ -21,7 +21,7 @@ use lagrange_algebra::program::{Labels, Op, OperationCounts, Preparation, Progra
 use lagrange_expr::expr::ExprId;
 
 /// Names of variables that features declare after the values of a method.
-const LOCALS: [&str; 2] = ["matrix", "step"];
+const LOCALS: [&str; 4] = ["terms", "inertia", "forced", "step"];
 
 /// Writes the methods of one system. Features add to its members.
 pub(in crate::emit) struct MethodWriter<'a> {

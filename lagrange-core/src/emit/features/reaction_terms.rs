@@ -1,6 +1,6 @@
 //! The terms of contacts and friction, as expressions and in emitted code.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::derive::{Affine, Equations};
@@ -82,45 +82,91 @@ pub(super) fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     writer.members.slopes = terms.slopes.len();
     writer.members.is_forced = !terms.inertia.is_empty();
     writer.members.is_damped = terms.inertia.len() > 1;
-    let ReactionTerms { fields, slopes, inertia } = &terms;
     let (krate, scalar) = (writer.shape.krate, writer.shape.scalar());
-    let (body, _) = writer.lowered(&terms.roots(), Arguments::State, |mut results| {
-        let fields = fields.iter().map(|(name, returns, roots)| {
-            let (own, others) = results.split_at(roots.len());
-            results = others;
-            let is_present = roots.iter().map(|&root| root != zero).collect::<Vec<_>>();
-            let value = match returns {
-                Returns::Matrix(rows, columns) => matrix_of(own, &is_present, [*rows, *columns], &quote!(<#scalar as #krate::Number>::ZERO)),
-                _ => returns.collect(own),
-            };
-            let name = format_ident!("{name}");
-            quote!(#name: #value)
-        });
-        let fields = fields.collect::<Vec<_>>();
-        let entries = slopes.iter().map(|([limited, reaction], _)| {
-            let (own, others) = results.split_at(2);
-            results = others;
+    let [name, matrix, forced, step] = ["terms", "inertia", "forced", "step"].map(local);
+    let (body, _) = writer.lowered(&terms.roots(), Arguments::State, |results| {
+        let mut results = Results { left: results };
+        let fields = terms.fields.iter().map(|field| filled(&name, field, results.take(field.2.len()), zero));
+        let mut statements = fields.collect::<TokenStream>();
+        let slopes = terms.slopes.iter().map(|([limited, reaction], _)| {
+            let (own, [limited, reaction]) = (results.take(2), [limited, reaction].map(|index| length(*index)));
             let (kinetic, fixed) = (&own[0], &own[1]);
-            let [limited, reaction] = [limited, reaction].map(|index| length(*index));
             quote!(#krate::contact::LimitSlope { limited: #limited, reaction: #reaction, kinetic: #kinetic, fixed: #fixed })
         });
-        let entries = entries.collect::<Vec<_>>();
-        let terms = quote!(#krate::contact::Terms { #(#fields,)* slopes: [#(#entries),*] });
-        let matrices = inertia.iter().map(|roots| {
-            let (own, others) = results.split_at(roots.len());
-            results = others;
-            Returns::Matrix(n, n).collect(own)
-        });
-        let (matrices, step) = (matrices.collect::<Vec<_>>(), local("step"));
-        match &matrices[..] {
-            [] => terms,
-            [mass] => quote!(#krate::contact::ForcedTerms::new(#terms, #mass)),
-            [mass, damping, ..] => {
-                quote!(#krate::contact::ForcedTerms::damped(#terms, #mass, &#damping, #step))
-            }
+        statements.extend(quote!(#name.slopes = [#(#slopes),*];));
+        let [mass, damping @ ..] = &terms.inertia[..] else {
+            return quote!(let mut #name = #krate::contact::Terms::zeros(); #statements #name);
+        };
+        let values = results.take(mass.len());
+        statements.extend(entries(mass, zero, n, |index, place| {
+            let value = &values[place];
+            quote!(#matrix #index = #value;)
+        }));
+        for damping in damping {
+            let values = results.take(damping.len());
+            let damped = entries(damping, zero, n, |index, place| {
+                let value = &values[place];
+                quote!(#matrix #index = #krate::Number::multiply_add(#step, #value, #matrix #index);)
+            });
+            // Damping without bounds does not matter at an instant.
+            statements.extend(quote!(if #step != <#scalar as #krate::Number>::ZERO { #damped }));
+        }
+        quote! {
+            let mut #forced = #krate::contact::ForcedTerms::zeros();
+            let (#name, #matrix) = #forced.parts();
+            #statements
+            #forced
         }
     });
     body
+}
+
+/// Values of the expressions, in their order.
+struct Results<'a> {
+    left: &'a [TokenStream],
+}
+
+impl<'a> Results<'a> {
+    fn take(&mut self, count: usize) -> &'a [TokenStream] {
+        let (taken, left) = self.left.split_at(count);
+        self.left = left;
+        taken
+    }
+}
+
+/// Writes assignments of these values to a field of the terms, which holds zeros.
+fn filled(
+    terms: &Ident,
+    (field, returns, roots): &(&str, Returns, Vec<ExprId>),
+    values: &[TokenStream],
+    zero: ExprId,
+) -> TokenStream {
+    let field = format_ident!("{field}");
+    match returns {
+        Returns::Matrix(_, columns) => entries(roots, zero, *columns, |index, place| {
+            let value = &values[place];
+            quote!(#terms.#field #index = #value;)
+        }),
+        _ => {
+            let value = returns.collect(values);
+            quote!(#terms.#field = #value;)
+        }
+    }
+}
+
+/// Writes a statement for each entry of a matrix that is not zero, from its indices and its place.
+fn entries(
+    roots: &[ExprId],
+    zero: ExprId,
+    columns: usize,
+    statement: impl Fn(TokenStream, usize) -> TokenStream,
+) -> TokenStream {
+    let present = roots.iter().enumerate().filter(|(_, root)| **root != zero);
+    let statements = present.map(|(place, _)| {
+        let [row, column] = [place / columns, place % columns].map(length);
+        statement(quote!([#row][#column]), place)
+    });
+    statements.collect()
 }
 
 /// Returns the slopes of limits that are not zero, with the indices of the limited reactions and of
@@ -132,33 +178,6 @@ fn slopes(kinetic: &[Affine], fixed: &[Affine], zero: ExprId) -> Vec<([usize; 2]
         pairs.map(move |(reaction, (kinetic, fixed))| ([limited, reaction], [kinetic, fixed]))
     };
     limits.flat_map(of_limit).filter(|(_, slopes)| *slopes != [zero; 2]).collect()
-}
-
-/// Writes a matrix. If most of it is zero, only the other entries are written.
-fn matrix_of(
-    results: &[TokenStream],
-    is_present: &[bool],
-    [rows, columns]: [usize; 2],
-    zero: &TokenStream,
-) -> TokenStream {
-    let count = is_present.iter().filter(|is_present| **is_present).count();
-    if 2 * count > results.len() {
-        return Returns::Matrix(rows, columns).collect(results);
-    }
-    let name = local("matrix");
-    let all = {
-        let [rows, columns] = [rows, columns].map(length);
-        quote!([[#zero; #columns]; #rows])
-    };
-    if count == 0 {
-        return all;
-    }
-    let entries = results.iter().zip(is_present).enumerate().filter(|(_, (_, is_present))| **is_present);
-    let entries = entries.map(|(place, (value, _))| {
-        let [row, column] = [place / columns, place % columns].map(length);
-        quote!(#name[#row][#column] = #value;)
-    });
-    quote!({ let mut #name = #all; #(#entries)* #name })
 }
 
 /// Returns the mass matrix and, if there is dissipation, the matrix of its second derivatives.

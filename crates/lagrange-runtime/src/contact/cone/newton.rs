@@ -11,18 +11,32 @@ use crate::scalar::Scalar;
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
     /// Returns a step of Newton's method with this damping. Undetermined steps are short.
     pub(super) fn newton_step(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
-        nearest(&damped(self.slopes(&trial.at), damping), &trial.errors, self.count)
+        let (slopes, errors) = (damped(self.slopes(&trial.at), damping), self.leading(&trial.errors));
+        self.all(match self.is_of_step {
+            true => regular(&slopes, &errors, self.count),
+            false => nearest(&slopes, &errors, self.count),
+        })
     }
 
     /// Returns a step of Levenberg's and Marquardt's method with this damping.
     pub(super) fn short_step(&self, trial: &TriedForces<S, K>, damping: S) -> [S; K] {
-        let (slopes, errors) = normal(&self.slopes(&trial.at), &trial.errors, self.count);
-        regular(&damped(slopes, damping), &errors, self.count)
+        let (slopes, errors) = normal(&self.slopes(&trial.at), &self.leading(&trial.errors), self.count);
+        self.all(regular(&damped(slopes, damping), &errors, self.count))
+    }
+
+    /// Returns the numbers of reactions that may act, followed by zeros.
+    fn leading(&self, numbers: &[S; K]) -> [S; D] {
+        array::from_fn(|k| if k < self.count { numbers[k] } else { S::ZERO })
+    }
+
+    /// Returns numbers of all places.
+    fn all(&self, leading: [S; D]) -> [S; K] {
+        array::from_fn(|k| if k < self.count { leading[k] } else { S::ZERO })
     }
 
     /// Computes the derivatives of the reactions minus the targets.
-    fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
-        let mut slopes = [[S::ZERO; K]; K];
+    fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; D]; D] {
+        let mut slopes = [[S::ZERO; D]; D];
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
             for component in 0..self.components(k).len() {
                 let target = self.slope(at, k, component);
@@ -34,17 +48,17 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     }
 
     /// Computes the derivative of a component of a target.
-    fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; K] {
+    fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; D] {
         let target = self.target(at, k);
         match target.share() {
-            Some(share) if share == S::ZERO => [S::ZERO; K],
+            Some(share) if share == S::ZERO => [S::ZERO; D],
             Some(share) => self.pull_slope(k + component).map(|slope| share * slope),
             None => self.limited_slope(at, k, component, &target),
         }
     }
 
     /// Computes the derivative of a component of the target of friction k at its limit.
-    fn limited_slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize, target: &Target<S>) -> [S; K] {
+    fn limited_slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize, target: &Target<S>) -> [S; D] {
         let Target { direction, along, across, limited, .. } = *target;
         let own = limited * direction[component];
         let mut slope = self.limit_slope(at, k).map(|slope| own * slope);
@@ -60,15 +74,15 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     }
 
     /// Computes the derivative of one component of d.
-    fn pull_slope(&self, k: usize) -> [S; K] {
+    fn pull_slope(&self, k: usize) -> [S; D] {
         let mut slope = self.matrix[k].map(|entry| -entry);
         slope[k] = slope[k] + S::ONE;
         slope
     }
 
     /// Computes the derivative of the kinetic limit of friction k.
-    fn limit_slope(&self, at: &ForcePoint<S, K>, k: usize) -> [S; K] {
-        let mut total = [S::ZERO; K];
+    fn limit_slope(&self, at: &ForcePoint<S, K>, k: usize) -> [S; D] {
+        let mut total = [S::ZERO; D];
         for (j, share) in self.shares(at, k) {
             match self.choices[j] {
                 Choice::Touch => {

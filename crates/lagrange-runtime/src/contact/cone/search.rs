@@ -25,6 +25,10 @@ const LEFT: f64 = 1e-2;
 /// Error, relative to the forces and to the root of the rounding unit, that may be left if nothing
 /// reduces it. Reactions that are not determined have such errors.
 const NEARLY: f64 = 1e-2;
+/// Largest error, relative to the forces and to the root of the rounding unit, with which impulses
+/// obey the law. In single precision, the roundings of a search would be a few percent.
+const LARGEST: f64 = 0.1;
+
 /// The kind of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Step {
@@ -62,9 +66,6 @@ pub(super) struct ForceSearch<S, const K: usize> {
     goal: S,
     /// The error, relative to the forces, up to which reactions obey the law.
     rounding: S,
-    /// True for impulses over a step. Undetermined ones may become large, and a search ends where
-    /// only rounding is left.
-    is_of_step: bool,
 }
 
 impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K, D> {
@@ -76,7 +77,6 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             is_exact: false,
             goal: S::epsilon(),
             rounding: BALANCED_BY_SEARCH.part(),
-            is_of_step: false,
         };
         let is_found =
             self.descend(&mut search, Step::Short, MOST_SHORT_STEPS) || self.sharpen(&mut search, &near);
@@ -92,11 +92,9 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
             iterations: 0,
             is_exact: false,
             goal: if is_steady { goal.min(STEADY.part()) } else { goal },
-            // That of each reaction, in a norm of all. In single precision it would be a few
-            // percent.
+            // That of each reaction, in a norm of all.
             rounding: (BALANCED_BY_SEARCH.part::<S>() * S::from_f64(self.count.max(1) as f64).sqrt())
-                .min(S::epsilon().sqrt()),
-            is_of_step: true,
+                .min(S::from_f64(LARGEST) * S::epsilon().sqrt()),
         };
         search.is_exact =
             self.descend(&mut search, Step::Newton, MOST_STEPS_NEAR) || self.sharpen(&mut search, &start);
@@ -108,7 +106,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     fn sharpen(&self, search: &mut ForceSearch<S, K>, start: &[S; K]) -> bool {
         let ends = |search: &ForceSearch<S, K>| self.is_within(search, S::from_f64(TRIFLE) * nearly());
         for stride in STRIDES {
-            if self.approach(search, start, S::from_f64(stride)) || (search.is_of_step && ends(search)) {
+            if self.approach(search, start, S::from_f64(stride)) || (self.is_of_step && ends(search)) {
                 return self.is_balanced(search);
             }
         }
@@ -154,7 +152,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
                 search.best = present;
             }
             let is_slow = search.best.error > half * best;
-            if search.is_of_step && is_slow && self.is_within(search, search.rounding.min(nearly())) {
+            if self.is_of_step && is_slow && self.is_within(search, search.rounding.min(nearly())) {
                 break;
             }
         }

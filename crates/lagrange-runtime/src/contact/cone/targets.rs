@@ -9,7 +9,7 @@ use super::{Cone, ForcePoint};
 use crate::contact::LimitSlope;
 use crate::contact::choice::{Choice, Rule};
 use crate::contact::slip::length;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// The piece of the target of a reaction, or of both components of a reaction in a plane.
 #[derive(Clone, Copy)]
@@ -163,9 +163,12 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Returns the limit of friction k if d has this size: the static one while it may hold.
     fn radius(&self, at: &ForcePoint<S, K>, k: usize, size: S) -> S {
-        let kinetic = self.kinetic(at, k).abs();
-        let fixed = self.fixed(at, k).abs().max(kinetic);
-        if self.choices[k] == Choice::Rest && size <= fixed { fixed } else { kinetic }
+        let [kinetic, fixed] = self.limits(at, k).map(Number::abs);
+        if self.choices[k] == Choice::Rest && size <= fixed.max(kinetic) {
+            fixed.max(kinetic)
+        } else {
+            kinetic
+        }
     }
 
     /// Returns d.
@@ -175,31 +178,29 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Returns the slopes of the limits of friction k, with the places of reactions that may act.
     pub(super) fn slopes_of(&self, k: usize) -> impl Iterator<Item = (usize, &LimitSlope<S>)> {
-        let (from, to) = self.slopes[k];
-        let slopes = self.law.terms.slopes[from..to].iter();
+        let slopes = self.law.slopes(self.active[k]).iter();
         slopes.map(|slope| (self.places[slope.reaction], slope)).filter(|(place, _)| *place < K)
     }
 
-    /// Computes a limit of friction k from its value without reactions and its slopes.
-    fn limit(&self, at: &ForcePoint<S, K>, k: usize, free: S, slope: fn(&LimitSlope<S>) -> S) -> S {
-        let limit = self.slopes_of(k).fold(free, |limit, (j, entry)| {
+    /// Computes the kinetic and the static limit of friction k from their values without reactions
+    /// and their slopes.
+    fn limits(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
+        let reaction = self.active[k];
+        let free = [self.law.kinetic(reaction), self.law.fixed(reaction)];
+        let limits = self.slopes_of(k).fold(free, |[kinetic, fixed], (j, slope)| {
             let pressing = match self.choices[j] {
                 Choice::Touch => self.positive(at.pulls[j]).0,
                 _ => at.forces[j],
             };
-            limit + slope(entry) * pressing / self.units[j]
+            let pressing = pressing / self.units[j];
+            [slope.kinetic.multiply_add(pressing, kinetic), slope.fixed.multiply_add(pressing, fixed)]
         });
-        self.units[k] * limit
-    }
-
-    /// Computes the static limit of friction k.
-    fn fixed(&self, at: &ForcePoint<S, K>, k: usize) -> S {
-        self.limit(at, k, self.law.fixed(self.active[k]), |slope| slope.fixed)
+        limits.map(|limit| self.units[k] * limit)
     }
 
     /// Computes the kinetic limit of friction k.
     fn kinetic(&self, at: &ForcePoint<S, K>, k: usize) -> S {
-        self.limit(at, k, self.law.kinetic(self.active[k]), |slope| slope.kinetic)
+        self.limits(at, k)[0]
     }
 
     /// Returns the sign of the kinetic limit, whose absolute value is the radius.

@@ -27,7 +27,7 @@ use super::targets::Target;
 use super::{Cone, ForcePoint, TriedForces};
 use crate::contact::choice::Choice;
 use crate::linalg::ordered::solve_in_order;
-use crate::linalg::vector::{add_scaled, dot, inner};
+use crate::linalg::vector::{UNROLLED, add_scaled, dot, inner};
 use crate::scalar::Scalar;
 
 /// A step of a reaction as a function of the change x of the velocities: `fixed` − `slope`·x.
@@ -53,25 +53,30 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Adds the velocities due to a reaction.
     pub(super) fn kick(&self, velocities: &mut [S; N], k: usize, force: S) {
-        let (from, to) = self.spans[k];
+        let (from, to) = self.range(k);
         add_scaled(&mut velocities[from..to], force / self.units[k], self.response(k));
     }
 
     /// Returns rate k at these velocities.
     pub(super) fn rate(&self, k: usize, velocities: &[S; N]) -> S {
-        let (from, to) = self.spans[k];
+        let (from, to) = self.range(k);
         inner(self.row(k), &velocities[from..to]) / self.units[k]
+    }
+
+    /// Returns a range of velocities outside which all that depends on reaction k is zero.
+    fn range(&self, k: usize) -> (usize, usize) {
+        if const { N <= UNROLLED } { (0, N) } else { self.spans[k] }
     }
 
     /// Returns the part of the row of reaction k that is not zero.
     fn row(&self, k: usize) -> &[S] {
-        let (from, to) = self.spans[k];
-        &self.law.terms.rows[self.active[k]][from..to]
+        let (from, to) = self.range(k);
+        &self.law.rows[self.active[k]][from..to]
     }
 
     /// Returns the part of the response to reaction k that is not zero.
     fn response(&self, k: usize) -> &[S] {
-        let (from, to) = self.spans[k];
+        let (from, to) = self.range(k);
         &self.law.terms.responses[self.active[k]][from..to]
     }
 
@@ -91,7 +96,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         }
         let change = solve_in_order(&matrix, &right);
         let slope = |k: usize| {
-            let (from, to) = self.spans[k];
+            let (from, to) = self.range(k);
             inner(&steps[k].slope[from..to], &change[from..to])
         };
         array::from_fn(|k| if k < self.count { steps[k].fixed - slope(k) } else { S::ZERO })
@@ -99,10 +104,11 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
 
     /// Adds W Z and W y of reaction k.
     fn couple(&self, matrix: &mut [[S; N]; N], right: &mut [S; N], k: usize, step: &Affine<S, N>) {
-        let (from, to) = self.spans[k];
+        let (from, to) = self.range(k);
         let (factor, slope) = (S::ONE / self.units[k], &step.slope[from..to]);
         let lines = matrix[from..to].iter_mut().zip(&mut right[from..to]);
-        for ((line, right), response) in lines.zip(self.response(k)) {
+        let responses = lines.zip(self.response(k)).filter(|(_, response)| **response != S::ZERO);
+        for ((line, right), response) in responses {
             let share = *response * factor;
             *right = share.multiply_add(step.fixed, *right);
             add_scaled(&mut line[from..to], share, slope);
@@ -127,7 +133,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         for k in self.components(k) {
             steps[k].fixed = trial.errors[k] * factor;
             if share != S::ZERO {
-                let (from, to) = self.spans[k];
+                let (from, to) = self.range(k);
                 add_scaled(&mut steps[k].slope[from..to], share * factor / self.units[k], self.row(k));
             }
         }
@@ -154,7 +160,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
         let ahead = factors[0] * limited.multiply_add(limit.fixed, dot(&direction, &errors));
         let aside = factors[1] * dot(&normal, &errors);
         let shares = [factors[0] * along / self.units[k], factors[1] * across / self.units[k]];
-        let (from, to) = self.spans[k];
+        let (from, to) = self.range(k);
         let rows = self.row(k).iter().zip(self.row(other));
         for (c, step) in steps[components].iter_mut().enumerate() {
             step.fixed = ahead * direction[c] + aside * normal[c];
@@ -173,7 +179,7 @@ impl<S: Scalar, const N: usize, const K: usize, const D: usize> Cone<'_, S, N, K
     fn limit_step(&self, at: &ForcePoint<S, K>, before: &[Affine<S, N>; K], k: usize) -> Affine<S, N> {
         let mut limit = Affine::ZERO;
         for (j, share) in self.shares(at, k).filter(|(j, _)| *j < k) {
-            let (from, to) = self.spans[j];
+            let (from, to) = self.range(j);
             limit.fixed = share.multiply_add(before[j].fixed, limit.fixed);
             add_scaled(&mut limit.slope[from..to], share, &before[j].slope[from..to]);
             if self.choices[j] == Choice::Touch {

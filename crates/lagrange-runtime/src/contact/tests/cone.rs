@@ -126,11 +126,10 @@ fn both_ways_to_impulses_obey_the_law() {
     for case in 0..300 {
         let mu = random.within(0.0, 1.2);
         let (terms, _) = body(&mut random, mu, case % 2 == 0);
-        let law = ContactLaw { terms: &terms, offsets: terms.rates, presence: 0.0 };
+        let law = ContactLaw::new(&terms, terms.rates, 0.0);
         let entry = |k: usize, j: usize| inner(&terms.rows[k], &terms.responses[j]);
-        let spans = [(0, 6); K];
-        let by_matrix = Cone::<_, 6, K, K>::new(&law, &choices, spans, entry).best(&[0.0; K]);
-        let by_velocities = Cone::<_, 6, K, 0>::new(&law, &choices, spans, entry).best(&[0.0; K]);
+        let by_matrix = Cone::<_, 6, K, K>::new(&law, &choices, true, entry).best(&[0.0; K]);
+        let by_velocities = Cone::<_, 6, K, 0>::new(&law, &choices, true, entry).best(&[0.0; K]);
         for (place, found) in [by_matrix, by_velocities].into_iter().enumerate() {
             let impulses = found.settled.reactions;
             let change = terms.change(&impulses);
