@@ -1,7 +1,8 @@
-//! Systems of plane rigid bodies declared with bodies: the same motions as by hand, and textbook
+//! Systems of rigid bodies declared with bodies: the same motions as by hand, and textbook
 //! values.
 
 mod balance;
+mod changing_masses;
 mod four_bar;
 mod joints;
 mod ladder;

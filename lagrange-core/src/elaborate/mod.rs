@@ -27,6 +27,7 @@ mod inertia;
 mod limits;
 mod loads;
 mod magnitudes;
+mod matter;
 mod messages;
 mod noise;
 mod numbers;

@@ -2,6 +2,7 @@
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
+use super::matter;
 use super::messages::events;
 use super::messages::inertia as words;
 use super::operand::Operand;
@@ -27,6 +28,8 @@ pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obli
                 same_inertia(elaborator, body, [*stated, *of_shape], *shape);
             }
             Obligation::Fixed { what, value } => fixed(elaborator, what, *value),
+            Obligation::Unmoved { what, value } => matter::unmoved(elaborator, what, *value),
+            Obligation::Matter { body, mass, inertia } => matter::changes(elaborator, body, *mass, inertia),
             Obligation::Uniform { gravity } => uniform(elaborator, *gravity),
             Obligation::PlaneVector { what, value } => vector_of(elaborator, what, *value, 2),
             Obligation::SpaceVector { what, value } => vector_of(elaborator, what, *value, 3),

@@ -376,12 +376,16 @@ fn points_are_no_angles_and_the_ground_is_no_point() {
 #[test]
 fn masses_and_gravity_are_no_matter_of_motion() {
     for (mass, gravity, expected) in [
-        ("dot(x)", "", "the mass of `b` must not change during the motion"),
-        ("1 + x", "", "the mass of `b` must not change during the motion"),
-        ("1 + t", "", "the mass of `b` must not change during the motion"),
+        ("dot(x)", "", "the mass of `b` must not depend on coordinates or velocities"),
+        ("1 + x", "", "the mass of `b` must not depend on coordinates or velocities"),
+        (
+            "u",
+            "input u;",
+            "the mass of `b` must not depend on inputs or delayed values, since their rates are unknown",
+        ),
         ("1", "gravity = (0, -x);", "`gravity` must not depend on coordinates: it is the same everywhere"),
     ] {
-        let text = format!("coord x, y; body b {{ mass: {mass}; center: (x, y); }} {gravity}");
+        let text = format!("coord x, y; {gravity} body b {{ mass: {mass}; center: (x, y); }}");
         assert_eq!(mistakes(&text), [expected]);
     }
     motion("coord x, y; body b { mass: 1; center: (x, y); } gravity = (0, -9 - sin(t));");
@@ -390,7 +394,6 @@ fn masses_and_gravity_are_no_matter_of_motion() {
 #[test]
 fn distributions_of_mass_must_be_constant() {
     for items in [
-        "mass: 1; inertia: x^2;",
         "mass: 1; shape: disk(1 + x);",
         "mass: 1; inertia: 1; centroid: (x, 0);",
         "compound { disk(1), mass: x; }",
@@ -400,6 +403,38 @@ fn distributions_of_mass_must_be_constant() {
         let complaints = mistakes(&format!("coord x, y; body b {{ {items} origin: (x, y); angle: y; }}"));
         assert_eq!(complaints.len(), 1, "{items}: {complaints:?}");
         assert!(complaints[0].ends_with("must not change during the motion"), "{complaints:?}");
+    }
+}
+
+#[test]
+fn inertia_changes_with_the_mass_only() {
+    let scene = |items: &str, other: &str| {
+        format!(
+            "coord x, y; state m = 1; dot(m) = -1; {other} body b {{ {items} center: (x, x); angle: y; }}"
+        )
+    };
+    motion(&scene("mass: m; inertia: 1 + m^2;", ""));
+    motion(&scene("mass: m; shape: disk(1);", "let late = 2 * m;"));
+    for (items, other, expected) in [
+        ("mass: 1; inertia: m;", "", "the moment of inertia of `b` changes without its mass"),
+        ("mass: m; inertia: 1 + t^2;", "", "the moment of inertia of `b` changes without its mass"),
+        (
+            "mass: 1; inertia: x^2;",
+            "",
+            "the moment of inertia of `b` must not depend on coordinates or velocities",
+        ),
+        (
+            "mass: m; inertia: 1;",
+            "emit { regressor }",
+            "`regressor` needs constant parameters, but the mass of `b` changes",
+        ),
+        (
+            "mass: 1 + late; inertia: 1;",
+            "let late = delay(m, 1);",
+            "the mass of `b` must not depend on inputs or delayed values, since their rates are unknown",
+        ),
+    ] {
+        assert_eq!(mistakes(&scene(items, other)), [expected]);
     }
 }
 

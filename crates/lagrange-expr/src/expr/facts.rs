@@ -39,6 +39,11 @@ impl Dependencies {
     /// Contains a place holder of an unfinished computation.
     pub const PLACEHOLDER: Dependencies = Dependencies(64);
 
+    /// Returns these and the kinds of `other`.
+    pub const fn with(self, other: Dependencies) -> Dependencies {
+        Dependencies(self.0 | other.0)
+    }
+
     /// True if any kind of `other` is among these.
     pub fn intersects(self, other: Dependencies) -> bool {
         self.0 & other.0 != 0
@@ -81,7 +86,7 @@ impl Dependencies {
 impl BitOr for Dependencies {
     type Output = Dependencies;
     fn bitor(self, other: Dependencies) -> Dependencies {
-        Dependencies(self.0 | other.0)
+        self.with(other)
     }
 }
 

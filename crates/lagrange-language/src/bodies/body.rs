@@ -1,10 +1,11 @@
 //! `body` statements.
 
+use super::changing_mass::{matter, may_change, push_influx};
 use super::compound::{compound_geometry, visual_outlines};
 use super::expressions::{plain_expression, turning};
 use super::gravity::weigh;
 use super::mass_geometry::{
-    MassGeometry, fixed_vector, inertia_of, named_centroid, outline_of, property, shape_of, vector_of,
+    MassGeometry, fixed_vector, inertia_of, named_centroid, outline_of, shape_of, vector_of,
 };
 use super::messages;
 use super::object::{Body, Energies, Object};
@@ -20,12 +21,15 @@ pub(super) fn translate_body(translation: &mut Translation<'_>, statement: &ast:
         true => simple_geometry(translation, statement),
         false => compound_geometry(translation, statement),
     };
-    let MassGeometry { mass, inertia, centroid, outlines, radius } = geometry;
+    let MassGeometry { mass, inertia, centroid, changes, outlines, radius } = geometry;
     let (center, origin) = body_place(translation, statement, centroid, angle);
     let of_translation = Some(push_translation(translation, mass, center));
     let inertia = inertia.unwrap_or_else(|| translation.terms().number(0));
     translation.obligations.push(Obligation::Inertia { body: name.clone(), inertia });
     let of_rotation = statement.angle.and_then(|_| push_rotation(translation, inertia, angle));
+    if changes {
+        push_influxes(translation, &name.text, (mass, center), (inertia, angle));
+    }
     let energies = Energies { of_translation, of_rotation, potential: None };
     let index = translation.bodies.len();
     let centroid_vector = translation.terms().tuple(centroid);
@@ -82,7 +86,7 @@ fn simple_geometry(translation: &mut Translation<'_>, statement: &ast::Body) -> 
     let place = statement.shape.as_ref().map_or(translation.origin, |shape| shape.origin);
     let of_shape =
         shape.as_ref().map(|(solid, dimensions)| inertia_of(translation, solid, mass, dimensions, place));
-    let stated = statement.inertia.map(|j| property(translation, j, &messages::inertia_of(&name.text)));
+    let stated = statement.inertia.map(|j| matter(translation, j, &messages::inertia_of(&name.text)));
     if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
         let obligation =
             Obligation::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
@@ -98,7 +102,9 @@ fn simple_geometry(translation: &mut Translation<'_>, statement: &ast::Body) -> 
     let radius = shape.as_ref().and_then(|(solid, dimensions)| Some(dimensions[solid.radius?]));
     let outlines =
         shape.map(|(solid, dimensions)| outline_of(translation, solid, dimensions)).into_iter().collect();
-    MassGeometry { mass, inertia: stated.or(of_shape), centroid, outlines, radius }
+    let inertia = stated.or(of_shape);
+    let changes = may_change(translation, name, mass, inertia.into_iter().collect());
+    MassGeometry { mass, inertia, centroid, changes, outlines, radius }
 }
 
 /// Reports a turning body without a moment of inertia, unless the one of its shape is about its
@@ -126,7 +132,7 @@ pub(super) fn mass_of(translation: &mut Translation<'_>, statement: &ast::Body) 
         error.help(messages::NO_MASS_HELP);
         return translation.terms().invalid();
     };
-    let mass = property(translation, mass, &messages::mass_of(&name.text));
+    let mass = matter(translation, mass, &messages::mass_of(&name.text));
     translation.obligations.push(Obligation::PositiveMass { body: name.clone(), mass });
     mass
 }
@@ -202,4 +208,27 @@ fn push_rotation(translation: &mut Translation<'_>, inertia: AstId, angle: AstId
     let kinetic = terms.call("kinetic_energy", &[inertia, rate]);
     translation.push(StatementKind::Kinetic(kinetic));
     Some(kinetic)
+}
+
+/// Adds the momenta of matter that leaves or joins a body: of its translation and its rotation.
+fn push_influxes(
+    translation: &mut Translation<'_>,
+    name: &str,
+    (mass, center): (AstId, AstId),
+    (inertia, angle): (AstId, AstId),
+) {
+    let mut terms = translation.terms();
+    let (velocity, spin) = (terms.call("dot", &[center]), terms.rate(angle));
+    let parts = [(mass, velocity, "influx"), (inertia, spin, "spin_influx")];
+    for (matter, velocity, kind) in parts {
+        if !translation.may_change(matter) {
+            continue;
+        }
+        let mut terms = translation.terms();
+        let rate = terms.rate(matter);
+        let momentum = terms.times(rate, velocity);
+        if !terms.is_zero(momentum) {
+            push_influx(translation, &format!("{name}_{kind}"), momentum, velocity);
+        }
+    }
 }

@@ -32,7 +32,8 @@ pub(super) fn compound_geometry(translation: &mut Translation<'_>, statement: &a
     let Some(pieces) = pieces.into_iter().collect::<Option<Vec<_>>>() else {
         let invalid = translation.terms().invalid();
         let (centroid, outlines) = ([invalid, invalid], Vec::new());
-        return MassGeometry { mass: invalid, inertia: Some(invalid), centroid, outlines, radius: None };
+        let inertia = Some(invalid);
+        return MassGeometry { mass: invalid, inertia, centroid, changes: false, outlines, radius: None };
     };
     let name = &statement.name.text;
     let mass = sum_of(translation, &pieces, |_, piece| piece.mass);
@@ -48,7 +49,7 @@ pub(super) fn compound_geometry(translation: &mut Translation<'_>, statement: &a
     });
     let inertia = translation.bind(&format!("{name}_inertia"), inertia);
     let outlines = pieces.into_iter().map(|piece| piece.outline).collect();
-    MassGeometry { mass, inertia: Some(inertia), centroid, outlines, radius: None }
+    MassGeometry { mass, inertia: Some(inertia), centroid, changes: false, outlines, radius: None }
 }
 
 pub(super) fn report_beside_compound(translation: &mut Translation<'_>, statement: &ast::Body) {

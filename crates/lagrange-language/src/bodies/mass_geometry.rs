@@ -17,6 +17,8 @@ pub(super) struct MassGeometry {
     /// `None` if it is not specified.
     pub(super) inertia: Option<AstId>,
     pub(super) centroid: Pair,
+    /// True if mass and inertia may have rates.
+    pub(super) changes: bool,
     pub(super) outlines: Vec<Outline>,
     pub(super) radius: Option<AstId>,
 }

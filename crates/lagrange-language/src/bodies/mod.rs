@@ -6,7 +6,8 @@
 //! Contacts become events with an impact and friction, or energies and forces if they have a
 //! stiffness. [`plain()`] writes all of this as syntax before names are resolved. Later phases are
 //! therefore independent of bodies, and the plain statements can be shown to the user. Nothing is
-//! simplified or differentiated here.
+//! simplified or differentiated here. Bodies whose mass changes also have loads
+//! (`changing_mass`).
 //!
 //! Hand-written energies can be combined with those of bodies, and a scene costs as much as the
 //! same system by hand, which `tests/bodies` verifies. Errors point at the user's text. A
@@ -27,6 +28,7 @@
 //! Mechanics: Dynamics*, ch. 5 and 6.
 
 mod body;
+mod changing_mass;
 mod compound;
 mod connectors;
 mod constants;

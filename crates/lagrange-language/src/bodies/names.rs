@@ -3,7 +3,9 @@
 use super::constants::constants_of;
 use super::messages;
 use super::object::Object;
-use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind, SurfaceKind};
+use crate::syntax::ast::{
+    Declaration, Expression, Name, SceneStatement, StateKind, StatementKind, SurfaceKind,
+};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::diagnostics::{Report, nearest};
@@ -16,6 +18,11 @@ pub(super) struct SceneNames {
     all_objects: OrderedMap<String, Name>,
     /// Parameters and constants.
     fixed: HashSet<String>,
+    /// Names of numbers without a rate: these, discrete states, and definitions by them.
+    steady: HashSet<String>,
+    /// Names on which no mass may depend: inputs, delayed values, coordinates, and definitions by
+    /// them.
+    unsuited: HashSet<String>,
     /// Parameters.
     parameters: HashSet<String>,
     /// Constants that are numbers.
@@ -36,6 +43,8 @@ impl SceneNames {
         let mut placed_by_joints = HashSet::default();
         let (mut taken, mut declared) = (HashSet::default(), HashSet::default());
         let (mut fixed, mut parameters) = (HashSet::default(), HashSet::default());
+        let mut steady: HashSet<String> = HashSet::from_iter(["pi".to_owned()]);
+        let mut unsuited = HashSet::default();
         for statement in &declaration.statements {
             let is_object = declares_object(&statement.kind);
             let is_line = matches!(
@@ -60,8 +69,16 @@ impl SceneNames {
                     parameters.insert(name);
                 }
             }
+            let is_steady = keeps_value(declaration, &statement.kind, &steady);
+            let is_unsuited = is_unsuited(declaration, &statement.kind, &unsuited);
             for name in [statement.kind.declared_names(), statement.kind.member_names()].concat() {
                 taken.insert(name.text.clone());
+                if is_steady {
+                    steady.insert(name.text.clone());
+                }
+                if is_unsuited {
+                    unsuited.insert(name.text.clone());
+                }
             }
         }
         for (_, expression) in declaration.expressions.iter() {
@@ -75,6 +92,8 @@ impl SceneNames {
             objects,
             all_objects,
             fixed,
+            steady,
+            unsuited,
             parameters,
             constants,
             placed_by_joints,
@@ -106,6 +125,16 @@ impl SceneNames {
     /// True if a name denotes a number that does not change during the motion.
     pub(super) fn is_fixed(&self, name: &str) -> bool {
         name == "pi" || self.fixed.contains(&name.to_owned())
+    }
+
+    /// True if a name denotes a number without a rate.
+    pub(super) fn is_steady(&self, name: &str) -> bool {
+        self.steady.contains(name)
+    }
+
+    /// True for a name on which no mass may depend.
+    pub(super) fn is_unsuited(&self, name: &str) -> bool {
+        self.unsuited.contains(name)
     }
 
     /// Returns the values of the constants that are numbers.
@@ -156,6 +185,36 @@ fn fixed_names(kind: &StatementKind) -> Vec<String> {
             list.iter().map(|row| row.name.text.clone()).collect()
         }
         _ => Vec::new(),
+    }
+}
+
+/// True if a statement defines numbers without a rate, given such names before it.
+fn keeps_value(declaration: &Declaration, kind: &StatementKind, steady: &HashSet<String>) -> bool {
+    match kind {
+        StatementKind::Parameters(_)
+        | StatementKind::Constants(_)
+        | StatementKind::Mode(_)
+        | StatementKind::States(StateKind::Discrete, _) => true,
+        StatementKind::Let(_, value) | StatementKind::LetTuple(_, value) => {
+            declaration.expressions.all_names(*value, |name| steady.contains(name))
+        }
+        _ => false,
+    }
+}
+
+/// True if no mass may depend on what a statement defines, given such names before it.
+fn is_unsuited(declaration: &Declaration, kind: &StatementKind, unsuited: &HashSet<String>) -> bool {
+    match kind {
+        StatementKind::Inputs(_)
+        | StatementKind::Delay { .. }
+        | StatementKind::Coordinates(_)
+        | StatementKind::Quaternion(_)
+        | StatementKind::Velocity(..)
+        | StatementKind::Scene(SceneStatement::Mobilizer(_)) => true,
+        StatementKind::Let(_, value) | StatementKind::LetTuple(_, value) => {
+            !declaration.expressions.all_names(*value, |name| !unsuited.contains(name))
+        }
+        _ => false,
     }
 }
 

@@ -352,6 +352,22 @@ pub enum Obligation {
         /// xx, yy, zz, xy, xz, yz about its centre of mass.
         tensor: [AstId; 6],
     },
+    /// A mass or inertia, which may change, but neither with the motion nor with inputs.
+    Unmoved {
+        /// Description in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// The mass or inertia of a body changes: the inertia only with the mass.
+    Matter {
+        /// The body.
+        body: Name,
+        /// Its mass.
+        mass: AstId,
+        /// The entries of its inertia.
+        inertia: Vec<AstId>,
+    },
     /// A property of a rigid body, which does not change during the motion.
     Fixed {
         /// Description in words.

@@ -171,14 +171,13 @@ impl<'a> Translation<'a> {
 
     /// True for an expression of the user that consists of only parameters and numbers.
     pub(super) fn is_at_rest(&self, id: AstId) -> bool {
-        let mut pending = vec![id];
-        while let Some(id) = pending.pop() {
-            match self.expressions.get(id) {
-                Expression::Name(name) if !self.names.is_fixed(name) => return false,
-                other => pending.extend(other.operands()),
-            }
-        }
-        true
+        self.expressions.all_names(id, |name| self.names.is_fixed(name))
+    }
+
+    /// True for an expression of the user that may have a rate, if a mass may depend on its names.
+    pub(super) fn may_change(&self, id: AstId) -> bool {
+        !self.expressions.all_names(id, |name| self.names.is_steady(name))
+            && self.expressions.all_names(id, |name| !self.names.is_unsuited(name))
     }
 
     /// True if all of these expressions could be read, so that their number is the intended one.

@@ -11,6 +11,18 @@ messages! {
         "about the centre of mass, no principal moment exceeds the sum of the others; products are matrix entries, xy = -∫ x y dm";
     no_such_solid(usage) = "`{usage}` cannot have these dimensions";
     not_fixed(what) = "{what} must not change during the motion";
+    moving_matter(what) = "{what} must not depend on coordinates or velocities";
+    MOVING_MATTER_HELP =
+        "make it a `state`, whose rate may depend on the motion: `state m = 1; dot(m) = -c * dot(x);`";
+    matter_of_input(what) = "{what} must not depend on inputs or delayed values, since their rates are unknown";
+    MATTER_OF_INPUT_HELP =
+        "make it a `state` with the rate as an input, `dot(m) = u;`, or a `discrete` state that events assign";
+    inertia_alone(body) = "the moment of inertia of `{body}` changes without its mass";
+    INERTIA_ALONE_HELP =
+        "what moves within a body exerts forces on it: declare it as a body of its own, or write `kinetic` instead";
+    regressor_of_changing_mass(body) = "`regressor` needs constant parameters, but the mass of `{body}` changes";
+    REGRESSOR_OF_CHANGING_MASS_HELP = "use `inverse_dynamics`, which depends on the mass at each instant";
+    BODY_IS_HERE = "the body is declared here";
     GRAVITY_NOT_UNIFORM = "`gravity` must not depend on coordinates: it is the same everywhere";
     FREE_OF_MOTION_HELP =
         "where energies depend on the motion in another way, write them yourself with `kinetic` and `potential`";

@@ -7,7 +7,8 @@ use super::inertia::{mass_properties, triple_of};
 use super::links::{Link, MassProperties, Path};
 use super::messages as words;
 use super::poses::{behind, named_vector};
-use super::vectors::{half_square, inner, minus, plus, scale};
+use super::vectors::{apply, half_square, inner, matrix_of, minus, plus, scale};
+use crate::bodies::changing_mass::push_influx;
 use crate::bodies::drawing::{Load, draw_force};
 use crate::bodies::expressions::plain_expression;
 use crate::bodies::messages::{self, mobilizers as joints};
@@ -34,7 +35,15 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
     };
     let (inertia, outlines) = matter.unwrap_or_else(|| {
         let invalid = translation.terms().invalid();
-        (MassProperties { mass: invalid, centroid: [invalid; 3], tensor: Some([invalid; 6]) }, Vec::new())
+        (
+            MassProperties {
+                mass: invalid,
+                centroid: [invalid; 3],
+                tensor: Some([invalid; 6]),
+                changes: false,
+            },
+            Vec::new(),
+        )
     });
     let shape = outlines.first().filter(|_| statement.shape.is_some()).cloned();
     let outlines = match statement.visuals.is_empty() {
@@ -183,9 +192,16 @@ fn push_translation(
         let moves = !velocity.iter().all(|&component| terms.is_zero(component));
         moves.then(|| terms.vector(&velocity))
     });
-    let energy = translation.terms().call("kinetic_energy", &[inertia.mass, velocity?]);
+    let velocity = velocity?;
+    let energy = translation.terms().call("kinetic_energy", &[inertia.mass, velocity]);
     let energy = translation.bind(&format!("{}_T_translation", name.text), energy);
     translation.push(StatementKind::Kinetic(energy));
+    if inertia.changes && translation.may_change(inertia.mass) {
+        let mut terms = translation.terms();
+        let rate = terms.rate(inertia.mass);
+        let momentum = terms.times(rate, velocity);
+        push_influx(translation, &format!("{}_influx", name.text), momentum, velocity);
+    }
     Some(energy)
 }
 
@@ -211,6 +227,13 @@ fn push_rotation(
     }
     let energy = translation.bind(&format!("{}_T_rotation", name.text), energy);
     translation.push(StatementKind::Kinetic(energy));
+    if inertia.changes && tensor.iter().any(|&entry| translation.may_change(entry)) {
+        let mut terms = translation.terms();
+        let rates = tensor.map(|entry| terms.rate(entry));
+        let momentum = apply(&mut terms, matrix_of(rates), pose.spin);
+        let (momentum, spin) = (terms.vector(&momentum), terms.vector(&pose.spin));
+        push_influx(translation, &format!("{}_spin_influx", name.text), momentum, spin);
+    }
     Some(energy)
 }
 

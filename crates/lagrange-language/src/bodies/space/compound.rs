@@ -50,7 +50,7 @@ pub(super) fn compound_properties(
     let tensor = named_tensor(translation, name, tensor);
     oblige(translation, &statement.name, tensor);
     let outlines = parts.into_iter().map(|part| part.outline).collect();
-    Some((MassProperties { mass, centroid, tensor: Some(tensor) }, outlines))
+    Some((MassProperties { mass, centroid, tensor: Some(tensor), changes: false }, outlines))
 }
 
 /// Returns Σ ±mᵢ and Σ ±mᵢ rᵢ.

@@ -12,6 +12,7 @@
 
 use super::accelerations::{accelerations_on_path, relative};
 use super::frames::{Acceleration, Pose, Relative};
+use super::links::Link;
 use super::poses::link_at;
 use super::regrouping::{WrittenParameters, regrouped};
 use super::vectors::{Tensor, Triple, apply, inner};
@@ -79,9 +80,10 @@ fn sum_of(terms: &mut TermWriter<'_>, values: &[AstId]) -> AstId {
     values.iter().fold(zero, |sum, &value| terms.plus(sum, value))
 }
 
-/// Returns T − V of a body on a joint, from the names of its energies.
+/// Returns T − V of a body on a joint whose mass does not change, from the names of its energies.
 fn lagrangian_of_link(translation: &mut Translation<'_>, link: usize) -> AstId {
-    let link = link_at(translation, link).filter(|link| link.path.is_some());
+    let is_fixed = |link: &Link| link.inertia.is_none_or(|inertia| !inertia.changes);
+    let link = link_at(translation, link).filter(|link| link.path.is_some() && is_fixed(link));
     let energies = link.map(|link| link.energies).unwrap_or_default();
     energies.lagrangian(&mut translation.terms())
 }

@@ -6,6 +6,7 @@ use super::numbers::is_no_vector;
 use super::poses::named_vector;
 use super::solids::{self, SolidInSpace};
 use super::vectors::{Matrix, Tensor, Triple, minus, scale, unit, zero_triple};
+use crate::bodies::changing_mass::{matter, may_change};
 use crate::bodies::expressions::mention;
 use crate::bodies::mass_geometry::property;
 use crate::bodies::messages;
@@ -42,7 +43,9 @@ pub(super) fn mass_properties(
         oblige(translation, name, tensor);
     }
     let outline = shape.map(|shape| outline_around(translation, shape, centroid));
-    (MassProperties { mass, centroid, tensor }, outline.into_iter().collect())
+    let entries = tensor.iter().flatten().copied().collect();
+    let changes = may_change(translation, name, mass, entries);
+    (MassProperties { mass, centroid, tensor, changes }, outline.into_iter().collect())
 }
 
 /// Returns a solid whose centre of mass is the centroid of the body.
@@ -73,9 +76,11 @@ pub(super) fn outline_of(
 fn stated_tensor(translation: &mut Translation<'_>, statement: &ast::Body) -> Option<Tensor> {
     let what = words::tensor_of(&statement.name.text);
     if let Some(tensor) = statement.tensor {
-        return Some(tensor.map(|component| property(translation, component, &what)));
+        return Some(tensor.map(|component| matter(translation, component, &what)));
     }
-    let moments = fixed_triple(translation, statement.inertia?, &what);
+    let stated = statement.inertia?;
+    let moments = triple_of(translation, stated, &what);
+    matter(translation, stated, &what);
     let zero = translation.terms().number(0);
     Some([moments[0], moments[1], moments[2], zero, zero, zero])
 }

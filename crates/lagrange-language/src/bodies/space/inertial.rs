@@ -17,7 +17,7 @@ pub(in crate::bodies) fn inertial_bodies_in_space(translation: &mut Translation<
 
 fn inertial_body(translation: &mut Translation<'_>, index: usize) -> Option<InertialBody> {
     let link = link_at(translation, index)?;
-    let MassProperties { mass, centroid, tensor } = link.inertia?;
+    let MassProperties { mass, centroid, tensor, .. } = link.inertia?;
     translation.origin = link.name.span.into();
     let (pose, change) = *accelerations_on_path(translation, index)?.last()?;
     let mut terms = translation.terms();

@@ -68,7 +68,7 @@ fn motion(
     translation: &mut Translation<'_>,
     link: &Link,
     pose: Pose,
-    MassProperties { mass, centroid, tensor }: MassProperties,
+    MassProperties { mass, centroid, tensor, .. }: MassProperties,
 ) -> SpatialMotion {
     let mut terms = translation.terms();
     let tensor = tensor.unwrap_or_else(|| [terms.number(0); 6]);

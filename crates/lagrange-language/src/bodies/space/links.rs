@@ -42,6 +42,8 @@ pub(super) struct MassProperties {
     pub(super) centroid: Triple,
     /// The tensor of inertia about the centre of mass; `None` for a body that never turns.
     pub(super) tensor: Option<Tensor>,
+    /// True if mass and tensor may have rates.
+    pub(super) changes: bool,
 }
 
 impl Path {

@@ -63,9 +63,11 @@ pub(super) fn regrouped(
     Some(found)
 }
 
-/// Returns the parameters of the body itself; zero for a frame.
+/// Returns the parameters of the body itself; zero for a frame, and for a body whose mass changes,
+/// whose energies define its motion.
 fn own_parameters(translation: &mut Translation<'_>, inertia: Option<MassProperties>) -> InertialParameters {
-    let Some(MassProperties { mass, centroid, tensor }) = inertia else { return InertialParameters::NONE };
+    let fixed = inertia.filter(|inertia| !inertia.changes);
+    let Some(MassProperties { mass, centroid, tensor, .. }) = fixed else { return InertialParameters::NONE };
     let mass = Quantity::of(translation, mass);
     let centroid = centroid.map(|component| Quantity::of(translation, component));
     let tensor = tensor.map(|tensor| tensor.map(|component| Quantity::of(translation, component)));

@@ -326,6 +326,12 @@ impl Expressions {
         found.into_iter().collect()
     }
 
+    /// True if a condition holds for all names in an expression.
+    pub fn all_names(&self, root: AstId, holds: impl Fn(&str) -> bool) -> bool {
+        let is_other = |id| matches!(self.get(id), Expression::Name(name) if !holds(name));
+        !self.parts(root).into_iter().any(is_other)
+    }
+
     /// Returns the values of expanded indices.
     pub fn places(&self, indices: &[AstId]) -> Option<Vec<usize>> {
         let place = |index: &AstId| match self.get(*index) {
