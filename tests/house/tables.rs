@@ -347,8 +347,9 @@ const PLOT: &[Layer] = &[
         purpose: "the characters that pictures can show, and their escapes in documents",
     },
     Layer {
-        modules: &["lettering", "thin"],
-        purpose: "glyph outlines of the embedded font; reduction of curves to distinguishable points",
+        modules: &["colours", "lettering", "thin"],
+        purpose: "colours of pictures and pages, light and dark; glyph outlines of the embedded font; \
+                  reduction of curves to distinguishable points",
     },
     Layer {
         modules: &["label", "pixels"],

@@ -1,17 +1,18 @@
-//! Colours of drawings: those of Okabe and Ito, *Color Universal Design* (2008), which people with
-//! any colour vision can distinguish.
+//! Colours of drawings.
+
+use lagrange_plot::colours::CURVES;
 
 use crate::picture::Colour;
 
-/// Colour of outlines, joints and text.
-pub(super) const INK: Colour = Colour([40, 40, 40, 255]);
+pub(super) use lagrange_plot::colours::{INK, PAPER};
+
 /// Colour of auxiliary lines.
-pub(super) const PALE: Colour = Colour([130, 130, 130, 255]);
-pub(super) const HATCHING: Colour = Colour([150, 150, 150, 255]);
+pub(super) const PALE: Colour = Colour::new(0x82_82_82, 0x9a_9e_a4);
+pub(super) const HATCHING: Colour = Colour::new(0x91_91_91, 0x86_8a_90);
 /// Colour of solid ground.
-pub(super) const GROUND: Colour = Colour([214, 214, 214, 255]);
-/// Colour of the background.
-pub(super) const PAPER: Colour = Colour([255, 255, 255, 255]);
+pub(super) const GROUND: Colour = Colour::new(0xd6_d6_d6, 0x3d_41_47);
+/// Colour of faces without light.
+pub(super) const SHADOW: Colour = Colour::new(0x28_28_28, 0x28_28_28);
 
 /// Colour of velocities.
 pub(super) const VELOCITY: Colour = INKS[1];
@@ -24,15 +25,7 @@ pub(super) const REST: Colour = INK;
 /// Colour of instantaneous centres.
 pub(super) const CENTER: Colour = INKS[3];
 
-const INKS: [Colour; 7] = [
-    INK,
-    Colour([0, 114, 178, 255]),
-    Colour([213, 94, 0, 255]),
-    Colour([0, 158, 115, 255]),
-    Colour([204, 121, 167, 255]),
-    Colour([230, 159, 0, 255]),
-    Colour([86, 180, 233, 255]),
-];
+const INKS: [Colour; 7] = [INK, CURVES[0], CURVES[1], CURVES[2], CURVES[3], CURVES[4], CURVES[5]];
 
 /// Fraction of the background colour in the colour of a body.
 const LIGHTNESS: f64 = 0.78;
@@ -59,12 +52,7 @@ pub(super) fn body(index: usize) -> Colour {
 
 /// Returns the colour of the body with this index in pictures of the plane, in CSS notation.
 pub fn body_colour(index: usize) -> String {
-    css(body(index))
-}
-
-/// Returns an opaque colour in CSS notation.
-pub(super) fn css(Colour([red, green, blue, _]): Colour) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
+    body(index).css()
 }
 
 /// Fraction of the background colour in the colour of a solid; its shaded faces are darker.
@@ -72,19 +60,27 @@ const SOLID: f64 = 0.45;
 
 /// Returns the colour of the fully lit faces of the solid with this index.
 pub(super) fn solid(index: usize) -> Colour {
-    mixed(INKS[BODIES[index % BODIES.len()]], PAPER, SOLID)
-}
-
-/// Mixes a fraction of another colour into a colour, keeping its opacity.
-pub(super) fn mixed(Colour(a): Colour, Colour(b): Colour, part: f64) -> Colour {
-    let mix = |channel: usize| {
-        let [a, b] = [a[channel], b[channel]].map(f64::from);
-        (a + part * (b - a)).round().clamp(0.0, 255.0) as u8
-    };
-    Colour([mix(0), mix(1), mix(2), a[3]])
+    INKS[BODIES[index % BODIES.len()]].mixed(PAPER, SOLID)
 }
 
 /// Lightens a colour for areas below dark marks.
 pub(super) fn light(colour: Colour) -> Colour {
-    mixed(colour, PAPER, LIGHTNESS)
+    colour.mixed(PAPER, LIGHTNESS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BODIES, HATCHING, INK, INKS, PALE, PAPER, body, light};
+    use lagrange_plot::colours::LINES;
+
+    #[test]
+    fn lines_contrast_with_both_grounds_and_rims_and_names_with_bodies() {
+        for colour in INKS.into_iter().chain([PALE, HATCHING]) {
+            assert!(colour.contrast(PAPER) >= LINES, "{colour:?}");
+        }
+        for index in 0..BODIES.len() {
+            assert!(body(index).contrast(INK) >= 4.5, "{:?}", body(index));
+        }
+        assert!(INKS.iter().all(|colour| light(*colour).contrast(*colour) >= 2.0), "rims of areas");
+    }
 }

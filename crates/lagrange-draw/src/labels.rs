@@ -192,10 +192,10 @@ fn mark(tag: &Option<Tag>, side: Option<usize>, window: Area) -> Mark {
     let (at, text, colour) = match (tag, side) {
         (Some(tag), Some(side)) => {
             let [low, high] = held(area(tag, side), window);
-            (mix(low, high, 0.5), tag.text.clone(), tag.colour)
+            (mix(low, high, 0.5), tag.text.clone(), tag.colour.text())
         }
         (tag, _) => {
-            let known = tag.as_ref().map(|tag| (tag.at, tag.colour));
+            let known = tag.as_ref().map(|tag| (tag.at, tag.colour.text()));
             let (at, colour) = known.unwrap_or(([0.0, 0.0], INK));
             (at, Default::default(), colour)
         }

@@ -2,7 +2,8 @@
 //!
 //! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and its states into
 //! [`Picture`]s. The motion itself is not computed here. Nothing needs tuning: window, scales,
-//! colours and label positions follow from the drawing.
+//! colours and label positions follow from the drawing. SVG pictures are dark on screens of readers
+//! who prefer this, and white otherwise.
 //!
 //! ```
 //! use std::f64::consts::FRAC_PI_2;
@@ -77,7 +78,7 @@ pub use colour::body_colour;
 pub use drawing::{Drawing, DrawnSpace};
 pub use error::DrawError;
 pub use film::Film;
-pub use film::page::STYLE as PAGE_STYLE;
+pub use film::page::style as page_style;
 pub use film::trajectory::last_at_each;
 pub use load_label::LiveLoads;
 pub use moment::Moment;

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::colour::{FORCE, css};
+use crate::colour::FORCE;
 use crate::load::{Load, Value};
 use crate::snapshot::{Snapshot, Stored};
 use lagrange_plot::label::Label;
@@ -35,7 +35,7 @@ impl LiveLoads {
         LiveLoads {
             labels: snapshot.loads.iter().map(label).collect(),
             note: omitted_loads(std::slice::from_ref(&snapshot)),
-            colour: css(FORCE),
+            colour: FORCE.css(),
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use lagrange_plot::label::Anchor;
 
+pub(crate) use lagrange_plot::colours::Colour;
+
 /// A point in pixels, x to the right, y **downwards** from the top left corner.
 pub(crate) type Point = [f64; 2];
 
@@ -78,7 +80,3 @@ pub(crate) struct Style {
     /// Fill colour, if there is one, by the even–odd rule.
     pub(crate) fill: Option<Colour>,
 }
-
-/// Red, green, blue and opacity, each from 0 to 255.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Colour(pub(crate) [u8; 4]);

@@ -38,10 +38,10 @@ pub(super) fn save(picture: &Picture, path: &Path) -> Result<(), DrawError> {
 fn draw(pixels: &mut Pixels, segments: &[Segment], style: &Style) {
     // A path of no extent shows nothing.
     let Some(line) = line(segments) else { return };
-    if let Some(Colour(fill)) = style.fill {
+    if let Some(fill) = style.fill {
         pixels.fill(&line, fill);
     }
-    if let Some(Colour(stroke)) = style.stroke {
+    if let Some(stroke) = style.stroke {
         pixels.stroke(&line, stroke, style.width, style.dashes);
     }
 }
@@ -63,7 +63,7 @@ fn line(segments: &[Segment]) -> Option<Line> {
     line.finish()
 }
 
-fn write(pixels: &mut Pixels, at: Point, text: &str, size: f64, anchor: Anchor, Colour(colour): Colour) {
+fn write(pixels: &mut Pixels, at: Point, text: &str, size: f64, anchor: Anchor, colour: Colour) {
     let (pieces, width) = Label::parse(text).set(size);
     let left = anchor.offset(width);
     for piece in pieces {
@@ -80,7 +80,7 @@ mod tests {
     use super::rasterise;
     use crate::colour::{INK, body};
     use crate::geometry::polyline;
-    use crate::picture::{Colour, Mark, Picture, Segment, Style};
+    use crate::picture::{Mark, Picture, Segment, Style};
     use lagrange_plot::label::{Anchor, Label};
     use lagrange_plot::lettering::CAPITALS;
 
@@ -104,13 +104,13 @@ mod tests {
         assert_eq!((pixels.width(), pixels.height()), (120, 80));
         let pixel = |x: usize, y: usize| {
             let start = 4 * (y * 120 + x);
-            Colour([0, 1, 2, 3].map(|channel| pixels.rgba()[start + channel]))
+            [0, 1, 2].map(|channel| pixels.rgba()[start + channel])
         };
-        assert_eq!(pixel(20, 20), body(0));
-        assert_eq!(pixel(40, 40), Colour([255; 4]), "the hole");
-        assert_eq!(pixel(40, 10), INK);
-        assert_eq!(pixel(2, 2), Colour([255; 4]));
-        let dark = (90..96).filter(|x| pixel(*x, 40) != Colour([255; 4])).count();
+        assert_eq!(pixel(20, 20), body(0).light);
+        assert_eq!(pixel(40, 40), [255; 3], "the hole");
+        assert_eq!(pixel(40, 10), INK.light);
+        assert_eq!(pixel(2, 2), [255; 3]);
+        let dark = (90..96).filter(|x| pixel(*x, 40) != [255; 3]).count();
         assert!(dark > 0, "the letter");
     }
 

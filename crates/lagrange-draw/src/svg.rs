@@ -1,30 +1,44 @@
-//! Pictures as SVG: a document of paths and texts without scripts, style sheets or external
-//! resources.
+//! Pictures as SVG: a document of paths and texts without scripts or external resources. Its only
+//! style sheet contains the colours for readers who prefer a dark ground.
 
 use crate::beside::SEPARATOR;
+use crate::colour::PAPER;
 use crate::picture::{Colour, Mark, Picture, Segment, Style};
 use lagrange_plot::characters::{escaped, number};
+use lagrange_plot::colours::{self, CLASS};
 use lagrange_plot::label::Label;
 use lagrange_plot::lettering::FAMILY;
 
 /// Returns a picture as an SVG document.
 pub(crate) fn document(picture: &Picture) -> String {
     let marks: String = picture.marks.iter().filter(|mark| !is_empty(mark)).map(mark).collect();
-    format!("{}{marks}</svg>\n", opening(picture))
+    format!("{}{marks}</svg>\n", opening(std::slice::from_ref(picture)))
 }
 
-/// Returns the start of the document: its size, title and description, and the common attributes of
-/// all marks. Blanks at the ends of text pieces are preserved, since some viewers would drop them.
-pub(crate) fn opening(picture: &Picture) -> String {
+/// Returns the start of the document of pictures with the same size; empty without pictures. It has
+/// the title and description of the first, and the common attributes and colours of all marks.
+/// Blanks at the ends of text pieces are preserved, since some viewers would drop them.
+pub(crate) fn opening(pictures: &[Picture]) -> String {
+    let Some(picture) = pictures.first() else { return String::new() };
     let [width, height] = picture.size.map(number);
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+        "<svg class=\"{CLASS}\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\" stroke-linecap=\"round\" \
-         stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n<title>{}</title>\n<desc>{}</desc>\n\
-         <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
+         stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n<title>{}</title>\n<desc>{}</desc>\n{}\
+         <rect width=\"{width}\" height=\"{height}\"{}/>\n",
         escaped(&Label::parse(&picture.title).plain()),
         escaped(&description(picture)),
+        colours::style(pictures.iter().flat_map(|picture| &picture.marks).flat_map(colours_of)),
+        PAPER.paint("fill"),
     )
+}
+
+fn colours_of(mark: &Mark) -> impl Iterator<Item = Colour> + use<> {
+    let colours = match mark {
+        Mark::Path { style, .. } => [style.fill, style.stroke],
+        Mark::Text { colour, .. } => [Some(*colour), None],
+    };
+    colours.into_iter().flatten()
 }
 
 /// Returns the description written into the picture for readers who cannot see it.
@@ -95,12 +109,7 @@ pub(crate) fn style(style: &Style) -> String {
 }
 
 fn paint(attribute: &str, colour: Option<Colour>) -> String {
-    let Some(Colour([red, green, blue, opacity])) = colour else { return format!(" {attribute}=\"none\"") };
-    let colour = format!(" {attribute}=\"#{red:02x}{green:02x}{blue:02x}\"");
-    if opacity == u8::MAX {
-        return colour;
-    }
-    format!("{colour} {attribute}-opacity=\"{}\"", number(f64::from(opacity) / 255.0))
+    colour.map_or_else(|| format!(" {attribute}=\"none\""), |colour| colour.paint(attribute))
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ mod scene;
 
 use lagrange_c::Script;
 use lagrange_core::pipeline::{NumericSystem, Programs};
-use lagrange_draw::PAGE_STYLE;
+use lagrange_draw::page_style;
 use lagrange_dynamic::title;
 
 pub use error::PageError;
@@ -73,7 +73,7 @@ pub fn page(system: &NumericSystem, start: &[f64]) -> Result<String, PageError> 
     Ok(format!(
         include_str!("page.html"),
         title = title(&programs.name),
-        style = [PAGE_STYLE, STYLE, style].concat(),
+        style = [&*page_style(), STYLE, style].concat(),
         figure = elements,
         keys = keys,
         // A text cannot end the script.

@@ -3,7 +3,7 @@
 function showsScene(scene) {
   const canvas = document.getElementById("canvas");
   const paper = canvas.getContext("2d");
-  const [INK, PALE, HATCHING, MARGIN] = ["#282828", "#828282", "#969696", 34];
+  const [INK, PALE, HATCHING, MARGIN] = ["#282828", "#828282", "#919191", 34];
   const LOAD = scene.loadColour;
   const REACH = 12; // pixels from a body in which it is grabbed
   const FONT = "'STIX Two Text', Cambria, 'Times New Roman', serif";

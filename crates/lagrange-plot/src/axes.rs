@@ -1,9 +1,9 @@
 //! Axes of figures: their places, marks and labels.
 
 use crate::axis::Axis;
+use crate::colours::{GRID, INK};
 use crate::label::{Anchor, Label};
-use crate::paper::{Down, INK, Paper, Place};
-use crate::pixels::Colour;
+use crate::paper::{Down, Paper, Place};
 use crate::thin::Point;
 
 /// Number of points per unit of size: curves are drawn to a tenth of a unit.
@@ -28,7 +28,6 @@ const TICK: i32 = 5;
 const NAMES: [i32; 2] = [66, 49];
 /// Width and height of a mark with its label.
 const MARK: (i32, i32) = (90, 30);
-const GRID: Colour = [225, 225, 225, u8::MAX];
 const THIN: u32 = 10;
 
 /// Returns the size of a panel whose axes have this size, with labels on the left and below.

@@ -2,9 +2,9 @@
 
 use crate::axes::{Frame, rounded};
 use crate::axis::Axis;
+use crate::colours::Colour;
 use crate::label::Label;
 use crate::paper::{Paper, Point};
-use crate::pixels::Colour;
 
 /// The area between two curves over the same abscissae, interrupted at points that are not finite.
 /// Nested bands appear darker.
@@ -21,19 +21,13 @@ const OPACITY: u8 = 56;
 
 impl Band {
     /// Draws the area.
-    pub(crate) fn draw(
-        &self,
-        paper: &mut dyn Paper,
-        frame: &Frame,
-        (x, y): (&Axis, &Axis),
-        [red, green, blue, _]: Colour,
-    ) {
+    pub(crate) fn draw(&self, paper: &mut dyn Paper, frame: &Frame, (x, y): (&Axis, &Axis), colour: Colour) {
         let is_whole = |(x, lower, upper): &(f64, f64, f64)| [x, lower, upper].iter().all(|v| v.is_finite());
         for piece in self.points.split(|point| !is_whole(point)).filter(|piece| piece.len() > 1) {
             let point = |at: f64, value: f64| rounded((frame.x(x.place(at)), frame.y(y.place(value))));
             let below = piece.iter().map(|(at, lower, _)| point(*at, *lower));
             let above = piece.iter().rev().map(|(at, _, upper)| point(*at, *upper));
-            paper.area(&below.chain(above).collect::<Vec<_>>(), [red, green, blue, OPACITY]);
+            paper.area(&below.chain(above).collect::<Vec<_>>(), Colour { opacity: OPACITY, ..colour });
         }
     }
 
@@ -44,9 +38,9 @@ impl Band {
         index: usize,
         (left, top): Point,
         (right, bottom): Point,
-        [red, green, blue, _]: Colour,
+        colour: Colour,
     ) {
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
-        (0..=index).for_each(|_| paper.area(&corners, [red, green, blue, OPACITY]));
+        (0..=index).for_each(|_| paper.area(&corners, Colour { opacity: OPACITY, ..colour }));
     }
 }

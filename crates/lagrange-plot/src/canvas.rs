@@ -1,10 +1,11 @@
 //! Figures in pixels.
 
 use crate::axes::Frame;
+use crate::colours::{Colour, INK};
 use crate::image::Placed;
 use crate::label::Label;
-use crate::paper::{FONT, INK, Paper, Place, Point};
-use crate::pixels::{Colour, Path, PathBuilder, Pixels, Transform};
+use crate::paper::{FONT, Paper, Place, Point};
+use crate::pixels::{Path, PathBuilder, Pixels, Transform};
 
 /// A picture whose points are smaller than its pixels.
 pub(crate) struct Canvas {

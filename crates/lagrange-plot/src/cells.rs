@@ -2,13 +2,14 @@
 
 use crate::axes::{Frame, Side, draw_border, draw_ordinate, points};
 use crate::axis::{Axis, Scale};
+use crate::colours::mixed;
 use crate::image::{Image, Placed};
 use crate::label::Label;
 use crate::paper::Paper;
-use crate::pixels::{Colour, mixed};
 
 /// A grid of cells with one value each, coloured from dark blue for the smallest to yellow for the
-/// largest value. Cells whose value is not finite remain white.
+/// largest value. Cells whose value is not finite remain
+/// blank.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Cells {
     /// Name of the values.
@@ -27,15 +28,15 @@ pub struct Cells {
 
 /// Colours at equal distances from the smallest to the largest value: `viridis` by Stéfan van der
 /// Walt and Nathaniel Smith (2015).
-const VIRIDIS: [Colour; 8] = [
-    [68, 1, 84, u8::MAX],
-    [70, 50, 127, u8::MAX],
-    [54, 92, 141, u8::MAX],
-    [39, 127, 142, u8::MAX],
-    [31, 161, 135, u8::MAX],
-    [74, 194, 109, u8::MAX],
-    [159, 218, 58, u8::MAX],
-    [253, 231, 37, u8::MAX],
+const VIRIDIS: [[u8; 3]; 8] = [
+    [68, 1, 84],
+    [70, 50, 127],
+    [54, 92, 141],
+    [39, 127, 142],
+    [31, 161, 135],
+    [74, 194, 109],
+    [159, 218, 58],
+    [253, 231, 37],
 ];
 /// Layout of the colour bar: its distance from the grid, its width, and the width of its marks and
 /// its name.
@@ -96,11 +97,12 @@ fn bar_frame(frame: &Frame) -> Frame {
 }
 
 /// Returns red, green, blue and opacity at this place between the smallest and the largest value.
-fn colour(place: f64) -> Colour {
+fn colour(place: f64) -> [u8; 4] {
     if !place.is_finite() {
         return [0; 4];
     }
     let place = place.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let below = (place.floor() as usize).min(VIRIDIS.len() - 2);
-    mixed([VIRIDIS[below], VIRIDIS[below + 1]], place - below as f64)
+    let [red, green, blue] = mixed(VIRIDIS[below], VIRIDIS[below + 1], place - below as f64);
+    [red, green, blue, u8::MAX]
 }

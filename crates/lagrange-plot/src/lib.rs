@@ -15,6 +15,7 @@ mod canvas;
 #[cfg(feature = "figures")]
 mod cells;
 pub mod characters;
+pub mod colours;
 #[cfg(feature = "figures")]
 mod document;
 #[cfg(feature = "figures")]

@@ -2,8 +2,8 @@
 
 use crate::axes::{Frame, points};
 use crate::axis::{Axis, Scale, range};
-use crate::paper::{INK, Paper};
-use crate::pixels::Colour;
+use crate::colours::{Colour, INK};
+use crate::paper::Paper;
 
 /// A limit of a quantity: a dashed line across the panel. It is omitted where it is farther from
 /// the curves than their own extent, since it would compress them.

@@ -6,12 +6,12 @@ use crate::axes::{
 use crate::axis::{Axis, Scale};
 use crate::band::Band;
 use crate::cells::Cells;
+use crate::colours::{CURVES, Colour};
 use crate::image::Placed;
 use crate::label::{Anchor, Label};
 use crate::lettering::LEEWAY;
 use crate::limit::{Limit, with_limits};
 use crate::paper::{Down, FONT, Paper, Place};
-use crate::pixels::{Colour, mixed};
 use crate::thin::{Point, thin};
 
 /// A pair of axes with curves, and optionally a grid of cells and areas behind them.
@@ -59,18 +59,15 @@ const CURVE: u32 = 14;
 /// Size of the dot that represents a curve of a single point.
 const DOT: u32 = 60;
 
-/// Colours of Okabe and Ito, without yellow, which is hard to see on white.
-const COLOURS: [Colour; 7] = [
-    [0, 114, 178, u8::MAX],
-    [213, 94, 0, u8::MAX],
-    [0, 158, 115, u8::MAX],
-    [204, 121, 167, u8::MAX],
-    [230, 159, 0, u8::MAX],
-    [86, 180, 233, u8::MAX],
-    [0, 0, 0, u8::MAX],
-];
+/// Colours of few curves.
+const COLOURS: [Colour; 7] =
+    [CURVES[0], CURVES[1], CURVES[2], CURVES[3], CURVES[4], CURVES[5], Colour::new(0x00_00_00, 0xff_ff_ff)];
 /// The first, middle and last colour of many curves, with ascending luminance.
-const RAMP: [Colour; 3] = [[0, 32, 96, u8::MAX], [124, 123, 120, u8::MAX], [235, 210, 60, u8::MAX]];
+const RAMP: [Colour; 3] = [
+    Colour::new(0x00_20_60, 0x4a_78_d2),
+    Colour::new(0x6e_6c_68, 0xa0_9f_9c),
+    Colour::new(0xb8_8e_00, 0xf5_de_5a),
+];
 
 impl Panel {
     /// Draws axes, their content, and a legend.
@@ -149,14 +146,14 @@ impl Panel {
         )
     }
 
-    fn colour(&self, index: usize) -> Colour {
+    pub(crate) fn colour(&self, index: usize) -> Colour {
         // The colours of cells include blue.
         let index = index + usize::from(self.cells.is_some());
         if self.curves.len() <= COLOURS.len() {
             return COLOURS[index % COLOURS.len()];
         }
         let place = 2.0 * index as f64 / (self.curves.len() - 1) as f64;
-        if place < 1.0 { mixed([RAMP[0], RAMP[1]], place) } else { mixed([RAMP[1], RAMP[2]], place - 1.0) }
+        if place < 1.0 { RAMP[0].mixed(RAMP[1], place) } else { RAMP[1].mixed(RAMP[2], place - 1.0) }
     }
 
     /// Returns the width in points; zero without cells.

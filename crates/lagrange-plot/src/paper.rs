@@ -1,8 +1,8 @@
 //! The surface of a figure: lines, areas, images and labels in points.
 
+use crate::colours::Colour;
 use crate::label::{Anchor, Label};
 use crate::lettering::SMALL;
-use crate::pixels::Colour;
 
 /// A place in points, from the upper left corner downwards.
 pub(crate) type Point = (i32, i32);
@@ -19,8 +19,6 @@ pub(crate) trait Paper {
 
 /// The size of letters in points.
 pub(crate) const FONT: f64 = 137.0;
-/// The colour of letters and axes.
-pub(crate) const INK: Colour = [40, 40, 40, u8::MAX];
 
 /// The place of a label.
 #[derive(Clone, Copy, PartialEq, Debug)]

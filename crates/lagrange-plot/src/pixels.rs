@@ -10,6 +10,7 @@ use tiny_skia::{
     StrokeDash,
 };
 
+use crate::colours::Colour;
 use crate::lettering::{self, Slope};
 
 /// A picture of opaque pixels.
@@ -18,16 +19,6 @@ pub struct Pixels {
     pixmap: Pixmap,
     /// The transformation from drawing units to pixels.
     transform: Transform,
-}
-
-/// Red, green, blue and opacity, each from 0 to 255.
-pub type Colour = [u8; 4];
-
-/// Returns the colour at this fraction of the way from the first to the second.
-#[cfg(feature = "figures")]
-pub(crate) fn mixed([from, to]: [Colour; 2], part: f64) -> Colour {
-    let mix = |channel| f64::from(from[channel]) + part * (f64::from(to[channel]) - f64::from(from[channel]));
-    [0, 1, 2, 3].map(|channel| mix(channel).round() as u8)
 }
 
 impl Pixels {
@@ -113,7 +104,8 @@ impl Pixels {
     }
 }
 
-fn paint([red, green, blue, opacity]: Colour) -> Paint<'static> {
+/// Returns the colour on paper.
+fn paint(Colour { light: [red, green, blue], opacity, .. }: Colour) -> Paint<'static> {
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
     paint.set_color_rgba8(red, green, blue, opacity);
     paint

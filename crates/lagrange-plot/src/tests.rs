@@ -94,7 +94,7 @@ fn limits_are_dashed_lines_unless_they_are_far_away() {
         let svg = figure.svg().expect("a document");
         let ends = polylines(&svg)[0].iter().map(|point| point.1).fold(f64::MAX, f64::min);
         let dashes =
-            |line: &&str| line.contains("stroke=\"#0072B2\"") && line.contains("stroke-width=\"10\"");
+            |line: &&str| line.contains("stroke=\"#0072b2\"") && line.contains("stroke-width=\"10\"");
         let dashes: Vec<String> = svg.lines().filter(dashes).map(str::to_owned).collect();
         (dashes, ends)
     };

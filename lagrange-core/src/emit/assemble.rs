@@ -178,7 +178,7 @@ fn add(
         Some((output, _)) => (identifier(output), writer.shape.docs(output, &docs.concat())),
         None => (format_ident!("{name}"), docs.iter().map(|line| doc(line)).collect()),
     };
-    let docs = docs::with_counts(docs, counts);
+    let docs = writer.shape.method_docs((&name.to_string(), returns), &docs, counts);
     writer.members.methods.push(Method { name, docs, arguments, returns, body });
     counts
 }

@@ -17,6 +17,7 @@ use lagrange_language::syntax::ast::Name;
 pub use events::{Action, Assignment, Clock, Event, Reaction, ReactionKind};
 pub use product::{
     Availability, BodyMethod, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape,
+    ProductUnit,
 };
 pub(crate) use samples::{Entry, default_values, entries, may_be_flat, sample_values};
 pub use scene::{

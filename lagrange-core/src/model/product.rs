@@ -141,13 +141,30 @@ pub enum ProductShape {
     Matrix(Extent, Extent),
 }
 
-/// The method of a product: arguments, result, and documentation by lines.
+/// The unit of the entries of a result, from coherent units and those of velocities.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ProductUnit {
+    /// This unit.
+    Same(&'static str),
+    /// This unit, over those of the velocities of the row and, in a matrix, of the column.
+    Over(&'static str),
+    /// This unit, times those of the velocities.
+    Times(&'static str),
+    /// The unit of the row over that of the column.
+    Quotient,
+    /// The units of accelerations.
+    Acceleration,
+}
+
+/// The method of a product: arguments, result, its unit, and documentation by lines.
 #[derive(Debug)]
 pub struct ProductMethod {
     /// Arguments.
     pub arguments: ProductArguments,
     /// Result.
     pub returns: ProductShape,
+    /// Unit of the entries of the result, unless it differs in other ways.
+    pub unit: Option<ProductUnit>,
     /// Documentation.
     pub docs: &'static [&'static str],
 }
@@ -178,7 +195,15 @@ impl ProductRow {
         returns: ProductShape,
         docs: &'static [&'static str],
     ) -> Self {
-        ProductRow { method: Some(ProductMethod { arguments, returns, docs }), ..self }
+        ProductRow { method: Some(ProductMethod { arguments, returns, unit: None, docs }), ..self }
+    }
+
+    /// Sets the unit of the method's result.
+    const fn in_unit(self, unit: ProductUnit) -> Self {
+        match self.method {
+            Some(method) => ProductRow { method: Some(ProductMethod { unit: Some(unit), ..method }), ..self },
+            None => self,
+        }
     }
 }
 
@@ -207,6 +232,14 @@ impl Product {
     /// Returns its name in `emit { … }`.
     pub fn name(self) -> &'static str {
         self.row().name
+    }
+
+    /// Returns the unit of the method of this name, if it is that of a product or the acceleration.
+    pub fn unit_of_method(name: &str) -> Option<ProductUnit> {
+        if name == "acceleration" {
+            return Some(ProductUnit::Acceleration);
+        }
+        Product::by_name(name)?.row().method.as_ref()?.unit
     }
 
     /// True if only systems with constraints have it.

@@ -380,3 +380,29 @@ fn documentation_says_defaults_in_the_units_they_are_written_in_if_all_elements_
         assert!(text.contains(line), "{line}: {text}");
     }
 }
+
+#[test]
+fn documentation_says_the_units_of_results_if_those_of_the_velocities_are_known() {
+    let emit = "emit { jacobian, inverse_mass_matrix }";
+    let statements = |mass: &str, x: &str| {
+        format!(
+            "param m{mass} = 1, l = 2; coord x{x}, phi{}; kinetic = 1/2 * m * (dot(x)^2 + (l * dot(phi))^2); {emit}",
+            if x.is_empty() { "" } else { ": rad" }
+        )
+    };
+    let text = expanded(&statements(": kg", ": m").replace("l = 2", "l: m = 2"));
+    for line in [
+        "In J.",
+        "Units by those of the velocities: m/s^2 for m/s, rad/s^2 for rad/s.",
+        "Units by those of the velocities: N for m/s, N*m for rad/s.",
+        "Units by those of the velocities: kg for m/s, kg*m for m/s and rad/s, kg*m^2 for rad/s.",
+        "1/kg for m/s, 1/(kg*m) for m/s and rad/s, 1/(kg*m^2) for rad/s.",
+        "Each entry has the unit of its row over that of its column.",
+    ] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+    let plain = expanded(&statements("", ""));
+    for line in ["In J.", "Units by", "Each entry has"] {
+        assert!(!plain.contains(line), "{line}: {plain}");
+    }
+}

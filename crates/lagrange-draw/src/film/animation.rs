@@ -26,7 +26,7 @@ pub(super) fn animated(pictures: &[Picture], timeline: &Timeline) -> String {
 
 /// Returns an SVG document for a film with the given marks already written.
 pub(super) fn with_marks(pictures: &[Picture], marks: &str) -> String {
-    format!("{}{marks}</svg>\n", pictures.first().map(svg::opening).unwrap_or_default())
+    format!("{}{marks}</svg>\n", svg::opening(pictures))
 }
 
 /// The display times of pictures.

@@ -11,12 +11,14 @@ use crate::timeline::Curve;
 use crate::timeline::Timeline;
 use lagrange_plot::characters::escaped;
 use lagrange_plot::characters::number;
+use lagrange_plot::colours;
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::Columns;
 
 const PAGE: &str = include_str!("page.html");
-/// Style sheet of all pages.
-pub const STYLE: &str = include_str!("page.css");
+const STYLE: &str = include_str!("page.css");
+/// Additional rules for pictures, which have the ground of their page.
+const GROUND: &str = "#picture { background: var(--ground); }\n";
 const SCRIPT: &str = include_str!("page.js");
 /// Script that shows the layers of pictures.
 const LAYERS: &str = include_str!("layers.js");
@@ -42,6 +44,11 @@ pub(crate) struct Page<'a> {
     pub(crate) keys: &'a str,
 }
 
+/// Returns the style sheet of all pages.
+pub fn style() -> String {
+    colours::variables() + STYLE
+}
+
 /// Returns the page of pictures with the same marks.
 pub(super) fn of_pictures(pictures: &[Picture], timeline: &Timeline) -> String {
     let layers = layers(pictures);
@@ -49,7 +56,7 @@ pub(super) fn of_pictures(pictures: &[Picture], timeline: &Timeline) -> String {
     let page = Page {
         title: pictures.first().map(|picture| &*picture.title).unwrap_or_default(),
         timeline,
-        style: "",
+        style: GROUND,
         picture: first_picture(pictures, &layers),
         shown: format!("\"layers\":[\n{}]", changing.collect::<Vec<_>>().join(",\n")),
         viewer: LAYERS,
@@ -76,7 +83,7 @@ impl Page<'_> {
         let chart = Chart::of(self.timeline);
         fill(PAGE, |name| match name {
             "title" => Some(self.name()),
-            "style" => Some(format!("{STYLE}{}", self.style)),
+            "style" => Some(style() + self.style),
             "picture" => Some(self.picture.clone()),
             "duration" => Some(format!("{}", self.timeline.duration())),
             "chart" => Some(chart.as_ref().map(|chart| self.figure(chart)).unwrap_or_default()),

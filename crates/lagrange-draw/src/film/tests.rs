@@ -20,8 +20,8 @@ fn the_last_of_simultaneous_samples_is_shown() {
 
 const HINGE: Point = [160.0, 40.0];
 const LENGTH: f64 = 120.0;
-const INK: Colour = Colour([0x22, 0x22, 0x22, 0xff]);
-const BLUE: Colour = Colour([0x00, 0x72, 0xb2, 0xff]);
+const INK: Colour = Colour::new(0x22_22_22, 0xdd_dd_dd);
+const BLUE: Colour = Colour::new(0x00_72_b2, 0x56_b4_e9);
 /// Range of pictures that show the force.
 const PUSHED: std::ops::Range<usize> = 5..9;
 

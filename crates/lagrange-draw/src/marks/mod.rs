@@ -6,7 +6,7 @@ mod connector;
 mod ground;
 mod line;
 
-use crate::colour::{INK, PALE, PAPER, light, mixed};
+use crate::colour::{INK, PALE, PAPER, light};
 use crate::element::{Element, Measure, Shape, cone_rim};
 use crate::geometry::{Place, add, ellipse, moved, polyline};
 use crate::picture::{Colour, Mark, Point, Segment, Style};
@@ -37,7 +37,7 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
         Shape::Cone { at, normal, coefficient } => {
             let rim = cone_rim(view.vector(*normal, Measure::Force), *coefficient);
             let [left, right] = rim.map(|end| add(view.point(*at), end));
-            let style = Style { dashes: CONE, ..stroke(mixed(colour, PAPER, CONE_PALE), THIN) };
+            let style = Style { dashes: CONE, ..stroke(colour.mixed(PAPER, CONE_PALE), THIN) };
             vec![path(polyline([left, view.point(*at), right], false), style)]
         }
         Shape::Connector { kind, ends, lane } => {

@@ -6,7 +6,7 @@ use super::size::Size;
 use super::snapshot::Link;
 use super::solids::{self, SHORTEST_ARROW};
 use super::vector::{NONE, Rotation, UPRIGHT, Vector};
-use crate::colour::{FORCE, PALE, PAPER, mixed};
+use crate::colour::{FORCE, PALE, PAPER};
 use crate::geometry::{length, times};
 use crate::load::Value;
 use crate::load_label::{contact_label, given_label};
@@ -146,7 +146,7 @@ impl Arrows<'_> {
             MovingMesh {
                 name: cone.name.clone(),
                 label: None,
-                colour: mixed(FORCE, PAPER, CONE),
+                colour: FORCE.mixed(PAPER, CONE),
                 kind: Kind::Arrow,
                 mesh: solids::cone_outline(widest),
                 track: Placement::spanned(spans).into_iter().zip(cones()).map(sized).collect(),

@@ -14,6 +14,7 @@ use super::vector::{NONE, Vector};
 use crate::error::{DrawError, refusal};
 use crate::film::page::{exact, list, quoted};
 use crate::picture::Colour;
+use lagrange_plot::colours::linear;
 use lagrange_plot::label::Label;
 
 /// The rotation that maps z to y and y to −z.
@@ -271,18 +272,12 @@ fn primitive(
     )
 }
 
-fn material(Colour([red, green, blue, _]): Colour) -> String {
+fn material(Colour { light: [red, green, blue], .. }: Colour) -> String {
     let colour =
         list([red, green, blue].map(|channel| exact(linear(channel))).into_iter().chain(["1".into()]));
     format!(
         "{{\"pbrMetallicRoughness\":{{\"baseColorFactor\":{colour},\"metallicFactor\":0,\"roughnessFactor\":{ROUGHNESS}}}}}"
     )
-}
-
-/// Returns the linear intensity of a channel. Source: IEC 61966-2-1, *sRGB* (1999).
-fn linear(channel: u8) -> f64 {
-    let value = f64::from(channel) / 255.0;
-    if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
 }
 
 /// Returns the file: a header, then JSON and numbers, each padded to a multiple of four bytes.

@@ -8,7 +8,7 @@ use super::projector::{DARK, EDGE, LINE, Projector};
 use super::recording::{Kind, MovingMesh, Recording, Trace};
 use super::surface::Surface;
 use super::vector::Vector;
-use crate::colour::{INK, PALE, css, mixed};
+use crate::colour::{INK, PALE};
 use crate::film::page::{Page, exact, list};
 use crate::geometry::{subtract, times};
 use crate::look::Look;
@@ -95,7 +95,7 @@ impl Scene<'_> {
         let element = |(index, (text, colour)): (usize, (String, Colour))| {
             format!(
                 "<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>",
-                css(colour),
+                colour.text().css(),
                 Label::parse(&text).html()
             )
         };
@@ -155,7 +155,7 @@ impl Scene<'_> {
         });
         let Motion { origins, rotations, stretches, scales } = Motion::of(thing);
         let stretches: Vec<f64> = stretches.iter().map(|stretch| stretch / self.frame.unit).collect();
-        let edge = mixed(thing.colour, INK, DARK);
+        let edge = thing.colour.mixed(INK, DARK);
         let (line, width) = match thing.kind {
             // Only edges of holes have lines.
             Kind::Body => (edge, EDGE),
@@ -250,6 +250,6 @@ fn whole(values: &[f64]) -> String {
 }
 
 /// Returns a colour with channels from zero to one.
-fn colour(Colour([red, green, blue, _]): Colour) -> String {
+fn colour(Colour { light: [red, green, blue], .. }: Colour) -> String {
     list([red, green, blue].map(|part| number(f64::from(part) / 255.0)))
 }

@@ -5,7 +5,7 @@ use super::mesh::{Edges, normal};
 use super::recording::{Kind, MovingMesh, Recording};
 use super::sort::{Fragment, FragmentShape, back_to_front, is_convex};
 use super::vector::Vector;
-use crate::colour::{INK, PALE, mixed};
+use crate::colour::{INK, PALE, SHADOW};
 use crate::element::Reach;
 use crate::error::DrawError;
 use crate::geometry::{self, dot, length, polyline, subtract};
@@ -146,12 +146,12 @@ impl Projector {
         match &piece.shape {
             FragmentShape::Face { corners, drawn, normal } => {
                 let points: Vec<Point> = corners.iter().map(|corner| self.point(*corner)).collect();
-                let fill = mixed(INK, colour, self.camera.brightness(*normal));
+                let fill = SHADOW.mixed(colour, self.camera.brightness(*normal));
                 let segments = polyline(points.iter().copied(), true);
                 marks.push(path(segments, Some((fill, GAP)), Some(fill)));
                 let sides = outline(&points, drawn);
                 if !sides.is_empty() {
-                    marks.push(path(sides, Some((mixed(colour, INK, DARK), EDGE)), None));
+                    marks.push(path(sides, Some((colour.mixed(INK, DARK), EDGE)), None));
                 }
             }
             FragmentShape::Line(ends) => {
@@ -160,7 +160,7 @@ impl Projector {
                 let (colour, width) = match kind {
                     Some(Kind::Surroundings) => (colour, EDGE),
                     // Only edges of holes have lines.
-                    Some(Kind::Body) => (mixed(colour, INK, DARK), EDGE),
+                    Some(Kind::Body) => (colour.mixed(INK, DARK), EDGE),
                     _ => (colour, LINE),
                 };
                 match marks.last_mut() {

@@ -1,10 +1,12 @@
 use roxmltree::{Document, Node};
 
 use super::document;
-use crate::colour::INK;
-use crate::picture::{Mark, Picture};
+use crate::colour::{FORCE, INK, body};
+use crate::picture::{Mark, Picture, Segment, Style};
 use lagrange_plot::characters::number;
 use lagrange_plot::label::{Anchor, Label, SUBSCRIPT};
+
+const NAMESPACE: &str = "http://www.w3.org/2000/svg";
 
 /// Returns texts that resemble markup, contain characters forbidden in documents, or exceed any
 /// line.
@@ -55,6 +57,33 @@ fn picture(text: &str) -> Picture {
         colour: INK,
     };
     Picture { size: [100.0, 50.0], title: text.to_owned(), marks: vec![mark] }
+}
+
+#[test]
+fn every_colour_has_its_replacement_on_a_dark_ground() {
+    let style = Style { stroke: Some(FORCE), width: 2.0, dashes: &[], fill: Some(body(0)) };
+    let path = |segments| Mark::Path { segments, style: style.clone() };
+    let mut picture = picture("text");
+    picture.marks.push(path(vec![Segment::Move([1.0, 2.0]), Segment::Line([3.0, 4.0])]));
+    let svg = document(&picture);
+    let document = Document::parse(&svg).expect("is well formed");
+    let sheet = document.descendants().find(|node| node.has_tag_name((NAMESPACE, "style")));
+    let sheet = sheet.and_then(|node| node.text()).expect("has rules");
+    let mut count = 0;
+    for node in document.descendants() {
+        for attribute in ["fill", "stroke"] {
+            let Some(colour) = node.attribute(attribute) else { continue };
+            assert!(
+                sheet.contains(&format!("[{attribute}=\"{colour}\"]{{{attribute}:#")),
+                "{colour}: {sheet}"
+            );
+            count += 1;
+        }
+    }
+    assert_eq!(count, 4, "the ground, a text and a path");
+    for colour in [INK, FORCE, body(0)] {
+        assert_ne!(colour.light, colour.dark);
+    }
 }
 
 #[test]

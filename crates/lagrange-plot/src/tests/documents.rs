@@ -3,6 +3,7 @@
 use roxmltree::Document;
 
 use super::{curve, figure};
+use crate::colours::{LINES, PAPER};
 use crate::figure::PlotError;
 use crate::{Figure, Panel};
 
@@ -66,4 +67,32 @@ fn titles_describe_the_content() {
     let unnamed = Panel { curves: vec![line("a"), line("b")], ..Panel::default() };
     let panels = vec![figure(vec![line("y")]).panels.remove(0), unnamed, Panel::default()];
     assert_eq!(title(&Figure { panels, columns: 2, size: (400, 300) }), "height over time; a, b");
+}
+
+#[test]
+fn every_colour_has_its_replacement_on_a_dark_ground() {
+    let line = |index: usize| curve(&index.to_string(), [(0.0, 1.0), (1.0, index as f64)].into_iter());
+    for count in [1, 7, 30] {
+        let svg = figure((0..count).map(line).collect()).svg().expect("draws");
+        let document = Document::parse(&svg).expect("is well formed");
+        let sheet = document.descendants().find(|node| node.tag_name().name() == "style");
+        let sheet = sheet.and_then(|node| node.text()).expect("has rules");
+        for node in document.descendants() {
+            for attribute in ["fill", "stroke"] {
+                let colour = node.attribute(attribute).filter(|colour| *colour != "none");
+                let Some(colour) = colour else { continue };
+                assert!(sheet.contains(&format!("[{attribute}=\"{colour}\"]{{{attribute}:#")), "{colour}");
+            }
+        }
+        assert!(sheet.matches("stroke:").count() >= count, "{count} colours of curves");
+    }
+}
+
+#[test]
+fn the_colours_of_many_curves_contrast_with_both_grounds() {
+    let panel =
+        Panel { curves: (0..100).map(|_| curve("", std::iter::empty())).collect(), ..Panel::default() };
+    for colour in (0..100).map(|index| panel.colour(index)) {
+        assert!(colour.contrast(PAPER) >= LINES, "{colour:?}");
+    }
 }

@@ -14,6 +14,7 @@ pub(super) mod members;
 pub(super) mod messages;
 pub(super) mod method;
 pub(super) mod refusal;
+mod results;
 pub(super) mod shape;
 pub(super) mod sides;
 pub(super) mod size;

@@ -6,7 +6,6 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::bindings::{Bindings, EmittedType};
-use super::docs::with_counts;
 use super::lints::looks_rounded;
 use super::members::{Members, PreparedFields};
 use super::method::{ArgumentNames, Arguments, Method, Returns};
@@ -78,8 +77,9 @@ impl<'a> MethodWriter<'a> {
         counts: OperationCounts,
     ) {
         let lines = docs.iter().map(|line| doc(line)).collect::<TokenStream>();
-        let (docs, name) = (with_counts(lines, counts), format_ident!("{name}"));
         let returns = Returns::Vector(count);
+        let docs = self.shape.method_docs((name, returns), &lines, counts);
+        let name = format_ident!("{name}");
         self.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
     }
 

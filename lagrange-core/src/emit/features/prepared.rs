@@ -98,7 +98,8 @@ fn method(
     let (body, counts) =
         writer.lowered_prepared(&roots, arguments, prepared, |results| returns.collect(results));
     let docs = docs.iter().map(|line| doc(line)).collect();
-    Method { name: format_ident!("{name}"), docs: docs::with_counts(docs, counts), arguments, returns, body }
+    let docs = writer.shape.method_docs((name, returns), &docs, counts);
+    Method { name: format_ident!("{name}"), docs, arguments, returns, body }
 }
 
 /// Returns the prepared type, if requested.

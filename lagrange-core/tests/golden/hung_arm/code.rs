@@ -463,7 +463,7 @@ const _: () = {
                 [0.0, 0.0, -1.0, -tip_origin_x],
             ]
         }
-        /// Generalised forces Aᵀλ of the constraints.
+        /// Generalised forces Aᵀλ of the constraints, on the right-hand side of M q̈ = f + Aᵀλ.
         ///
         /// Takes 1 addition, 4 multiplications, 1 `sin_cos`.
         #[must_use]
