@@ -118,7 +118,7 @@ fn rockets_follow_tsiolkovsky() {
     close_to(&run.last(), &[120.0, height, 20.0, 3.0, speed], 1e-11);
 
     let spinner = Spinner::default();
-    let turning = SpinnerState { hull_wz: 0.7, ..SpinnerState::from(spinner.start()) };
+    let turning = SpinnerState { hull_wz: 0.7, ..spinner.start() };
     let run = spinner.simulate(turning).until(40.0).tolerance(1e-12).run().expect("climbs");
     let end = SpinnerState::from(run.last());
     close_to(&[end.hull_z, end.hull_vz, end.hull_wz], &[height, speed, 0.7], 1e-11);
@@ -169,5 +169,5 @@ fn power_and_momenta_balance() {
     check(&Wheel::default(), &[0.3, 0.7, 0.9, 2.1, 0.4, -0.6]);
     check(&Cart::default(), &[0.3, 5.0, 2.0, 0.7]);
     check(&Leaking::default(), &[0.3, 0.5, 0.1, -0.7, 0.5, -0.4, 1.7, 0.6, -0.8, 0.5, 0.3, 1.1]);
-    check(&Shaft::default(), &[0.1, 0.2, 0.3, 0.4, 0.9, 0.5, 0.8, 1.1, -0.4, 0.6, 0.2, 0.9, -1.3]);
+    check(&Shaft, &[0.1, 0.2, 0.3, 0.4, 0.9, 0.5, 0.8, 1.1, -0.4, 0.6, 0.2, 0.9, -1.3]);
 }
