@@ -121,9 +121,12 @@ fn css([red, green, blue]: [u8; 3]) -> String {
 
 /// Returns the style sheet of an SVG document with these colours and the paper.
 pub fn style(colours: impl IntoIterator<Item = Colour>) -> String {
-    // Mixtures that are equal on paper differ by rounding only.
-    let colours: BTreeMap<_, _> =
+    let mut colours: BTreeMap<_, _> =
         colours.into_iter().chain([PAPER]).map(|colour| (colour.light, colour.dark)).collect();
+    // A shade may equal a named colour on paper alone.
+    for named in CURVES.into_iter().chain([GRID, INK]) {
+        colours.entry(named.light).and_modify(|dark| *dark = named.dark);
+    }
     let mut rules = String::new();
     for (light, dark) in colours {
         let (light, dark) = (css(light), css(dark));
@@ -166,6 +169,12 @@ mod tests {
         }
         assert!(INK.text() == INK && CURVES[0].text() == CURVES[0], "they are legible without ink");
         assert!(PAPER.text().contrast(PAPER) >= TEXT);
+    }
+
+    #[test]
+    fn shades_that_look_like_ink_on_paper_do_not_change_text() {
+        let shade = Colour::new(0x28_28_28, 0x90_90_90);
+        assert_eq!(style([INK, shade]), style([INK]));
     }
 
     #[test]

@@ -18,6 +18,10 @@ pub(super) fn unmoved(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
     let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
     let graph = &elaborator.evaluator.graph;
     let depends = |kinds| value.components().iter().any(|&part| graph.dependencies(part).intersects(kinds));
+    // Noise is reported in the energies of the body.
+    if depends(Dependencies::NOISE) {
+        return;
+    }
     let (message, help) = if depends(Dependencies::INPUT) {
         (words::matter_of_input(what), words::MATTER_OF_INPUT_HELP)
     } else if value.components().iter().any(|&part| !graph.dependencies(part).is_within(ALLOWED)) {
@@ -33,6 +37,14 @@ pub(super) fn unmoved(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
 /// constant masses.
 pub(super) fn changes(elaborator: &mut Elaborator, body: &Name, mass: AstId, inertia: &[AstId]) {
     let Some(mass) = value_of(&mut elaborator.evaluator, mass) else { return };
+    let values = inertia.iter().filter_map(|&entry| value_of(&mut elaborator.evaluator, entry));
+    let values = values.flat_map(|value| value.components().to_vec()).chain(mass.components().to_vec());
+    let values = values.collect::<Vec<_>>();
+    let graph = &elaborator.evaluator.graph;
+    let are = |kinds| values.iter().all(|&value| graph.dependencies(value).is_within(kinds));
+    if are(Dependencies::PARAMETER) || !are(ALLOWED) {
+        return;
+    }
     let sources = changing_symbols(elaborator, mass.components());
     for &entry in inertia {
         let Some(value) = value_of(&mut elaborator.evaluator, entry) else { return };

@@ -415,6 +415,7 @@ fn inertia_changes_with_the_mass_only() {
     };
     motion(&scene("mass: m; inertia: 1 + m^2;", ""));
     motion(&scene("mass: m; shape: disk(1);", "let late = 2 * m;"));
+    motion(&scene("mass: c; inertia: 2 * c;", "param a = 1; let c = 2 * a; emit { regressor }"));
     for (items, other, expected) in [
         ("mass: 1; inertia: m;", "", "the moment of inertia of `b` changes without its mass"),
         ("mass: m; inertia: 1 + t^2;", "", "the moment of inertia of `b` changes without its mass"),
@@ -428,6 +429,17 @@ fn inertia_changes_with_the_mass_only() {
             "emit { regressor }",
             "`regressor` needs constant parameters, but the mass of `b` changes",
         ),
+        (
+            "mass: 1 + c; inertia: 1;",
+            "discrete c = 1; emit { regressor }",
+            "`regressor` needs constant parameters, but the mass of `b` changes",
+        ),
+        (
+            "mass: 1 + c; inertia: 1;",
+            "solve c: 0 = c - cos(x); emit { regressor }",
+            "the mass of `b` must not depend on coordinates or velocities",
+        ),
+        ("mass: 1 + c; inertia: 1;", "noise c, density: 1;", "the noise `c` has no values here"),
         (
             "mass: 1 + late; inertia: 1;",
             "let late = delay(m, 1);",

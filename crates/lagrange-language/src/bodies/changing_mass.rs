@@ -22,15 +22,16 @@ pub(super) fn matter(translation: &mut Translation<'_>, id: AstId, what: &str) -
     value
 }
 
-/// True if mass or inertia of a body may have a rate. The inertia then only changes with the mass.
+/// True if mass or inertia of a body may have a rate. Both are checked if they may change at all.
 pub(super) fn may_change(
     translation: &mut Translation<'_>,
     body: &Name,
     mass: AstId,
     inertia: Vec<AstId>,
 ) -> bool {
-    let changes = inertia.iter().chain([&mass]).any(|&value| translation.may_change(value));
-    if changes {
+    let all = || inertia.iter().chain([&mass]);
+    let changes = all().any(|&value| translation.may_change(value));
+    if !all().all(|&value| translation.is_at_rest(value)) {
         translation.obligations.push(Obligation::Matter { body: body.clone(), mass, inertia });
     }
     changes

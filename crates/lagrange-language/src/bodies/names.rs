@@ -20,8 +20,8 @@ pub(super) struct SceneNames {
     fixed: HashSet<String>,
     /// Names of numbers without a rate: these, discrete states, and definitions by them.
     steady: HashSet<String>,
-    /// Names on which no mass may depend: inputs, delayed values, coordinates, and definitions by
-    /// them.
+    /// Names on which no mass may depend: all except parameters, constants, states, modes, and
+    /// definitions by them.
     unsuited: HashSet<String>,
     /// Parameters.
     parameters: HashSet<String>,
@@ -205,16 +205,14 @@ fn keeps_value(declaration: &Declaration, kind: &StatementKind, steady: &HashSet
 /// True if no mass may depend on what a statement defines, given such names before it.
 fn is_unsuited(declaration: &Declaration, kind: &StatementKind, unsuited: &HashSet<String>) -> bool {
     match kind {
-        StatementKind::Inputs(_)
-        | StatementKind::Delay { .. }
-        | StatementKind::Coordinates(_)
-        | StatementKind::Quaternion(_)
-        | StatementKind::Velocity(..)
-        | StatementKind::Scene(SceneStatement::Mobilizer(_)) => true,
         StatementKind::Let(_, value) | StatementKind::LetTuple(_, value) => {
             !declaration.expressions.all_names(*value, |name| !unsuited.contains(name))
         }
-        _ => false,
+        StatementKind::Parameters(_)
+        | StatementKind::Constants(_)
+        | StatementKind::Mode(_)
+        | StatementKind::States(..) => false,
+        _ => true,
     }
 }
 

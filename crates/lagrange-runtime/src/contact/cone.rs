@@ -139,11 +139,18 @@ impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
         }
         let by_matrix = (const { N <= UNROLLED } && count <= N)
             .then(|| Cone::<_, N, K, N>::new(self, choices, true, entry).best(start));
-        if let Some(found) = by_matrix.filter(|found| found.is_exact) {
-            return found;
+        if let Some(found) = by_matrix.as_ref().filter(|found| found.is_exact) {
+            return Approximation { ..*found };
         }
         // Few reactions may depend on each other, too, as at two corners of a body.
-        Cone::<_, N, K, 0>::new(self, choices, true, entry).best(start)
+        let mut found = Cone::<_, N, K, 0>::new(self, choices, true, entry).best(start);
+        if let Some(other) = by_matrix {
+            found.iterations += other.iterations;
+            if !found.is_exact && other.residual.0 < found.residual.0 {
+                found = Approximation { iterations: found.iterations, ..other };
+            }
+        }
+        found
     }
 }
 

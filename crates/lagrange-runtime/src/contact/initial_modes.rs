@@ -51,7 +51,7 @@ where
         return Err(StepFailure::NotFinite);
     }
     terms.restitutions(system, &modes, |k| !system.restitution_varies(k))?;
-    terms.check_limits(system, &modes)?;
+    terms.check_limits(system, &modes, &terms.rows)?;
     let position = Position::of(system, &terms, [t, M::Scalar::ZERO], (&q, &v));
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
         return Err(StepFailure::Violated(Violation::of_gap(system.reaction_name(k), terms.gaps[k])));

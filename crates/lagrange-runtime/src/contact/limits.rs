@@ -25,14 +25,20 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         }
     }
 
-    /// Checks limits of friction that contain no constraint forces.
+    /// Checks limits of friction that contain no constraint forces. The gradients `rows` are in the
+    /// coordinates of the responses.
     ///
     /// A limit may be negative if it is small relative to the forces at its friction. Where v
     /// changes its sign, `abs(v)` continues as v up to the event.
     ///
     /// # Errors
     /// If a limit is negative for all forces of the contacts.
-    pub(super) fn check_limits<M>(&self, system: &M, modes: &[Mode; K]) -> Result<(), StepFailure<S>>
+    pub(super) fn check_limits<M>(
+        &self,
+        system: &M,
+        modes: &[Mode; K],
+        rows: &[[S; N]; K],
+    ) -> Result<(), StepFailure<S>>
     where
         M: ContactSystem<N, K, Scalar = S>,
     {
@@ -43,7 +49,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             };
             let negative = negative(side, self.kinetic[k], of(|slope| slope.kinetic), modes)
                 .or_else(|| negative(side, self.fixed[k], of(|slope| slope.fixed), modes));
-            if let Some(value) = negative.filter(|value| self.is_felt(k, -*value)) {
+            if let Some(value) = negative.filter(|value| self.is_felt(k, &rows[k], -*value)) {
                 return Err(StepFailure::FrictionLimit { friction: system.reaction_name(k), value });
             }
         }
@@ -52,8 +58,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
 
     /// True if this value is more than rounding relative to the forces that friction k would have
     /// to hold. It may be a limit, or the growth of a limit with the force of a contact.
-    fn is_felt(&self, k: usize, limit: S) -> bool {
-        let response = self.size_of(k, &self.responses[k]);
+    fn is_felt(&self, k: usize, row: &[S; N], limit: S) -> bool {
+        let parts = row.iter().zip(&self.responses[k]);
+        let response = parts.fold(S::ZERO, |sum, (entry, response)| sum + (*entry * *response).abs());
         let force = if response > S::ZERO { self.acceleration_of(k) / response } else { S::ZERO };
         limit > S::epsilon().sqrt() * force.min(S::ONE)
     }

@@ -318,7 +318,7 @@ impl<S, const N: usize, const K: usize, const L: usize> DerefMut for Terms<S, N,
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Returns the slopes of the limits of friction k.
+    /// Returns the slopes of the limits of friction k, in any order.
     fn slopes_of(&self, k: usize) -> impl Iterator<Item = &LimitSlope<S>> {
         self.slopes.iter().filter(move |slope| slope.limited == k)
     }

@@ -33,9 +33,10 @@ use super::law::ContactLaw;
 use super::pace::Pace;
 use super::responses::Metric;
 use super::slip::{is_planar, present_direction};
-use super::{Contact, Friction, Mode, Terms};
+use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::linalg::vector::inner;
 use crate::scalar::Scalar;
+use crate::system::StepFailure;
 use crate::tolerance::{BOUND, IMPACT_ENERGY};
 
 /// Speed of approach from which a contact is hit, as a multiple of the change by other forces.
@@ -99,11 +100,25 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         vectors.into_iter().all(|vector| are(vector)) && are_slopes && are_complete
     }
 
+    /// Checks limits of friction that contain no constraint forces.
+    pub(super) fn check_limits<M>(&mut self, system: &M) -> Result<(), StepFailure<S>>
+    where
+        M: ContactSystem<N, K, Scalar = S>,
+    {
+        self.metric.respond(self.terms, &[true; K]);
+        let rows = if self.metric.is_normal() { &self.terms.responses } else { &self.terms.rows };
+        self.terms.check_limits(system, self.modes, rows)
+    }
+
     /// Searches for the impulses, starting from these. Contacts that others push together take part
-    /// once they would overlap. Contacts with an impulse at the start take part from the beginning.
+    /// once they would overlap. Closed ones with an impulse at the start take part from the
+    /// beginning.
     pub(super) fn solve(&mut self, restitutions: &[S; K], start: &[S; K]) -> Impulses<S, N, K> {
         let mut acts = [false; K];
-        (0..K).for_each(|k| acts[k] = start[k] > S::ZERO || self.closes(k, self.free[k]));
+        for (k, acts) in acts.iter_mut().enumerate() {
+            let pressed = self.is_contact(k) && start[k] > S::ZERO && self.open_gap(k) == S::ZERO;
+            *acts = pressed || self.closes(k, self.free[k]);
+        }
         let (mut start, mut iterations) = (*start, 0);
         loop {
             let choices = self.choices(&acts);

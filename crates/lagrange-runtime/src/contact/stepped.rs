@@ -325,8 +325,7 @@ where
         }
         let restitutions = step.terms.restitutions(system, &modes, |_| true)?;
         if step.terms.may_have_negative_limits(&modes) {
-            metric.respond(step.terms, &[true; K]);
-            step.terms.check_limits(system, &modes)?;
+            step.check_limits(system)?;
         }
         let found = step.solve(&restitutions, &self.expected(h));
         work.iterations += u64::from(found.iterations);

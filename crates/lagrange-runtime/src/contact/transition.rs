@@ -46,7 +46,8 @@ where
     correct(system, t, &mut held)?;
     let (q, v) = parts::<M, N>(&held);
     let instant = Instant { system, t, elapsed, q, v };
-    instant.terms(&v).check_limits(system, &modes)?;
+    let terms = instant.terms(&v);
+    terms.check_limits(system, &modes, &terms.rows)?;
     match modes[k] {
         Mode::Contact(Contact::Open) => instant.hit(k),
         Mode::Contact(Contact::Closed) => instant.end(k, Choice::Only(Rule::Absent)),

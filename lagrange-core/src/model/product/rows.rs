@@ -111,7 +111,7 @@ pub(super) const ROWS: [ProductRow; 41] = [
     ProductRow::new(Product::EventJacobian, "event_jacobian", Events)
         .with_method(Whole, Matrix(Extent::Events, Extent::StateAndTime), &[
             "Derivatives of the functions of declared events, in rows, by the entries of the state and, last,",
-            "by time. For contacts they are those of the gaps, which are positive apart.",
+            "by time. Gaps of contacts are positive while bodies are apart.",
         ])
         .in_unit(Quotient),
     ProductRow::new(Product::Prepared, "prepared", Demand),

@@ -26,7 +26,8 @@ const LEFT: f64 = 1e-2;
 /// reduces it. Reactions that are not determined have such errors.
 const NEARLY: f64 = 1e-2;
 /// Largest error, relative to the forces and to the root of the rounding unit, with which impulses
-/// obey the law. In single precision, the roundings of a search would be a few percent.
+/// obey the law. It matters in single precision, where the roundings of a search would be a few
+/// percent. The root itself misses the limit of residuals where a small body has large rates.
 const LARGEST: f64 = 0.1;
 
 /// The kind of a step.
