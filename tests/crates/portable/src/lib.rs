@@ -37,7 +37,7 @@ pub const ROWS: [Row; 10] = [
     row("adaptive steps", motions::adaptive, 0x2cb5_30b5_1107_b2f7),
     row("Taylor series", motions::series, 0x20bf_6696_0e5b_3ac2),
     row("implicit steps", motions::implicit, 0xb48e_8050_ad13_8801),
-    row("contacts, impacts and friction", motions::contacts, 0xa1a7_6d50_44a0_c760),
+    row("contacts, impacts and friction", motions::contacts, 0xa189_9e73_ded2_3079),
     row("constraints and events", motions::events, 0xd47b_c1fd_bb16_fbfd),
 ];
 
