@@ -32,8 +32,8 @@
 //! are corrected accordingly.
 //!
 //! The multipliers λ of constraints are unknowns of the same kind. R contains the forces −Aᵀλ and
-//! is followed by the rates ċ̇ of the constraints. Unknowns that the matrix does not couple, such as
-//! those of separate bodies, are solved apart.
+//! is followed by the rates ċ̇ of the constraints. Unknowns that the matrix does not couple, such
+//! as those of separate bodies, are solved apart.
 //!
 //! # A pendulum in numbers
 //!
