@@ -210,7 +210,7 @@ fn push_rotation(translation: &mut Translation<'_>, inertia: AstId, angle: AstId
     Some(kinetic)
 }
 
-/// Adds the momenta of matter that leaves or joins a body: of its translation and its rotation.
+/// Adds the loads of matter that leaves or joins a body: of its translation and its rotation.
 fn push_influxes(
     translation: &mut Translation<'_>,
     name: &str,
@@ -219,16 +219,6 @@ fn push_influxes(
 ) {
     let mut terms = translation.terms();
     let (velocity, spin) = (terms.call("dot", &[center]), terms.rate(angle));
-    let parts = [(mass, velocity, "influx"), (inertia, spin, "spin_influx")];
-    for (matter, velocity, kind) in parts {
-        if !translation.may_change(matter) {
-            continue;
-        }
-        let mut terms = translation.terms();
-        let rate = terms.rate(matter);
-        let momentum = terms.times(rate, velocity);
-        if !terms.is_zero(momentum) {
-            push_influx(translation, &format!("{name}_{kind}"), momentum, velocity);
-        }
-    }
+    push_influx(translation, &format!("{name}_influx"), mass, velocity);
+    push_influx(translation, &format!("{name}_spin_influx"), inertia, spin);
 }

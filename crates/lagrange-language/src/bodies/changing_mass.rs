@@ -37,8 +37,21 @@ pub(super) fn may_change(
     changes
 }
 
+/// Adds the load of a mass or moment of inertia that may change, along a scalar or vector velocity.
+pub(super) fn push_influx(translation: &mut Translation<'_>, name: &str, matter: AstId, velocity: AstId) {
+    if !translation.may_change(matter) {
+        return;
+    }
+    let mut terms = translation.terms();
+    let rate = terms.rate(matter);
+    let momentum = terms.times(rate, velocity);
+    if !terms.is_zero(momentum) {
+        push_load(translation, name, momentum, velocity);
+    }
+}
+
 /// Adds the load `momentum` along `velocity` under a name; both are scalars or vectors.
-pub(super) fn push_influx(translation: &mut Translation<'_>, name: &str, momentum: AstId, velocity: AstId) {
+pub(super) fn push_load(translation: &mut Translation<'_>, name: &str, momentum: AstId, velocity: AstId) {
     let force = translation.bind(name, momentum);
     translation.push(StatementKind::ForceAlong { force, velocity });
 }

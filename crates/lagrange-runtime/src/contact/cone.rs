@@ -139,12 +139,13 @@ impl<S: Scalar, const N: usize, const K: usize> ContactLaw<'_, S, N, K> {
         }
         let by_matrix = (const { N <= UNROLLED } && count <= N)
             .then(|| Cone::<_, N, K, N>::new(self, choices, true, entry).best(start));
-        if let Some(found) = by_matrix.as_ref().filter(|found| found.is_exact) {
-            return Approximation { ..*found };
-        }
+        let inexact = match by_matrix {
+            Some(found) if found.is_exact => return found,
+            other => other,
+        };
         // Few reactions may depend on each other, too, as at two corners of a body.
         let mut found = Cone::<_, N, K, 0>::new(self, choices, true, entry).best(start);
-        if let Some(other) = by_matrix {
+        if let Some(other) = inexact {
             found.iterations += other.iterations;
             if !found.is_exact && other.residual.0 < found.residual.0 {
                 found = Approximation { iterations: found.iterations, ..other };

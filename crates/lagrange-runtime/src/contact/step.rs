@@ -106,8 +106,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         M: ContactSystem<N, K, Scalar = S>,
     {
         self.metric.respond(self.terms, &[true; K]);
-        let rows = if self.metric.is_normal() { &self.terms.responses } else { &self.terms.rows };
-        self.terms.check_limits(system, self.modes, rows)
+        self.terms.check_limits(system, self.modes, self.rows())
     }
 
     /// Searches for the impulses, starting from these. Contacts that others push together take part
@@ -157,9 +156,12 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
     }
 
     fn law(&self, offsets: [S; K], presence: S) -> ContactLaw<'_, S, N, K> {
-        let terms = &*self.terms;
-        let rows = if self.metric.is_normal() { &terms.responses } else { &terms.rows };
-        ContactLaw { rows, ..ContactLaw::new(terms, offsets, presence) }
+        ContactLaw { rows: self.rows(), ..ContactLaw::new(self.terms, offsets, presence) }
+    }
+
+    /// Returns the gradients of rates, in the coordinates of the responses.
+    fn rows(&self) -> &[[S; N]; K] {
+        if self.metric.is_normal() { &self.terms.responses } else { &self.terms.rows }
     }
 
     /// Returns the velocities that these impulses add.

@@ -8,7 +8,7 @@ use super::links::{Link, MassProperties, Path};
 use super::messages as words;
 use super::poses::{behind, named_vector};
 use super::vectors::{apply, half_square, inner, matrix_of, minus, plus, scale};
-use crate::bodies::changing_mass::push_influx;
+use crate::bodies::changing_mass::{push_influx, push_load};
 use crate::bodies::drawing::{Load, draw_force};
 use crate::bodies::expressions::plain_expression;
 use crate::bodies::messages::{self, mobilizers as joints};
@@ -196,11 +196,8 @@ fn push_translation(
     let energy = translation.terms().call("kinetic_energy", &[inertia.mass, velocity]);
     let energy = translation.bind(&format!("{}_T_translation", name.text), energy);
     translation.push(StatementKind::Kinetic(energy));
-    if inertia.changes && translation.may_change(inertia.mass) {
-        let mut terms = translation.terms();
-        let rate = terms.rate(inertia.mass);
-        let momentum = terms.times(rate, velocity);
-        push_influx(translation, &format!("{}_influx", name.text), momentum, velocity);
+    if inertia.changes {
+        push_influx(translation, &format!("{}_influx", name.text), inertia.mass, velocity);
     }
     Some(energy)
 }
@@ -232,7 +229,7 @@ fn push_rotation(
         let rates = tensor.map(|entry| terms.rate(entry));
         let momentum = apply(&mut terms, matrix_of(rates), pose.spin);
         let (momentum, spin) = (terms.vector(&momentum), terms.vector(&pose.spin));
-        push_influx(translation, &format!("{}_spin_influx", name.text), momentum, spin);
+        push_load(translation, &format!("{}_spin_influx", name.text), momentum, spin);
     }
     Some(energy)
 }
