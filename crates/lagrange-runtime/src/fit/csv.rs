@@ -8,9 +8,6 @@ use std::vec::Vec;
 use super::data::{Data, DataError, Measured};
 use crate::simulate::TIME;
 
-/// Separator between a name and its unit.
-const UNIT: &str = " in ";
-
 impl Data {
     /// Reads comma-separated values as [`write_csv`](crate::simulate::Trajectory::write_csv) writes
     /// them: a line of names, among them `t`, and a line for each time. A name may end in its unit,
@@ -39,7 +36,7 @@ fn parse(text: &str) -> Result<Data, DataError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut lines = text.lines().enumerate().map(|(index, line)| (index + 1, line));
     let (_, head) = lines.next().ok_or(DataError::NoTimes)?;
-    let mut columns = cells(head, 1)?.iter().map(|cell| named(cell)).collect::<Vec<_>>();
+    let mut columns = cells(head, 1)?.iter().map(|cell| Measured::named(cell)).collect::<Vec<_>>();
     for (line, text) in lines.filter(|(_, text)| !text.trim().is_empty()) {
         let cells = cells(text, line)?;
         if cells.len() != columns.len() {
@@ -50,11 +47,8 @@ fn parse(text: &str) -> Result<Data, DataError> {
             column.values.push(value);
         }
     }
-    let place = columns.iter().position(|column| column.name == TIME).ok_or(DataError::NoTimes)?;
-    let times = columns.remove(place);
-    let without = |line| DataError::NotANumber { line, column: TIME.into(), text: String::new() };
-    let times = times.values.into_iter().enumerate().map(|(row, time)| time.ok_or_else(|| without(row + 2)));
-    Ok(Data { times: times.collect::<Result<_, _>>()?, columns })
+    let without = |row| DataError::NotANumber { line: row + 2, column: TIME.into(), text: String::new() };
+    Data::of_columns(columns, without)
 }
 
 /// Returns the number in a cell, if it is not empty.
@@ -65,18 +59,6 @@ fn number(cell: &str, line: usize, column: &Measured) -> Result<Option<f64>, Dat
     }
     let wrong = || DataError::NotANumber { line, column: column.name.clone(), text: cell.to_string() };
     cell.parse::<f64>().ok().filter(|value| value.is_finite()).map(Some).ok_or_else(wrong)
-}
-
-/// Returns a column without values, from its name with a unit. A leading apostrophe, which keeps
-/// spreadsheets from treating a name as a formula, is removed.
-fn named(cell: &str) -> Measured {
-    let cell = cell.trim();
-    let cell = cell.strip_prefix('\'').unwrap_or(cell);
-    let (name, unit) = match cell.rsplit_once(UNIT) {
-        Some((name, unit)) => (name, Some(unit.trim().to_string())),
-        None => (cell, None),
-    };
-    Measured { name: name.trim().to_string(), unit, values: Vec::new() }
 }
 
 /// Returns the cells of a line (RFC 4180, without line breaks in cells).

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use crate::simulate::TIME;
+
 /// Measured values in columns, at ascending times. Values may be missing.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Data {
@@ -21,7 +23,36 @@ pub(super) struct Measured {
     pub(super) values: Vec<Option<f64>>,
 }
 
+impl Measured {
+    /// Returns a column without values, from its name with a unit, as in `x in m`. A leading
+    /// apostrophe, which keeps spreadsheets from treating a name as a formula, is removed.
+    pub(super) fn named(name: &str) -> Measured {
+        let name = name.trim();
+        let name = name.strip_prefix('\'').unwrap_or(name);
+        let (name, unit) = match name.rsplit_once(" in ") {
+            Some((name, unit)) => (name, Some(unit.trim().to_string())),
+            None => (name, None),
+        };
+        Measured { name: name.trim().to_string(), unit, values: Vec::new() }
+    }
+}
+
 impl Data {
+    /// Returns data with the times of the column `t`.
+    ///
+    /// # Errors
+    /// If there is no such column. The error of the first missing time is that of its row, counted
+    /// from zero.
+    pub(super) fn of_columns(
+        mut columns: Vec<Measured>,
+        missing: impl Fn(usize) -> DataError,
+    ) -> Result<Data, DataError> {
+        let place = columns.iter().position(|column| column.name == TIME).ok_or(DataError::NoTimes)?;
+        let times = columns.remove(place).values.into_iter().enumerate();
+        let times = times.map(|(row, time)| time.ok_or_else(|| missing(row)));
+        Ok(Data { times: times.collect::<Result<_, _>>()?, columns })
+    }
+
     /// Creates data without columns, at these times.
     pub fn new(times: impl Into<Vec<f64>>) -> Data {
         Data { times: times.into(), columns: Vec::new() }
@@ -91,6 +122,15 @@ pub enum DataError {
         /// The cell.
         text: String,
     },
+    /// A value in a column of a Parquet file is not a finite number.
+    NotANumberInRow {
+        /// Number of the row, counted from one.
+        row: usize,
+        /// Name of the column.
+        column: String,
+        /// The value.
+        text: String,
+    },
     /// A cell begins with a quotation mark that is never closed.
     OpenQuotation {
         /// Number of the line, counted from one.
@@ -103,7 +143,7 @@ impl Display for DataError {
         match self {
             DataError::Unreadable { path, reason } => write!(f, "cannot read `{}`: {reason}", path.display()),
             DataError::NoTimes => {
-                f.write_str("there is no column `t`: the first line must name one, as in `t in s,x in m`")
+                f.write_str("there is no column `t`: name the column of times `t`, or `t in s` with its unit")
             }
             DataError::Cells { line, found, wanted } => {
                 write!(f, "line {line} has {found} cells and the first line {wanted}")
@@ -111,6 +151,10 @@ impl Display for DataError {
             DataError::NotANumber { line, column, text } => write!(
                 f,
                 "`{text}` in line {line}, column `{column}`, is not a finite number; leave cells of missing values empty"
+            ),
+            DataError::NotANumberInRow { row, column, text } => write!(
+                f,
+                "`{text}` in row {row}, column `{column}`, is not a finite number; missing values are null"
             ),
             DataError::OpenQuotation { line } => write!(f, "a quotation in line {line} does not end there"),
         }

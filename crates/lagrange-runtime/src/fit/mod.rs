@@ -54,6 +54,8 @@ mod data;
 mod error;
 mod fitted;
 mod least_squares;
+#[cfg(feature = "parquet")]
+mod parquet;
 #[cfg(feature = "plot")]
 mod plots;
 mod problem;

@@ -99,6 +99,8 @@ pub use self::gradient::Gradient;
 pub(crate) use self::observer::state_names;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::observer::{columns_of, energy, inputs};
+#[cfg(all(feature = "fit", feature = "parquet"))]
+pub(crate) use self::parquet::UNIT_KEY;
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::parquet::units;
 #[cfg(feature = "ensemble")]

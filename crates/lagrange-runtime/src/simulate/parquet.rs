@@ -25,7 +25,7 @@ use lagrange_files::save;
 /// Name of the schema.
 const SCHEMA: &str = "trajectory";
 /// Prefix of a column name in the key of its unit.
-const UNIT: &str = "lagrange.unit.";
+pub(crate) const UNIT_KEY: &str = "lagrange.unit.";
 
 impl<M: MechanicalSystem> Trajectory<M>
 where
@@ -83,7 +83,7 @@ pub(crate) fn units<'n>(
     system: &Description,
     names: impl Iterator<Item = &'n str>,
 ) -> impl Iterator<Item = KeyValue> {
-    names.filter_map(|name| Some(KeyValue::new(format!("{UNIT}{name}"), unit(system, name)?.to_string())))
+    names.filter_map(|name| Some(KeyValue::new(format!("{UNIT_KEY}{name}"), unit(system, name)?.to_string())))
 }
 
 /// Returns a schema with a column of doubles for the time and for each name.
