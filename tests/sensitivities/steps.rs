@@ -1,7 +1,11 @@
 //! Derivatives of one step are those of the step as computed.
 
 use lagrange::Simulate;
-use lagrange::integrate::{RungeKutta4, rk4_step, rk4_step_derivatives};
+use lagrange::integrate::{
+    BlanesMoan4, DifferentiableStep, GaussLegendre, RungeKutta4, StepFailure, Stepper, StormerVerlet,
+    SymplecticEuler, rk4_step,
+};
+use lagrange::system::ParametricSystem;
 
 lagrange::system! {
     /// A cart that carries a pendulum.
@@ -50,7 +54,7 @@ fn steps_compose_to_the_sensitivities_of_a_motion() {
     let mut columns = [[0.0; 4], [0.0; 4], [0.0; 4], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     for index in 0..steps {
         let t = f64::from(index) * h;
-        let step = rk4_step_derivatives(&cart, t, &y, h, [0, 3, 4]).expect("emitted");
+        let step = RungeKutta4 { step: h }.step_derivatives(&cart, t, &y, [0, 3, 4]).expect("emitted");
         assert_eq!(step.end, rk4_step(&cart, t, &y, h));
         let times = |column: [f64; 4]| {
             step.by_state.map(|row| row.iter().zip(column).map(|(entry, part)| entry * part).sum::<f64>())
@@ -89,18 +93,126 @@ fn a_linear_system_has_the_polynomial_of_the_method() {
         power = product(power);
         factor *= f64::from(order);
     }
-    let step = rk4_step_derivatives(&oscillator, 0.0, &[0.3, -0.2], h, [2]).expect("emitted");
+    let step =
+        RungeKutta4 { step: h }.step_derivatives(&oscillator, 0.0, &[0.3, -0.2], [2]).expect("emitted");
     let found = step.by_state.iter().flatten().zip(wanted.iter().flatten());
     let found = found.chain(step.by_numbers[0].iter().zip(&by_push));
     for (found, wanted) in found {
         assert!((found - wanted).abs() < 1e-15, "{step:?} {wanted:?}");
     }
-    let small =
-        rk4_step_derivatives(&Oscillator::<f32>::default(), 0.0, &[0.3, -0.2], 0.1, [2]).expect("emitted");
+    let small = Oscillator::<f32>::default();
+    let small = RungeKutta4 { step: 0.1 }.step_derivatives(&small, 0.0, &[0.3, -0.2], [2]).expect("emitted");
     assert!((f64::from(small.by_state[1][0]) - wanted[1][0]).abs() < 1e-6);
 }
 
+lagrange::system! {
+    /// Two masses in a potential that is neither even nor quadratic, pulled and shaken.
+    struct Masses<S>;
+    param m = 1.3, k = 2.0, b = 0.7;
+    coord x, y;
+    input pull;
+    kinetic = 1/2 * m * (dot(x)^2 + 2 * dot(y)^2);
+    potential = 1/2 * k * (x^2 + y^2) + b * x * y^2 + 1/4 * x^4;
+    force x = pull * y + sin(3 * t);
+    emit { jacobian }
+}
+
+const PLACE: [f64; 4] = [0.4, -0.7, 0.3, 0.9];
+
+/// Derivatives of a step by eighth-order differences of steps, and the step as a run takes it.
+fn check_beside_differences<M, D>(system: &M, method: &D, y: [f64; 4], tolerance: f64)
+where
+    M: ParametricSystem + lagrange::system::OdeSystem<Scalar = f64, State = [f64; 4]>,
+    D: DifferentiableStep<M>,
+{
+    let t = 0.2;
+    let end = |system: &M, y: [f64; 4]| {
+        let mut stepper = method.start(system, t, &y, 10.0).expect("a start");
+        stepper.step(system, 10.0).expect("a step");
+        *stepper.state()
+    };
+    let indices = [0, 1, M::NUMBERS.len() - 1];
+    let found = method.step_derivatives(system, t, &y, indices).expect("emitted");
+    assert_eq!(found.end, end(system, y), "{}", method.name());
+    let slope = |ends: &dyn Fn(f64) -> [f64; 4]| {
+        let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+        let (scale, mut sum) = (1e-2, [0.0; 4]);
+        for (index, weight) in weights.into_iter().enumerate() {
+            let by = scale * (index + 1) as f64;
+            let (there, here) = (ends(by), ends(-by));
+            (0..4).for_each(|i| sum[i] += weight * (there[i] - here[i]) / scale);
+        }
+        sum
+    };
+    let check = |found: f64, wanted: f64| {
+        assert!((found - wanted).abs() < tolerance, "{}: {found} {wanted}", method.name());
+    };
+    for j in 0..4 {
+        let wanted = slope(&|by| end(system, std::array::from_fn(|i| y[i] + if i == j { by } else { 0.0 })));
+        (0..4).for_each(|i| check(found.by_state.as_ref()[i][j], wanted[i]));
+    }
+    for (column, index) in found.by_numbers.iter().zip(indices) {
+        let value = system.number(index).expect("a number");
+        let wanted = slope(&|by| end(&system.with_number(index, value + by), y));
+        (0..4).for_each(|i| check(column[i], wanted[i]));
+    }
+}
+
 #[test]
-fn systems_without_emitted_derivatives_have_none() {
-    assert!(rk4_step_derivatives(&Plain, 0.0, &[0.0, 1.0], 0.1, []).is_none());
+fn steps_of_all_methods_have_the_derivatives_of_differences() {
+    let masses = Masses { pull: 0.6, ..Masses::default() };
+    let cart = CartPole { push: 0.7, ..CartPole::default() };
+    for step in [1e-3, 0.05, 0.3] {
+        check_beside_differences(&masses, &RungeKutta4 { step }, PLACE, 1e-11);
+        check_beside_differences(&masses, &SymplecticEuler { step }, PLACE, 1e-11);
+        check_beside_differences(&masses, &StormerVerlet { step }, PLACE, 1e-11);
+        check_beside_differences(&masses, &BlanesMoan4 { step }, PLACE, 1e-11);
+        check_beside_differences(&masses, &GaussLegendre::<_, 1> { step }.plain(), PLACE, 1e-11);
+        check_beside_differences(&masses, &GaussLegendre::<_, 2> { step }.plain(), PLACE, 1e-11);
+        check_beside_differences(&masses, &GaussLegendre::<_, 3> { step }.plain(), [0.0; 4], 1e-11);
+    }
+    for step in [1e-3, 0.05] {
+        check_beside_differences(&cart, &RungeKutta4 { step }, START, 1e-9);
+        check_beside_differences(&cart, &GaussLegendre::<_, 3> { step }.plain(), START, 1e-9);
+    }
+}
+
+/// Kicks and drifts are symplectic in coordinates and momenta, so that AᵀΩA = Ω. With equal masses
+/// this holds in velocities, too.
+#[test]
+fn derivatives_of_splittings_are_symplectic() {
+    let oscillator = Masses::<f64> { m: 1.0, ..Masses::default() };
+    let method = BlanesMoan4 { step: 0.4 };
+    let a = method.step_derivatives(&oscillator, 0.0, &PLACE, []).expect("emitted").by_state;
+    // The second mass is twice the first.
+    let mass = [1.0, 2.0];
+    for i in 0..4 {
+        for j in 0..4 {
+            let form = |p: &dyn Fn(usize) -> f64, q: &dyn Fn(usize) -> f64| {
+                (0..2).map(|k| mass[k] * (p(k) * q(k + 2) - p(k + 2) * q(k))).sum::<f64>()
+            };
+            let unit = |of: usize| move |k: usize| f64::from(u8::from(of == k));
+            let found = form(&|k| a[k][i], &|k| a[k][j]);
+            assert!((found - form(&unit(i), &unit(j))).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn steps_without_derivatives_say_why() {
+    let failure = RungeKutta4 { step: 0.1 }.step_derivatives(&Plain, 0.0, &[0.0, 1.0], []).unwrap_err();
+    assert!(failure.to_string().contains("emit { jacobian }"), "{failure}");
+    let cart = CartPole::default();
+    let broken = RungeKutta4 { step: 0.1 }.step_derivatives(&cart, 0.0, &[0.0, f64::NAN, 0.0, 0.0], [0]);
+    assert_eq!(broken.unwrap_err(), StepFailure::NotFinite);
+    lagrange::system! {
+        /// A mass on a rod.
+        struct Rod;
+        coord x, y;
+        kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+        constraint rod = x^2 + y^2 - 1;
+        emit { jacobian }
+    }
+    let held = StormerVerlet { step: 0.1 }.step_derivatives(&Rod, 0.0, &[1.0, 0.0, 0.0, 1.0], []);
+    assert!(held.unwrap_err().to_string().contains("RungeKutta4"));
 }

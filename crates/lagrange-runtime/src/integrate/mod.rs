@@ -26,6 +26,7 @@ mod radau;
 mod rk4;
 mod splitting;
 mod stability;
+mod step_derivatives;
 mod stochastic;
 mod taylor;
 mod undefined;
@@ -44,8 +45,9 @@ pub use self::method::{
     LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, SuspectStep, Work,
 };
 pub use self::radau::{Radau5, RadauStepper};
-pub use self::rk4::{ClassicalLanes, RungeKutta4, StepDerivatives, rk4_step, rk4_step_derivatives};
+pub use self::rk4::{ClassicalLanes, RungeKutta4, rk4_step};
 pub use self::splitting::{BlanesMoan4, SplittingLanes, StormerVerlet, SymplecticEuler};
+pub use self::step_derivatives::{DifferentiableStep, StepDerivatives};
 pub use self::stochastic::{EulerMaruyama, StochasticRungeKutta4};
 pub use self::taylor::{Taylor, TaylorStepper};
 pub use self::undefined::{explained, undefined};

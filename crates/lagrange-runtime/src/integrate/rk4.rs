@@ -15,7 +15,6 @@
 mod derivatives;
 mod lanes;
 
-pub use self::derivatives::{StepDerivatives, rk4_step_derivatives};
 pub use self::lanes::ClassicalLanes;
 
 use crate::integrate::explicit::{ExplicitRungeKutta, TableauRow};

@@ -7,6 +7,7 @@
 
 mod canonical;
 mod dense;
+mod derivatives;
 mod linearised;
 mod plain;
 mod tableau;

@@ -18,17 +18,19 @@ use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, ScalarOf, State, StateVector, StepFailure};
 
-type Stages<M, const K: usize> = [State<M>; K];
+pub(super) type Stages<M, const K: usize> = [State<M>; K];
 type StageDerivatives<M> = Pencil<ScalarOf<M>, State<M>>;
+/// The derivatives of the equations of the stages, and their factors.
+pub(super) type LinearStages<M, const K: usize> = (StageDerivatives<M>, Linearised<ScalarOf<M>, State<M>, K>);
 
 /// The formula of [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) with K stages.
 #[derive(Debug)]
 pub struct Plain<M: OdeSystem + ?Sized, const K: usize> {
-    tableau: Tableau<ScalarOf<M>, K>,
+    pub(super) tableau: Tableau<ScalarOf<M>, K>,
     rounding: ScalarOf<M>,
     prediction: Prediction<ScalarOf<M>, State<M>, K>,
     /// Slopes of the step in progress, and its length.
-    stages: (Stages<M, K>, ScalarOf<M>),
+    pub(super) stages: (Stages<M, K>, ScalarOf<M>),
 }
 
 impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K>
@@ -92,11 +94,11 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
 }
 
 /// The data of a step.
-struct Step<'a, M: OdeSystem + ?Sized> {
-    system: &'a M,
-    t: M::Scalar,
-    y: &'a M::State,
-    h: M::Scalar,
+pub(super) struct Step<'a, M: OdeSystem + ?Sized> {
+    pub(super) system: &'a M,
+    pub(super) t: M::Scalar,
+    pub(super) y: &'a M::State,
+    pub(super) h: M::Scalar,
 }
 
 impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
@@ -108,17 +110,45 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         source: Source,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
-        let pencil = self.pencil(step, &stages, source, work);
-        let tableau = &self.tableau;
-        let linearised = Linearised::new(&pencil, tableau).ok_or(StepFailure::NotFinite)?;
-        let mut equations = StageEquations { step, tableau, pencil, linearised };
-        newton::solve(&mut equations, &mut stages, self.rounding, work)?;
-        let mut change = step.y.zeros();
-        for (weight, slope) in tableau.b.iter().zip(&stages) {
-            add(&mut change, step.h * *weight, slope);
-        }
-        self.stages = (stages, step.h);
+        let Step { system, t, y, h } = *step;
+        let linear = self.linearised(step, &stages, source, work)?;
+        let nodes = self.tableau.c;
+        let rates = |stage: usize, place: &M::State| system.rhs(nodes[stage].multiply_add(h, t), place);
+        let change = self.settled((y, h), &linear, &mut stages, rates, work)?;
+        self.stages = (stages, h);
         Ok(change)
+    }
+
+    /// Solves the equations of the stages with these rates, and returns the sum h Σ bᵢ Fᵢ.
+    pub(super) fn settled(
+        &self,
+        (y, h): (&M::State, M::Scalar),
+        (pencil, linearised): &LinearStages<M, K>,
+        stages: &mut Stages<M, K>,
+        rates: impl Fn(usize, &M::State) -> M::State,
+        work: &mut Work,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let mut equations =
+            StageEquations::<M, _, K> { y, h, rates, tableau: &self.tableau, pencil, linearised };
+        newton::solve(&mut equations, stages, self.rounding, work)?;
+        let mut change = y.zeros();
+        for (weight, slope) in self.tableau.b.iter().zip(stages.iter()) {
+            add(&mut change, h * *weight, slope);
+        }
+        Ok(change)
+    }
+
+    /// Returns the equations with derivatives frozen in the middle of the step.
+    pub(super) fn linearised(
+        &self,
+        step: &Step<'_, M>,
+        stages: &Stages<M, K>,
+        source: Source,
+        work: &mut Work,
+    ) -> Result<LinearStages<M, K>, StepFailure<M::Scalar>> {
+        let pencil = self.pencil(step, stages, source, work);
+        let linearised = Linearised::new(&pencil, &self.tableau).ok_or(StepFailure::NotFinite)?;
+        Ok((pencil, linearised))
     }
 
     /// Computes the derivatives of the equations in the middle of the step.
@@ -141,25 +171,29 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
     }
 }
 
-/// The equations of the stages.
-struct StageEquations<'a, M: OdeSystem + ?Sized, const K: usize> {
-    step: &'a Step<'a, M>,
+/// The equations of the stages of a step from `y`, where a function of the stage's index and place
+/// returns its rates.
+struct StageEquations<'a, M: OdeSystem + ?Sized, F, const K: usize> {
+    y: &'a State<M>,
+    h: M::Scalar,
+    rates: F,
     tableau: &'a Tableau<M::Scalar, K>,
-    pencil: StageDerivatives<M>,
-    linearised: Linearised<M::Scalar, M::State, K>,
+    pencil: &'a StageDerivatives<M>,
+    linearised: &'a Linearised<M::Scalar, M::State, K>,
 }
 
-impl<M: OdeSystem + ?Sized, const K: usize> Equations<M::Scalar, M::State, K> for StageEquations<'_, M, K> {
+impl<M: OdeSystem + ?Sized, F: Fn(usize, &M::State) -> M::State, const K: usize>
+    Equations<M::Scalar, M::State, K> for StageEquations<'_, M, F, K>
+{
     #[inline]
     fn residual(&mut self, slopes: &Stages<M, K>, work: &mut Work) -> Stages<M, K> {
-        let Step { system, t, y, h } = *self.step;
-        let mut residual = [y.zeros(); K];
+        let mut residual = [self.y.zeros(); K];
         for (i, residual) in residual.iter_mut().enumerate() {
-            let mut argument = *y;
+            let mut argument = *self.y;
             for (part, slope) in self.tableau.a[i].iter().zip(slopes) {
-                add(&mut argument, h * *part, slope);
+                add(&mut argument, self.h * *part, slope);
             }
-            *residual = system.rhs(self.tableau.c[i].multiply_add(h, t), &argument);
+            *residual = (self.rates)(i, &argument);
             add(residual, -M::Scalar::ONE, &slopes[i]);
         }
         work.evaluations += K as u64;
@@ -171,6 +205,6 @@ impl<M: OdeSystem + ?Sized, const K: usize> Equations<M::Scalar, M::State, K> fo
     }
 
     fn magnitude(&self, slopes: &Stages<M, K>) -> M::State {
-        self.pencil.magnitude(&magnitude(newton::largest(slopes), self.step.y, self.step.h))
+        self.pencil.magnitude(&magnitude(newton::largest(slopes), self.y, self.h))
     }
 }

@@ -20,6 +20,7 @@
 
 mod blanes_moan;
 mod constrained;
+mod derivatives;
 mod lanes;
 mod symplectic_euler;
 mod verlet;
@@ -127,7 +128,7 @@ where
         let (trial, gain) = if M::IS_HELD {
             constrained::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
         } else {
-            composed(system, &self.composition, t, (&q, &v), h, &start)
+            composed(system, &self.composition, t, (&q, &v), h, &start, |_| {})
         };
         self.trial = trial;
         self.check(system, t, (&q, &v), work)?;
@@ -178,8 +179,17 @@ where
     }
 }
 
+/// A drift and the place of the kick after it.
+struct Kick<'a, M: LeapfrogSystem + ?Sized> {
+    drift: f64,
+    kick: f64,
+    t: M::Scalar,
+    q: &'a M::Coordinates,
+    v: &'a M::Coordinates,
+}
+
 /// Computes the step with this composition from `q` and `v` at time `t`, where the acceleration is
-/// `start`, and the change of the velocities.
+/// `start`, and the change of the velocities. Each kick but the first is visited.
 #[inline]
 fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     system: &M,
@@ -188,6 +198,7 @@ fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     (q, v): (&M::Coordinates, &M::Coordinates),
     h: M::Scalar,
     start: &M::Coordinates,
+    mut visit: impl FnMut(Kick<'_, M>),
 ) -> (Trial<M::Scalar, M::Coordinates>, M::Coordinates) {
     let (number, zero) = (M::Scalar::from_f64, M::Coordinates::ZERO);
     let (mut change, mut acceleration, mut drifted) = (zero, *start, 0.0);
@@ -196,8 +207,9 @@ fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
         drifted += drift;
         let velocity = combined(v, M::Scalar::ONE, &gain);
         change = combined(&change, number(drift) * h, &velocity);
-        let position = combined(q, M::Scalar::ONE, &change);
-        acceleration = system.acceleration(t + number(drifted) * h, &position, &velocity);
+        let (time, position) = (t + number(drifted) * h, combined(q, M::Scalar::ONE, &change));
+        acceleration = system.acceleration(time, &position, &velocity);
+        visit(Kick { drift, kick, t: time, q: &position, v: &velocity });
         gain = combined(&gain, number(kick) * h, &acceleration);
     }
     (Trial { h, change, accelerations: [*start, acceleration] }, gain)
