@@ -24,7 +24,7 @@ lagrange::system! {
     let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
     kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
     potential = m1 * g * y1 + m2 * g * y2;
-    emit { lanes }
+    emit { jacobian, lanes }
 }
 
 lagrange::system! {
@@ -202,10 +202,25 @@ where
     measure(&format!("{name}, {method}, samples"), M::MOTIONS, ways);
 }
 
+/// Measures derivatives of double pendulums by these variables.
+macro_rules! measure_sensitivities {
+    ($system:expr, $($name:literal)*) => {
+        let names = [$($name),*];
+        let sensitive = || ensemble($system, 1e-9, 1).sensitivities(names);
+        let ways: [(&str, &dyn Fn() -> f64); 2] = [
+            ("one by one, 1 thread", &|| last(&sensitive().one_by_one().run().expect("runs"))),
+            ("in lanes, 1 thread", &|| last(&sensitive().run().expect("runs"))),
+        ];
+        measure(&format!("double pendulum, 1e-09, by {}", names.len()), MOTIONS, ways);
+    };
+}
+
 fn main() {
     println!("| motions of {UNTIL} s | way | µs a motion | times as fast |\n|---|---|---|---|");
     measure_all("cart-pole", black_box(&CartPole::default()));
     measure_all("double pendulum", black_box(&DoublePendulum::default()));
+    measure_sensitivities!(black_box(&DoublePendulum::default()), "m1");
+    measure_sensitivities!(black_box(&DoublePendulum::default()), "m1" "g" "theta1" "theta2");
     measure_all("chain of ten", black_box(&Chain::default()));
     measure_equal("Hénon–Heiles", black_box(&HenonHeiles), "Störmer–Verlet", StormerVerlet { step: STEP });
     measure_equal("Hénon–Heiles", black_box(&HenonHeiles), "Blanes–Moan", BlanesMoan4 { step: 6.0 * STEP });

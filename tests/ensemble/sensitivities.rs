@@ -3,7 +3,7 @@
 use super::{DoublePendulum, start};
 use lagrange::ensemble::{EnsembleError, Moments, Random};
 use lagrange::event::{Action, Direction};
-use lagrange::integrate::{RungeKutta4, StepFailure};
+use lagrange::integrate::{RungeKutta4, StepFailure, Verner98};
 use lagrange::{Ensembles, Simulate};
 
 lagrange::system! {
@@ -67,12 +67,103 @@ fn derivatives_agree_with_their_closed_form_by_every_way_to_keep_them() {
     assert!((mean.unwrap().mean() - 4.95 * slopes[0]).abs() < 1e-8);
 }
 
+lagrange::system! {
+    /// Two masses on springs, one of them nonlinear, with a force that depends on time.
+    #[derive(Clone)]
+    struct Masses<S>;
+    param m = 1.0, k = 4.0, c = 0.1;
+    coord x in -1e3..=1e3, y;
+    input pull;
+    kinetic = 1/2 * m * dot(x)^2 + 1/2 * dot(y)^2;
+    potential = 1/2 * k * x^2 + 1/2 * (y - x)^2 + 1/4 * y^4;
+    dissipation = 1/2 * c * dot(y)^2;
+    force x = pull * sin(3 * t);
+    emit { jacobian, lanes }
+}
+
+/// Compares each column at the ends of motions in lanes with single runs.
+macro_rules! check_lanes {
+    ($method:expr, $tolerance:expr) => {
+        let masses = Masses::<f64> { pull: 0.7, ..Masses::default() };
+        let vary = |i: usize, masses: &mut Masses<f64>| masses.m = 0.5 + 0.1 * i as f64;
+        let start = |i: usize, _: &mut Random| [0.1 * (i % 7) as f64, 0.3, -0.2, 0.05 * i as f64];
+        for motions in [1, 13] {
+            let ensemble = || {
+                let ensemble = masses.ensemble(motions).start(start).parameters(vary).until(2.5);
+                ensemble.method($method).sensitivities(["m", "y_dot", "pull", "x"])
+            };
+            assert!(ensemble().is_in_lanes());
+            let (lanes, alone) = (ensemble().run().unwrap(), ensemble().one_by_one().run().unwrap());
+            assert_eq!(lanes.names(), alone.names());
+            for name in lanes.names() {
+                let pairs = lanes.column(name).unwrap().iter().zip(alone.column(name).unwrap());
+                for (i, (here, there)) in pairs.enumerate() {
+                    assert!((here - there).abs() < $tolerance, "{name} of motion {i}: {here} {there}");
+                }
+            }
+        }
+    };
+}
+
 #[test]
-fn lanes_give_way_to_derivatives_and_to_laws() {
+fn derivatives_in_lanes_are_those_of_single_runs() {
+    check_lanes!(Verner98::tolerance(1e-11), 1e-8);
+    check_lanes!(RungeKutta4 { step: 0.01 }, 1e-12);
+}
+
+#[test]
+fn derivatives_in_lanes_are_kept_in_every_way() {
+    let masses = Masses::<f64> { pull: 0.7, ..Masses::default() };
+    let starts: Vec<_> = (0..20).map(|i| [0.1 * f64::from(i), 0.3, 0.0, 0.0]).collect();
+    let ensemble = || masses.ensemble(starts.clone()).until(2.0).sensitivities(["k", "x"]);
+    let single = |i: usize| masses.simulate(starts[i]).until(2.0).sensitivities(["k", "x"]);
+    let samples = ensemble().every(0.5).run().unwrap();
+    let motion = samples.motion(7).unwrap().unwrap();
+    let wanted = single(7).every(0.5).run().unwrap();
+    assert_eq!(motion.times(), wanted.times());
+    for sample in 0..5 {
+        let pairs = motion.sensitivities(sample).unwrap();
+        let pairs = pairs.iter().flatten().zip(wanted.sensitivities(sample).unwrap().into_iter().flatten());
+        pairs.for_each(|(here, there)| assert!((here - there).abs() < 1e-8, "{here} {there}"));
+    }
+    let by_k = |motion: &lagrange::ensemble::Motion<'_, Masses<f64>>| {
+        *motion.trajectory().column("d(y)/d(k)").unwrap().last().unwrap()
+    };
+    let mean = ensemble().reduce(Moments::new(), |moments, motion| moments.add(by_k(motion))).unwrap();
+    let wanted = (0..20).map(|i| *single(i).run().unwrap().column("d(y)/d(k)").unwrap().last().unwrap());
+    assert!((mean.mean() - wanted.sum::<f64>() / 20.0).abs() < 1e-8);
+    // Observed columns come beside derivatives.
+    let observed = ensemble().energy().run().unwrap();
+    let wanted = single(3).energy().run().unwrap();
+    for name in ["energy", "d(x)/d(start.x)"] {
+        let wanted = wanted.column(name).unwrap().last().unwrap();
+        assert!((observed.column(name).unwrap()[3] - wanted).abs() < 1e-8, "{name}");
+    }
+}
+
+#[test]
+fn derivatives_in_lanes_take_other_numbers_ranges_and_failures() {
+    let small = Masses::<f32>::default();
+    let starts: Vec<_> = (0..10u8).map(|i| [0.1 * f32::from(i), 0.3, 0.0, 0.0]).collect();
+    let ensemble = || small.ensemble(starts.clone()).until(1.0).sensitivities_alongside(["c"]);
+    assert!(ensemble().is_in_lanes());
+    let (lanes, alone) = (ensemble().run().unwrap(), ensemble().one_by_one().run().unwrap());
+    for (here, there) in lanes.column("d(y)/d(c)").unwrap().iter().zip(alone.column("d(y)/d(c)").unwrap()) {
+        assert!((here - there).abs() < 1e-4, "{here} {there}");
+    }
+    // The second motion starts out of its range, and the third is no number.
+    let masses = Masses::<f64>::default();
+    let starts = vec![[0.1, 0.0, 0.0, 0.0], [2e3, 0.0, 0.0, 0.0], [f64::NAN, 0.0, 0.0, 0.0]];
+    let ends = masses.ensemble(starts).until(1.0).sensitivities(["k"]).run().unwrap();
+    assert_eq!(ends.failures().iter().map(|failure| failure.index).collect::<Vec<_>>(), [1, 2]);
+    assert!(ends.column("d(x)/d(k)").unwrap()[0].is_finite());
+}
+
+#[test]
+fn lanes_give_way_to_laws_and_to_long_states() {
     let oscillator = Oscillator::default();
     let ensemble = || oscillator.ensemble(200).start(|i, _| [i as f64, 0.0]).until(1.0);
-    assert!(ensemble().is_in_lanes());
-    assert!(!ensemble().sensitivities(["k"]).is_in_lanes());
+    assert!(ensemble().is_in_lanes() && ensemble().sensitivities(["k"]).is_in_lanes());
     let driven = ensemble().drive(|_, _, y| OscillatorInputs { pull: -y.x_dot }).sensitivities(["k"]);
     assert!(!driven.is_in_lanes());
     let by_law = driven.run().unwrap();
@@ -80,6 +171,22 @@ fn lanes_give_way_to_derivatives_and_to_laws() {
     let single = single.drive(|_, _, y| OscillatorInputs { pull: -y.x_dot }).sensitivities(["k"]);
     let single = single.run().unwrap();
     assert_eq!(by_law.column("d(x)/d(k)").unwrap()[7], *single.column("d(x)/d(k)").unwrap().last().unwrap());
+    lagrange::system! {
+        /// A row of masses, whose states with derivatives do not fit.
+        #[derive(Clone)]
+        struct Row;
+        const N = 9;
+        param k = 4.0, m = 1.0, g = 1.0;
+        coord x[N];
+        kinetic = 1/2 * m * sum(i in 0..N, dot(x[i])^2);
+        potential = 1/2 * k * sum(i in 0..N, x[i]^2) + g * x[0];
+        emit { jacobian, lanes }
+    }
+    let row = Row::default();
+    let ensemble = row.ensemble(3).start(|_, _| [0.1; 18]).until(1.0);
+    assert!(ensemble.is_in_lanes());
+    let long = ensemble.sensitivities(["k", "m", "g", "x[0]", "x[1]"]);
+    assert!(!long.is_in_lanes() && long.run().unwrap().failures().is_empty());
 }
 
 #[test]

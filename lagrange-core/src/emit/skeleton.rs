@@ -184,7 +184,12 @@ fn skeleton_of_prepared(shape: &Shape<'_>) -> Prepared {
 }
 
 fn skeleton_of_lanes() -> Lanes {
-    Lanes { rhs: quote!(::core::unreachable!()), sides: None, docs: NOT_DERIVED.to_owned() }
+    Lanes {
+        rhs: quote!(::core::unreachable!()),
+        derivatives: None,
+        sides: None,
+        docs: NOT_DERIVED.to_owned(),
+    }
 }
 
 fn skeleton_of_regressor() -> Regressed {

@@ -89,6 +89,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let timed = timed_members(shape, members, next_tick(shape, members));
     let (clocks, noise) = (clock_members(shape, members), noise_members(shape, members));
     let (delays, domain) = (delay_member(shape), domain_member(shape, members));
+    let lanes = with_lanes(shape, members);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -107,6 +108,7 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #noise
             #delays
             #domain
+            #lanes
         }
     }
 }
@@ -226,7 +228,6 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let coordinates = shape.coordinates.iter().map(|name| shape.written(name));
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     let parameter = parameter_member(shape);
-    let lanes = with_lanes(shape, members);
     let fingerprint = Literal::u64_unsuffixed(fingerprint(shape.declaration));
     let units = units_constant(shape, units_of_outputs(shape, members), is_canonical(shape, members));
     quote! {
@@ -245,7 +246,6 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #rates
             #oriented
             #parameter
-            #lanes
         }
         #[automatically_derived]
         impl #bounds #krate::system::NamedSystem for #name #generics {

@@ -14,7 +14,7 @@ use super::plan::SharedSystem;
 use super::progress::Counter;
 use super::rows::Rows;
 use crate::integrate::Method;
-use crate::simulate::{Drive, Table};
+use crate::simulate::{ClosedLoop, Drive, Table};
 use crate::system::{MechanicalSystem, StateVector};
 
 /// The final states of an ensemble's motions: one row each, in named columns.
@@ -132,16 +132,23 @@ where
     }
 
     /// Adds the end of a motion, whether computed in a lane or as a single run.
-    pub(super) fn push_end(&self, rows: &mut Rows<M>, index: usize, system: &M, outcome: MotionOutcome<M>) {
-        let [_, end] = self.batch.span();
+    pub(super) fn push_end(
+        &self,
+        rows: &mut Rows<M>,
+        index: usize,
+        system: &M,
+        outcome: MotionOutcome<M, D::Closed>,
+    ) {
+        let is_plain = self.batch.plan.columns.is_empty() && D::Closed::IS_PLANT;
         match outcome {
             MotionOutcome::Run(result) => rows.push_end(&self.batch, index, system, result),
-            MotionOutcome::Arrival(Arrival { state, .. }) if !self.batch.plan.columns.is_empty() => {
-                let instant = self.instant(index, system, (end, state));
-                rows.push_arrival(&self.batch, system, (end, &state), Some(instant.table()));
+            MotionOutcome::Arrival(arrival) if is_plain => {
+                let end = (self.batch.span()[1], &D::Closed::state_of_plant(&arrival.state));
+                rows.push_arrival(&self.batch, system, end);
             }
-            MotionOutcome::Arrival(Arrival { state, .. }) => {
-                rows.push_arrival(&self.batch, system, (end, &state), None);
+            MotionOutcome::Arrival(Arrival { state, work, .. }) => {
+                let last = Arrival { state, samples: Vec::new(), work };
+                rows.push_end(&self.batch, index, system, Ok(self.trajectory_of(index, system, &last)));
             }
         }
     }

@@ -8,7 +8,7 @@ use super::builder::Ensemble;
 use super::error::{EnsembleError, panic_message};
 use super::plan::SharedSystem;
 use super::progress::Counter;
-use crate::integrate::{Method, Work};
+use crate::integrate::Method;
 use crate::simulate::{
     ClosedLoop, Drive, Ending, RunSettings, Sampling, Simulation, SimulationError, Trajectory,
 };
@@ -204,14 +204,6 @@ where
         }
         let method = self.method.clone().of_motion(index);
         Simulation::new(system, state, plan, (method, self.drive.for_motion(system, &state)))
-    }
-
-    /// Returns the columns of a motion at a time and state.
-    pub(super) fn instant(&self, index: usize, system: &M, end: (M::Scalar, M::State)) -> Trajectory<M> {
-        let mut plan = self.batch.plan.of_motion(index);
-        plan.settings.span = [end.0; 2];
-        let run = Simulation::new(system, end.1, plan, (self.method.clone(), self.drive.clone()));
-        run.assemble([], Work::default())
     }
 }
 

@@ -14,7 +14,7 @@ use super::motion::Motion;
 use super::plan::SharedSystem;
 use super::reduce::Reduce;
 use crate::integrate::Method;
-use crate::simulate::Drive;
+use crate::simulate::{ClosedLoop, Drive};
 use crate::system::MechanicalSystem;
 
 /// The reduction of an ensemble, and the motions that it omits because they failed. It dereferences
@@ -156,7 +156,7 @@ where
                     }
                     MotionOutcome::Arrival(arrival) => {
                         let trajectory = LazyCell::new(|| self.trajectory_of(index, system, &arrival));
-                        let end = (self.batch.span()[1], arrival.state);
+                        let end = (self.batch.span()[1], D::Closed::state_of_plant(&arrival.state));
                         add(&mut block.value, &Motion::new(index, system, end, &trajectory));
                     }
                 }

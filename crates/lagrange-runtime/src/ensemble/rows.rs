@@ -37,28 +37,18 @@ impl<M: SharedSystem> Rows<M> {
         self.fail(index, result);
     }
 
-    /// Adds the end of a motion computed in a lane, with its observed columns if there are any
-    /// beyond the state.
+    /// Adds the end of a motion computed in a lane, without columns beyond the state.
     pub(super) fn push_arrival(
         &mut self,
         batch: &Batch<'_, M>,
         system: &M,
         (time, state): (M::Scalar, &M::State),
-        columns: Option<&Table<M::Scalar>>,
     ) {
-        let unnamed = Table::new(if columns.is_none() {
-            state_names(system.description()).collect()
-        } else {
-            Vec::new()
-        });
-        let samples = columns.unwrap_or(&unnamed);
+        let samples = Table::new(state_names(system.description()).collect());
         let parameters = batch.parameters(system, samples.names());
-        let mut row: Vec<_> = match columns {
-            Some(columns) => columns.columns().filter_map(|values| values.last().copied()).collect(),
-            None => state.as_ref().to_vec(),
-        };
+        let mut row = state.as_ref().to_vec();
         row.extend(parameters.iter().map(|(_, value)| *value));
-        self.table(samples, &parameters).push(time, &row);
+        self.table(&samples, &parameters).push(time, &row);
     }
 
     /// Adds all samples of a motion; for a failed one, those up to the failure.

@@ -22,6 +22,11 @@ pub trait ClosedLoop<M: MechanicalSystem>: OdeSystem<Scalar = M::Scalar> + Sized
     /// Returns the plant.
     fn into_plant(self) -> M;
 
+    /// Returns a copy for a motion in a lane, if the loop has data beyond the plant.
+    fn detached(&self) -> Option<Self> {
+        None
+    }
+
     /// Asks the plant with the inputs that it has at this time and state of the plant.
     fn ask<R>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> R) -> R;
 

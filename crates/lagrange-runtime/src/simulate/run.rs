@@ -33,12 +33,12 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         drive.close(system, |closed| run(closed, self))
     }
 
-    /// Returns the trajectory of this run from samples computed in lanes. They follow the start,
-    /// and the last one is the end.
+    /// Returns the trajectory of this run from samples of its loop computed in lanes. They follow
+    /// the start, and the last one is the end.
     #[cfg(feature = "ensemble")]
     pub(crate) fn assemble(
         self,
-        samples: impl IntoIterator<Item = (M::Scalar, M::State)>,
+        samples: impl IntoIterator<Item = (M::Scalar, <D::Closed as OdeSystem>::State)>,
         work: Work,
     ) -> Trajectory<M>
     where
@@ -49,9 +49,10 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         drive.close(system, |closed| {
             let current = Current::new(closed);
             let start = (settings.span[0], closed.extended(settings.span[0], &state));
-            let names = settings.names(system.description());
+            let mut names = settings.names(system.description());
+            names.extend(closed.further_columns());
             let mut record = Record::new(&current, &settings, (names, columns), Callbacks::none(), start);
-            samples.into_iter().for_each(|(t, y)| record.push(closed, (t, closed.extended(t, &y))));
+            samples.into_iter().for_each(|sample| record.push(closed, sample));
             record.work = work;
             record.close(current, Ending::Reached, method.name()).1
         })

@@ -82,6 +82,26 @@ pub trait Equations<S: Number>: Copy {
     /// Computes the right-hand side ẏ = f(t, y), as [`OdeSystem`](super::OdeSystem::rhs) does.
     fn rhs(&self, t: S, y: &Self::State) -> Self::State;
 
+    /// True if [`differentiated`](Self::differentiated) is implemented.
+    const HAS_DERIVATIVES: bool = false;
+
+    /// Computes the right-hand side with its derivatives. Writes ∂f/∂y in rows to `jacobian`.
+    /// Writes ∂f/∂p to one column for each of the parameters and inputs at these indices. Emitted
+    /// types provide them with `emit { jacobian, lanes }`.
+    #[inline(always)]
+    fn differentiated(
+        &self,
+        _t: S,
+        y: &Self::State,
+        _jacobian: &mut <Self::State as StateVector<S>>::Square,
+        _indices: &[usize],
+        _columns: &mut [Self::State],
+    ) -> Self::State {
+        let mut rates = *y;
+        rates.as_mut().fill(S::NAN);
+        rates
+    }
+
     /// Computes the coefficients of the motion, as
     /// [`TaylorSystem::expand`](super::TaylorSystem::expand) does; NaN if there are no series.
     #[inline(always)]

@@ -1,6 +1,5 @@
 //! Mechanical systems: positions, velocities, accelerations.
 
-use super::lanes::LanesVisitor;
 use super::{Description, OdeSystem, StateVector};
 
 /// A system described by positions q and velocities v, with accelerations a = v̇.
@@ -268,19 +267,6 @@ pub trait MechanicalSystem: OdeSystem {
             *entry = *entry - *from;
         }
         displacement
-    }
-
-    /// Calls a visitor if the equations of the system can be evaluated in lanes, as for a
-    /// [`LanesSystem`](super::LanesSystem).
-    ///
-    /// # Errors
-    /// Returns the visitor if they cannot.
-    #[inline]
-    fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V>
-    where
-        Self: Sized,
-    {
-        Err(visitor)
     }
 
     /// Returns the parameter at this zero-based index among the declared ones, with its name.

@@ -180,6 +180,19 @@ pub trait OdeSystem {
         None
     }
 
+    /// Calls a visitor if the equations of the system can be evaluated in lanes, as for a
+    /// [`LanesSystem`].
+    ///
+    /// # Errors
+    /// Returns the visitor if they cannot.
+    #[inline]
+    fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V>
+    where
+        Self: Sized,
+    {
+        Err(visitor)
+    }
+
     /// Returns the first time after `t` on the way to `end` at which the right-hand side is known
     /// to jump or not to be smooth. Runs end a step there and start another one; neither evaluates
     /// at exactly that time. `end` may precede `t`; only a time between the two counts.

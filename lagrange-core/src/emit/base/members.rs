@@ -123,6 +123,8 @@ pub(in crate::emit) struct Regressed {
 pub(in crate::emit) struct Lanes {
     /// The body of `Equations::rhs`.
     pub(in crate::emit) rhs: TokenStream,
+    /// The body of `Equations::differentiated`, if Jacobians are requested.
+    pub(in crate::emit) derivatives: Option<TokenStream>,
     /// The body of the method that returns the side of each motion at the switches, if there are
     /// any.
     pub(in crate::emit) sides: Option<TokenStream>,

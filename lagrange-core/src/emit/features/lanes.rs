@@ -7,6 +7,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::product::plan;
 use super::taylor::series_in_lanes;
 use crate::emit::base::docs;
 use crate::emit::base::exclusion::Exclusion;
@@ -18,6 +19,10 @@ use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, doc, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
+use lagrange_expr::expr::ExprId;
+
+/// Names of the arguments of `Equations::differentiated`, and of the derivatives by all numbers.
+const NAMES: [&str; 4] = ["jacobian", "indices", "columns", "by_numbers"];
 
 /// Features not supported by loops over parallel motions.
 const EXCLUSIONS: [Exclusion; 7] = [
@@ -42,10 +47,49 @@ pub(in crate::emit) fn write_lanes(writer: &mut MethodWriter<'_>) -> Result<(), 
     let roots = writer.on_sides(&rates);
     let (rhs, counts) =
         writer.lowered_in_lanes(&roots, |results| Returns::Vector(results.len()).collect(results));
+    let derivatives = write_derivatives(writer, &rates);
     let sides = write_sides(writer);
     let docs = format!("An evaluation takes {}.", docs::counts_text(counts));
-    writer.members.lanes = Some(Lanes { rhs, sides, docs });
+    writer.members.lanes = Some(Lanes { rhs, derivatives, sides, docs });
     Ok(())
+}
+
+/// Writes the rates with their Jacobians, if these are requested: one program, as they share most
+/// of their values.
+fn write_derivatives(writer: &mut MethodWriter<'_>, rates: &[ExprId]) -> Option<TokenStream> {
+    let requested = [Product::Jacobian, Product::ParameterJacobian];
+    if !requested.iter().all(|product| writer.model.products.contains(product)) {
+        return None;
+    }
+    let plans = requested.map(|product| {
+        let plan = plan(product, writer.model, writer.equations, writer.shape);
+        plan.map_or_else(Vec::new, |plan| plan.roots)
+    });
+    let roots = [rates, &plans[0], &plans[1]].concat();
+    let (krate, all, fields) = (writer.shape.krate, rates.len(), writer.shape.fields.len());
+    let [jacobian, indices, columns, by_numbers] = NAMES.map(local);
+    let roots = writer.on_sides(&roots);
+    let (body, _) = writer.lowered_in_lanes(&roots, |results| {
+        let (rates, results) = results.split_at(all);
+        let (by_state, numbers) = results.split_at(all * all);
+        let [rates, by_state, numbers] = [
+            Returns::Vector(all).collect(rates),
+            Returns::Matrix(all, all).collect(by_state),
+            Returns::Matrix(all, fields).collect(numbers),
+        ];
+        let pick = (fields > 0).then(|| {
+            quote! {
+                let #by_numbers = #numbers;
+                #krate::system::pick_columns(&#by_numbers, #indices, #columns);
+            }
+        });
+        quote! {
+            *#jacobian = #by_state;
+            #pick
+            #rates
+        }
+    });
+    Some(body)
 }
 
 /// Writes the sides of the switches, the signs of their surface functions.
@@ -114,6 +158,26 @@ pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Opti
         }
     });
     let (system, series) = (system_impl(shape), series_in_lanes(shape, members));
+    let derivatives = lanes.derivatives.as_ref().map(|body| {
+        let [jacobian, mut indices, mut columns, _] = NAMES.map(local);
+        if shape.fields.is_empty() {
+            [indices, columns] = ["_"; 2].map(local);
+        }
+        quote! {
+            const HAS_DERIVATIVES: ::core::primitive::bool = true;
+            #[inline(always)]
+            fn differentiated(
+                &self,
+                #time: #number,
+                #state: &[#number; #all],
+                #jacobian: &mut [[#number; #all]; #all],
+                #indices: &[::core::primitive::usize],
+                #columns: &mut [[#number; #all]],
+            ) -> [#number; #all] {
+                #body
+            }
+        }
+    });
     Some(quote! {
         #sides
         #[automatically_derived]
@@ -124,6 +188,7 @@ pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Opti
             fn rhs(&self, #time: #number, #state: &[#number; #all]) -> [#number; #all] {
                 #rhs
             }
+            #derivatives
         }
         #system
     })
@@ -162,7 +227,7 @@ fn system_impl(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// Returns `MechanicalSystem::with_lanes`, unless there are surfaces at which motions would stop at
+/// Returns `OdeSystem::with_lanes`, unless there are surfaces at which motions would stop at
 /// different times.
 pub(in crate::emit) fn with_lanes(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, visitor_type, visitor) = (shape.krate, shape.other_type_parameter("V"), local("visitor"));

@@ -26,7 +26,7 @@ use super::progress::Counter;
 use crate::integrate::{LanesMethod, LanesMethodVisitor, Method};
 use crate::scalar::{Number, Scalar};
 use crate::simulate::{ClosedLoop, Drive, Grid, Sampling, Trajectory};
-use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, ScalarOf};
+use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, OdeSystem, ScalarOf};
 
 /// Maximum number of samples of motions that are computed together: a few megabytes for a small
 /// system.
@@ -37,11 +37,11 @@ const LEAST_TOGETHER: usize = 16;
 const MOST_TOGETHER: usize = 256;
 
 /// The outcome of a motion.
-pub(super) enum MotionOutcome<M: MechanicalSystem> {
+pub(super) enum MotionOutcome<M: MechanicalSystem, C: OdeSystem> {
     /// It was a separate run.
     Run(RunResult<M>),
-    /// It reached its end in a lane.
-    Arrival(ArrivalOf<M>),
+    /// It reached its end in a lane, with the state of a closed loop C.
+    Arrival(ArrivalOf<C>),
 }
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
@@ -64,8 +64,9 @@ where
     ///   [`BlanesMoan4`](crate::integrate::BlanesMoan4) or, for
     ///   [series in lanes](crate::system::TaylorSystem::IN_LANES),
     ///   [`Taylor`](crate::integrate::Taylor);
-    /// - only ends, samples and columns are requested: no laws, sensitivities, controllers, events
-    ///   or restarts.
+    /// - only ends, samples, columns and sensitivities are requested: no laws, controllers, events
+    ///   or restarts. Sensitivities need `emit { jacobian }`, no series and at most 96 numbers per
+    ///   state, derivatives included.
     ///
     /// A motion that fails, leaves a declared range, or jumps at a time known in advance, is always
     /// a single run.
@@ -75,11 +76,10 @@ where
     /// run only within the tolerance. [`one_by_one`](Self::one_by_one) gives the bits of single
     /// runs.
     pub fn is_in_lanes(&self) -> bool {
-        let is_plain = D::Closed::IS_PLANT
-            && !self.batch.needs_runs()
+        let is_plain = !self.batch.needs_runs()
             && !self.batch.system.is_constrained()
             && self.batch.system.events().is_empty();
-        is_plain && self.method.in_lanes(Ask).is_ok() && M::with_lanes(Ask).is_ok()
+        is_plain && self.method.in_lanes(Ask).is_ok() && D::Closed::with_lanes(Ask).is_ok()
     }
 
     /// Checks the settings, and returns an engine with suitable threads and chunks.
@@ -101,7 +101,7 @@ where
         &self,
         motions: Range<usize>,
         counter: &Counter<'_, '_>,
-        mut then: impl FnMut(usize, &M, MotionOutcome<M>),
+        mut then: impl FnMut(usize, &M, MotionOutcome<M, D::Closed>),
     ) -> Result<(), EnsembleError> {
         if !self.is_in_lanes() {
             return self.each_alone(motions, counter, |index, system, result| {
@@ -135,41 +135,48 @@ where
         &self,
         motions: Range<usize>,
         counter: &Counter<'_, '_>,
-        then: &mut impl FnMut(usize, &M, MotionOutcome<M>),
+        then: &mut impl FnMut(usize, &M, MotionOutcome<M, D::Closed>),
     ) -> Result<(), EnsembleError> {
-        let starts: Vec<_> = motions.clone().map(|index| self.start_of(index)).collect::<Result<_, _>>()?;
-        let ends = caught(motions.start, || self.in_lanes(&starts, counter))?;
-        for ((index, start), end) in motions.zip(starts).zip(ends) {
-            if counter.is_cancelled() {
-                break;
+        self.drive.close(self.batch.system, |all| {
+            let start = |index| caught(index, || self.start_of(index, all));
+            let starts: Vec<_> = motions.clone().map(start).collect::<Result<_, _>>()?;
+            let ends = caught(motions.start, || self.in_lanes(all, &starts, counter))?;
+            for ((index, start), end) in motions.zip(starts).zip(ends) {
+                if counter.is_cancelled() {
+                    break;
+                }
+                let Some(end) = end else {
+                    let then = |system: &M, result| then(index, system, MotionOutcome::Run(result));
+                    self.run_alone(index, counter, then)?;
+                    continue;
+                };
+                let system = start.system(all).plant();
+                caught(index, || then(index, system, MotionOutcome::Arrival(end)))?;
             }
-            let Some(end) = end else {
-                let then = |system: &M, result| then(index, system, MotionOutcome::Run(result));
-                self.run_alone(index, counter, then)?;
-                continue;
-            };
-            let system = start.system(self.batch.system);
-            caught(index, || then(index, system, MotionOutcome::Arrival(end)))?;
-        }
-        Ok(())
-    }
-
-    /// Returns the start of a motion.
-    ///
-    /// # Errors
-    /// If a closure panics.
-    fn start_of(&self, index: usize) -> Result<MotionStart<M>, EnsembleError> {
-        caught(index, || {
-            let (system, state) = self.batch.origin(index);
-            MotionStart { system, state }
+            Ok(())
         })
     }
 
+    /// Returns the start of a motion, given the common loop.
+    fn start_of(&self, index: usize, all: &D::Closed) -> MotionStart<D::Closed> {
+        let (varied, state) = self.batch.origin(index);
+        let plant = varied.as_ref().unwrap_or(self.batch.system);
+        let drive = self.drive.for_motion(plant, &state);
+        let (detached, state) =
+            drive.close(plant, |closed| (closed.detached(), closed.extended(self.batch.span()[0], &state)));
+        MotionStart { system: detached.or_else(|| varied.map(|plant| all.with_plant(plant))), state }
+    }
+
     /// Computes the final states of motions with these starts.
-    fn in_lanes(&self, starts: &[MotionStart<M>], counter: &Counter<'_, '_>) -> EndsOf<M> {
+    fn in_lanes(
+        &self,
+        all: &D::Closed,
+        starts: &[MotionStart<D::Closed>],
+        counter: &Counter<'_, '_>,
+    ) -> EndsOf<D::Closed> {
         let ([from, end], domain) = (self.batch.span(), self.batch.system.domain());
         let is_plain = |motion: &usize| {
-            let (system, state) = (starts[*motion].system(self.batch.system), &starts[*motion].state);
+            let (system, state) = (starts[*motion].system(all), &starts[*motion].state);
             let is_inside = system.domain() == domain && domain.check(state.as_ref()).is_ok();
             let is_free = is_inside && system.next_restart(from, end).is_none();
             is_free && matches!(system.begin(from, state), Ok(None))
@@ -178,24 +185,23 @@ where
         let motions: Vec<_> = (0..starts.len()).filter(|motion| has_length && is_plain(motion)).collect();
         if P::SAMPLES {
             let grid = self.batch.plan.settings.grid().ok().flatten();
-            self.arrivals::<true>(starts, &motions, grid, counter)
+            self.arrivals::<true>(all, (starts, &motions), grid, counter)
         } else {
-            self.arrivals::<false>(starts, &motions, None, counter)
+            self.arrivals::<false>(all, (starts, &motions), None, counter)
         }
     }
 
     /// Computes the final states of these motions, given by their indices in the list of starts.
     fn arrivals<const SAMPLED: bool>(
         &self,
-        starts: &[MotionStart<M>],
-        motions: &[usize],
+        system: &D::Closed,
+        (starts, motions): (&[MotionStart<D::Closed>], &[usize]),
         grid: Option<Grid<M::Scalar>>,
         counter: &Counter<'_, '_>,
-    ) -> EndsOf<M> {
-        let (system, settings, [from, end]) =
-            (self.batch.system, &self.batch.plan.settings, self.batch.span());
+    ) -> EndsOf<D::Closed> {
+        let (settings, [from, end]) = (&self.batch.plan.settings, self.batch.span());
         let max_steps = settings.max_steps;
-        let queue = Queue::<M, SAMPLED> { system, starts, motions, from, end, grid, max_steps, counter };
+        let queue = Queue::<_, SAMPLED> { system, starts, motions, from, end, grid, max_steps, counter };
         let method = match settings.longest_step {
             Some(longest) => self.method.clone().with_longest_step(longest).ok(),
             None => Some(self.method.clone()),
@@ -206,7 +212,12 @@ where
 
     /// Returns the trajectory of a motion computed in a lane: its start, its samples and its end,
     /// with all columns.
-    pub(super) fn trajectory_of(&self, index: usize, system: &M, arrival: &ArrivalOf<M>) -> Trajectory<M> {
+    pub(super) fn trajectory_of(
+        &self,
+        index: usize,
+        system: &M,
+        arrival: &ArrivalOf<D::Closed>,
+    ) -> Trajectory<M> {
         let ((_, start), Arrival { state, samples, work }) = (self.batch.origin(index), arrival);
         let end = (self.batch.span()[1], *state);
         let run = self.run_of(index, (system, start), Sampling::Ends);
@@ -214,7 +225,12 @@ where
     }
 
     /// Returns the samples of a motion, whether computed in a lane or as a single run.
-    pub(super) fn samples_of(&self, index: usize, system: &M, outcome: MotionOutcome<M>) -> RunResult<M> {
+    pub(super) fn samples_of(
+        &self,
+        index: usize,
+        system: &M,
+        outcome: MotionOutcome<M, D::Closed>,
+    ) -> RunResult<M> {
         match outcome {
             MotionOutcome::Run(result) => result,
             MotionOutcome::Arrival(arrival) => Ok(self.trajectory_of(index, system, &arrival)),
@@ -239,7 +255,7 @@ impl<M> LanesVisitor<M> for Ask {
 
 impl<M, const SAMPLED: bool> LanesMethodVisitor<M::Scalar> for Queue<'_, '_, M, SAMPLED>
 where
-    M: MechanicalSystem,
+    M: OdeSystem,
 {
     type Output = Option<EndsOf<M>>;
 
@@ -250,7 +266,7 @@ where
 
 impl<M, L, const SAMPLED: bool> LanesVisitor<M> for Refill<'_, '_, M, L, SAMPLED>
 where
-    M: MechanicalSystem,
+    M: OdeSystem,
     L: LanesMethod<ScalarOf<M>>,
 {
     type Output = EndsOf<M>;

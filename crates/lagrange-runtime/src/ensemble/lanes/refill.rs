@@ -12,7 +12,7 @@ use crate::ensemble::progress::Counter;
 use crate::integrate::{LanesMethod, LanesStepper, MOST_LANES, SuspectStep, Work};
 use crate::scalar::{Lanes, Mask, Scalar};
 use crate::simulate::Grid;
-use crate::system::{Equations, LanesSystem, MechanicalSystem, OdeSystem, ScalarOf, SideBySide, StateVector};
+use crate::system::{Equations, LanesSystem, OdeSystem, ScalarOf, SideBySide, StateVector};
 
 /// Number of lanes: two of the widest vector registers, or four of the usual ones.
 const LANES: usize = 8;
@@ -25,13 +25,13 @@ const FREE: usize = usize::MAX;
 const TURNS: u32 = 32;
 
 /// The start of a motion.
-pub(in crate::ensemble) struct MotionStart<M: MechanicalSystem> {
+pub(in crate::ensemble) struct MotionStart<M: OdeSystem> {
     /// Its system, unless it is the common one.
     pub(in crate::ensemble) system: Option<M>,
     pub(in crate::ensemble) state: M::State,
 }
 
-impl<M: MechanicalSystem> MotionStart<M> {
+impl<M: OdeSystem> MotionStart<M> {
     /// Returns the system of the motion, given the common one.
     pub(in crate::ensemble) fn system<'s>(&'s self, all: &'s M) -> &'s M {
         self.system.as_ref().unwrap_or(all)
@@ -53,7 +53,7 @@ pub(in crate::ensemble) type ArrivalOf<M> = Arrival<<M as OdeSystem>::Scalar, <M
 pub(in crate::ensemble) type EndsOf<M> = Vec<Option<ArrivalOf<M>>>;
 
 /// Motions to be computed, with samples if they are `SAMPLED`.
-pub(super) struct Queue<'q, 'a, M: MechanicalSystem, const SAMPLED: bool> {
+pub(super) struct Queue<'q, 'a, M: OdeSystem, const SAMPLED: bool> {
     pub(super) system: &'q M,
     pub(super) starts: &'q [MotionStart<M>],
     /// The indices of the starts to be computed.
@@ -67,14 +67,14 @@ pub(super) struct Queue<'q, 'a, M: MechanicalSystem, const SAMPLED: bool> {
 }
 
 /// A queue and the method by which it is computed.
-pub(super) struct Refill<'q, 'a, M: MechanicalSystem, L, const SAMPLED: bool> {
+pub(super) struct Refill<'q, 'a, M: OdeSystem, L, const SAMPLED: bool> {
     pub(super) queue: Queue<'q, 'a, M, SAMPLED>,
     pub(super) method: L,
 }
 
 impl<M, L, const SAMPLED: bool> Task for Refill<'_, '_, M, L, SAMPLED>
 where
-    M: MechanicalSystem + LanesSystem,
+    M: LanesSystem,
     L: LanesMethod<ScalarOf<M>>,
 {
     type Output = EndsOf<M>;
@@ -119,7 +119,7 @@ impl<E, T> LanesGroup<E, T> {
     }
 }
 
-impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
+impl<M: OdeSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     /// Returns the system of a motion.
     fn system(&self, motion: usize) -> &M {
         self.starts[motion].system(self.system)
@@ -129,7 +129,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     #[inline(always)]
     fn started<L, O>(&self, method: &L, motion: usize) -> StepperOf<M, L, O>
     where
-        M: MechanicalSystem + LanesSystem,
+        M: LanesSystem,
         L: LanesMethod<ScalarOf<M>>,
         O: SideBySide<Element = ScalarOf<M>>,
     {
@@ -145,7 +145,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     #[inline(always)]
     fn lanes<L, S>(&self, method: &L) -> LanesGroupOf<M, L, S>
     where
-        M: MechanicalSystem + LanesSystem,
+        M: LanesSystem,
         L: LanesMethod<ScalarOf<M>>,
         S: SideBySide<Element = ScalarOf<M>>,
     {
@@ -165,7 +165,7 @@ pub(super) fn refilled<M, L, S, const SAMPLED: bool>(
     method: &L,
 ) -> EndsOf<M>
 where
-    M: MechanicalSystem + LanesSystem,
+    M: LanesSystem,
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {
@@ -206,7 +206,7 @@ fn is_settled<S: SideBySide>(time: S, end: S::Element) -> S::Mask {
 /// The progress of a queue.
 struct QueueProgress<'p, 'q, 'a, M, L, S, const SAMPLED: bool>
 where
-    M: MechanicalSystem + LanesSystem,
+    M: LanesSystem,
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {
@@ -226,7 +226,7 @@ where
 
 impl<M, L, S, const SAMPLED: bool> QueueProgress<'_, '_, '_, M, L, S, SAMPLED>
 where
-    M: MechanicalSystem + LanesSystem,
+    M: LanesSystem,
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {

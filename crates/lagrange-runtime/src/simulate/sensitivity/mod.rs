@@ -1,6 +1,8 @@
 //! Derivatives of motions with respect to parameters, inputs and initial values.
 
 mod company;
+mod equations;
+mod lanes;
 mod stacked;
 mod system;
 mod variable;
@@ -268,6 +270,12 @@ where
 
     fn into_plant(self) -> M {
         self.closed.into_plant()
+    }
+
+    fn detached(&self) -> Option<Self> {
+        // A copy.
+        let plant = self.closed.plant().with_number(usize::MAX, Number::ZERO);
+        Some(self.around(self.closed.with_plant(plant)))
     }
 
     fn ask<T>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> T) -> T {

@@ -26,6 +26,12 @@ impl<S: Number, const N: usize, const R: usize> Stacked<S, N, R> {
         stacked
     }
 
+    /// Returns the state and its derivatives.
+    #[inline(always)]
+    pub(super) fn used(&self) -> &[[S; N]] {
+        &self.rows[..self.count]
+    }
+
     /// Returns the derivatives of the state.
     pub(in crate::simulate) fn derivatives(&self) -> &[[S; N]] {
         &self.rows[1..self.count]
@@ -108,5 +114,25 @@ impl<const N: usize, const R: usize> AsMut<[usize]> for StackedIndices<N, R> {
     #[inline]
     fn as_mut(&mut self) -> &mut [usize] {
         self.0.as_flattened_mut()
+    }
+}
+
+/// Computes the rates ∂f/∂y s + c ∂f/∂p of a derivative s, given ∂f/∂y in rows and, for the
+/// derivative by a parameter, c with ∂f/∂p.
+#[inline(always)]
+pub(super) fn linear_rates<S: Number, Y: AsRef<[S]>>(
+    rows: &[Y],
+    changes: &[S],
+    direct: Option<(S, &[S])>,
+    rates: &mut [S],
+) {
+    for (i, (rate, row)) in rates.iter_mut().zip(rows).enumerate() {
+        *rate = match direct {
+            Some((scale, column)) => scale * column[i],
+            None => S::ZERO,
+        };
+        for (slope, change) in row.as_ref().iter().zip(changes) {
+            *rate = slope.multiply_add(*change, *rate);
+        }
     }
 }
