@@ -17,8 +17,8 @@ use lagrange_plot::notation::Columns;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
-/// Script for colours that no style sheet sets. `scheme()` is the query for readers who prefer dark,
-/// and `tinted(pair)` is the colour of a pair for the reader.
+/// Script for colours that no style sheet sets. `scheme()` is the query for readers who prefer
+/// dark, and `tinted(pair)` is the colour of a pair for the reader.
 pub const SCHEME: &str = include_str!("scheme.js");
 const SCRIPT: &str = include_str!("page.js");
 /// Script that shows the layers of pictures.
