@@ -18,6 +18,9 @@ import sys
 import tempfile
 import time
 
+from browser_hands import check_dragging
+from browser_scheme import check_scheme, corner
+
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync", "--window-size=900,1000", "--remote-debugging-pipe",
@@ -133,8 +136,9 @@ class Browser:
             self.send("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code)
 
     def click(self, selector):
-        script = f"JSON.stringify(document.querySelector({json.dumps(selector)}).getBoundingClientRect())"
-        box = json.loads(self.evaluate(script))
+        found = f"document.querySelector({json.dumps(selector)})"
+        self.evaluate(f"{found}.scrollIntoView({{ block: 'nearest' }})")
+        box = json.loads(self.evaluate(f"JSON.stringify({found}.getBoundingClientRect())"))
         middle = {"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2}
         for kind in ("mousePressed", "mouseReleased"):
             self.send("Input.dispatchMouseEvent", type=kind, button="left", clickCount=1, **middle)
@@ -245,6 +249,7 @@ def check_page(browser, path, checks, pictures):
     checks.that(moves(browser), "plays by itself")
     dark = browser.evaluate("getComputedStyle(document.body).backgroundColor")
     checks.that(sum(int(part) for part in dark[4:-1].split(",")) < 150, "is dark where that is preferred")
+    checks.that(sum(corner(browser)) < 150, "and so is the ground of the picture")
     if pictures:
         browser.picture(pictures / f"{path.stem}-dark.png")
 
@@ -304,52 +309,6 @@ def processor_time(browser, script):
     return 1000 * (spent() - before)
 
 
-# Pixels of the page at which the last body is grabbed, and pixels of its point after that, of a scene.
-GRASPED = """(() => {
-  scrollTo(0, 0);
-  restart();
-  setPlaying(false);
-  const canvas = element("canvas").getBoundingClientRect();
-  const bodies = model.scene.items.filter(({ kind }) => kind === "body").length;
-  const seen = call("drawing");
-  const hits = [];
-  for (let x = 4; x < canvas.width; x += 4)
-    for (let y = 4; y < canvas.height; y += 4)
-      if (picture.grab(seen, [x, y])) hits.push([x, y]);
-  if (!hits.length) return null;
-  const [x, y] = hits[Math.floor(hits.length / 2)];
-  window.held = picture.grab(seen, [x, y]);
-  return JSON.stringify([canvas.x + x, canvas.y + y, ...picture.place([x, y]), ...picture.place([x + 12, y + 6])]);
-})()"""
-
-
-def check_dragging(browser, checks):
-    found = browser.evaluate(GRASPED)
-    checks.that(found is not None, "a body can be grabbed")
-    if found is None:
-        return
-    x, y, at_x, at_y, to_x, to_y = json.loads(found)
-    start = json.loads(browser.evaluate("JSON.stringify(start)"))
-
-    def mouse(kind, dx, dy):
-        browser.send("Input.dispatchMouseEvent", type=kind, button="left", clickCount=1, x=x + dx, y=y + dy)
-
-    mouse("mousePressed", 0, 0)
-    for part in (0.25, 0.5, 0.75, 1.0):
-        mouse("mouseMoved", 12 * part, 6 * part)
-    point = json.loads(browser.evaluate("JSON.stringify(held(call('drawing')))"))
-    before, after = [((at_x, at_y), (to_x, to_y)), (point, (to_x, to_y))]
-    far = [((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5 for a, b in (before, after)]
-    checks.that(far[1] < 0.95 * far[0], f"and follows the mouse: {far[1]:.2e} from it, {far[0]:.2e} before")
-    mouse("mouseReleased", 12, 6)
-    moved = json.loads(browser.evaluate("JSON.stringify(start)"))
-    count = browser.evaluate("model.positions")
-    checks.that(moved[:count] != start[:count] and moved[count:] == start[count:], "which changes places of the start alone")
-    sliders = "model.states.every((state, i) => { const slider = element(`Start-${state.name}`); return !slider || Math.abs(slider.value - start[i]) < 1e-6 * (1 + Math.abs(start[i])); })"
-    checks.that(browser.evaluate(sliders), "and its sliders")
-    checks.that(browser.evaluate("motion.t") == 0 and browser.evaluate("motion.failure") is None, "from which the motion begins")
-
-
 def check_live(browser, path, checks, pictures):
     def shown():
         return json.loads(browser.evaluate(PIXELS) or "null")
@@ -407,7 +366,7 @@ def check_live(browser, path, checks, pictures):
     if browser.evaluate("document.querySelectorAll('[id^=Start-]').length") > 0:
         slide("[id^=Start-]", 0.2)
         checks.that(browser.evaluate("motion.t") == 0 and not browser.evaluate("isPlaying"), "a slider of a start restarts")
-    if browser.evaluate("Boolean(picture?.grab)"):
+    if has_picture:
         check_dragging(browser, checks)
     browser.evaluate("document.activeElement.blur()")
     browser.press(" ")
@@ -418,6 +377,9 @@ def check_live(browser, path, checks, pictures):
     said = browser.evaluate("element('message').textContent")
     checks.that("finite" in said and browser.evaluate("motion.y.every(Number.isFinite)"), f"stops at the last good state and says so: {said}")
 
+    if has_picture:
+        browser.open(path, [("prefers-reduced-motion", "reduce")])
+        check_scheme(browser, checks, "draw()")
     browser.open(path, [("prefers-color-scheme", "dark")])
     browser.wait(lambda: browser.evaluate("motion.t > 0.2"), "the page plays by itself")
     dark = browser.evaluate("getComputedStyle(document.body).backgroundColor")

@@ -14,6 +14,7 @@ import sys
 import time
 
 from browser_check import FLAGS, WITH_GRAPHICS, Browser, Checks
+from browser_scheme import check_scheme
 
 WIDE, NARROW = (1280, 720), (390, 844)
 # The picture is read in the same task in which it is drawn.
@@ -217,6 +218,8 @@ def check(browser, path, checks, pictures):
     leave("narrow-zoomed")
 
     resize(browser, WIDE)
+    browser.open(path, still)
+    check_scheme(browser, checks, "show(now)")
     browser.open(path, [("prefers-color-scheme", "dark")])
     checks.that(browser.evaluate("isPlaying"), "plays by itself")
     leave("dark")

@@ -162,7 +162,7 @@ fn dragged(name: &str, page: &str, reach: f64, [x, y]: [f64; 2]) -> Option<Vec<f
         const from = sizes.slice(0, last).reduce((sum, size) => sum + size, 0);
         const point = (scene) => [Math.cos, Math.sin].map((part, k) => scene[from + 2 + k] + {reach} * part(scene[from + 4]));
         const start = model.states.map((state) => state.value);
-        console.log(JSON.stringify(reaches(model, functions, point)(start, model.quantities.map((field) => field.value), [{x}, {y}])));"
+        console.log(JSON.stringify(reaches(model, functions, point).to(start, model.quantities.map((field) => field.value), [{x}, {y}])));"
     );
     Some(from_value(printed(name, page, &script)?).expect("a state"))
 }
@@ -187,6 +187,57 @@ fn bodies_that_follow_the_pointer_keep_constraints() {
     let Some(y) = dragged("bead", &page("bead", bead), 0.0, [3.0, 4.0]) else { return };
     assert!((y[0] - 0.6).hypot(y[1] - 0.8) < 1e-5, "{y:?}");
     assert!((y[0].hypot(y[1]) - 1.0).abs() < 1e-10, "{y:?}");
+}
+
+/// A swing of a plank on two rods with ball joints, a closed loop with three quaternions.
+const SWING: &str = "struct Swing; gravity = (0, 0, -9.81);
+    body left { mass: 1; shape: slender_rod(0.1); centroid: (0, 0, -0.25); }
+    body right { mass: 2; shape: slender_rod(0.1); centroid: (0, 0, -0.25); }
+    body plank { mass: 3; shape: cuboid(1, 0.2, 0.05); }
+    ball a = ground to left { at: (-0.5, 0, 1); } ball b = ground to right { at: (0.5, 0, 1); } free plank;
+    pin left.point(0, 0, -0.5) to plank.point(-0.5, 0, 0); pin right.point(0, 0, -0.5) to plank.point(0.5, 0, 0);
+    start a_qw = 1, a_qx = 0, a_qy = 0, a_qz = 0, b_qw = 1, b_qx = 0, b_qy = 0, b_qz = 0;
+    start plank_qw = 1, plank_qx = 0, plank_qy = 0, plank_qz = 0, plank_x = 0, plank_y = 0, plank_z = 0.5;
+    start a_wx = 0.5, a_wy = 0, a_wz = 0, b_wx = 0, b_wy = 0, b_wz = 0;
+    start plank_vx = 0, plank_vy = 0, plank_vz = 0, plank_wx = 0, plank_wy = 0, plank_wz = 0;";
+
+/// The middle of the plank follows on the sphere of the rods, with the point beside it at the same
+/// height.
+#[test]
+fn bodies_in_space_that_follow_the_pointer_keep_constraints_and_quaternions() {
+    let place = [0.1_f64, 0.2, 1.0 - (0.25_f64 - 0.05).sqrt()];
+    let script = format!(
+        "const point = (scene) => scene.slice(59, 62);
+        const start = model.states.map((state) => state.value);
+        const hand = reaches(model, functions, point);
+        const y = hand.to(start, [], {place:?});
+        console.log(JSON.stringify([y, hand.isFree(start, []), reaches(model, functions, () => [1, 2]).isFree(start, [])]));"
+    );
+    let Some(printed) = printed("swing", &page("swing", SWING), &script) else { return };
+    let (y, is_free, is_fixed_free): (Vec<f64>, bool, bool) = from_value(printed).expect("a state");
+    assert!(is_free && !is_fixed_free, "a point that no coordinate moves");
+    for (found, wanted) in y[8..11].iter().zip(place) {
+        assert!((found - wanted).abs() < 1e-5, "{y:?}");
+    }
+    let turned = |q: &[f64], [x, z]: [f64; 2]| {
+        let [w, a, b, c] = [q[0], q[1], q[2], q[3]];
+        [
+            x * (1.0 - 2.0 * (b * b + c * c)) + 2.0 * z * (a * c + w * b),
+            2.0 * x * (a * b + w * c) + 2.0 * z * (b * c - w * a),
+            2.0 * x * (a * c - w * b) + z * (1.0 - 2.0 * (a * a + b * b)),
+        ]
+    };
+    for (side, rod) in [(-0.5, &y[0..4]), (0.5, &y[4..8])] {
+        let [end, hung] = [turned(&y[11..15], [side, 0.0]), turned(rod, [0.0, -0.5])];
+        let fixed = [side, 0.0, 1.0];
+        for axis in 0..3 {
+            assert!((y[8 + axis] + end[axis] - fixed[axis] - hung[axis]).abs() < 1e-9, "{y:?}");
+        }
+    }
+    for q in [&y[0..4], &y[4..8], &y[11..15]] {
+        assert!((q.iter().map(|part| part * part).sum::<f64>() - 1.0).abs() < 1e-12, "{y:?}");
+    }
+    assert_eq!(y[15], 0.5, "velocities of the start stay");
 }
 
 #[test]

@@ -50,9 +50,16 @@ pub(super) fn body(index: usize) -> Colour {
     light(INKS[BODIES[index % BODIES.len()]])
 }
 
-/// Returns the colour of the body with this index in pictures of the plane, in CSS notation.
-pub fn body_colour(index: usize) -> String {
-    body(index).css()
+/// Returns the colour of the body with this index in pictures of the plane, on paper and on a dark
+/// ground.
+pub fn body_colour(index: usize) -> [String; 2] {
+    body(index).pair()
+}
+
+/// Returns the colours of marks of the plane by name, each on paper and on a dark ground.
+pub fn named_colours() -> [(&'static str, [String; 2]); 5] {
+    [("ground", PAPER), ("ink", INK), ("pale", PALE), ("hatching", HATCHING), ("load", FORCE)]
+        .map(|(name, colour)| (name, colour.pair()))
 }
 
 /// Fraction of the background colour in the colour of a solid; its shaded faces are darker.

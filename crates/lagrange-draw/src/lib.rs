@@ -74,11 +74,11 @@ mod tag;
 mod timeline;
 mod view;
 
-pub use colour::body_colour;
+pub use colour::{body_colour, named_colours};
 pub use drawing::{Drawing, DrawnSpace};
 pub use error::DrawError;
 pub use film::Film;
-pub use film::page::style as page_style;
+pub use film::page::{SCHEME as PAGE_SCHEME, style as page_style};
 pub use film::trajectory::last_at_each;
 pub use load_label::LiveLoads;
 pub use moment::Moment;

@@ -5,7 +5,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::colour::FORCE;
 use crate::load::{Load, Value};
 use crate::snapshot::{Snapshot, Stored};
 use lagrange_plot::label::Label;
@@ -19,8 +18,6 @@ pub struct LiveLoads {
     pub labels: Vec<[String; 2]>,
     /// Note on loads that act but are not drawn; empty if there are none.
     pub note: String,
-    /// Colour of arrows in CSS notation.
-    pub colour: String,
 }
 
 impl LiveLoads {
@@ -35,7 +32,6 @@ impl LiveLoads {
         LiveLoads {
             labels: snapshot.loads.iter().map(label).collect(),
             note: omitted_loads(std::slice::from_ref(&snapshot)),
-            colour: FORCE.css(),
         }
     }
 }

@@ -25,7 +25,7 @@ mod scene;
 
 use lagrange_c::Script;
 use lagrange_core::pipeline::{NumericSystem, Programs};
-use lagrange_draw::page_style;
+use lagrange_draw::{PAGE_SCHEME, page_style};
 use lagrange_dynamic::title;
 
 pub use error::PageError;
@@ -79,7 +79,7 @@ pub fn page(system: &NumericSystem, start: &[f64]) -> Result<String, PageError> 
         // A text cannot end the script.
         model = model.to_string().replace('<', "\\u003c"),
         functions = format!("{}return {{ {} }};\n", script.text, names.collect::<Vec<_>>().join(", ")),
-        script = [MOTION, &viewer, PAGE].concat(),
+        script = [PAGE_SCHEME, MOTION, &viewer, PAGE].concat(),
     ))
 }
 

@@ -14,6 +14,15 @@ const ERRORS = [71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525
 // Moments within a step at which signs of events are looked at, too.
 const WITHIN = [0.2, 0.4, 0.6, 0.8, 1];
 
+// Brings quaternions of a state, by their first entries, to length one.
+function normalised(y, quaternions) {
+  for (const first of quaternions) {
+    const size = Math.hypot(...y.slice(first, first + 4));
+    for (let k = first; k < first + 4; k++) y[k] /= size;
+  }
+  return y;
+}
+
 function startsMotion(model, functions, tolerance = 1e-10) {
   const { positions, velocities, firstOrder, quaternions } = model;
   const at = (name, t, y, p = motion.p) => {
@@ -123,28 +132,22 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     const atRest = at("position_rates", motion.t, [...q, ...change.map(() => 0)]);
     return y.map((value, i) => (i < positions - firstOrder ? value + moved[i] - atRest[i] : value));
   }
-  function normalised(y) {
-    for (const first of quaternions) {
-      const size = Math.hypot(...y.slice(first, first + 4));
-      for (let k = first; k < first + 4; k++) y[k] /= size;
-    }
-    return y;
-  }
   // Newton's steps, least by mass, back to the constraints of positions, then of velocities. Stabilised ones hold by themselves once they
   // are met.
   function held(t, y, isToMeet = false) {
-    if (!model.constraints || (model.isStabilised && !isToMeet)) return normalised(y);
+    normalised(y, quaternions);
+    if (!model.constraints || (model.isStabilised && !isToMeet)) return y;
     const corrected = (residuals, state) => at("correction", t, state, [...motion.p, ...residuals]);
     for (let [k, before] = [0, Infinity]; k < 20; k++) {
       const residuals = at("position_residuals", t, y);
       const size = Math.max(...residuals.map(Math.abs));
       // What no longer shrinks is rounding.
       if (!(size > 0 && size < 0.5 * before)) break;
-      y = displaced(y, corrected(residuals, y));
+      y = normalised(displaced(y, corrected(residuals, y)), quaternions);
       before = size;
     }
     const change = corrected(at(model.constraintVelocity, t, y), y);
-    return normalised(y.map((value, i) => (i < positions ? value : value + change[i - positions])));
+    return y.map((value, i) => (i < positions ? value : value + change[i - positions]));
   }
   const isHeld = (t, y) => areFinite(y) && (!model.constraints || Math.max(...at("position_residuals", t, y).map(Math.abs)) < 1e-8);
 

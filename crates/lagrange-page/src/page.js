@@ -12,6 +12,7 @@ const start = model.states.map((state) => state.value);
 const fields = model.quantities.map((field) => field.value);
 let samples = []; // [t, values of all columns]
 let [isPlaying, lastTick, firstEnergy, isSlow] = [false, null, NaN, false];
+let grip = null; // how a body is dragged
 const isShown = columns.map((column, index) => index < Math.min(model.positions, 3));
 
 const written = (value, digits = 4) => (Number.isFinite(value) ? value.toPrecision(digits).replace(/-/g, "−") : "none");
@@ -55,7 +56,7 @@ function ahead() {
 }
 
 function draw() {
-  if (motion.y.every(Number.isFinite)) picture?.show(call("drawing"));
+  if (motion.y.every(Number.isFinite)) picture?.show(call("drawing"), Boolean(grip));
   element("time").textContent = `t = ${motion.t.toFixed(2)} s`;
   const energy = motion.energy();
   element("energy").textContent = functions.energy ? `energy ${withUnit(energy, model.energyUnit)}, changed by ${withUnit(energy - firstEnergy, model.energyUnit, 2)}` : "";
@@ -210,44 +211,49 @@ panel("Inputs", model.quantities.filter((field) => field.isInput), setsField);
 panel("Parameters", model.quantities.filter((field) => !field.isInput), setsField);
 const starts = panel("Start", model.states.filter((state) => state.low < state.high), setsStart);
 
-// Bodies of the plane follow the pointer. Where they are put is a start, with the velocities of the start.
+// Bodies follow the pointer. Where they are put is a start, with the velocities of the start.
 function drags(canvas) {
-  let [reach, wasPlaying] = [null, false];
+  let wasPlaying = false;
   const pixels = (event) => [event.offsetX, event.offsetY];
+  // How a body below the pointer is moved; null if there is none, or it cannot move.
+  function below(event) {
+    const found = motion.y.every(Number.isFinite) && picture.grab(call("drawing"), pixels(event));
+    const reach = found && reaches(model, functions, found.point);
+    return reach && reach.isFree(motion.y, motion.p) ? { reach, target: found.target, id: event.pointerId, at: pixels(event) } : null;
+  }
   function begins(event) {
-    const point = motion.y.every(Number.isFinite) && picture.grab(call("drawing"), pixels(event));
-    if (!point) return;
-    [reach, wasPlaying] = [reaches(model, functions, point), isPlaying];
+    // Two fingers, other buttons and the shift key move the view.
+    if (grip) return letsGo();
+    grip = event.button || event.shiftKey ? null : below(event);
+    if (!grip) return;
+    wasPlaying = isPlaying;
     setPlaying(false);
     canvas.setPointerCapture(event.pointerId);
-    canvas.style.cursor = "grabbing";
-    for (let i = 0; i < model.positions - model.firstOrder; i++) start[i] = motion.y[i];
-    moves(event);
+    canvas.classList.add("grabbed");
   }
   function moves(event) {
-    if (!reach) {
-      canvas.style.cursor = picture.grab(call("drawing"), pixels(event)) ? "grab" : "";
-      return;
-    }
-    reach(start, fields, picture.place(pixels(event))).forEach((value, i) => { start[i] = value; });
+    if (!grip && !event.buttons) canvas.style.cursor = below(event) ? "move" : "";
+    if (grip?.id !== event.pointerId || pixels(event).every((value, k) => value === grip.at[k])) return;
+    grip.at = pixels(event);
+    for (let i = 0; i < model.positions - model.firstOrder; i++) start[i] = motion.y[i];
+    grip.reach.to(start, fields, grip.target(grip.at)).forEach((value, i) => { start[i] = value; });
     starts.forEach((moveTo, i) => moveTo(start[i]));
     begin();
     draw();
   }
-  function ends() {
-    if (!reach) return;
-    reach = null;
-    canvas.style.cursor = "grab";
+  function letsGo() {
+    grip = null;
+    canvas.classList.remove("grabbed");
+    draw();
     setPlaying(wasPlaying);
   }
   canvas.addEventListener("pointerdown", begins);
   canvas.addEventListener("pointermove", moves);
-  canvas.addEventListener("pointerup", ends);
-  canvas.addEventListener("pointercancel", ends);
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => { if (grip?.id === event.pointerId) letsGo(); });
   // Touching a body must not scroll the page.
-  canvas.addEventListener("touchstart", (event) => { if (reach) event.preventDefault(); }, { passive: false });
+  canvas.addEventListener("touchstart", (event) => { if (grip) event.preventDefault(); }, { passive: false });
 }
-if (picture?.grab) drags(element("canvas"));
+if (picture) drags(element("canvas"));
 
 element("legend").innerHTML = columns.map((column, index) =>
   `<li><label><input type="checkbox" id="show-${index}"${isShown[index] ? " checked" : ""}> <svg viewBox="0 0 35 12" aria-hidden="true"><path class="curve-${index % 6}" d="M0 8H35"/></svg> ${column.label} <output id="value-${index}"></output></label></li>`).join("");
@@ -264,7 +270,7 @@ element("play").addEventListener("click", () => setPlaying(!isPlaying));
 element("step").addEventListener("click", stepOn);
 element("restart").addEventListener("click", restart);
 document.addEventListener("visibilitychange", () => { lastTick = null; });
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+scheme().addEventListener("change", draw);
 new ResizeObserver(() => draw()).observe(document.querySelector("main"));
 
 element("with-forces").hidden = !model.scene?.hasLoads;

@@ -3,8 +3,10 @@
 function showsScene(scene) {
   const canvas = document.getElementById("canvas");
   const paper = canvas.getContext("2d");
-  const [INK, PALE, HATCHING, MARGIN] = ["#282828", "#828282", "#919191", 34];
-  const LOAD = scene.loadColour;
+  const MARGIN = 34;
+  const NAMES = ["ground", "ink", "pale", "hatching", "load"];
+  // Of the reader's scheme, when a moment is shown.
+  let GROUND, INK, PALE, HATCHING, LOAD;
   const REACH = 12; // pixels from a body in which it is grabbed
   const FONT = "'STIX Two Text', Cambria, 'Times New Roman', serif";
   // The length of the longest arrow as a part of the picture; length and half width of heads, and their largest part of an arrow.
@@ -107,12 +109,12 @@ function showsScene(scene) {
         const half = 4 / scale();
         const rings = ({ own, shape }) => shape(half).rings.map((ring) => ring.map((point) => pixel(own(point))));
         for (const part of solid) {
-          line([...rings(part), ...holes.flatMap(rings)], { isClosed: true, fill: colour, rule: "evenodd" });
+          line([...rings(part), ...holes.flatMap(rings)], { isClosed: true, fill: tinted(colour), rule: "evenodd" });
           const { radius } = part.shape(half);
           if (radius) line(radius.map((r) => pixel(part.own([r, 0]))));
         }
         const center = pixel([x, y]);
-        if (!shapes.length) circle(center, 4, colour);
+        if (!shapes.length) circle(center, 4, tinted(colour));
         // A name stands in its body, or beside one that is too small.
         const size = Math.max(0, ...solid.flatMap(({ own, shape }) => shape(half).rings.flat().map((p) => Math.hypot(...add(pixel(own(p)), center.map((c) => -c))))));
         return { label, at: size < 16 ? add(center, [0, -size - 12]) : center };
@@ -183,11 +185,11 @@ function showsScene(scene) {
       const draw = () => {
         const at = pixel(place);
         if (variant === "Anchor") {
-          line([[at, add(at, [-9, 15]), add(at, [9, 15])]], { isClosed: true, fill: "#fff" });
+          line([[at, add(at, [-9, 15]), add(at, [9, 15])]], { isClosed: true, fill: GROUND });
           hatch([-12, -6, 0, 6, 12].map((k) => [add(at, [k, 15]), add(at, [k - 5, 21])]));
         }
-        if (variant === "Slide") line([[[-8, -5], [8, -5], [8, 5], [-8, 5]].map((p) => add(at, p))], { isClosed: true, fill: "#fff" });
-        circle(at, variant === "Roll" ? 2.5 : 4, variant === "Roll" ? INK : "#fff");
+        if (variant === "Slide") line([[[-8, -5], [8, -5], [8, 5], [-8, 5]].map((p) => add(at, p))], { isClosed: true, fill: GROUND });
+        circle(at, variant === "Roll" ? 2.5 : 4, variant === "Roll" ? INK : GROUND);
       };
       return { draw, seen: [place] };
     },
@@ -256,26 +258,31 @@ function showsScene(scene) {
       cover(moments.flatMap((values) => items(values).flatMap(({ seen }) => seen)));
     },
     draws(forces) { hasForces = forces; },
-    place,
-    // The point of a body at these pixels or near them, as a function of a scene; the last body lies on the others.
+    // The point of a body at these pixels or near them, as a function of a scene, and where it belongs if the pointer is at others; the last
+    // body lies on the others.
     grab(values, at) {
       const bodies = items(values).map((item, index) => ({ ...item, index })).filter(({ distance }) => distance);
       const near = bodies.map((body) => ({ ...body, far: body.distance(at) })).filter(({ far }) => far <= REACH);
       const best = near.reduce((found, body) => (found && found.far < body.far ? found : body), null);
       if (!best) return null;
       const own = best.ofBody(place(at));
-      return (scene) => {
+      const point = (scene) => {
         const seen = largest;
         const point = items(scene)[best.index].point(own);
         // Forces of scenes that are only tried do not count.
         largest = seen;
         return point;
       };
+      return { point, target: place };
     },
-    show(values) {
+    // Shows a moment. Nothing grows below the hand that holds a body.
+    show(values, isHeld) {
+      [GROUND, INK, PALE, HATCHING, LOAD] = NAMES.map((name) => tinted(scene.colours[name]));
       const drawn = items(values);
-      cover(drawn.flatMap(({ seen }) => seen));
-      cover(drawn.flatMap(({ tip }) => tip?.() ?? []));
+      if (!isHeld) {
+        cover(drawn.flatMap(({ seen }) => seen));
+        cover(drawn.flatMap(({ tip }) => tip?.() ?? []));
+      }
       const ratio = devicePixelRatio;
       const [wide, high] = [width(), height()].map((side) => Math.round(side * ratio));
       if (canvas.width !== wide || canvas.height !== high) [canvas.width, canvas.height] = [wide, high];
@@ -285,7 +292,7 @@ function showsScene(scene) {
       const labels = drawn.map(({ draw }) => draw()).filter((mark) => mark?.label);
       paper.textAlign = "left";
       paper.lineWidth = 4;
-      paper.strokeStyle = "#fff";
+      paper.strokeStyle = GROUND;
       for (const { label, at, colour = INK } of labels) {
         // A text, or a letter with its subscript.
         const parts = [label].flat().map((text, k) => ({ text, font: `italic ${k ? 11 : 15}px ${FONT}`, down: k ? 8 : 5 }));

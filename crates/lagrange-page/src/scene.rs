@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
 use lagrange_core::syntax::ast::SurfaceKind;
-use lagrange_draw::{DrawError, LiveLoads, LiveMesh, LiveScene, body_colour, is_made_up, live_terrain};
+use lagrange_draw::{
+    DrawError, LiveLoads, LiveMesh, LiveScene, body_colour, is_made_up, live_terrain, named_colours,
+};
 use lagrange_dynamic::{connector, visit_items};
 use lagrange_plot::characters::escaped;
 use lagrange_plot::label::Label;
@@ -14,7 +16,9 @@ use lagrange_runtime::scene::Item;
 use serde_json::{Value, json};
 
 const PLANE: &str = concat!(include_str!("reach.js"), include_str!("plane.js"));
-const SPACE: &str = include_str!("space.js");
+const SPACE: &str = concat!(include_str!("reach.js"), include_str!("pick.js"), include_str!("space.js"));
+/// Help text for the pointer.
+const DRAG: &str = " Drag a body to start from another place.";
 
 /// A picture that a page animates; empty by default.
 #[derive(Default)]
@@ -28,7 +32,7 @@ pub(crate) struct Shown {
     /// CSS rules.
     pub(crate) style: &'static str,
     /// Help text for keys.
-    pub(crate) keys: &'static str,
+    pub(crate) keys: String,
 }
 
 /// Returns the picture of a system, if it has a drawing.
@@ -57,7 +61,7 @@ fn figure(elements: &str) -> String {
 fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Shown {
     let (q, v) = split(system, start);
     let visit_start = |visit: &mut dyn FnMut(Item<'_, f64>)| visit_items(system, drawing, (0.0, q, v), visit);
-    let LiveLoads { labels, note, colour } = LiveLoads::new(visit_start);
+    let LiveLoads { labels, note } = LiveLoads::new(visit_start);
     let mut terrain = live_terrain(visit_start).into_iter();
     let (mut labels, mut centers, mut at) = (labels.into_iter(), HashMap::new(), 0);
     let items = drawing.items.iter().map(|item| {
@@ -66,13 +70,14 @@ fn in_plane(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Show
         plane_item(item, first, &mut centers, (&mut labels, &mut terrain))
     });
     let items = items.collect::<Vec<_>>();
+    let colours = HashMap::from(named_colours());
     let canvas = "<canvas id=\"canvas\" role=\"img\" aria-label=\"Drawing of the motion\"></canvas>";
     let note = if note.is_empty() { note } else { format!("<p class=\"note\">{}</p>", escaped(&note)) };
     Shown {
         elements: figure(&[canvas, &note].concat()),
-        scene: json!({ "items": items, "hasLoads": has_loads(drawing), "loadColour": colour }),
+        scene: json!({ "items": items, "hasLoads": has_loads(drawing), "colours": colours }),
         viewer: PLANE.to_owned(),
-        keys: " Drag a body to start from another place.",
+        keys: DRAG.to_owned(),
         ..Shown::default()
     }
 }
@@ -139,7 +144,7 @@ fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Resu
         elements: figure(&live.elements),
         viewer: [LiveScene::VIEWER, SPACE].concat(),
         style: LiveScene::STYLE,
-        keys: LiveScene::KEYS,
+        keys: DRAG.to_owned() + &LiveScene::KEYS.replacen("Drag", "Drag elsewhere", 1),
     })
 }
 

@@ -8,6 +8,10 @@ function showsScene(scene) {
   // Forces and moments have a scale of their own each, so that the largest seen so far has the longest arrow.
   const largest = { force: 0, moment: 0 };
   let hasForces = false;
+  // Bodies are grabbed some pixels beside them, too. A point that can stay on its plane parallel to the screen does so, since its height
+  // counts; it counts less than its pixels.
+  const AROUND = Array.from({ length: 8 }, (_, k) => [6 * Math.cos(k * Math.PI / 4), 6 * Math.sin(k * Math.PI / 4)]);
+  const DEPTH = 0.05;
   const subtract = (a, b) => a.map((value, k) => value - b[k]);
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const unit = (a) => { const size = Math.hypot(...a); return size > 0 ? a.map((value) => value / size) : null; };
@@ -67,14 +71,20 @@ function showsScene(scene) {
     origin: subtract(origin, ball.middle).map((value) => value / ball.radius), turn, stretch: stretch / ball.radius, scale: part * scene.radius / ball.radius,
   });
   const corners = space.meshes.map(cornersOf);
-  const reach = space.things.map(({ mesh }) => Math.max(0, ...corners[mesh].map((corner) => Math.hypot(...corner.slice(0, 3)))) * scene.radius);
+  const radii = space.things.map(({ mesh }) => Math.max(0, ...corners[mesh].map((corner) => Math.hypot(...corner.slice(0, 3)))));
+  // Bodies, and surfaces that hide them.
+  const seen = () => space.poses[0].flatMap((pose, k) => {
+    const [thing, { mesh }] = [things[k], space.things[k]];
+    const isBody = "body frame".includes(thing.kind);
+    return isBody || thing.kind === "surface" ? [{ ...thing, isBody, pose, mesh: space.meshes[mesh], corners: corners[mesh], radius: radii[k] }] : [];
+  });
   function grow(all) {
     for (const pose of all) {
       pose.forEach(({ origin, turn, stretch, part }, k) => {
         if (part === 0) return;
         const ends = [origin, origin.map((value, row) => value + stretch * turn[6 + row])];
         for (const end of ends.filter((place) => place.every(Number.isFinite))) {
-          ball.radius = Math.max(ball.radius, Math.hypot(...subtract(end, ball.middle)) + reach[k]);
+          ball.radius = Math.max(ball.radius, Math.hypot(...subtract(end, ball.middle)) + radii[k] * scene.radius);
         }
       });
     }
@@ -95,9 +105,28 @@ function showsScene(scene) {
       show = viewer();
     },
     draws(forces) { hasForces = forces; },
-    show(values) {
+    // The point of a body that is seen at these pixels or beside them: of a scene, its pixels and its height, and the same where the pointer is.
+    grab(values, pixels) {
+      if (!show.camera) return null;
+      const found = [[0, 0], ...AROUND].map((offset) => nearest(seen(), sight(show.camera, space.near, pixels.map((value, k) => value + offset[k]))));
+      const { thing, height } = found.find(Boolean) ?? {};
+      if (!thing?.isBody) return null;
+      const { foot, way } = sight(show.camera, space.near, pixels);
+      const place = foot.map((value, k) => ball.middle[k] + ball.radius * (value + height * way[k]));
+      const pose = (scene) => poses[thing.kind](scene.slice(thing.at));
+      const { origin, turn } = pose(values);
+      const own = [0, 3, 6].map((column) => subtract(place, origin).reduce((sum, value, row) => sum + turn[column + row] * value, 0));
+      const depth = (height) => DEPTH * show.camera.scale() * height;
+      const point = (scene) => {
+        const inBall = subtract(placed({ ...pose(scene), scale: 1 }, [...own, 0]), ball.middle).map((value) => value / ball.radius);
+        return [...show.camera.point(inBall), depth(show.camera.axes()[2].reduce((sum, value, k) => sum + value * inBall[k], 0))];
+      };
+      return { point, target: (pixels) => [...pixels, depth(height)] };
+    },
+    // Shows a moment. Nothing grows below the hand that holds a body.
+    show(values, isHeld) {
       const pose = posesOf(values);
-      grow([pose]);
+      if (!isHeld) grow([pose]);
       space.poses = [pose.map(inBall)];
       show(0, 0);
     },

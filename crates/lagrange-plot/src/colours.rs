@@ -82,6 +82,11 @@ impl Colour {
         css(self.light)
     }
 
+    /// Returns the colours on paper and on a dark ground, in CSS notation.
+    pub fn pair(self) -> [String; 2] {
+        [self.light, self.dark].map(css)
+    }
+
     /// Returns an attribute of an SVG element with the colour on paper, preceded by a blank.
     pub fn paint(self, attribute: &str) -> String {
         let colour = format!(" {attribute}=\"{}\"", self.css());

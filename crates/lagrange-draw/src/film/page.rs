@@ -17,8 +17,9 @@ use lagrange_plot::notation::Columns;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
-/// Additional rules for pictures, which have the ground of their page.
-const GROUND: &str = "#picture { background: var(--ground); }\n";
+/// Script for colours that no style sheet sets. `scheme()` is the query for readers who prefer
+/// dark, and `tinted(pair)` is the colour of a pair for the reader.
+pub const SCHEME: &str = include_str!("scheme.js");
 const SCRIPT: &str = include_str!("page.js");
 /// Script that shows the layers of pictures.
 const LAYERS: &str = include_str!("layers.js");
@@ -56,7 +57,7 @@ pub(super) fn of_pictures(pictures: &[Picture], timeline: &Timeline) -> String {
     let page = Page {
         title: pictures.first().map(|picture| &*picture.title).unwrap_or_default(),
         timeline,
-        style: GROUND,
+        style: "",
         picture: first_picture(pictures, &layers),
         shown: format!("\"layers\":[\n{}]", changing.collect::<Vec<_>>().join(",\n")),
         viewer: LAYERS,

@@ -8,14 +8,13 @@ use super::projector::{DARK, EDGE, LINE, Projector};
 use super::recording::{Kind, MovingMesh, Recording, Trace};
 use super::surface::Surface;
 use super::vector::Vector;
-use crate::colour::{INK, PALE};
-use crate::film::page::{Page, exact, list};
+use crate::colour::{INK, PALE, PAPER, SHADOW};
+use crate::film::page::{Page, SCHEME, exact, list};
 use crate::geometry::{subtract, times};
 use crate::look::Look;
 use crate::picture::{Colour, Picture};
 use crate::timeline::Timeline;
 use lagrange_plot::characters::escaped;
-use lagrange_plot::characters::number;
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
 
@@ -49,7 +48,7 @@ pub(super) fn html(projector: &Projector, timeline: &Timeline) -> String {
         style: STYLE,
         picture,
         shown: format!("\"space\":{space}"),
-        viewer: VIEWER,
+        viewer: &[SCHEME, VIEWER].concat(),
         keys: KEYS,
     };
     page.html()
@@ -94,8 +93,8 @@ impl Scene<'_> {
             recording.things.iter().filter_map(label_of).chain(recording.traces.iter().map(trace_label));
         let element = |(index, (text, colour)): (usize, (String, Colour))| {
             format!(
-                "<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>",
-                colour.text().css(),
+                "<span id=\"label-{index}\" style=\"color:light-dark({})\" hidden>{}</span>",
+                colour.text().pair().join(","),
                 Label::parse(&text).html()
             )
         };
@@ -133,13 +132,14 @@ impl Scene<'_> {
         let direction = self.look.direction;
         let near = if direction.is_perspective { 1.0 / DISTANCE } else { 0.0 };
         format!(
-            "{{\"unit\":{:e},\"view\":[{},{}],\"near\":{near},\"light\":{},\"shade\":{SHADE},\"ink\":{},\"edge\":{EDGE},\n\
+            "{{\"unit\":{:e},\"view\":[{},{}],\"near\":{near},\"light\":{},\"shade\":{SHADE},\"shadow\":{},\"ground\":{},\"edge\":{EDGE},\n\
              \"meshes\":[\n{}],\n\"things\":[\n{}],\n\"traces\":[\n{}]}}",
             1.0 / FINE,
             exact(direction.azimuth),
             exact(direction.elevation),
             list(LIGHT.map(exact)),
-            colour(INK),
+            colour(SHADOW),
+            colour(PAPER),
             meshes.into_iter().map(|one| mesh(one, self.frame.radius)).collect::<Vec<_>>().join(",\n"),
             things.join(",\n"),
             traces.join(",\n"),
@@ -249,7 +249,7 @@ fn whole(values: &[f64]) -> String {
     values.iter().map(number).collect::<Vec<_>>().join(",")
 }
 
-/// Returns a colour with channels from zero to one.
-fn colour(Colour { light: [red, green, blue], .. }: Colour) -> String {
-    list([red, green, blue].map(|part| number(f64::from(part) / 255.0)))
+/// Returns a colour on paper and on a dark ground.
+fn colour(colour: Colour) -> String {
+    list(colour.pair().map(|css| format!("\"{css}\"")))
 }

@@ -141,7 +141,7 @@ function followsHands(canvas, camera, changed) {
     const after = [...held.values()];
     const [dx, dy] = [0, 1].map((k) => mean(after)[k] - mean(before)[k]);
     const isShift = after.length > 1 || event.shiftKey || (event.buttons & 6) !== 0;
-    if (isShift) camera.move(dx, dy); else camera.turn(-RADIANS * dx, RADIANS * dy);
+    if (isShift) camera.move(dx, dy); else if (!canvas.matches(".grabbed")) camera.turn(-RADIANS * dx, RADIANS * dy);
     if (after.length === 2 && apart(before) > 0) camera.zoom(apart(after) / apart(before), mean(after));
     changed();
   });

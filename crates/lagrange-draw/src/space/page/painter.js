@@ -22,13 +22,13 @@ function paintsThings(canvas, space) {
     void main() { gl_Position = seen(placed(corner)); across = (turn * normal) * axes; }`;
   const faceFragment = `#version 300 es
     precision highp float;
-    uniform vec3 colour, ink, light;
+    uniform vec3 colour, shadow, light;
     uniform float shade;
     in vec3 across;
     out vec4 pixel;
     void main() {
       float brightness = shade + (1.0 - shade) * max(dot(normalize(across), light), 0.0);
-      pixel = vec4(mix(ink, colour, brightness), 1.0);
+      pixel = vec4(mix(shadow, colour, brightness), 1.0);
     }`;
   // A line is a rectangle across the view, a little longer than itself. One between two faces that go on smoothly is painted if it is
   // the outline: if one of them is seen and the other is not.
@@ -124,6 +124,7 @@ function paintsThings(canvas, space) {
     traces = space.traces.map(path);
     tip = buffer([0, 0, 0, 0, 0, 0, 0, 0], [[4, 0], [4, 4]], 8, true);
   }
+  const rgb = (pair) => [1, 3, 5].map((digit) => parseInt(tinted(pair).slice(digit, digit + 2), 16) / 255);
   function use({ program, places }, camera) {
     const [size, scale, shift, axes] = [camera.size(), camera.scale(), camera.shift(), camera.axes()];
     gl.useProgram(program);
@@ -133,7 +134,7 @@ function paintsThings(canvas, space) {
     gl.uniform1f(places.near, space.near);
     gl.uniform2f(places.pixels ?? null, ...size);
     gl.uniform3fv(places.light ?? null, space.light);
-    gl.uniform3fv(places.ink ?? null, space.ink);
+    gl.uniform3fv(places.shadow ?? null, rgb(space.shadow));
     gl.uniform1f(places.shade ?? null, space.shade);
   }
   function put({ places }, { origin, turn, stretch, scale }, colour) {
@@ -141,7 +142,7 @@ function paintsThings(canvas, space) {
     gl.uniformMatrix3fv(places.turn, false, turn);
     gl.uniform1f(places.stretch, stretch);
     gl.uniform1f(places.size, scale);
-    gl.uniform3fv(places.colour, colour);
+    gl.uniform3fv(places.colour, rgb(colour));
   }
   function rule({ array, count }, width) {
     if (count < 1) return;
@@ -183,7 +184,7 @@ function paintsThings(canvas, space) {
     const [width, height] = camera.size().map((side) => Math.round(side * devicePixelRatio));
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     gl.viewport(0, 0, width, height);
-    gl.clearColor(1, 1, 1, 1);
+    gl.clearColor(...rgb(space.ground), 1);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
     gl.enable(gl.POLYGON_OFFSET_FILL);

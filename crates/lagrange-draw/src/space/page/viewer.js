@@ -31,9 +31,10 @@ function viewer() {
   camera.fit([canvas.clientWidth, canvas.clientHeight]);
   followsHands(canvas, camera, changed);
   reset.addEventListener("click", () => { camera.reset(); canvas.focus({ preventScroll: true }); changed(); });
+  scheme().addEventListener("change", draw);
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
   canvas.addEventListener("webglcontextrestored", () => { painter.build(); changed(); });
-  return (index, part) => { moment = [index, part]; draw(); };
+  return Object.assign((index, part) => { moment = [index, part]; draw(); }, { camera });
 }
 
 // Numbers of a moment, each of `width`, in a list that has a single one if they never change.

@@ -7,9 +7,12 @@ use serde_json::Value;
 use super::Crane;
 use super::walker::{LEGS, Walker, leg};
 use crate::DrawError;
+use crate::colour::PAPER;
 use crate::geometry::{length, subtract};
+use crate::picture::Colour;
 use crate::space::vector::Vector;
 use crate::{Drawing, Film};
+use lagrange_plot::colours::LINES;
 use lagrange_runtime::scene::Spatial;
 
 pub(super) const NAUGHTY: &str = "</script><!--{{script}} & \"T\"";
@@ -211,5 +214,33 @@ fn samples_are_saved_in_the_given_folder() {
         for extension in ["html", "glb"] {
             film.save(format!("{folder}/{name}.{extension}")).expect("is written");
         }
+    }
+}
+
+/// Returns a colour from its pair on paper and on a dark ground.
+fn colour(pair: &Value) -> Colour {
+    let [light, dark] = [0, 1].map(|side| {
+        let digits = pair[side].as_str().and_then(|css| css.strip_prefix('#')).expect("is a colour");
+        u32::from_str_radix(digits, 16).expect("has six digits")
+    });
+    Colour::new(light, dark)
+}
+
+#[test]
+fn edges_contrast_with_both_grounds_and_names_are_legible() {
+    let html = crane(2).html();
+    let data = film(&html);
+    let space = &data["space"];
+    let ground = colour(&space["ground"]);
+    assert!(ground == PAPER && ground.pair() == ["#ffffff", "#17191c"]);
+    let things = space["things"].as_array().expect("has things");
+    for edge in things.iter().map(|thing| colour(&thing["edge"])) {
+        assert!(edge.contrast(ground) >= LINES, "{edge:?}");
+    }
+    let names: Vec<&str> = html.split("color:light-dark(").skip(1).collect();
+    assert!(names.len() >= 4, "{} names", names.len());
+    for name in names {
+        let pair = Value::from(name[..15].split(',').collect::<Vec<_>>());
+        assert!(colour(&pair).contrast(ground) >= 4.5, "{pair}");
     }
 }
