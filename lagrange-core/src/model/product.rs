@@ -141,6 +141,10 @@ pub enum ProductShape {
     Matrix(Extent, Extent),
 }
 
+/// The units of multipliers of constraints.
+const MULTIPLIERS: ProductUnit =
+    ProductUnit::Described("Each is in W over the unit of its condition on the velocities.");
+
 /// The unit of the entries of a result, from coherent units and those of velocities.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ProductUnit {
@@ -152,6 +156,8 @@ pub enum ProductUnit {
     Times(&'static str),
     /// The unit of the row over that of the column.
     Quotient,
+    /// Units that a sentence describes.
+    Described(&'static str),
     /// The units of accelerations.
     Acceleration,
 }
@@ -234,12 +240,14 @@ impl Product {
         self.row().name
     }
 
-    /// Returns the unit of the method of this name, if it is that of a product or the acceleration.
+    /// Returns the unit of the method of this name, if it is that of a product, the acceleration or
+    /// the multipliers.
     pub fn unit_of_method(name: &str) -> Option<ProductUnit> {
-        if name == "acceleration" {
-            return Some(ProductUnit::Acceleration);
+        match name {
+            "acceleration" => Some(ProductUnit::Acceleration),
+            "multipliers" => Some(MULTIPLIERS),
+            _ => Product::by_name(name)?.row().method.as_ref()?.unit,
         }
-        Product::by_name(name)?.row().method.as_ref()?.unit
     }
 
     /// True if only systems with constraints have it.

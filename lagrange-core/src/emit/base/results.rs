@@ -36,6 +36,7 @@ impl Shape<'_> {
     fn unit_of_entries(&self, unit: ProductUnit, returns: Returns) -> Option<String> {
         let (unit, exponent) = match unit {
             ProductUnit::Quotient => return Some(QUOTIENT.to_owned()),
+            ProductUnit::Described(units) => return Some(units.to_owned()),
             ProductUnit::Same(unit) => return Some(format!("In {unit}.")),
             ProductUnit::Over(unit) => (unit, -1),
             ProductUnit::Times(unit) => (unit, 1),

@@ -33,7 +33,8 @@ fn write_frame(writer: &mut MethodWriter<'_>, LinkPose { name, values }: &LinkPo
         ),
         "and its origin.".to_owned(),
     ];
-    push(writer, (name, BodyMethod::Frame), &lines, (Arguments::Positions, Returns::Frame), values);
+    let signature = (Arguments::Positions, Returns::Frame);
+    push(writer, (name, BodyMethod::Frame), (&lines, "The origin is in m."), signature, values);
 }
 
 fn write_jacobian(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId]) {
@@ -43,7 +44,8 @@ fn write_jacobian(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId])
         "these is left out.".to_owned(),
     ];
     let returns = Returns::Matrix(6, writer.shape.velocities.len());
-    push(writer, (name, BodyMethod::Jacobian), &lines, (Arguments::Positions, returns), values);
+    let units = "Rows are in rad/s, then in m/s, over the units of the velocities.";
+    push(writer, (name, BodyMethod::Jacobian), (&lines, units), (Arguments::Positions, returns), values);
 }
 
 fn write_bias(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId]) {
@@ -57,14 +59,20 @@ fn write_bias(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId]) {
         format!("`{jacobian}` times the generalised accelerations adds to them."),
     ];
     let signature = (Arguments::State, Returns::Vector(6));
-    push(writer, (name, BodyMethod::BiasAcceleration), &lines, signature, values);
+    push(
+        writer,
+        (name, BodyMethod::BiasAcceleration),
+        (&lines, "In rad/s^2, then in m/s^2."),
+        signature,
+        values,
+    );
 }
 
-/// Lowers and adds a method.
+/// Lowers and adds a method. Units are stated if the declaration has any.
 fn push(
     writer: &mut MethodWriter<'_>,
     (name, method): (&Name, BodyMethod),
-    lines: &[String],
+    (lines, units): (&[String], &str),
     (arguments, returns): (Arguments, Returns),
     values: &[ExprId],
 ) {
@@ -72,7 +80,9 @@ fn push(
         Some(sparse) => lowered_sparse(writer, &sparse, arguments),
         None => writer.lowered(values, arguments, |results| returns.collect(results)),
     };
-    let own = lines.iter().map(|line| doc(line)).collect::<TokenStream>();
+    let units = writer.shape.declaration.has_dimensions.then(|| ["", units]);
+    let lines = lines.iter().map(String::as_str).chain(units.into_iter().flatten());
+    let own = lines.map(doc).collect::<TokenStream>();
     let docs = with_counts(described(writer.shape, name, own), counts);
     writer.members.methods.push(Method { name: method_of(name, method), docs, arguments, returns, body });
 }

@@ -3,7 +3,7 @@
 use super::Availability::{Always, Bodies, Constraints, Demand, Events, SeparateEnergies, With};
 use super::ProductArguments::{Configuration, Motion, Positions, State, Whole};
 use super::ProductShape::{Matrix, Scalar, Vector};
-use super::ProductUnit::{Over, Quotient, Same, Times};
+use super::ProductUnit::{Described, Over, Quotient, Same, Times};
 use super::{Extent, Product, ProductRow};
 
 /// Every product in the order of emission, which is that of [`Product`].
@@ -62,17 +62,20 @@ pub(super) const ROWS: [ProductRow; 41] = [
         .with_method(Motion, Matrix(Extent::Velocities, Extent::Regressed), &[
             "Regressor Y of the inverse dynamics, in rows. Its columns multiply the parameters",
             "`REGRESSOR_PARAMETERS`, in which the inverse dynamics is linear; other terms are not in it.",
-        ]),
+        ])
+        .in_unit(Quotient),
     ProductRow::new(Product::Constraints, "constraints", Constraints)
         .with_method(State, Vector(Extent::Constraints), &[
             "Values that the constraints hold at zero, in the order of their declaration; only those of",
             "nonholonomic constraints depend on the velocities.",
-        ]),
+        ])
+        .in_unit(Described("In the units of the declared conditions.")),
     ProductRow::new(Product::ConstraintVelocity, "constraint_velocity", Constraints)
         .with_method(State, Vector(Extent::Constraints), &[
             "Conditions on the velocities, which the constraints hold at zero: rates of holonomic constraints,",
             "nonholonomic constraints themselves.",
-        ]),
+        ])
+        .in_unit(Described("In the units of the declared conditions, those of holonomic constraints over s.")),
     ProductRow::new(Product::ConstraintJacobian, "constraint_jacobian", Constraints)
         .with_method(Positions, Matrix(Extent::Constraints, Extent::Velocities), &[
             "Matrix A of the constraints, in rows: the derivatives of their conditions on the velocities by",
@@ -127,7 +130,8 @@ pub(super) const ROWS: [ProductRow; 41] = [
     ProductRow::new(Product::LagrangianHessian, "lagrangian_hessian", Demand)
         .with_method(State, Matrix(Extent::State, Extent::State), &[
             "Second derivatives of the Lagrangian with respect to positions and velocities, in rows.",
-        ]),
+        ])
+        .in_unit(Described("Each entry is in J over the units of its row and of its column.")),
     ProductRow::new(Product::GeneralisedForces, "generalised_forces", With(Product::Tests))
         .with_method(State, Vector(Extent::Velocities), &[
             "Generalised forces Q of d/dt ∂L/∂v − ∂L/∂q = Q: applied forces, dissipation, forces of",
@@ -142,7 +146,8 @@ pub(super) const ROWS: [ProductRow; 41] = [
         .with_method(State, Vector(Extent::Motions), &[
             "Momentum of all bodies, in world axes: angular momentum about their centre of mass, then linear",
             "momentum.",
-        ]),
+        ])
+        .in_unit(Described("Angular momentum is in N*m*s, linear momentum in kg*m/s.")),
     ProductRow::new(Product::CentroidalMomentumMatrix, "centroidal_momentum_matrix", Bodies)
         .with_method(Positions, Matrix(Extent::Motions, Extent::Velocities), &[
             "Matrix A of the centroidal momentum A v, in rows; what time alone adds is omitted.",

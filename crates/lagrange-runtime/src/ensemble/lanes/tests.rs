@@ -58,6 +58,10 @@ macro_rules! system {
             fn rhs(&self, t: S, y: &[S; 2 * $freedoms]) -> [S; 2 * $freedoms] {
                 Equations::rhs(self, t, y)
             }
+
+            fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V> {
+                Ok(visitor.visit())
+            }
         }
 
         impl<S: Scalar> MechanicalSystem for $name<S> {
@@ -73,10 +77,6 @@ macro_rules! system {
 
             fn position_rates(&self, _t: S, _q: &[S; $freedoms], v: &[S; $freedoms]) -> [S; $freedoms] {
                 *v
-            }
-
-            fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V> {
-                Ok(visitor.visit())
             }
         }
 

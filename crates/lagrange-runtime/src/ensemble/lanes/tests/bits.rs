@@ -53,7 +53,7 @@ fn bits_of_samples<M: Subject>(samples: &Samples<M>) -> Vec<Bits> {
 fn in_lanes<M: Subject, K: Goes<M>, S: SideBySide<Element = f64>, const SAMPLED: bool>(
     ensemble: &Ensemble<'_, M, K>,
 ) -> Vec<Bits> {
-    let starts: Vec<_> = (0..MOTIONS).map(|index| ensemble.start_of(index).expect("starts")).collect();
+    let starts: Vec<_> = (0..MOTIONS).map(|index| ensemble.start_of(index, ensemble.batch.system)).collect();
     let grid = SAMPLED.then(|| Grid::new([0.0, UNTIL], INTERVAL).expect("has sense"));
     let ends: EndsOf<M> = arrivals::<M, S, SAMPLED>(&starts, ensemble.method, UNTIL, grid);
     let rows = |(start, end): (&MotionStart<M>, Option<ArrivalOf<M>>)| {
