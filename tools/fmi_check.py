@@ -5,6 +5,7 @@
 """
 
 import csv
+import ctypes
 import math
 import subprocess
 import sys
@@ -350,6 +351,33 @@ def check_derivatives(folder, version):
     print(f"directional derivatives, FMI {version}.0")
 
 
+def check_nominals(lagrange, folder, version):
+    """Checks that nominal values of states are those declared."""
+    file, unit = folder / "mirror.lag", folder / "mirror.fmu"
+    file.write_text("struct Mirror; coord tilt: mm nominal 0.1 = 1; state heat = 3; kinetic = 1/2 * (1 kg) * dot(tilt)^2; dot(heat) = 0;")
+    command(lagrange, "fmu", file, "--fmi", version, "-o", unit)
+    opened = Opened(unit, True)
+    nominals = (ctypes.c_double * 3)()
+    opened.start().getNominalsOfContinuousStates(nominals, 3)
+    assert list(nominals) == [1e-4, 1.0, 1e-4], list(nominals)
+    opened.fmu.freeInstance()
+    print(f"nominal values, FMI {version}.0")
+
+
+def check_periods(folder, version):
+    """Checks that a running clock keeps its period if the new one is not valid."""
+    opened = Opened(folder / f"sampled_{version}.fmu", False)
+    fmu = opened.start()
+    fmu.doStep(0.0, 0.25)
+    for period in (0.0, -1.0, 1e-300):
+        fails(lambda: opened.set(opened.reference["period"], period))
+    assert opened.get("period") == [0.17]
+    fmu.doStep(0.25, 0.25)
+    fmu.terminate()
+    fmu.freeInstance()
+    print(f"periods of clocks, FMI {version}.0")
+
+
 def check_end(lagrange, folder):
     """Checks a declared end: version 2.0 discards the step, version 3.0 requests the end."""
     file, unit = folder / "drop.lag", folder / "drop.fmu"
@@ -423,6 +451,8 @@ def main():
             compare_signal(folder, version)
             check_errors(folder, version)
             check_derivatives(folder, version)
+            check_nominals(lagrange, folder, version)
+            check_periods(folder, version)
             check_failure(lagrange, folder, version)
 
 
