@@ -26,12 +26,10 @@ pub(crate) fn chosen(
 ) -> PyResult<MethodChoice> {
     let method = MethodChoice::new(name, tolerance, step);
     let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    match (seed, &method) {
-        (None, _) => Ok(method),
-        (Some(seed), MethodChoice::EulerMaruyama { .. } | MethodChoice::StochasticRungeKutta4 { .. }) => {
-            Ok(method.with_seed(seed))
-        }
-        (Some(_), _) => {
+    match seed {
+        None => Ok(method),
+        Some(seed) if method.has_seed() => Ok(method.with_seed(seed)),
+        Some(_) => {
             Err(PyValueError::new_err("`seed` chooses the noise of the methods `maruyama` and `stochastic`"))
         }
     }
