@@ -284,6 +284,15 @@ fn declared_ends_and_lost_numbers_end_a_step() {
     );
 }
 
+/// Programs try a discarded step again, but not after an error.
+#[test]
+fn steps_that_do_not_advance_are_errors() {
+    let root = "struct Root; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = sqrt(-x);";
+    let ([status, time, x, speed], messages) = stepped("never", root, &["1", "3"]);
+    assert_eq!([status, time, x, speed], [3.0, 0.0, 1.0, 0.0], "{messages}");
+    assert!(messages.contains("stands at the time 0: rates or events are not finite"), "{messages}");
+}
+
 /// Kinks are events, too: x = t² up to t = 1/2, then a straight line.
 #[test]
 fn switches_are_located() {
