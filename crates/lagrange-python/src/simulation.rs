@@ -43,6 +43,8 @@ pub(crate) struct DrivenRun<'py> {
     pub(crate) settings: RunSettings,
     /// Function of time and state that returns the inputs.
     pub(crate) law: Bound<'py, PyAny>,
+    /// Number of inputs.
+    pub(crate) count: usize,
 }
 
 /// A run that failed.
@@ -54,9 +56,11 @@ pub(crate) struct FailedRun {
 
 impl FailedRun {
     fn new<const CAPACITY: usize>(failure: &RunError<DynamicSystem<CAPACITY>>) -> Self {
+        let is_refusal = failure.cause.is_refusal();
         FailedRun {
-            message: failure.to_string(),
-            is_refusal: failure.cause.is_refusal(),
+            // A run that is refused has no time.
+            message: if is_refusal { failure.cause.to_string() } else { failure.to_string() },
+            is_refusal,
             motion: NewTrajectory::of(&failure.trajectory),
         }
     }
@@ -111,7 +115,13 @@ impl DrivenRun<'_> {
     fn inputs(&self, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
         let found = self.law.call1((t, y.to_pyarray(self.law.py())))?;
         let one = found.extract::<f64>().map(|input| vec![input]);
-        one.or_else(|_| numbers("the result of `inputs`", &found))
+        let inputs = one.or_else(|_| numbers("the result of `inputs`", &found))?;
+        match (inputs.len(), self.count) {
+            (given, count) if given == count => Ok(inputs),
+            (given, count) => {
+                Err(PyValueError::new_err(format!("`inputs` returns {given} values for {count} inputs")))
+            }
+        }
     }
 }
 

@@ -245,7 +245,8 @@ impl PySystem {
         };
         let (motion, raised) = match inputs {
             Some(law) if law.is_callable() => {
-                return self.declared.visit(DrivenRun { settings, law })?.share(py);
+                let count = self.declared.programs().layout.inputs;
+                return self.declared.visit(DrivenRun { settings, law, count })?.share(py);
             }
             Some(samples) => {
                 let inputs = SampledInputs::new(&samples, self.declared.programs().layout.inputs)?;
