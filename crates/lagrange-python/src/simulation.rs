@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use lagrange_dynamic::{DynamicSystem, Inline, MethodChoice, RunSettings, Visitor, Watch};
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Inline, MethodChoice, RunSettings, Visitor, Watch};
 use lagrange_runtime::simulate::{SimulationError as RunError, Trajectory};
 use lagrange_runtime::system::StateVector;
 use numpy::ToPyArray;
@@ -40,11 +40,11 @@ pub(crate) struct FreeRun<'a>(pub(crate) RunSettings, pub(crate) Watch<'a>);
 
 /// A run with inputs from a Python function.
 pub(crate) struct DrivenRun<'py> {
-    pub(crate) settings: RunSettings,
+    settings: RunSettings,
     /// Function of time and state that returns the inputs.
-    pub(crate) law: Bound<'py, PyAny>,
+    law: Bound<'py, PyAny>,
     /// Number of inputs.
-    pub(crate) count: usize,
+    count: usize,
 }
 
 /// A run that failed.
@@ -111,7 +111,11 @@ impl Visitor for DrivenRun<'_> {
     }
 }
 
-impl DrivenRun<'_> {
+impl<'py> DrivenRun<'py> {
+    pub(crate) fn new(settings: RunSettings, law: Bound<'py, PyAny>, system: &DeclaredSystem) -> Self {
+        DrivenRun { settings, law, count: system.programs().layout.inputs }
+    }
+
     fn inputs(&self, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
         let found = self.law.call1((t, y.to_pyarray(self.law.py())))?;
         let one = found.extract::<f64>().map(|input| vec![input]);

@@ -245,8 +245,7 @@ impl PySystem {
         };
         let (motion, raised) = match inputs {
             Some(law) if law.is_callable() => {
-                let count = self.declared.programs().layout.inputs;
-                return self.declared.visit(DrivenRun { settings, law, count })?.share(py);
+                return self.declared.visit(DrivenRun::new(settings, law, &self.declared))?.share(py);
             }
             Some(samples) => {
                 let inputs = SampledInputs::new(&samples, self.declared.programs().layout.inputs)?;
