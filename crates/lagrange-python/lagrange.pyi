@@ -2,10 +2,10 @@
 
 >>> import lagrange
 >>> pendulum = lagrange.System('''
-...     param l: m = 1, g: m/s^2 = 9.81;
+...     param m: kg = 1, l: m = 1, g: m/s^2 = 9.81;
 ...     coord theta: rad = 0.5;
-...     kinetic = 1/2 * (l * dot(theta))^2;
-...     potential = -g * l * cos(theta);
+...     kinetic = 1/2 * m * (l * dot(theta))^2;
+...     potential = -m * g * l * cos(theta);
 ... ''')
 >>> motion = pendulum.simulate(until=10, every=0.1)
 >>> motion["theta"].shape

@@ -222,9 +222,10 @@ const FMI: &[Layer] = &[
 
 const CLI: &[Layer] = &[
     Layer {
-        modules: &["arguments", "help", "meter"],
-        purpose: "the command line, read into a command; its description; progress on a terminal",
+        modules: &["arguments", "console", "help"],
+        purpose: "the command line, read into a command; text for the user; its description",
     },
+    Layer { modules: &["meter"], purpose: "progress on a terminal" },
     Layer { modules: &["source"], purpose: "files with declarations, and the standard input" },
     Layer {
         modules: &["mistakes", "values"],

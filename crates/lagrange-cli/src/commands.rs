@@ -1,7 +1,7 @@
 //! Execution of the commands.
 
 use std::ffi::OsStr;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use lagrange_c::{Module, Refusal};
@@ -21,6 +21,7 @@ use serde_json::Value;
 
 use crate::analyses::Linearised;
 use crate::arguments::{Action, Command, EnsembleOptions, Point, Settings, Text, TradeOptions, Values};
+use crate::console::{answer, report};
 use crate::ensembles;
 use crate::mistakes;
 use crate::motions::{Failure, Motion, method, set, start};
@@ -361,11 +362,11 @@ fn rust(items: TokenStream) -> Outcome<String> {
 fn robot(source: &Source, options: &Options) -> Outcome<String> {
     match import(&source.text, options) {
         Ok(Import { declaration, warnings, .. }) => {
-            eprint!("{}", listing(&source.name, &warnings));
+            report(&listing(&source.name, &warnings));
             Ok(declaration)
         }
         Err(mistakes) => {
-            eprint!("{}", listing(&source.name, &mistakes));
+            report(&listing(&source.name, &mistakes));
             Err(Printed)
         }
     }
@@ -374,7 +375,7 @@ fn robot(source: &Source, options: &Options) -> Outcome<String> {
 fn write(output: Option<&Path>, text: impl AsRef<[u8]>) -> Outcome<()> {
     let result = match output {
         Some(path) => save_bytes(path, text).map_err(|error| format!("{}: {error}", path.display())),
-        None => io::stdout().lock().write_all(text.as_ref()).map_err(|error| error.to_string()),
+        None => answer(|output| output.write_all(text.as_ref())),
     };
     result.map_err(|message| print_error(&message))
 }
@@ -389,6 +390,6 @@ fn print_plainly(source: &Source, report: &Report) -> Printed {
 }
 
 fn print_error(message: &str) -> Printed {
-    eprintln!("error: {message}");
+    report(&format!("error: {message}\n"));
     Printed
 }

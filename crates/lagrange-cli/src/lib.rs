@@ -14,6 +14,7 @@
 mod analyses;
 mod arguments;
 mod commands;
+mod console;
 mod ensembles;
 mod help;
 mod meter;
@@ -25,6 +26,7 @@ mod values;
 mod watch;
 
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -32,6 +34,7 @@ use lagrange_core::pipeline::Backend;
 
 use arguments::{Request, read_arguments};
 use commands::Ended;
+use console::{answer, report};
 use help::HELP;
 use watch::watch;
 
@@ -47,14 +50,10 @@ const EARLY: u8 = 3;
 pub fn run(arguments: impl IntoIterator<Item = OsString>, backend: Option<&Arc<dyn Backend>>) -> ExitCode {
     let arguments = arguments.into_iter().collect::<Vec<_>>();
     match read_arguments(lexopt::Parser::from_iter(arguments), backend) {
-        Ok(Request::Help) => {
-            print!("{HELP}");
-            ExitCode::SUCCESS
-        }
+        Ok(Request::Help) => printed(HELP),
         Ok(Request::Version) => {
             let compiles = if backend.is_some() { ", with machine code" } else { "" };
-            println!("lagrange {}{compiles}", env!("CARGO_PKG_VERSION"));
-            ExitCode::SUCCESS
+            printed(&format!("lagrange {}{compiles}\n", env!("CARGO_PKG_VERSION")))
         }
         Ok(Request::Watch(command)) => watch(&command),
         Ok(Request::Command(command)) => match command.run() {
@@ -64,8 +63,18 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, backend: Option<&Arc<d
             Ended::Early => ExitCode::from(EARLY),
         },
         Err(error) => {
-            eprintln!("error: {error}\n\nfor all commands, write `lagrange --help`");
+            report(&format!("error: {error}\n\nfor all commands, write `lagrange --help`\n"));
             ExitCode::from(USAGE)
+        }
+    }
+}
+
+fn printed(text: &str) -> ExitCode {
+    match answer(|output| output.write_all(text.as_bytes())) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            report(&format!("error: {message}\n"));
+            ExitCode::from(MISTAKES)
         }
     }
 }

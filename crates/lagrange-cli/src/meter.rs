@@ -1,8 +1,10 @@
 //! The completed part of a computation, on the terminal.
 
-use std::io::{IsTerminal, Write, stderr};
+use std::io::{IsTerminal, stderr};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
+
+use crate::console::report;
 
 /// Time before the first line: most computations are shorter.
 const PATIENCE: Duration = Duration::from_millis(700);
@@ -27,7 +29,7 @@ impl Meter {
         let (now, mut next) = (Instant::now(), next.lock().unwrap_or_else(PoisonError::into_inner));
         if now >= *next {
             *next = now + INTERVAL;
-            write(&format!("\r{:5.1} %", 100.0 * part));
+            report(&format!("\r{:5.1} %", 100.0 * part));
         }
     }
 }
@@ -35,13 +37,7 @@ impl Meter {
 impl Drop for Meter {
     fn drop(&mut self) {
         if self.next.is_some() {
-            write("\r\x1b[K");
+            report("\r\x1b[K");
         }
     }
-}
-
-/// Writes to the standard error. A terminal that is gone needs no progress.
-fn write(text: &str) {
-    let mut terminal = stderr().lock();
-    let _ = terminal.write_all(text.as_bytes()).and_then(|()| terminal.flush());
 }

@@ -7,12 +7,14 @@ use lagrange_core::diagnostics::{Diagnostic, Origin, Report, Severity};
 use lagrange_dynamic::Source;
 use serde_json::{Value, json};
 
+use crate::console;
+
 /// Prints all errors of a file to the standard error, in colour if it is a terminal.
 pub(crate) fn print(source: &Source, report: &Report) {
     let is_coloured = stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let renderer = if is_coloured { Renderer::styled() } else { Renderer::plain() };
     for diagnostic in report.diagnostics() {
-        eprintln!("{}\n", renderer.render(&[group(source, diagnostic)]));
+        console::report(&format!("{}\n\n", renderer.render(&[group(source, diagnostic)])));
     }
 }
 

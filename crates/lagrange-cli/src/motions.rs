@@ -1,6 +1,6 @@
 //! Motions of declared systems: from textual settings to files.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::Path;
 
 use lagrange_core::model::Product;
@@ -11,6 +11,7 @@ use lagrange_files::save_bytes;
 use lagrange_runtime::simulate::Trajectory;
 
 use crate::arguments::{Settings, Values};
+use crate::console::answer;
 use crate::meter::Meter;
 use crate::values::value;
 
@@ -83,12 +84,18 @@ impl<'a> Motion<'a> {
         if settings.has_energy && system.programs().product(Product::Energy).is_none() {
             return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
         }
+        let method = method(settings)?;
+        if settings.seed.is_some() && !method.has_seed() {
+            return Err(Failure::Usage(
+                "`--seed` chooses the noise of the methods `maruyama` and `stochastic`".to_owned(),
+            ));
+        }
         let run = RunSettings {
             start: start("start", &settings.values, system)?,
             from: 0.0,
             until,
             every: settings.every.as_deref().map(|text| time("every", text)).transpose()?,
-            method: method(settings)?,
+            method,
             has_energy: settings.has_energy,
         };
         let (events, has_forces) = (settings.events.as_deref(), settings.has_forces);
@@ -256,7 +263,7 @@ impl Motion<'_> {
     ) -> Result<(), String> {
         match (self.output, self.output.and_then(extension)) {
             _ if self.filmed.is_some() => self.film(motion)?,
-            (None, _) => motion.write_csv(io::stdout().lock()).map_err(|error| error.to_string())?,
+            (None, _) => answer(|output| motion.write_csv(output))?,
             (Some(path), Some("csv")) => motion.save_csv(path).map_err(|error| error.to_string())?,
             (Some(path), Some("parquet")) => motion.save_parquet(path).map_err(|error| error.to_string())?,
             (Some(path), _) => motion.plot_states(path).map_err(|error| error.to_string())?,
@@ -287,7 +294,7 @@ impl Motion<'_> {
         let film = film.map_err(|error| error.to_string())?;
         match self.output {
             Some(path) => film.save(path).map_err(|error| error.to_string()),
-            None => io::stdout().lock().write_all(film.html().as_bytes()).map_err(|error| error.to_string()),
+            None => answer(|output| output.write_all(film.html().as_bytes())),
         }
     }
 }

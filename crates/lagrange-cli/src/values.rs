@@ -21,7 +21,8 @@ pub(crate) fn value(quantity: &str, text: &str, unit: Option<&str>) -> Result<f6
     let system = parse(&declaration).map_err(|report| {
         let errors = report.diagnostics().iter().filter(|mistake| mistake.severity == Severity::Error);
         let mistakes = errors.map(|mistake| mistake.message.clone());
-        mistakes.collect::<Vec<_>>().join("; ").replace("`value`", &format!("`{quantity}`"))
+        let mistakes = mistakes.collect::<Vec<_>>().join("; ").replace("the default of `value`", "the value");
+        mistakes.replace("`value`", &format!("`{quantity}`"))
     })?;
     let value = system.model.parameters.first().and_then(|parameter| parameter.default);
     let value = value.map_or(f64::NAN, |value| evaluate(&system.model.graph, &[value], |_| f64::NAN)[0]);

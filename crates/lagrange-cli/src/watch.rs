@@ -8,6 +8,7 @@ use std::time::{Duration, SystemTime};
 use lagrange_dynamic::Source;
 
 use crate::arguments::Command;
+use crate::console::report;
 use crate::source;
 
 /// Polling interval for the files.
@@ -26,7 +27,7 @@ pub(crate) fn watch(command: &Command) -> ! {
         let before = stamps(&files);
         command.run();
         let names = files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>();
-        eprintln!("watching {}; Ctrl-C ends", names.join(", "));
+        report(&format!("watching {}; Ctrl-C ends\n", names.join(", ")));
         wait_for_change(&files, &before);
     }
 }

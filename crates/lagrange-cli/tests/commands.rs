@@ -219,6 +219,28 @@ fn files_that_cannot_be_read_or_written_are_named() {
     assert!(errors(&unwritable).starts_with("error: no_such_folder/file: "), "{}", errors(&unwritable));
 }
 
+/// `head` closes its input after it has read enough.
+#[test]
+fn readers_may_leave() {
+    let swing = data("swing.lag");
+    let cases: [(&[&str], i32); 5] = [
+        (&["--help"], 0),
+        (&["solve"], 2),
+        (&["check", "-"], 1),
+        (&["equations", "-"], 1),
+        (&["simulate", &swing, "--until", "1"], 0),
+    ];
+    for (arguments, code) in cases {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lagrange"));
+        let pipes = command.args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped());
+        // The command waits for its input until the readers have left.
+        let mut child = pipes.stdin(Stdio::piped()).spawn().expect("the command starts");
+        drop((child.stdout.take(), child.stderr.take()));
+        drop(child.stdin.take());
+        assert_eq!(child.wait().expect("it ends").code(), Some(code), "{arguments:?}");
+    }
+}
+
 #[test]
 fn commands_without_meaning_name_what_is_wrong() {
     let cases: [(&[&str], &str); 10] = [

@@ -216,7 +216,7 @@ fn events_are_listed_in_a_file() {
 
 #[test]
 fn options_that_make_no_sense_are_named() {
-    let cases: [(&[&str], &str); 17] = [
+    let cases: [(&[&str], &str); 19] = [
         (&[], "the end is missing"),
         (&["--until", "soon"], "--until soon: unknown name `soon`"),
         (&["--until", "1 kg"], "--until 1 kg: "),
@@ -233,6 +233,8 @@ fn options_that_make_no_sense_are_named() {
         (&["--until", "1", "--step", "0.1"], "has no `--step`"),
         (&["--until", "1", "--tolerance=-1"], "tolerances must be"),
         (&["--until", "1", "--every", "0"], "interval"),
+        (&["--until", "1e400"], "--until 1e400: the value is too large for `f64`"),
+        (&["--until", "1", "--seed", "3"], "`--seed` chooses the noise"),
         (&["--until", "1", "-o", "swing.pdf"], "csv, parquet, svg, png"),
     ];
     for (arguments, message) in cases {

@@ -126,6 +126,12 @@ impl MethodChoice {
         }
     }
 
+    /// True if a seed chooses the noise of the method.
+    #[must_use]
+    pub fn has_seed(self) -> bool {
+        matches!(self, MethodChoice::EulerMaruyama { .. } | MethodChoice::StochasticRungeKutta4 { .. })
+    }
+
     /// Returns the product that the method needs beyond the equations of motion, if it needs one.
     #[must_use]
     pub fn product(self) -> Option<Product> {

@@ -91,7 +91,7 @@ impl Display for StartError {
             StartError::Unknown(NoSuchName { name, known }) => {
                 write!(f, "the state has no `{name}`; known are {}", quoted(known))
             }
-            StartError::Missing(name) => write!(f, "the start of `{name}` is missing"),
+            StartError::Missing(name) => write!(f, "the start of `{name}` is missing or NaN"),
             StartError::OutOfRange(error) => error.fmt(f),
         }
     }

@@ -88,11 +88,10 @@ static Status get_indicators(const Instance *in, const char *function, double *v
     return DISCARDED;
 }
 
-static Status get_nominals(const Instance *in, const char *function, double *nominals, size_t count)
+static Status get_nominals(const Instance *in, const char *function, double *values, size_t count)
 {
-    if (!is_array(in, function, STATES, count, nominals))
+    if (!is_array(in, function, STATES, count, values))
         return FAILED;
-    for (size_t i = 0; i < count; i++)
-        nominals[i] = 1.0;
+    memcpy(values, nominals, count * sizeof *values);
     return DONE;
 }

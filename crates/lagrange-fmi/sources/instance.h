@@ -196,16 +196,28 @@ static Status enter_initialization(Instance *in, const char *function)
     return DONE;
 }
 
+// Requires periods of clocks with which time passes.
+static Status check_periods(const Instance *in, const char *function)
+{
+    const Motion *m = &in->state.motion;
+    double periods[ROOM(CLOCKS)];
+    periods_of_model(m->t, m->y, m->p, periods);
+    for (int i = 0; i < CLOCKS; i++) {
+        if (!(periods[i] > 0.0 && isfinite(periods[i])))
+            return fail_with(in, function, "the period of a clock", periods[i], "is not positive");
+        if (periods[i] <= DBL_EPSILON * fmax(1.0, fabs(m->t)))
+            return fail_with(in, function, "the period of a clock", periods[i], "is below the spacing of times");
+    }
+    return DONE;
+}
+
 static Status exit_initialization(Instance *in, const char *function)
 {
     if (!is_allowed(in, function, in != NULL && in->state.mode == INITIALIZING))
         return FAILED;
     Motion *m = &in->state.motion;
-    double periods[ROOM(CLOCKS)];
-    periods_of_model(m->t, m->y, m->p, periods);
-    for (int i = 0; i < CLOCKS; i++)
-        if (!(periods[i] > 0.0 && isfinite(periods[i])))
-            return fail_with(in, function, "the period of a clock", periods[i], "is not positive");
+    if (check_periods(in, function) != DONE)
+        return FAILED;
     for (int i = 0; i < STATES; i++)
         if (!isfinite(m->y[i]))
             return fail_with(in, function, names[i], m->y[i], "is not finite at the start");

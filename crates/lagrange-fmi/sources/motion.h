@@ -28,7 +28,7 @@ static double attempt(const Motion *m, const double *rates, double h, double *y)
             error_3 += errors_3[j] * k[j][i];
         }
         y[i] = m->y[i] + h * slope;
-        const double scale = m->tolerance * (0.01 + fmax(fabs(m->y[i]), fabs(y[i])));
+        const double scale = m->tolerance * (0.01 * nominals[i] + fmax(fabs(m->y[i]), fabs(y[i])));
         sum_5 += error_5 / scale * (error_5 / scale);
         sum_3 += error_3 / scale * (error_3 / scale);
     }

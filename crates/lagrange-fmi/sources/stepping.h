@@ -26,6 +26,7 @@ static Status do_step(Instance *in, const char *function, double time, double le
     const int is_deferred = in->has_event_mode && in->may_return_early;
     if (is_deferred && has_due(m))
         return fail_with(in, function, "time", m->t, "has an event, which awaits event mode");
+    const double first = m->t;
     Outcome outcome = m->has_stopped ? STOPPED : REACHED;
     while (outcome == REACHED && m->t < time + length && !(is_deferred && has_due(m))) {
         const double last_event = m->last_event;
@@ -37,6 +38,8 @@ static Status do_step(Instance *in, const char *function, double time, double le
     char message[256];
     snprintf(message, sizeof message, "%s: the model stands at the time %.17g: %s", function, m->t,
              reason_of(outcome));
-    log_message(in, DISCARDED, message);
-    return DISCARDED;
+    // Programs continue after discarded steps, for ever if none advances.
+    const Status status = outcome == STOPPED || m->t > first ? DISCARDED : FAILED;
+    log_message(in, status, message);
+    return status;
 }

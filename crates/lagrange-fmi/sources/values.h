@@ -87,13 +87,18 @@ static Status set_values(Instance *in, const char *function, const unsigned *ref
     if (!is_allowed(in, function, in != NULL && in->state.mode != TERMINATED) ||
         !are_given(in, function, count, references, values))
         return FAILED;
+    const Motion before = in->state.motion;
     for (size_t i = 0; i < count; i++)
         if (set_variable(in, function, references[i], values[i]) != DONE)
             return FAILED;
-    if (in->state.mode == INSTANTIATED || in->state.mode == INITIALIZING)
+    if (in->state.mode == INSTANTIATED || in->state.mode == INITIALIZING) {
         follow_parameters(&in->state);
-    else if (CLOCKS > 0 && in->state.motion.t < in->state.motion.next_tick)
+    } else if (check_periods(in, function) != DONE) {
+        in->state.motion = before;
+        return FAILED;
+    } else if (CLOCKS > 0 && in->state.motion.t < in->state.motion.next_tick) {
         schedule(&in->state.motion, 1);
+    }
     return DONE;
 }
 

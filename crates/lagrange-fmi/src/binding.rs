@@ -75,6 +75,7 @@ fn arrays(programs: &Programs, start: &Start, variables: &[Variable]) -> String 
         };
         variables.iter().filter_map(bound).map(number)
     };
+    let nominals = programs.variables.limits.iter().map(|limits| number(limits.nominal.unwrap_or(1.0)));
     [
         array("char *const ", "names", names),
         array("char *const ", "event_names", events),
@@ -83,6 +84,7 @@ fn arrays(programs: &Programs, start: &Start, variables: &[Variable]) -> String 
         array("int ", "actions", actions.map(str::to_owned)),
         array("double ", "defaults", start.fields.iter().copied().map(number)),
         array("double ", "starts", starts),
+        array("double ", "nominals", nominals),
         array("double ", "least", bounds(0, f64::NEG_INFINITY)),
         array("double ", "most", bounds(1, f64::INFINITY)),
         array("int ", "excluded", excluded(programs)),

@@ -15,7 +15,7 @@ static unsigned below(unsigned bound)
 
 static double number(void)
 {
-    static const double numbers[] = { 0.0, -1.0, 1.0, 0.05, 0.05, 0.3, 1e3, NAN, INFINITY, -INFINITY };
+    static const double numbers[] = { 0.0, -1.0, 1.0, 0.05, 0.05, 0.3, 1e3, 1e-300, NAN, INFINITY, -INFINITY };
     return numbers[below(sizeof numbers / sizeof *numbers)];
 }
 

@@ -217,6 +217,35 @@ fn ranges_and_nominal_values_are_attributes_of_states() {
     }
 }
 
+/// A small oscillation has the relative error of a large one.
+#[test]
+fn nominal_values_scale_tolerances() {
+    let text = "struct Small; coord x nominal 1e-9 = 1e-9; kinetic = 1/2 * dot(x)^2; potential = 1/2 * x^2;";
+    let ([status, time, x, speed], _) = stepped("small", text, &["0.5", "20"]);
+    assert_eq!([status, time], [0.0, 10.0]);
+    let [cos, sin] = [10.0_f64.cos(), 10.0_f64.sin()];
+    assert!((x * 1e9 - cos).abs() < 1e-11 && (speed * 1e9 + sin).abs() < 1e-11, "{x} {speed}");
+}
+
+/// Time does not pass with periods that are too short.
+#[test]
+fn periods_of_clocks_are_checked() {
+    let text = "struct Count; param period = 0.25; coord x = 0; discrete count = 0;
+        kinetic = 1/2 * dot(x)^2; every period => { count = count + 1; }";
+    let unit = unit(text, Version::Two);
+    let names = Document::parse(&unit.description).expect("XML");
+    let period = names.descendants().find(|node| node.attribute("name") == Some("period"));
+    let reference = period.and_then(|node| node.attribute("valueReference")).expect("a parameter").to_owned();
+    for (value, words) in [
+        ("0", "the period of a clock = 0 is not positive"),
+        ("-1", "the period of a clock = -1 is not positive"),
+        ("1e-300", "the period of a clock = 1e-300 is below the spacing of times"),
+    ] {
+        let ([status, time, ..], messages) = stepped("period", text, &["0.5", "2", &reference, value]);
+        assert!(status == 3.0 && time == 0.0 && messages.contains(words), "{messages}");
+    }
+}
+
 #[test]
 fn balls_bounce_in_closed_form() {
     let ([status, time, h, speed], messages) = stepped("bounce", BOUNCE, &["0.25", "12", "5", "0.9"]);
@@ -253,6 +282,15 @@ fn declared_ends_and_lost_numbers_end_a_step() {
         status == 2.0 && x > 0.0 && speed.is_finite() && messages.contains("not finite"),
         "{x} {messages}"
     );
+}
+
+/// Programs try a discarded step again, but not after an error.
+#[test]
+fn steps_that_do_not_advance_are_errors() {
+    let root = "struct Root; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = sqrt(-x);";
+    let ([status, time, x, speed], messages) = stepped("never", root, &["1", "3"]);
+    assert_eq!([status, time, x, speed], [3.0, 0.0, 1.0, 0.0], "{messages}");
+    assert!(messages.contains("stands at the time 0: rates or events are not finite"), "{messages}");
 }
 
 /// Kinks are events, too: x = t² up to t = 1/2, then a straight line.

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use lagrange_dynamic::{DynamicSystem, Inline, MethodChoice, RunSettings, Visitor, Watch};
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Inline, MethodChoice, RunSettings, Visitor, Watch};
 use lagrange_runtime::simulate::{SimulationError as RunError, Trajectory};
 use lagrange_runtime::system::StateVector;
 use numpy::ToPyArray;
@@ -26,12 +26,10 @@ pub(crate) fn chosen(
 ) -> PyResult<MethodChoice> {
     let method = MethodChoice::new(name, tolerance, step);
     let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    match (seed, &method) {
-        (None, _) => Ok(method),
-        (Some(seed), MethodChoice::EulerMaruyama { .. } | MethodChoice::StochasticRungeKutta4 { .. }) => {
-            Ok(method.with_seed(seed))
-        }
-        (Some(_), _) => {
+    match seed {
+        None => Ok(method),
+        Some(seed) if method.has_seed() => Ok(method.with_seed(seed)),
+        Some(_) => {
             Err(PyValueError::new_err("`seed` chooses the noise of the methods `maruyama` and `stochastic`"))
         }
     }
@@ -42,9 +40,11 @@ pub(crate) struct FreeRun<'a>(pub(crate) RunSettings, pub(crate) Watch<'a>);
 
 /// A run with inputs from a Python function.
 pub(crate) struct DrivenRun<'py> {
-    pub(crate) settings: RunSettings,
+    settings: RunSettings,
     /// Function of time and state that returns the inputs.
-    pub(crate) law: Bound<'py, PyAny>,
+    law: Bound<'py, PyAny>,
+    /// Number of inputs.
+    count: usize,
 }
 
 /// A run that failed.
@@ -56,9 +56,11 @@ pub(crate) struct FailedRun {
 
 impl FailedRun {
     fn new<const CAPACITY: usize>(failure: &RunError<DynamicSystem<CAPACITY>>) -> Self {
+        let is_refusal = failure.cause.is_refusal();
         FailedRun {
-            message: failure.to_string(),
-            is_refusal: failure.cause.is_refusal(),
+            // A run that is refused has no time.
+            message: if is_refusal { failure.cause.to_string() } else { failure.to_string() },
+            is_refusal,
             motion: NewTrajectory::of(&failure.trajectory),
         }
     }
@@ -109,11 +111,21 @@ impl Visitor for DrivenRun<'_> {
     }
 }
 
-impl DrivenRun<'_> {
+impl<'py> DrivenRun<'py> {
+    pub(crate) fn new(settings: RunSettings, law: Bound<'py, PyAny>, system: &DeclaredSystem) -> Self {
+        DrivenRun { settings, law, count: system.programs().layout.inputs }
+    }
+
     fn inputs(&self, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
         let found = self.law.call1((t, y.to_pyarray(self.law.py())))?;
         let one = found.extract::<f64>().map(|input| vec![input]);
-        one.or_else(|_| numbers("the result of `inputs`", &found))
+        let inputs = one.or_else(|_| numbers("the result of `inputs`", &found))?;
+        match (inputs.len(), self.count) {
+            (given, count) if given == count => Ok(inputs),
+            (given, count) => {
+                Err(PyValueError::new_err(format!("`inputs` returns {given} values for {count} inputs")))
+            }
+        }
     }
 }
 

@@ -245,7 +245,7 @@ impl PySystem {
         };
         let (motion, raised) = match inputs {
             Some(law) if law.is_callable() => {
-                return self.declared.visit(DrivenRun { settings, law })?.share(py);
+                return self.declared.visit(DrivenRun::new(settings, law, &self.declared))?.share(py);
             }
             Some(samples) => {
                 let inputs = SampledInputs::new(&samples, self.declared.programs().layout.inputs)?;

@@ -1,19 +1,29 @@
 """The examples of the documentation run as printed."""
 
+import doctest
 from pathlib import Path
 
+import lagrange
 import pytest
 
-PAGE = Path(__file__).parents[3] / "docs" / "python.md"
-EXAMPLES = [block.split("```")[0] for block in PAGE.read_text().split("```python\n")[1:]]
+CRATE = Path(__file__).parents[1]
+PAGES = [CRATE / "README.md", CRATE.parents[1] / "docs" / "python.md"]
 
 
-def test_the_page_has_examples():
-    assert EXAMPLES
-
-
-@pytest.mark.parametrize("example", EXAMPLES)
-def test_examples_run(example, monkeypatch):
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_examples_run(page, monkeypatch):
     # Plots are drawn, but not shown.
     monkeypatch.setenv("MPLBACKEND", "agg")
-    exec(compile(example, str(PAGE), "exec"), {})
+    examples = [block.split("```")[0] for block in page.read_text(encoding="utf-8").split("```python\n")[1:]]
+    assert examples
+    for example in examples:
+        exec(compile(example, str(page), "exec"), {})
+
+
+def test_examples_of_help_run():
+    names = {}
+    for documented in (lagrange, lagrange.System.ensemble):
+        test = doctest.DocTestParser().get_doctest(documented.__doc__, names, str(documented), None, None)
+        assert test.examples
+        assert doctest.DocTestRunner().run(test, clear_globs=False).failed == 0
+        names = test.globs

@@ -201,7 +201,7 @@ def test_errors_of_inputs_arrive():
     with pytest.raises(lagrange.SimulationError, match="u") as failure:
         system.simulate(until=1, inputs=lambda t, y: float("nan") if t > 0.3 else 0.0)
     assert 0 < failure.value.trajectory.t[-1] <= 0.5
-    with pytest.raises(lagrange.SimulationError):
+    with pytest.raises(ValueError, match="`inputs` returns 2 values for 1 inputs"):
         system.simulate(until=1, inputs=lambda t, y: [0.0, 1.0])
     with pytest.raises(TypeError, match="the result of `inputs` must be an array of numbers, not str"):
         system.simulate(until=1, inputs=lambda t, y: "much")
@@ -273,6 +273,10 @@ def test_wrong_values_are_refused():
         system.simulate(until=1, method="rk4")
     with pytest.raises((ValueError, lagrange.SimulationError)):
         system.simulate([float("nan"), 0, 0, 0], until=1)
+    with pytest.raises(ValueError, match="the start of `theta1` is missing or NaN"):
+        system.simulate({"theta1": float("nan")}, until=1)
+    with pytest.raises(ValueError, match="not both zero$"):
+        system.simulate(until=1, tolerance=0)
     for until in [float("nan"), float("inf")]:
         with pytest.raises((ValueError, lagrange.SimulationError)):
             system.simulate(until=until)

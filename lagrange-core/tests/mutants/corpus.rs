@@ -69,9 +69,24 @@ fn body(text: &str) -> Option<String> {
         open += i32::from(character == '{') - i32::from(character == '}');
         open == 0
     });
-    // In documentation comments of Rust, every line begins with a marker.
-    let unmarked = |line: &str| line.trim_start().trim_start_matches("//!").to_owned() + "\n";
-    end.map(|end| text[..end].lines().map(unmarked).collect())
+    end.map(|end| unmarked(&text[..end]))
+}
+
+/// Removes the markers of documentation comments of Rust, where every line has one, and those of
+/// lines that documentation hides.
+fn unmarked(text: &str) -> String {
+    const MARKERS: [&str; 2] = ["//!", "///"];
+    let marker = MARKERS.into_iter().find(|marker| {
+        let mut lines = text.lines().skip(1).peekable();
+        lines.peek().is_some() && lines.all(|line| line.trim_start().starts_with(marker))
+    });
+    let Some(marker) = marker else { return text.to_owned() };
+    let line = |line: &str| {
+        let line = line.trim_start();
+        let line = line.strip_prefix(marker).unwrap_or(line).trim_start();
+        line.strip_prefix("# ").unwrap_or(line).to_owned() + "\n"
+    };
+    text.lines().map(line).collect()
 }
 
 fn flatten(tokens: TokenStream, pieces: &mut Vec<String>) {
