@@ -49,6 +49,31 @@ pub trait ParametricSystem: MechanicalSystem + Sized {
     #[must_use]
     fn with_number(&self, index: usize, value: Self::Scalar) -> Self;
 
+    /// Sets the parameter or input of this name. Returns false, and changes nothing, if there is
+    /// none.
+    ///
+    /// ```
+    /// use lagrange::system::ParametricSystem;
+    ///
+    /// lagrange::system! {
+    ///     struct Spring;
+    ///     param k = 4.0;
+    ///     coord x;
+    ///     kinetic = 1/2 * dot(x)^2;
+    ///     potential = 1/2 * k * x^2;
+    /// }
+    ///
+    /// let mut spring = Spring::default();
+    /// assert!(spring.set_parameter("k", 9.0) && spring.k == 9.0);
+    /// assert!(!spring.set_parameter("m", 1.0));
+    /// ```
+    #[must_use = "there may be no parameter of this name"]
+    fn set_parameter(&mut self, name: &str, value: Self::Scalar) -> bool {
+        let Some(index) = self.numbers().iter().position(|known| *known == name) else { return false };
+        *self = self.with_number(index, value);
+        true
+    }
+
     /// Writes ∂f/∂p of the right-hand side to one column for each of the parameters and inputs at
     /// these indices. Returns false if the derivatives are not available. Emitted types provide
     /// them with `emit { parameter_jacobian }`, which is part of `emit { jacobian }`.
