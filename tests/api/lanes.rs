@@ -5,7 +5,7 @@ mod pair;
 
 use lagrange::Number;
 use lagrange::scalar::Lanes;
-use lagrange::system::{Equations, LanesSystem, LanesVisitor, MechanicalSystem};
+use lagrange::system::{Equations, LanesSystem, LanesVisitor, OdeSystem};
 
 use pair::Pair;
 
@@ -212,7 +212,7 @@ fn a_system_offers_lanes_unless_runs_stop_at_its_surfaces() {
     assert!(Crane::<f64>::with_lanes(Offered).is_ok());
     assert!(Plain::<f32>::with_lanes(Offered).is_ok());
     assert!(Winch::with_lanes(Offered).is_err());
-    fn offers<M: MechanicalSystem>() -> bool {
+    fn offers<M: OdeSystem>() -> bool {
         M::with_lanes(Offered).is_ok()
     }
     assert!(offers::<Braked<f64>>() && !offers::<Unasked>());

@@ -80,7 +80,7 @@ fn push(
         Some(sparse) => lowered_sparse(writer, &sparse, arguments),
         None => writer.lowered(values, arguments, |results| returns.collect(results)),
     };
-    let units = writer.shape.declaration.has_dimensions.then(|| ["", units]);
+    let units = writer.shape.declaration.has_dimensions.then_some(["", units]);
     let lines = lines.iter().map(String::as_str).chain(units.into_iter().flatten());
     let own = lines.map(doc).collect::<TokenStream>();
     let docs = with_counts(described(writer.shape, name, own), counts);

@@ -51,10 +51,8 @@ where
         let mut rates = y.zeros();
         rates.rows[0].copy_from_slice(found.as_ref());
         for (variable, changes) in changes.iter().enumerate() {
-            let direct = match by_numbers.get(self.columns[variable]) {
-                Some(column) => Some((self.scales[variable], column.as_ref())),
-                None => None,
-            };
+            let column = by_numbers.get(self.columns[variable]);
+            let direct = column.map(|column| (self.scales[variable], column.as_ref()));
             linear_rates(jacobian.as_ref(), changes, direct, &mut rates.rows[1 + variable]);
         }
         rates
