@@ -29,6 +29,8 @@ def main():
     polars.DataFrame({"t": [0, 1], "x": [1.0, 2.0]}).write_parquet(FOLDER / "zstd.parquet")
     table = pyarrow.table({"t": [0.0, 1.0], "name": ["a", "b"]})
     pyarrow.parquet.write_table(table, FOLDER / "words.parquet")
+    dates = pandas.to_datetime(["2026-01-01", "2026-01-02"])
+    pandas.DataFrame({"t": dates, "x": [1.0, 2.0]}).to_parquet(FOLDER / "dates.parquet", engine="pyarrow")
     table = pyarrow.table({"t": [0.0, None], "x": [1.0, float("nan")]})
     pyarrow.parquet.write_table(table.select(["t"]), FOLDER / "no_time.parquet")
     pyarrow.parquet.write_table(table.select(["x"]), FOLDER / "not_a_number.parquet")

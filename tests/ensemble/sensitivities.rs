@@ -123,6 +123,7 @@ fn derivatives_in_lanes_are_kept_in_every_way() {
     assert_eq!(motion.times(), wanted.times());
     for sample in 0..5 {
         let pairs = motion.sensitivities(sample).unwrap();
+        assert_eq!(pairs.len(), 2);
         let pairs = pairs.iter().flatten().zip(wanted.sensitivities(sample).unwrap().into_iter().flatten());
         pairs.for_each(|(here, there)| assert!((here - there).abs() < 1e-8, "{here} {there}"));
     }
@@ -156,7 +157,9 @@ fn derivatives_in_lanes_take_other_numbers_ranges_and_failures() {
     let starts = vec![[0.1, 0.0, 0.0, 0.0], [2e3, 0.0, 0.0, 0.0], [f64::NAN, 0.0, 0.0, 0.0]];
     let ends = masses.ensemble(starts).until(1.0).sensitivities(["k"]).run().unwrap();
     assert_eq!(ends.failures().iter().map(|failure| failure.index).collect::<Vec<_>>(), [1, 2]);
-    assert!(ends.column("d(x)/d(k)").unwrap()[0].is_finite());
+    let single = masses.simulate([0.1, 0.0, 0.0, 0.0]).until(1.0).sensitivities(["k"]).run().unwrap();
+    let wanted = single.column("d(x)/d(k)").unwrap().last().unwrap();
+    assert!((ends.column("d(x)/d(k)").unwrap()[0] - wanted).abs() < 1e-9);
 }
 
 #[test]
@@ -172,21 +175,28 @@ fn lanes_give_way_to_laws_and_to_long_states() {
     let single = single.run().unwrap();
     assert_eq!(by_law.column("d(x)/d(k)").unwrap()[7], *single.column("d(x)/d(k)").unwrap().last().unwrap());
     lagrange::system! {
-        /// A row of masses, whose states with derivatives do not fit.
+        /// A row of masses on springs.
         #[derive(Clone)]
         struct Row;
-        const N = 9;
-        param k = 4.0, m = 1.0, g = 1.0;
+        const N = 4;
+        param k[7] = 4.0, m[7] = 1.0, g = 1.0;
         coord x[N];
-        kinetic = 1/2 * m * sum(i in 0..N, dot(x[i])^2);
-        potential = 1/2 * k * sum(i in 0..N, x[i]^2) + g * x[0];
+        kinetic = 1/2 * sum(i in 0..N, m[i] * dot(x[i])^2) + 1/2 * sum(i in N..7, m[i] * dot(x[0])^2);
+        potential = 1/2 * sum(i in 0..N, k[i] * x[i]^2) + 1/4 * sum(i in N..7, k[i] * x[1]^4) + g * x[0];
         emit { jacobian, lanes }
     }
     let row = Row::default();
-    let ensemble = row.ensemble(3).start(|_, _| [0.1; 18]).until(1.0);
-    assert!(ensemble.is_in_lanes());
-    let long = ensemble.sensitivities(["k", "m", "g", "x[0]", "x[1]"]);
-    assert!(!long.is_in_lanes() && long.run().unwrap().failures().is_empty());
+    // As many numbers as fit: 8 × 8, of a system with 8 × 23 derivatives.
+    let ensemble = || row.ensemble(3).start(|i, _| [0.1 * i as f64; 8]).until(1.0);
+    let widest = || ensemble().sensitivities(["x[0]", "k[0]", "m[0]", "x_dot[3]", "k[6]", "m[6]", "g"]);
+    assert!(widest().is_in_lanes());
+    let (lanes, alone) = (widest().run().unwrap(), widest().one_by_one().run().unwrap());
+    for name in ["d(x[0])/d(m[0])", "d(x[3])/d(start.x_dot[3])", "d(x[1])/d(k[6])", "x[3]"] {
+        let pairs = lanes.column(name).unwrap().iter().zip(alone.column(name).unwrap());
+        pairs.for_each(|(here, there)| assert!((here - there).abs() < 1e-8, "{name}: {here} {there}"));
+    }
+    let wider = ensemble().sensitivities(["x[0]", "k[0]", "m[0]", "x_dot[3]", "k[6]", "m[6]", "g", "m[1]"]);
+    assert!(!wider.is_in_lanes() && wider.run().unwrap().failures().is_empty());
 }
 
 #[test]

@@ -59,10 +59,9 @@ fn files_that_are_not_measured_data_say_why() {
     let text = |name: &str| parquet(name).unwrap_err().to_string();
     assert!(text("nowhere").starts_with("cannot read `"), "{}", text("nowhere"));
     assert!(text("zstd").ends_with("; write the file with compression `snappy` or none"), "{}", text("zstd"));
-    assert_eq!(
-        text("words"),
-        "`\"a\"` in row 1, column `name`, is not a finite number; missing values are null"
-    );
+    let not_numbers = "does not consist of numbers; remove it, or convert it, times to seconds";
+    assert_eq!(text("words"), format!("column `name` {not_numbers}"));
+    assert_eq!(text("dates"), format!("column `t` {not_numbers}"));
     assert_eq!(
         text("no_time"),
         "`null` in row 2, column `t`, is not a finite number; missing values are null"
@@ -93,8 +92,22 @@ fn saved_motions_are_data() {
     assert_eq!(data.times(), run.times());
     let x = data.column("x").unwrap().iter().flatten().copied().collect::<Vec<_>>();
     assert_eq!(x, run.column("x").unwrap());
+    let again = data.clone();
     let fitted = Body::default().fit([0.5], data).vary("speed", 0.0..=9.0).run().unwrap();
     assert!((fitted.value("speed").unwrap() - 2.5).abs() < 1e-12);
+    // Another system has `x` in another unit.
+    let wrong = Clock::default().fit([0.5], again).vary("speed", 0.0..=9.0).run().unwrap_err();
+    assert!(wrong.to_string().contains("column `x` of the data is in m"), "{wrong}");
+}
+
+#[cfg(feature = "parquet")]
+lagrange::system! {
+    /// A hand that moves uniformly.
+    #[derive(Clone)]
+    struct Clock;
+    param speed: rad/s = 1;
+    state x: rad;
+    dot(x) = speed;
 }
 
 lagrange::system! {

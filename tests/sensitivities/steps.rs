@@ -169,7 +169,9 @@ fn steps_of_all_methods_have_the_derivatives_of_differences() {
         check_beside_differences(&masses, &BlanesMoan4 { step }, PLACE, 1e-11);
         check_beside_differences(&masses, &GaussLegendre::<_, 1> { step }.plain(), PLACE, 1e-11);
         check_beside_differences(&masses, &GaussLegendre::<_, 2> { step }.plain(), PLACE, 1e-11);
+        check_beside_differences(&masses, &GaussLegendre::<_, 3> { step }.plain(), PLACE, 1e-11);
         check_beside_differences(&masses, &GaussLegendre::<_, 3> { step }.plain(), [0.0; 4], 1e-11);
+        check_beside_differences(&masses, &BlanesMoan4 { step }, [0.0; 4], 1e-11);
     }
     for step in [1e-3, 0.05] {
         check_beside_differences(&cart, &RungeKutta4 { step }, START, 1e-9);
@@ -177,13 +179,13 @@ fn steps_of_all_methods_have_the_derivatives_of_differences() {
     }
 }
 
-/// Kicks and drifts are symplectic in coordinates and momenta, so that AᵀΩA = Ω. With equal masses
-/// this holds in velocities, too.
+/// Kicks and drifts are symplectic in coordinates and momenta if forces have a potential: AᵀΩA = Ω.
+/// Velocities times masses stand for momenta.
 #[test]
 fn derivatives_of_splittings_are_symplectic() {
-    let oscillator = Masses::<f64> { m: 1.0, ..Masses::default() };
+    let masses = Masses::<f64> { m: 1.0, ..Masses::default() };
     let method = BlanesMoan4 { step: 0.4 };
-    let a = method.step_derivatives(&oscillator, 0.0, &PLACE, []).expect("emitted").by_state;
+    let a = method.step_derivatives(&masses, 0.0, &PLACE, []).expect("emitted").by_state;
     // The second mass is twice the first.
     let mass = [1.0, 2.0];
     for i in 0..4 {
@@ -196,6 +198,36 @@ fn derivatives_of_splittings_are_symplectic() {
             assert!((found - form(&unit(i), &unit(j))).abs() < 1e-14);
         }
     }
+}
+
+/// Steps forwards and back again multiply to one for symmetric methods, in either number type.
+#[test]
+fn derivatives_of_steps_back_are_inverse() {
+    fn check<S: lagrange::Scalar, D: DifferentiableStep<Masses<S>>>(methods: &[D; 2], tolerance: f64)
+    where
+        Masses<S>: ParametricSystem<Scalar = S> + lagrange::system::OdeSystem<Scalar = S, State = [S; 4]>,
+    {
+        let masses = Masses::<S>::default();
+        let start = PLACE.map(S::from_f64);
+        let there = methods[0].step_derivatives(&masses, S::ZERO, &start, []).expect("emitted");
+        let time = S::from_f64(0.1);
+        let back = methods[1].step_derivatives(&masses, time, &there.end, []).expect("emitted");
+        for i in 0..4 {
+            for j in 0..4 {
+                let product = |k: usize| back.by_state[i][k] * there.by_state[k][j];
+                let found = (1..4).fold(product(0), |sum, k| sum + product(k));
+                let wanted = if i == j { S::ONE } else { S::ZERO };
+                assert!((found - wanted).abs() < S::from_f64(tolerance), "{found:?} {wanted:?}");
+            }
+        }
+    }
+    check::<f64, _>(&[0.1, -0.1].map(|step| StormerVerlet { step }), 1e-14);
+    check::<f64, _>(&[0.1, -0.1].map(|step| GaussLegendre::<_, 2> { step }.plain()), 1e-13);
+    check::<f32, _>(&[0.1, -0.1].map(|step| BlanesMoan4 { step }), 1e-5);
+    check::<f32, _>(&[0.1, -0.1].map(|step| GaussLegendre::<_, 3> { step }.plain()), 1e-5);
+    let still = RungeKutta4 { step: 0.0 }.step_derivatives(&Masses::<f64>::default(), 0.0, &PLACE, [0]);
+    let still = still.expect("emitted");
+    assert_eq!((still.end, still.by_numbers), (PLACE, [[0.0; 4]]));
 }
 
 #[test]

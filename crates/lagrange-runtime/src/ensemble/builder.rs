@@ -182,7 +182,7 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
 impl<'a, M: SharedSystem + ParametricSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Adds derivatives of every motion by parameters, inputs and initial values, as [in a single
     /// run](crate::simulate::Simulation::sensitivities): a column such as `d(theta)/d(m)` for each
-    /// pair. Motions are then computed one by one.
+    /// pair. Motions are computed [in lanes](Self::is_in_lanes) with `emit { jacobian, lanes }`.
     pub fn sensitivities<V, const N: usize>(self, names: V) -> Ensemble<'a, M, K, V::Sensitive<M, D, N>, P>
     where
         V: Variables,

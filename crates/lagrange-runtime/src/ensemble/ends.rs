@@ -142,13 +142,14 @@ where
         let is_plain = self.batch.plan.columns.is_empty() && D::Closed::IS_PLANT;
         match outcome {
             MotionOutcome::Run(result) => rows.push_end(&self.batch, index, system, result),
-            MotionOutcome::Arrival(arrival) if is_plain => {
+            MotionOutcome::Arrival(_, arrival) if is_plain => {
                 let end = (self.batch.span()[1], &D::Closed::state_of_plant(&arrival.state));
                 rows.push_arrival(&self.batch, system, end);
             }
-            MotionOutcome::Arrival(Arrival { state, work, .. }) => {
+            MotionOutcome::Arrival(start, Arrival { state, work, .. }) => {
                 let last = Arrival { state, samples: Vec::new(), work };
-                rows.push_end(&self.batch, index, system, Ok(self.trajectory_of(index, system, &last)));
+                let trajectory = self.trajectory_of(index, (system, start), &last);
+                rows.push_end(&self.batch, index, system, Ok(trajectory));
             }
         }
     }

@@ -154,8 +154,9 @@ where
                         let end = (trajectory.end_time(), trajectory.last());
                         add(&mut block.value, &Motion::new(index, system, end, &&trajectory));
                     }
-                    MotionOutcome::Arrival(arrival) => {
-                        let trajectory = LazyCell::new(|| self.trajectory_of(index, system, &arrival));
+                    MotionOutcome::Arrival(start, arrival) => {
+                        let trajectory =
+                            LazyCell::new(|| self.trajectory_of(index, (system, start), &arrival));
                         let end = (self.batch.span()[1], D::Closed::state_of_plant(&arrival.state));
                         add(&mut block.value, &Motion::new(index, system, end, &trajectory));
                     }

@@ -122,6 +122,11 @@ pub enum DataError {
         /// The cell.
         text: String,
     },
+    /// A column of a Parquet file does not consist of numbers.
+    NotNumbers {
+        /// Name of the column.
+        column: String,
+    },
     /// A value in a column of a Parquet file is not a finite number.
     NotANumberInRow {
         /// Number of the row, counted from one.
@@ -152,6 +157,12 @@ impl Display for DataError {
                 f,
                 "`{text}` in line {line}, column `{column}`, is not a finite number; leave cells of missing values empty"
             ),
+            DataError::NotNumbers { column } => {
+                write!(
+                    f,
+                    "column `{column}` does not consist of numbers; remove it, or convert it, times to seconds"
+                )
+            }
             DataError::NotANumberInRow { row, column, text } => write!(
                 f,
                 "`{text}` in row {row}, column `{column}`, is not a finite number; missing values are null"

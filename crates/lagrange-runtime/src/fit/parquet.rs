@@ -6,9 +6,11 @@ use std::path::Path;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use parquet::basic::{ConvertedType, LogicalType, Repetition, Type as Physical};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
+use parquet::schema::types::Type;
 
 use super::data::{Data, DataError, Measured};
 use crate::simulate::{TIME, UNIT_KEY};
@@ -19,7 +21,8 @@ impl Data {
     /// columns of numbers, among them `t`. Units come from the metadata of saved trajectories. A
     /// name may also end in its unit, as in `x in m`. Missing values are null.
     ///
-    /// Pages may be uncompressed, or compressed by Snappy.
+    /// Pages may be uncompressed, or compressed by Snappy. Dates, times of day and texts are
+    /// errors. Durations of data frames are stored as integers: convert them to seconds before.
     ///
     /// # Errors
     /// If the file cannot be read, or has another format; with the row and the column.
@@ -28,7 +31,7 @@ impl Data {
         let unreadable = |reason: String| DataError::Unreadable { path: path.to_owned(), reason };
         let file = File::open(path).map_err(|error| unreadable(error.to_string()))?;
         let reader = SerializedFileReader::new(file).map_err(|error| unreadable(error.to_string()))?;
-        let mut columns = columns(&reader);
+        let mut columns = columns(&reader)?;
         let rows = reader.get_row_iter(None).map_err(|error| unreadable(explained(&error)))?;
         for (index, row) in rows.enumerate() {
             let row = row.map_err(|error| unreadable(explained(&error)))?;
@@ -50,7 +53,11 @@ impl Data {
 }
 
 /// Returns the columns of a file without their values.
-fn columns(reader: &SerializedFileReader<File>) -> Vec<Measured> {
+///
+/// # Errors
+/// If a column does not consist of numbers. Times of day and dates would be read as numbers of
+/// nanoseconds.
+fn columns(reader: &SerializedFileReader<File>) -> Result<Vec<Measured>, DataError> {
     let metadata = reader.metadata().file_metadata();
     let pairs = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);
     let unit = |name: &str| {
@@ -60,9 +67,27 @@ fn columns(reader: &SerializedFileReader<File>) -> Vec<Measured> {
     let fields = metadata.schema().get_fields().iter();
     let columns = fields.map(|field| {
         let column = Measured::named(field.name());
-        Measured { unit: unit(field.name()).or(column.unit), ..column }
+        match is_number(field) {
+            true => Ok(Measured { unit: unit(field.name()).or(column.unit), ..column }),
+            false => Err(DataError::NotNumbers { column: column.name }),
+        }
     });
     columns.collect()
+}
+
+/// True for a column of numbers.
+fn is_number(field: &Type) -> bool {
+    if !field.is_primitive() || field.get_basic_info().repetition() == Repetition::REPEATED {
+        return false;
+    }
+    let info = field.get_basic_info();
+    match (field.get_physical_type(), info.logical_type_ref()) {
+        (Physical::FLOAT | Physical::DOUBLE, None) => true,
+        (Physical::INT32 | Physical::INT64, Some(LogicalType::Integer(_))) => true,
+        (Physical::INT32 | Physical::INT64, None) => info.converted_type() == ConvertedType::NONE,
+        (Physical::FIXED_LEN_BYTE_ARRAY, Some(LogicalType::Float16)) => true,
+        _ => false,
+    }
 }
 
 /// Returns the number in a field, if it is not null.

@@ -25,13 +25,16 @@ pub trait DifferentiableStep<M: ParametricSystem>: Method<M> {
     /// [`NUMBERS`](ParametricSystem::NUMBERS) follow as well. Inputs are constant during the step.
     ///
     /// The step is neither checked for stability nor projected onto constraints, and a negative
-    /// length steps backwards in time. Each evaluation of the right-hand side brings one of its
-    /// Jacobian.
+    /// length steps backwards in time. An explicit method evaluates the Jacobian as
+    /// often as the right-hand side, `GaussLegendre` once per stage and once more.
     ///
     /// # Errors
     /// If the system has no exact derivatives; emitted types have them with `emit { jacobian }`.
     /// Also if the method keeps constraints of the system itself, if a result is not finite, or if
     /// an implicit step does not converge.
+    ///
+    /// # Panics
+    /// If there is no parameter or input at an index.
     ///
     /// ```
     /// use lagrange::integrate::{DifferentiableStep, RungeKutta4};

@@ -61,11 +61,11 @@ fn write_derivatives(writer: &mut MethodWriter<'_>, rates: &[ExprId]) -> Option<
     if !requested.iter().all(|product| writer.model.products.contains(product)) {
         return None;
     }
-    let plans = requested.map(|product| {
-        let plan = plan(product, writer.model, writer.equations, writer.shape);
-        plan.map_or_else(Vec::new, |plan| plan.roots)
-    });
-    let roots = [rates, &plans[0], &plans[1]].concat();
+    let mut entries = |product| Some(plan(product, writer.model, writer.equations, writer.shape)?.roots);
+    let by_state = entries(Product::Jacobian)?;
+    // There is none without fields.
+    let by_numbers = entries(Product::ParameterJacobian).unwrap_or_default();
+    let roots = [rates, &by_state, &by_numbers].concat();
     let (krate, all, fields) = (writer.shape.krate, rates.len(), writer.shape.fields.len());
     let [jacobian, indices, columns, by_numbers] = NAMES.map(local);
     let roots = writer.on_sides(&roots);

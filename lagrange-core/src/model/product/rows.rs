@@ -69,13 +69,13 @@ pub(super) const ROWS: [ProductRow; 41] = [
             "Values that the constraints hold at zero, in the order of their declaration; only those of",
             "nonholonomic constraints depend on the velocities.",
         ])
-        .in_unit(Described("In the units of the declared conditions.")),
+        .in_unit(Described("Each is in the unit of its condition: that declared, m for points of joints, 1 for their directions.")),
     ProductRow::new(Product::ConstraintVelocity, "constraint_velocity", Constraints)
         .with_method(State, Vector(Extent::Constraints), &[
             "Conditions on the velocities, which the constraints hold at zero: rates of holonomic constraints,",
             "nonholonomic constraints themselves.",
         ])
-        .in_unit(Described("In the units of the declared conditions, those of holonomic constraints over s.")),
+        .in_unit(Described("Rates of holonomic constraints are in the units of their conditions over s.")),
     ProductRow::new(Product::ConstraintJacobian, "constraint_jacobian", Constraints)
         .with_method(Positions, Matrix(Extent::Constraints, Extent::Velocities), &[
             "Matrix A of the constraints, in rows: the derivatives of their conditions on the velocities by",

@@ -40,8 +40,8 @@ const MOST_TOGETHER: usize = 256;
 pub(super) enum MotionOutcome<M: MechanicalSystem, C: OdeSystem> {
     /// It was a separate run.
     Run(RunResult<M>),
-    /// It reached its end in a lane, with the state of a closed loop C.
-    Arrival(ArrivalOf<C>),
+    /// It reached its end in a lane, from this initial state, with the state of a closed loop C.
+    Arrival(M::State, ArrivalOf<C>),
 }
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
@@ -150,8 +150,8 @@ where
                     self.run_alone(index, counter, then)?;
                     continue;
                 };
-                let system = start.system(all).plant();
-                caught(index, || then(index, system, MotionOutcome::Arrival(end)))?;
+                let (system, from) = (start.system(all).plant(), D::Closed::state_of_plant(&start.state));
+                caught(index, || then(index, system, MotionOutcome::Arrival(from, end)))?;
             }
             Ok(())
         })
@@ -215,10 +215,10 @@ where
     pub(super) fn trajectory_of(
         &self,
         index: usize,
-        system: &M,
+        (system, start): (&M, M::State),
         arrival: &ArrivalOf<D::Closed>,
     ) -> Trajectory<M> {
-        let ((_, start), Arrival { state, samples, work }) = (self.batch.origin(index), arrival);
+        let Arrival { state, samples, work } = arrival;
         let end = (self.batch.span()[1], *state);
         let run = self.run_of(index, (system, start), Sampling::Ends);
         run.assemble(samples.iter().copied().chain([end]), *work)
@@ -233,7 +233,9 @@ where
     ) -> RunResult<M> {
         match outcome {
             MotionOutcome::Run(result) => result,
-            MotionOutcome::Arrival(arrival) => Ok(self.trajectory_of(index, system, &arrival)),
+            MotionOutcome::Arrival(start, arrival) => {
+                Ok(self.trajectory_of(index, (system, start), &arrival))
+            }
         }
     }
 }

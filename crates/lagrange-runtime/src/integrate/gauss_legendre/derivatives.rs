@@ -38,16 +38,21 @@ where
             tableau.a[i].iter().zip(&stages).for_each(|(part, slope)| add(&mut place, h * *part, slope));
             *slopes = Slopes::at(system, tableau.c[i].multiply_add(h, t), &place, &indices)?;
         }
-        let linear = plain.linearised(&Step { system, t, y, h }, &stages, Source::System, &mut work)?;
-        let (mut columns, mut failure) = (DerivativeColumns::<M, K>::start(y), None);
-        columns.update(|variable, column| {
-            let rates = |stage: usize, change: &M::State| slopes[stage].along(variable, change);
-            let mut stages: Stages<M, STAGES> = array::from_fn(|stage| rates(stage, column));
-            match plain.settled((column, h), &linear, &mut stages, rates, &mut work) {
-                Ok(change) => add(column, M::Scalar::ONE, &change),
-                Err(error) => failure = Some(error),
-            }
-        });
-        failure.map_or_else(|| columns.of_end(end), Err)
+        let step = Step { system, t, y, h };
+        let mut columns = |source| {
+            let linear = plain.linearised(&step, &stages, source, &mut work)?;
+            let (mut columns, mut failure) = (DerivativeColumns::<M, K>::start(y), None);
+            columns.update(|variable, column| {
+                let rates = |stage: usize, change: &M::State| slopes[stage].along(variable, change);
+                let mut stages: Stages<M, STAGES> = array::from_fn(|stage| rates(stage, column));
+                match plain.settled((column, h), &linear, &mut stages, rates, &mut work) {
+                    Ok(change) => add(column, M::Scalar::ONE, &change),
+                    Err(error) => failure = Some(error),
+                }
+            });
+            failure.map_or(Ok(columns), Err)
+        };
+        let columns = columns(Source::System).or_else(|_| columns(Source::Differences))?;
+        columns.of_end(end)
     }
 }

@@ -1,7 +1,7 @@
 //! Exact derivatives of a step.
 //!
 //! A kick adds β h ∂a to the derivatives of velocities, with ∂a = ∂a/∂q ∂q + ∂a/∂p. A drift adds α
-//! h ∂v to those of coordinates. The derivative by the state is symplectic, as the step.
+//! h ∂v to those of coordinates.
 
 use super::{BlanesMoan4, Composition, Kick, StormerVerlet, SymplecticEuler};
 use super::{blanes_moan, composed, symplectic_euler, verlet};

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use std::vec::Vec;
 
 use super::Gradient;
-use super::jump::{Jump, copy};
+use super::jump::Jump;
 use super::trace::{SmoothPiece, Steps};
 use crate::integrate::ExplicitRungeKutta;
 use crate::scalar::{Number, Scalar};
-use crate::simulate::sensitivity::{Sensitive, Varied};
+use crate::simulate::sensitivity::{Sensitive, Varied, copy};
 use crate::system::{OdeSystem, ParametricSystem, ScalarOf, StepFailure};
 
 /// The name of the state in errors about events without derivative.

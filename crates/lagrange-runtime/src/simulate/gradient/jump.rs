@@ -3,8 +3,7 @@
 use std::sync::Arc;
 use std::vec::Vec;
 
-use crate::scalar::Number;
-use crate::simulate::sensitivity::{Sensitive, Stacked, Varied};
+use crate::simulate::sensitivity::{Sensitive, Stacked, Varied, copy};
 use crate::system::{Action, OdeSystem, ParametricSystem, ScalarOf, StepFailure};
 
 /// A jump of a motion of the system M.
@@ -57,9 +56,4 @@ where
         }
         Ok(state.derivatives()[0])
     }
-}
-
-/// Returns a copy of a system, in its present modes.
-pub(super) fn copy<M: ParametricSystem>(system: &M) -> M {
-    system.with_number(usize::MAX, Number::ZERO)
 }

@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::vec::Vec;
 
 use self::backwards::Backwards;
-use self::jump::copy;
 use self::trace::trace;
 use crate::integrate::{ExplicitRungeKutta, Method};
 use crate::scalar::{Number, Scalar};
@@ -16,7 +15,7 @@ use crate::simulate::builder::Simulation;
 use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::control::Undriven;
 use crate::simulate::plan::{RunPlan, RunSettings};
-use crate::simulate::sensitivity::{Sensitive, Varied, varied};
+use crate::simulate::sensitivity::{Sensitive, Varied, copy, varied};
 use crate::system::{MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure};
 
 const OF_RUN: &str = "a gradient takes no events, controllers, columns, single times, restarts, dense output and progress of a run";

@@ -3,11 +3,12 @@
 use core::cell::RefCell;
 use std::vec::Vec;
 
-use super::jump::{Cause, Jump, copy};
+use super::jump::{Cause, Jump};
 use crate::integrate::{Method, Stepper};
 use crate::run::{AllEvents, Current, DeclaredEvents, Events, Found, Next, NoEvents, Origin, Replacement};
 use crate::run::{Run, Sink, Turn};
 use crate::scalar::Number;
+use crate::simulate::sensitivity::copy;
 use crate::system::{OdeSystem, ParametricSystem, Reacted, SettingError, StepFailure};
 use crate::tolerance::SAME_INSTANT;
 

@@ -1,6 +1,6 @@
 //! The equations of states with derivatives, their events and their lanes.
 
-use super::lanes::{MAX_ENTRIES_IN_LANES, OfClosed};
+use super::lanes::{OfClosed, fit};
 use super::stacked::Stacked;
 use super::system::Sensitive;
 use crate::scalar::Number;
@@ -9,6 +9,7 @@ use crate::system::{
     Action, Component, DeclaredEvent, Domain, EventSource, LanesVisitor, MOST_LOCATED, OdeSystem,
     ParametricSystem, Reacted, Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
 };
+
 impl<M, L, const N: usize, const R: usize> OdeSystem for Sensitive<M, L, N, R>
 where
     M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
@@ -161,7 +162,7 @@ where
     }
 
     fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V> {
-        if N * R > MAX_ENTRIES_IN_LANES {
+        if const { !fit::<N, R>(M::NUMBERS.len()) } {
             return Err(visitor);
         }
         match L::with_lanes(OfClosed::new(visitor)) {

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::stacked::{Stacked, linear_rates};
+use super::stacked::{Stacked, variational_rates};
 use super::system::Sensitive;
 use super::variable::VariedPlace;
 use crate::scalar::Number;
@@ -12,8 +12,18 @@ use crate::system::{
 };
 
 /// Maximum number of entries of a state and its derivatives in lanes. A method keeps some 25 such
-/// vectors of eight lanes on the stack, 150 kB in all.
-pub(super) const MAX_ENTRIES_IN_LANES: usize = 96;
+/// vectors of eight lanes on the stack, 100 kB in all, and several times as many unoptimised.
+const MAX_ENTRIES: usize = 64;
+
+/// Maximum number of derivatives of the right-hand side in lanes. Unoptimised code keeps several
+/// copies of each, of 64 bytes.
+const MAX_SLOPES: usize = 192;
+
+/// True if N entries of a state, R rows of derivatives and `numbers` parameters and inputs fit into
+/// lanes.
+pub(super) const fn fit<const N: usize, const R: usize>(numbers: usize) -> bool {
+    N * R <= MAX_ENTRIES && N * (N + numbers) <= MAX_SLOPES
+}
 
 /// Marks an initial value, which has no column ∂f/∂p.
 const INITIAL: usize = usize::MAX;
@@ -24,8 +34,9 @@ pub struct SensitiveEquations<S, E, const N: usize, const R: usize> {
     equations: E,
     /// Indices of the parameters and inputs among the variables, and their number.
     indices: ([usize; R], usize),
-    /// For each variable its place in this list, and its scale.
+    /// The place of each variable in this list, or [`INITIAL`].
     columns: [usize; R],
+    /// The scale of each variable.
     scales: [S; R],
 }
 
@@ -39,7 +50,11 @@ where
 
     #[inline(always)]
     fn rhs(&self, t: S, y: &Stacked<S, N, R>) -> Stacked<S, N, R> {
-        let ([state, changes @ ..], (indices, count)) = (y.used(), self.indices) else { return *y };
+        let mut rates = y.zeros();
+        let ([state, changes @ ..], (indices, count)) = (y.used(), self.indices) else {
+            rates.as_mut().fill(S::NAN);
+            return rates;
+        };
         let (mut jacobian, mut by_numbers) = (E::State::ZERO_SQUARE, [E::State::ZERO; R]);
         let found = self.equations.differentiated(
             t,
@@ -48,12 +63,11 @@ where
             &indices[..count],
             &mut by_numbers[..count],
         );
-        let mut rates = y.zeros();
         rates.rows[0].copy_from_slice(found.as_ref());
         for (variable, changes) in changes.iter().enumerate() {
             let column = by_numbers.get(self.columns[variable]);
             let direct = column.map(|column| (self.scales[variable], column.as_ref()));
-            linear_rates(jacobian.as_ref(), changes, direct, &mut rates.rows[1 + variable]);
+            variational_rates(jacobian.as_ref(), changes, direct, &mut rates.rows[1 + variable]);
         }
         rates
     }

@@ -239,8 +239,7 @@ where
 
     fn close<T>(&self, system: &M, run: impl FnOnce(&Self::Closed) -> T) -> T {
         self.drive.close(system, |closed| {
-            // A copy.
-            let closed = closed.with_plant(system.with_number(usize::MAX, Number::ZERO));
+            let closed = closed.with_plant(copy(system));
             run(&Sensitive { closed, variables: Arc::clone(&self.variables) })
         })
     }
@@ -250,6 +249,11 @@ where
         let variables = self.variables.iter().map(|variable| variable.scaled(system, start));
         Differentiated { drive: self.drive.for_motion(system, start), variables: variables.collect() }
     }
+}
+
+/// Returns a copy of a system, in its present modes.
+pub(super) fn copy<M: ParametricSystem>(system: &M) -> M {
+    system.with_number(usize::MAX, Number::ZERO)
 }
 
 /// Maximum number of restarts to compare.
@@ -273,9 +277,7 @@ where
     }
 
     fn detached(&self) -> Option<Self> {
-        // A copy.
-        let plant = self.closed.plant().with_number(usize::MAX, Number::ZERO);
-        Some(self.around(self.closed.with_plant(plant)))
+        Some(self.with_plant(copy(self.closed.plant())))
     }
 
     fn ask<T>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> T) -> T {

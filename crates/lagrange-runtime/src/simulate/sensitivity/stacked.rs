@@ -120,7 +120,7 @@ impl<const N: usize, const R: usize> AsMut<[usize]> for StackedIndices<N, R> {
 /// Computes the rates ∂f/∂y s + c ∂f/∂p of a derivative s, given ∂f/∂y in rows and, for the
 /// derivative by a parameter, c with ∂f/∂p.
 #[inline(always)]
-pub(super) fn linear_rates<S: Number, Y: AsRef<[S]>>(
+pub(super) fn variational_rates<S: Number, Y: AsRef<[S]>>(
     rows: &[Y],
     changes: &[S],
     direct: Option<(S, &[S])>,

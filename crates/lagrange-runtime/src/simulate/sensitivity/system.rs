@@ -16,7 +16,7 @@
 use std::sync::Arc;
 
 use super::company::{Company, event_values};
-use super::stacked::{Stacked, linear_rates};
+use super::stacked::{Stacked, variational_rates};
 use super::variable::{Varied, VariedPlace};
 use crate::differences::slope;
 use crate::scalar::{Number, Scalar};
@@ -136,7 +136,7 @@ where
                 VariedPlace::Initial(_) => None,
             };
             let direct = column.map(|column| (variable.scale, column.as_slice()));
-            linear_rates(jacobian.as_ref(), changes, direct, rates);
+            variational_rates(jacobian.as_ref(), changes, direct, rates);
         }
         true
     }
