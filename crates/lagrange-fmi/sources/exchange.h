@@ -49,7 +49,8 @@ static Status set_states(Instance *in, const char *function, const double *y, si
     for (int i = 0; i < STATES; i++)
         if (!isfinite(y[i]))
             return fail_with(in, function, names[i], y[i], "is not finite");
-    memcpy(in->state.motion.y, y, count * sizeof *y);
+    for (int i = 0; i < STATES; i++)
+        in->state.motion.y[i] = y[i];
     return DONE;
 }
 
@@ -57,7 +58,8 @@ static Status get_states(const Instance *in, const char *function, double *y, si
 {
     if (!is_array(in, function, STATES, count, y))
         return FAILED;
-    memcpy(y, in->state.motion.y, count * sizeof *y);
+    for (int i = 0; i < STATES; i++)
+        y[i] = in->state.motion.y[i];
     return DONE;
 }
 
@@ -92,6 +94,7 @@ static Status get_nominals(const Instance *in, const char *function, double *val
 {
     if (!is_array(in, function, STATES, count, values))
         return FAILED;
-    memcpy(values, nominals, count * sizeof *values);
+    for (int i = 0; i < STATES; i++)
+        values[i] = nominals[i];
     return DONE;
 }

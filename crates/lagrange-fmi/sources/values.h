@@ -81,25 +81,27 @@ static Status set_variable(Instance *in, const char *function, unsigned place, d
     return DONE;
 }
 
+// Sets all values or, if one is refused, none.
 static Status set_values(Instance *in, const char *function, const unsigned *references, size_t count,
                          const double *values)
 {
     if (!is_allowed(in, function, in != NULL && in->state.mode != TERMINATED) ||
         !are_given(in, function, count, references, values))
         return FAILED;
-    const Motion before = in->state.motion;
-    for (size_t i = 0; i < count; i++)
-        if (set_variable(in, function, references[i], values[i]) != DONE)
-            return FAILED;
-    if (in->state.mode == INSTANTIATED || in->state.mode == INITIALIZING) {
+    const State before = in->state;
+    const int is_starting = before.mode == INSTANTIATED || before.mode == INITIALIZING;
+    Status status = DONE;
+    for (size_t i = 0; i < count && status == DONE; i++)
+        status = set_variable(in, function, references[i], values[i]);
+    if (status == DONE && !is_starting)
+        status = check_periods(in, function);
+    if (status != DONE)
+        in->state = before;
+    else if (is_starting)
         follow_parameters(&in->state);
-    } else if (check_periods(in, function) != DONE) {
-        in->state.motion = before;
-        return FAILED;
-    } else if (CLOCKS > 0 && in->state.motion.t < in->state.motion.next_tick) {
+    else if (CLOCKS > 0 && in->state.motion.t < in->state.motion.next_tick)
         schedule(&in->state.motion, 1);
-    }
-    return DONE;
+    return status;
 }
 
 // Answers requests of types that no variable has.

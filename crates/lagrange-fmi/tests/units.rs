@@ -227,15 +227,19 @@ fn nominal_values_scale_tolerances() {
     assert!((x * 1e9 - cos).abs() < 1e-11 && (speed * 1e9 + sin).abs() < 1e-11, "{x} {speed}");
 }
 
+/// Returns the value reference of a variable.
+fn reference(unit: &MockupUnit, name: &str) -> String {
+    let names = Document::parse(&unit.description).expect("XML");
+    let variable = names.descendants().find(|node| node.attribute("name") == Some(name));
+    variable.and_then(|node| node.attribute("valueReference")).expect("a variable").to_owned()
+}
+
 /// Time does not pass with periods that are too short.
 #[test]
 fn periods_of_clocks_are_checked() {
     let text = "struct Count; param period = 0.25; coord x = 0; discrete count = 0;
         kinetic = 1/2 * dot(x)^2; every period => { count = count + 1; }";
-    let unit = unit(text, Version::Two);
-    let names = Document::parse(&unit.description).expect("XML");
-    let period = names.descendants().find(|node| node.attribute("name") == Some("period"));
-    let reference = period.and_then(|node| node.attribute("valueReference")).expect("a parameter").to_owned();
+    let reference = reference(&unit(text, Version::Two), "period");
     for (value, words) in [
         ("0", "the period of a clock = 0 is not positive"),
         ("-1", "the period of a clock = -1 is not positive"),
@@ -243,6 +247,24 @@ fn periods_of_clocks_are_checked() {
     ] {
         let ([status, time, ..], messages) = stepped("period", text, &["0.5", "2", &reference, value]);
         assert!(status == 3.0 && time == 0.0 && messages.contains(words), "{messages}");
+    }
+}
+
+/// The start follows a parameter, and a clock ticks, as if the refused calls had not been made.
+#[test]
+fn refused_calls_set_nothing() {
+    let text = "struct Count; param period = 0.25, e in 0..1 = 0.5; coord x = 2 * e; discrete count = 0;
+        kinetic = 1/2 * dot(x)^2; every period => { count = count + 1; }";
+    for unit in VERSIONS.map(|version| unit(text, version)) {
+        let program = program("refused", &unit, ("refused.c", include_str!("refused.c")), &[]);
+        let references = ["x", "e", "period", "count"].map(|name| reference(&unit, name));
+        for (kind, end) in [(STEPS, "0 4"), (EXCHANGE, "3 0")] {
+            let output = run(&program, kind, &references.each_ref().map(String::as_str));
+            let messages = String::from_utf8_lossy(&output.stderr).into_owned();
+            let printed = String::from_utf8(output.stdout).expect("numbers");
+            assert_eq!(printed, format!("3 3 0 0 3 0.5 0.25 0.25 {end}"), "{messages}");
+            assert_eq!(messages.matches("e = 2 is outside the declared range").count(), 3, "{messages}");
+        }
     }
 }
 

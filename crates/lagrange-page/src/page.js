@@ -4,6 +4,7 @@ const KEPT = 3000; // moments in the plots
 const SPAN = 10; // seconds in the plots
 const AHEAD = 5; // seconds that decide on the first window
 const BUDGET = 40; // milliseconds of work for a frame
+const REACHING = 20; // milliseconds of work for a move of a body
 
 const motion = startsMotion(model, functions);
 const picture = model.scene && showsScene(model.scene);
@@ -213,30 +214,40 @@ const starts = panel("Start", model.states.filter((state) => state.low < state.h
 
 // Bodies follow the pointer. Where they are put is a start, with the velocities of the start.
 function drags(canvas) {
-  let wasPlaying = false;
+  let [wasPlaying, hovered] = [false, null];
   const pixels = (event) => [event.offsetX, event.offsetY];
-  // How a body below the pointer is moved; null if there is none, or it cannot move.
-  function below(event) {
-    const found = motion.y.every(Number.isFinite) && picture.grab(call("drawing"), pixels(event));
+  // How a body at these pixels is moved; null if there is none, or it cannot move.
+  function below(at) {
+    const found = motion.y.every(Number.isFinite) && picture.grab(call("drawing"), at);
     const reach = found && reaches(model, functions, found.point);
-    return reach && reach.isFree(motion.y, motion.p) ? { reach, target: found.target, id: event.pointerId, at: pixels(event) } : null;
+    return reach && reach.isFree(motion.y, motion.p) ? { reach, target: found.target, at } : null;
   }
   function begins(event) {
     // Two fingers, other buttons and the shift key move the view.
     if (grip) return letsGo();
-    grip = event.button || event.shiftKey ? null : below(event);
+    grip = !event.isPrimary || event.button || event.shiftKey ? null : below(pixels(event));
     if (!grip) return;
+    grip.id = event.pointerId;
     wasPlaying = isPlaying;
     setPlaying(false);
     canvas.setPointerCapture(event.pointerId);
     canvas.classList.add("grabbed");
   }
+  // Looks below the pointer once for a frame.
+  function hovers(at) {
+    if (!hovered) requestAnimationFrame(() => {
+      const last = hovered;
+      hovered = null;
+      if (!grip) canvas.style.cursor = below(last) ? "move" : "";
+    });
+    hovered = at;
+  }
   function moves(event) {
-    if (!grip && !event.buttons) canvas.style.cursor = below(event) ? "move" : "";
+    if (!grip && !event.buttons) hovers(pixels(event));
     if (grip?.id !== event.pointerId || pixels(event).every((value, k) => value === grip.at[k])) return;
     grip.at = pixels(event);
     for (let i = 0; i < model.positions - model.firstOrder; i++) start[i] = motion.y[i];
-    grip.reach.to(start, fields, grip.target(grip.at)).forEach((value, i) => { start[i] = value; });
+    grip.reach.to(start, fields, grip.target(grip.at), performance.now() + REACHING).forEach((value, i) => { start[i] = value; });
     starts.forEach((moveTo, i) => moveTo(start[i]));
     begin();
     draw();

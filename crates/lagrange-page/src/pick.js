@@ -7,8 +7,9 @@ function sight(camera, near, [px, py]) {
   return { foot, way: towards.map((value, k) => value - near * foot[k]) };
 }
 
-// The nearest of some things on a line, each with its pose and mesh, and the height where it is met; null if there is none. Faces are seen
-// from outside only, as they are painted: T. Möller, B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, J. Graphics Tools 2 (1997).
+// The nearest of some things on a line, each with its pose and mesh, and the height where it is met; null if there is none. Things keep
+// their placed corners for further lines. Faces are seen from outside only, as they are painted: T. Möller, B. Trumbore, Fast, Minimum
+// Storage Ray/Triangle Intersection, J. Graphics Tools 2 (1997).
 function nearest(things, { foot, way }) {
   const minus = (a, b) => a.map((value, k) => value - b[k]);
   const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
@@ -26,7 +27,7 @@ function nearest(things, { foot, way }) {
     const { pose, mesh: { points, triangles }, corners, radius } = thing;
     const away = Math.hypot(...cross(minus(pose.origin, foot), way)) / Math.hypot(...way);
     if (away > pose.scale * radius + pose.stretch) continue;
-    const places = corners.map((corner) => placed(pose, corner));
+    const places = thing.places ??= corners.map((corner) => placed(pose, corner));
     for (let k = 0; k < triangles.length; k += 3) {
       const height = met(triangles.slice(k, k + 3).map((point) => places[points[4 * point]]));
       if (height > (best?.height ?? -Infinity)) best = { thing, height };

@@ -1,9 +1,9 @@
 // Coordinates in which a point of a body is as near as possible to a place, for bodies that are dragged. `placed` returns the point of a
 // scene. Steps are those of Gauss and Newton, damped where the point cannot follow: K. Levenberg, Quart. Appl. Math. 2 (1944).
 function reaches(model, functions, placed) {
-  const trial = startsMotion(model, functions);
+  let trial = null;
   const coordinates = model.positions - model.firstOrder;
-  const [LEAST, MOST, NEAR] = [1e-4, 1e4, 0.3];
+  const [LEAST, MOST, NEAR, NOTHING] = [1e-4, 1e4, 0.3, 1e-9];
   const point = (y, p) => {
     const scene = [];
     functions.drawing(0, normalised([...y], model.quaternions), p, scene);
@@ -22,17 +22,18 @@ function reaches(model, functions, placed) {
   // The next coordinates and how far the point is from its place there; null if none are nearer.
   function step(y, fields, target) {
     const miss = minus(target, point(y, trial.p));
+    const size = Math.hypot(...miss);
+    if (size < NOTHING) return null;
     const slopes = slopesAt(y, trial.p, (moved) => (model.constraints && held(moved, fields)) || moved);
     const products = miss.map((_, a) => miss.map((_, b) => slopes.reduce((total, slope) => total + slope[a] * slope[b], 0)));
     const all = products.reduce((sum, row, k) => sum + row[k], 0);
-    const size = Math.hypot(...miss);
     // The derivatives hold for places that are near.
     const wanted = miss.map((part) => part * Math.min(1, NEAR * Math.sqrt(all) / size));
     for (let damping = LEAST * all; damping < MOST * all; damping *= 4) {
       const pull = solved(products.map((row, a) => [...row.map((value, b) => (a === b ? value + damping : value)), wanted[a]]));
       const next = held(y.map((value, i) => value + (slopes[i]?.reduce((sum, slope, k) => sum + slope * pull[k], 0) ?? 0)), fields);
       const far = next && Math.hypot(...minus(target, point(next, trial.p)));
-      if (next && far < size) return { next, far, isEnough: far < 1e-9 || size - far < 1e-13 * size };
+      if (next && far < size) return { next, far, isEnough: far < NOTHING || size - far < 1e-13 * size };
     }
     return null;
   }
@@ -50,12 +51,14 @@ function reaches(model, functions, placed) {
   return {
     // True if any coordinate moves the point.
     isFree: (y, p) => slopesAt(y, p).flat().some(Boolean),
-    to(start, fields, target) {
+    // Makes no further step after the deadline.
+    to(start, fields, target, deadline = Infinity) {
+      trial ??= startsMotion(model, functions);
       let y = held(start, fields) ?? start;
       for (let k = 0; k < 200; k++) {
         const found = step(y, fields, target);
         y = found?.next ?? y;
-        if (found?.isEnough ?? true) break;
+        if ((found?.isEnough ?? true) || performance.now() > deadline) break;
       }
       return y;
     },

@@ -144,7 +144,7 @@ fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Resu
         elements: figure(&live.elements),
         viewer: [LiveScene::VIEWER, SPACE].concat(),
         style: LiveScene::STYLE,
-        keys: DRAG.to_owned() + &LiveScene::KEYS.replacen("Drag", "Drag elsewhere", 1),
+        keys: [DRAG, " Drag elsewhere ", LiveScene::KEYS].concat(),
     })
 }
 

@@ -75,7 +75,7 @@ function showsScene(scene) {
   // Bodies, and surfaces that hide them.
   const seen = () => space.poses[0].flatMap((pose, k) => {
     const [thing, { mesh }] = [things[k], space.things[k]];
-    const isBody = "body frame".includes(thing.kind);
+    const isBody = ["body", "frame"].includes(thing.kind);
     return isBody || thing.kind === "surface" ? [{ ...thing, isBody, pose, mesh: space.meshes[mesh], corners: corners[mesh], radius: radii[k] }] : [];
   });
   function grow(all) {
@@ -108,8 +108,9 @@ function showsScene(scene) {
     // The point of a body that is seen at these pixels or beside them: of a scene, its pixels and its height, and the same where the pointer is.
     grab(values, pixels) {
       if (!show.camera) return null;
-      const found = [[0, 0], ...AROUND].map((offset) => nearest(seen(), sight(show.camera, space.near, pixels.map((value, k) => value + offset[k]))));
-      const { thing, height } = found.find(Boolean) ?? {};
+      const all = seen();
+      const met = (offset) => nearest(all, sight(show.camera, space.near, pixels.map((value, k) => value + offset[k])));
+      const { thing, height } = AROUND.reduce((found, offset) => found ?? met(offset), met([0, 0])) ?? {};
       if (!thing?.isBody) return null;
       const { foot, way } = sight(show.camera, space.near, pixels);
       const place = foot.map((value, k) => ball.middle[k] + ball.radius * (value + height * way[k]));

@@ -123,7 +123,10 @@ impl<'py> DrivenRun<'py> {
         match (inputs.len(), self.count) {
             (given, count) if given == count => Ok(inputs),
             (given, count) => {
-                Err(PyValueError::new_err(format!("`inputs` returns {given} values for {count} inputs")))
+                let [values, inputs] = [given, count].map(|count| if count == 1 { "" } else { "s" });
+                Err(PyValueError::new_err(format!(
+                    "`inputs` returns {given} value{values} for {count} input{inputs}"
+                )))
             }
         }
     }

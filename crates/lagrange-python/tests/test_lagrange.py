@@ -201,7 +201,7 @@ def test_errors_of_inputs_arrive():
     with pytest.raises(lagrange.SimulationError, match="u") as failure:
         system.simulate(until=1, inputs=lambda t, y: float("nan") if t > 0.3 else 0.0)
     assert 0 < failure.value.trajectory.t[-1] <= 0.5
-    with pytest.raises(ValueError, match="`inputs` returns 2 values for 1 inputs"):
+    with pytest.raises(ValueError, match="`inputs` returns 2 values for 1 input$"):
         system.simulate(until=1, inputs=lambda t, y: [0.0, 1.0])
     with pytest.raises(TypeError, match="the result of `inputs` must be an array of numbers, not str"):
         system.simulate(until=1, inputs=lambda t, y: "much")

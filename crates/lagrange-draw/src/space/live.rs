@@ -60,7 +60,7 @@ impl LiveScene {
     /// The script of the viewer: `viewer()` returns a function that displays the `poses` of
     /// `film.space`.
     pub const VIEWER: &'static str = page::VIEWER;
-    /// Help text for the viewer's keys.
+    /// Help text for the viewer's keys, after the word "Drag".
     pub const KEYS: &'static str = page::KEYS;
 
     /// Records the scene visited by `visit`.

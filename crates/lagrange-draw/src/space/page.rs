@@ -25,7 +25,8 @@ pub(super) const VIEWER: &str = concat!(
     include_str!("page/painter.js"),
     include_str!("page/labels.js")
 );
-pub(super) const KEYS: &str = " Drag to turn, with two fingers or the right button to shift; wheel or pinch to zoom; double click for the first \
+/// Help text after the word "Drag".
+pub(super) const KEYS: &str = "to turn, with two fingers or the right button to shift; wheel or pinch to zoom; double click for the first \
                     view. With the picture in focus, arrow keys turn, + and − zoom, 0 is the first view.";
 
 /// Integer for the radius of the scene.
@@ -49,7 +50,7 @@ pub(super) fn html(projector: &Projector, timeline: &Timeline) -> String {
         picture,
         shown: format!("\"space\":{space}"),
         viewer: &[SCHEME, VIEWER].concat(),
-        keys: KEYS,
+        keys: &[" Drag ", KEYS].concat(),
     };
     page.html()
 }
