@@ -34,15 +34,17 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    /// Returns an engine with this many threads, or with the shared pool.
-    pub(super) fn new(threads: Option<usize>) -> Result<Self, EnsembleError> {
-        let pool = match threads {
-            None | Some(1) => None,
-            Some(number) => Some(ThreadPoolBuilder::new().num_threads(number).build()),
+    /// Returns an engine with this many threads, or with the shared pool. Threads with stacks of a
+    /// given size, in bytes, are a pool of their own.
+    pub(super) fn new(threads: Option<usize>, stack: Option<usize>) -> Result<Self, EnsembleError> {
+        let number = threads.unwrap_or_else(rayon::current_num_threads);
+        let pool = match (threads, stack) {
+            (_, Some(stack)) => Some(ThreadPoolBuilder::new().num_threads(number).stack_size(stack).build()),
+            (None | Some(1), None) => None,
+            (Some(_), None) => Some(ThreadPoolBuilder::new().num_threads(number).build()),
         };
         let pool = pool.transpose().map_err(|error| EnsembleError::Threads(error.to_string()))?;
-        let threads = threads.unwrap_or_else(rayon::current_num_threads);
-        Ok(Engine { pool, threads, chunk: BLOCK, ahead: CHUNKS_PER_THREAD })
+        Ok(Engine { pool, threads: number, chunk: BLOCK, ahead: CHUNKS_PER_THREAD })
     }
 
     /// Uses chunks for lanes, with enough of them for all threads.
@@ -93,8 +95,8 @@ impl Engine {
         compute: &(impl Fn(Range<usize>) -> R + Sync),
     ) -> Vec<R> {
         match &self.pool {
-            _ if self.threads == 1 => chunks.into_iter().map(compute).collect(),
             Some(pool) => pool.install(|| chunks.into_par_iter().map(compute).collect()),
+            None if self.threads == 1 => chunks.into_iter().map(compute).collect(),
             None => chunks.into_par_iter().map(compute).collect(),
         }
     }

@@ -52,7 +52,7 @@ fn rows_do_not_depend_on_chunks() {
     let found = [(1, 64), (1, 1), (2, 7), (3, 1000), (3, 64)].map(|(threads, chunk)| {
         let pendulum = Pendulum { g: 1.0 };
         let ensemble = pendulum.ensemble(301).start(|_, random| [random.uniform(-3.0..3.0), 0.0]).until(5.0);
-        let mut engine = Engine::new(Some(threads)).expect("threads");
+        let mut engine = Engine::new(Some(threads), None).expect("threads");
         engine.chunk = chunk;
         bits(&ensemble.run_in(&engine).expect("runs"))
     });

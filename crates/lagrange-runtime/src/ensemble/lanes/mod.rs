@@ -36,6 +36,10 @@ const LEAST_TOGETHER: usize = 16;
 /// Maximum number of motions computed together if they have samples.
 const MOST_TOGETHER: usize = 256;
 
+/// Size of the stacks of threads for derivatives in lanes, in bytes. Unoptimised code takes some
+/// 50 kB for each entry of a state with its derivatives.
+const STACK_FOR_DERIVATIVES: usize = 16 << 20;
+
 /// The outcome of a motion.
 pub(super) enum MotionOutcome<M: MechanicalSystem, C: OdeSystem> {
     /// It was a separate run.
@@ -88,8 +92,10 @@ where
     /// If a setting is invalid, or threads cannot be started.
     pub(super) fn engine(&self) -> Result<Engine, EnsembleError> {
         self.check()?;
-        let (engine, motions) = (Engine::new(self.batch.threads)?, self.batch.motions().len());
-        Ok(match (self.is_in_lanes(), P::SAMPLES) {
+        let (is_in_lanes, motions) = (self.is_in_lanes(), self.batch.motions().len());
+        let stack = (is_in_lanes && !D::Closed::IS_PLANT).then_some(STACK_FOR_DERIVATIVES);
+        let engine = Engine::new(self.batch.threads, stack)?;
+        Ok(match (is_in_lanes, P::SAMPLES) {
             (false, _) => engine,
             (true, false) => engine.with_wide_chunks(motions),
             (true, true) => engine.with_chunks_of_samples(motions),

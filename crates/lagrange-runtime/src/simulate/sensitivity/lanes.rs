@@ -12,12 +12,11 @@ use crate::system::{
 };
 
 /// Maximum number of entries of a state and its derivatives in lanes. A method keeps some 25 such
-/// vectors of eight lanes on the stack, 100 kB in all, and several times as many unoptimised.
-const MAX_ENTRIES: usize = 64;
+/// vectors of eight lanes on the stack, 150 kB in all, and many times as much unoptimised.
+const MAX_ENTRIES: usize = 96;
 
-/// Maximum number of derivatives of the right-hand side in lanes. Unoptimised code keeps several
-/// copies of each, of 64 bytes.
-const MAX_SLOPES: usize = 192;
+/// Maximum number of derivatives of the right-hand side in lanes, which take 64 bytes each.
+const MAX_SLOPES: usize = 512;
 
 /// True if N entries of a state, R rows of derivatives and `numbers` parameters and inputs fit into
 /// lanes.

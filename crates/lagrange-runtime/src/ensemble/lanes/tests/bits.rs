@@ -78,7 +78,7 @@ fn in_all_lanes<M: Subject, K: Goes<M>, const FUSED: bool, const SAMPLED: bool>(
 /// Returns engines with different numbers of threads and chunk sizes.
 fn engines() -> impl Iterator<Item = Engine> {
     [(1, 64), (1, 7), (2, 64), (2, 5), (2, 1)].into_iter().map(|(threads, chunk)| {
-        let mut engine = Engine::new(Some(threads)).expect("threads");
+        let mut engine = Engine::new(Some(threads), None).expect("threads");
         engine.chunk = chunk;
         engine
     })
