@@ -1,6 +1,6 @@
 //! The command as users run it: exit codes, output, and messages about wrong files.
 
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::{env, fs};
@@ -20,7 +20,10 @@ fn run_on(text: &str, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lagrange"));
     let pipes = command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = pipes.spawn().expect("the command starts");
-    child.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("written");
+    // A command that refuses its options ends before it reads.
+    if let Err(error) = child.stdin.take().expect("a pipe").write_all(text.as_bytes()) {
+        assert_eq!(error.kind(), ErrorKind::BrokenPipe, "{error}");
+    }
     child.wait_with_output().expect("the command ends")
 }
 
