@@ -93,8 +93,7 @@ def check_dragging(browser, checks):
         hand, name = Hand(browser, found["corner"], is_finger), "finger" if is_finger else "mouse"
         # Some bodies cannot move in all directions.
         parts = []
-        places = found["hits"][:1] if is_finger else found["hits"]
-        for place, by in [(place, by) for place in places for by in [(12, 6), (-12, 6), (12, -6), (-12, -6)]]:
+        for place, by in [(place, by) for place in found["hits"] for by in [(12, 6), (-12, 6), (12, -6), (-12, -6)]]:
             browser.evaluate(RESET)
             before, after = hand.drag(place, by)
             parts.append(after / before)
