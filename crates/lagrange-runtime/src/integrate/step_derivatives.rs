@@ -145,8 +145,11 @@ impl<M: ParametricSystem, const K: usize> DerivativeColumns<M, K> {
 
     /// Replaces each column, given the index of its variable.
     pub(super) fn update(&mut self, mut column: impl FnMut(usize, &mut M::State)) {
-        let columns = self.by_state.as_mut().iter_mut().chain(&mut self.by_numbers);
-        columns.enumerate().for_each(|(variable, values)| column(variable, values));
+        self.iter_mut().enumerate().for_each(|(variable, values)| column(variable, values));
+    }
+
+    fn iter_mut(&mut self) -> impl Iterator<Item = &mut M::State> {
+        self.by_state.as_mut().iter_mut().chain(&mut self.by_numbers)
     }
 
     fn iter(&self) -> impl Iterator<Item = &M::State> {
@@ -155,14 +158,12 @@ impl<M: ParametricSystem, const K: usize> DerivativeColumns<M, K> {
 
     /// Adds c times other columns.
     pub(super) fn add(&mut self, c: M::Scalar, other: &Self) {
-        let columns = self.by_state.as_mut().iter_mut().chain(&mut self.by_numbers);
-        columns.zip(other.iter()).for_each(|(column, other)| add(column, c, other));
+        self.iter_mut().zip(other.iter()).for_each(|(column, other)| add(column, c, other));
     }
 
     /// Replaces rates by those at self + c · rates, where f has these derivatives.
     pub(super) fn rates_at(&self, c: M::Scalar, rates: &mut Self, slopes: &Slopes<M, K>) {
-        let columns = rates.by_state.as_mut().iter_mut().chain(&mut rates.by_numbers);
-        for (variable, (rate, start)) in columns.zip(self.iter()).enumerate() {
+        for (variable, (rate, start)) in rates.iter_mut().zip(self.iter()).enumerate() {
             *rate = slopes.along(variable, &combined(start, c, rate));
         }
     }
