@@ -30,9 +30,9 @@
 
 #[doc(inline)]
 pub use lagrange_runtime::event::{
-    Action, DeclaredEvent, Detector, Direction, MOST_DECLARED, Occurrence, Response, SwitchedSystem,
-    Switches, beyond, change_side, choose_sides, earlier, free_sides, next_switch_time, next_tick,
-    shortest_period, side_values, ticks,
+    Action, DeclaredEvent, Detector, Direction, MAX_LOCATED, Occurrence, Response, SwitchedSystem, Switches,
+    beyond, change_side, choose_sides, earlier, free_sides, next_switch_time, next_tick, shortest_period,
+    side_values, ticks,
 };
 #[doc(inline)]
 pub use lagrange_runtime::run::integrate_with_events;

@@ -541,3 +541,45 @@ fn a_sign_is_zero_for_free_switches_and_one_in_runs_that_start_at_zero() {
     assert!((x - 0.5).abs() < 1e-9 && (y - 1.0).abs() < 1e-9, "{x}, {y}");
     assert!((z + 0.5).abs() < 1e-6, "{z}");
 }
+
+lagrange::system! {
+    /// A bead pulled by 300 cords, each with a constant force towards its own end.
+    struct Cords;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = sum(i in 0..300, abs(x - i / 100)) / 100;
+}
+
+/// Returns the state after a time: between two ends the force is constant.
+fn pulled([mut x, mut v]: [f64; 2], mut left: f64) -> [f64; 2] {
+    let mut passed = 0;
+    loop {
+        let a = (300.0 - 2.0 * f64::from(passed)) / 100.0;
+        let end = f64::from(if v > 0.0 || passed == 0 { passed } else { passed - 1 }) / 100.0;
+        let duration = match passed < 300 || v < 0.0 {
+            true => first_time_at(end - x, v, a, v > 0.0).filter(|duration| *duration < left),
+            false => None,
+        };
+        let Some(duration) = duration else { return [x + left * (v + 0.5 * a * left), v + a * left] };
+        (x, v, left) = (end, v + a * duration, left - duration);
+        passed = if v > 0.0 { passed + 1 } else { passed - 1 };
+    }
+}
+
+#[test]
+fn hundreds_of_kinks_are_passed_exactly() {
+    let start = [-0.005, 0.3];
+    let right = pulled(start, 1.3);
+    assert!(right[0] > 1.5, "{right:?}");
+    let cords = Cords::default();
+    let run = || cords.simulate(start).until(1.3);
+    let adaptive = run().tolerance(1e-12).run();
+    let fixed = run().method(RungeKutta4 { step: 0.1 }).run();
+    for run in [adaptive, fixed] {
+        let run = run.expect("a motion");
+        let errors = [0, 1].map(|k| (run.last()[k] - right[k]).abs());
+        assert!(errors.iter().all(|error| *error < 1e-12), "{errors:?}");
+        assert!(run.work().steps > 150);
+    }
+}

@@ -4,7 +4,7 @@ use lagrange_core::derive::DiffusionKind;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Reaction, TickingClock};
 use lagrange_runtime::event::{
-    Action, DeclaredEvent, Response, beyond, change_side, choose_sides, earlier, free_sides,
+    Action, DeclaredEvent, MAX_LOCATED, Response, beyond, change_side, choose_sides, earlier, free_sides,
     next_switch_time, next_tick, shortest_period, side_values, ticks,
 };
 use lagrange_runtime::integrate::undefined;
@@ -132,6 +132,8 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
     fn restore(&self, t: f64, y: &mut Inline<CAPACITY>) -> Result<(), StepFailure<f64>> {
         self.restore_to_constraints(t, y)
     }
+
+    const MAX_EVENTS: usize = MAX_LOCATED;
 
     fn events(&self) -> &'static [DeclaredEvent] {
         self.names.events

@@ -1,16 +1,16 @@
 //! An interpreted system, with its switches.
 
-use std::iter::repeat_n;
-
-use lagrange_core::limits::MAX_LOCATED;
+use lagrange_core::limits;
 use lagrange_core::pipeline::{NumericSystem, Programs, Range};
 use lagrange_runtime::contact::Mode;
-use lagrange_runtime::event::{SwitchedSystem, Switches};
+use lagrange_runtime::event::{MAX_LOCATED, SwitchedSystem, Switches};
 use lagrange_runtime::system::{OutOfRange, RangedKind, StateVector};
 
 use crate::inline::Inline;
 use crate::names::{Names, bound};
 use crate::reactions::initial_mode;
+
+const _: () = assert!(limits::MAX_LOCATED == MAX_LOCATED, "warnings state the limit of runs");
 
 /// An interpreted system with states of at most `CAPACITY` entries.
 #[derive(Clone, Debug)]
@@ -72,8 +72,7 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
     }
 }
 
-/// Slots after the last switch are not finite, and therefore never fixed.
-impl<const CAPACITY: usize> SwitchedSystem<MAX_LOCATED> for DynamicSystem<CAPACITY> {
+impl<const CAPACITY: usize> SwitchedSystem for DynamicSystem<CAPACITY> {
     const FIRST: usize = 0;
 
     fn first(&self) -> usize {
@@ -90,20 +89,16 @@ impl<const CAPACITY: usize> SwitchedSystem<MAX_LOCATED> for DynamicSystem<CAPACI
         system
     }
 
-    fn switch_values(&self, t: f64, y: &Inline<CAPACITY>) -> [f64; MAX_LOCATED] {
-        let mut values = [f64::NAN; MAX_LOCATED];
+    fn switch_values(&self, t: f64, y: &Inline<CAPACITY>, values: &mut [f64]) {
         let (q, v) = y.parts(0);
         let found = self.numeric.evaluate(&self.programs().switches, t, q, v);
         values.iter_mut().zip(found).for_each(|(value, found)| *value = found);
-        values
     }
 
-    fn switch_times(&self) -> [Option<f64>; MAX_LOCATED] {
-        let times = self.programs().switch_times.iter().chain(repeat_n(&None, MAX_LOCATED));
-        let mut times = times.map(|time| {
+    fn switch_times(&self) -> impl Iterator<Item = Option<f64>> {
+        self.programs().switch_times.iter().map(|time| {
             let values = self.numeric.evaluate(time.as_ref()?, 0.0, &[], &[]);
             values.first().copied()
-        });
-        std::array::from_fn(|_| times.next().flatten())
+        })
     }
 }

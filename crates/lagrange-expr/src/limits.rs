@@ -65,7 +65,7 @@ pub const MAX_BRANCHES: u64 = 100;
 pub const MAX_COUPLED: usize = 8;
 
 /// Events of a declaration, except those of contacts and friction.
-pub const MAX_EVENTS: usize = 64;
+pub const MAX_EVENTS: usize = 448;
 
 /// Contacts and friction. Steps store several numbers for each pair of one and a velocity.
 pub const MAX_CONTACTS: usize = 1_000;
@@ -75,7 +75,7 @@ pub const MAX_CONTACTS: usize = 1_000;
 pub const MAX_CONTACT_PAIRS: usize = 16_384;
 
 /// Total number of events and switches located by runs; further switches are stepped across.
-pub const MAX_LOCATED: usize = 64;
+pub const MAX_LOCATED: usize = 512;
 
 /// Velocities, since matrices have an entry for each pair.
 pub const MAX_VELOCITIES: usize = 2_000;

@@ -18,7 +18,7 @@ pub use base::attributes::attributes_of_struct;
 pub use base::docs::{documentation, equations_latex};
 pub use base::fingerprint::fingerprint;
 pub use base::sides::{NamedRoots, on_sides};
-pub use base::size::{report_hopeless_model, report_too_many};
+pub use base::size::{MAX_CONTACT_EVENTS, report_hopeless_model, report_too_many};
 pub use base::statements::statements;
 pub use diagnostics::diagnostics;
 pub use features::events::separate_events;

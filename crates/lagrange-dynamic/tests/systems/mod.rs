@@ -141,6 +141,12 @@ both_ways! {
         event late = t - (3.2 [s]), rising => stop;
     }
 
+    Cords = CORDS {
+        coord x;
+        kinetic = 1/2 * dot(x)^2;
+        potential = sum(i in 0..300, abs(x - i / 100)) / 100;
+    }
+
     Kinks = KINKS {
         coord x;
         kinetic = 1/2 * dot(x)^2;

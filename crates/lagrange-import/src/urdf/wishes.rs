@@ -1,7 +1,7 @@
 //! Requested limits, friction and contacts that have no counterpart in the robot.
 
 use lagrange_core::diagnostics::nearest;
-use lagrange_core::limits::MAX_EVENTS;
+use lagrange_core::emit::MAX_CONTACT_EVENTS;
 
 use super::collector::Source;
 use super::{Options, messages};
@@ -68,8 +68,8 @@ pub(super) fn report_written(source: &mut Source<'_>, robot: &Robot, declared: &
     for link in level {
         source.warning_at(link_place(&robot.links[link]), messages::LEVEL);
     }
-    if declared.event_count > MAX_EVENTS {
-        let message = messages::many_events(declared.event_count, MAX_EVENTS);
+    if declared.event_count > MAX_CONTACT_EVENTS {
+        let message = messages::many_events(declared.event_count, MAX_CONTACT_EVENTS);
         let root = link_place(&robot.links[robot.root]);
         source.warning_at(root, message).help(messages::FEWER_EVENTS_HELP);
     }

@@ -24,7 +24,7 @@ pub(crate) use self::rounding::rounded;
 pub use self::switches::{
     SwitchedSystem, Switches, beyond, change_side, choose_sides, free_sides, next_switch_time, side_values,
 };
-pub use crate::system::{Action, DeclaredEvent, Direction, MOST_DECLARED, Response};
+pub use crate::system::{Action, DeclaredEvent, Direction, MAX_LOCATED, Response};
 
 #[cfg(test)]
 mod tests;

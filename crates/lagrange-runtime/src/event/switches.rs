@@ -16,7 +16,7 @@
 
 use core::array::from_fn;
 
-use crate::system::{Action, OdeSystem, Reacted, Response};
+use crate::system::{Action, MAX_LOCATED, OdeSystem, Reacted, Response};
 
 use crate::scalar::{Number, Scalar};
 
@@ -24,15 +24,27 @@ use crate::scalar::{Number, Scalar};
 /// state determines.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub struct Switches {
-    /// A bit for each switch whose side is fixed.
-    fixed: u64,
-    /// A bit for each of them that is on its positive side.
-    positive: u64,
+    /// The switches whose sides are fixed.
+    fixed: Bits,
+    /// Fixed switches that are on their positive sides.
+    positive: Bits,
+}
+
+/// A bit for each switch.
+type Bits = [u64; MAX_LOCATED / 64];
+
+fn has_bit(bits: &Bits, k: usize) -> bool {
+    bits[k / 64] >> (k % 64) & 1 != 0
+}
+
+fn set_bit(bits: &mut Bits, k: usize, value: bool) {
+    let bit = 1 << (k % 64);
+    if value { bits[k / 64] |= bit } else { bits[k / 64] &= !bit }
 }
 
 impl Switches {
     /// All switches free.
-    pub const FREE: Switches = Switches { fixed: 0, positive: 0 };
+    pub const FREE: Switches = Switches { fixed: [0; MAX_LOCATED / 64], positive: [0; MAX_LOCATED / 64] };
 
     /// Returns the side of each switch, 1 or −1: the fixed one, or the sign of its value.
     #[inline]
@@ -50,24 +62,25 @@ impl Switches {
         self.is_fixed(k).then(|| self.sign(k))
     }
 
-    fn is_fixed(self, k: usize) -> bool {
-        self.fixed >> k & 1 != 0
+    fn is_fixed(&self, k: usize) -> bool {
+        has_bit(&self.fixed, k)
     }
 
-    fn sign<S: Scalar>(self, k: usize) -> S {
-        if self.positive >> k & 1 != 0 { S::ONE } else { -S::ONE }
+    fn sign<S: Scalar>(&self, k: usize) -> S {
+        if has_bit(&self.positive, k) { S::ONE } else { -S::ONE }
     }
 
     /// Fixes the side of this switch.
-    fn with(self, k: usize, is_positive: bool) -> Self {
-        let bit = 1 << k;
-        let positive = if is_positive { self.positive | bit } else { self.positive & !bit };
-        Switches { fixed: self.fixed | bit, positive }
+    fn with(mut self, k: usize, is_positive: bool) -> Self {
+        set_bit(&mut self.fixed, k, true);
+        set_bit(&mut self.positive, k, is_positive);
+        self
     }
 }
 
-/// A system with K switches. Emitted types implement it.
-pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
+/// A system with switches. Their events are the last of its declared events. Emitted types
+/// implement it.
+pub trait SwitchedSystem: OdeSystem + Sized {
     /// The index of the first of them among the declared events.
     const FIRST: usize;
 
@@ -84,48 +97,47 @@ pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     #[must_use]
     fn with_switches(&self, switches: Switches) -> Self;
 
-    /// Computes the functions that vanish on the switches.
-    fn switch_values(&self, t: Self::Scalar, y: &Self::State) -> [Self::Scalar; K];
+    /// Computes the functions that vanish on the switches and writes them to `values`, which has
+    /// the same length.
+    fn switch_values(&self, t: Self::Scalar, y: &Self::State, values: &mut [Self::Scalar]);
 
-    /// Returns the time at which each switch is passed, from its negative to its positive side, if
-    /// it is known in advance.
-    fn switch_times(&self) -> [Option<Self::Scalar>; K] {
-        [None; K]
+    /// Returns the time at which each switch is passed from its negative to its positive side, or
+    /// `None` if it is unknown in advance. Switches after the last known time may be left out.
+    fn switch_times(&self) -> impl Iterator<Item = Option<Self::Scalar>> {
+        core::iter::empty()
     }
 }
 
 /// Returns the system on the sides on which a motion from this state starts. Switches whose values
 /// are not finite stay free.
-pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
-    system: &M,
-    t: M::Scalar,
-    y: &M::State,
-) -> Option<M> {
-    let values = system.switch_values(t, y);
-    let fix = |switches: Switches, (k, value): (usize, M::Scalar)| match value.is_finite() {
-        true => switches.with(k, value >= M::Scalar::ZERO),
+pub fn choose_sides<M: SwitchedSystem>(system: &M, t: M::Scalar, y: &M::State) -> Option<M> {
+    let mut room = [M::Scalar::ZERO; MAX_LOCATED];
+    let values = &mut room[..count(system)];
+    system.switch_values(t, y, values);
+    let fix = |switches: Switches, (k, value): (usize, &mut M::Scalar)| match value.is_finite() {
+        true => switches.with(k, *value >= M::Scalar::ZERO),
         false => switches,
     };
-    Some(system.with_switches(values.into_iter().enumerate().fold(Switches::FREE, fix)))
+    Some(system.with_switches(values.iter_mut().enumerate().fold(Switches::FREE, fix)))
+}
+
+fn count<M: SwitchedSystem>(system: &M) -> usize {
+    system.events().len().saturating_sub(system.first()).min(MAX_LOCATED)
 }
 
 /// Returns the system with its switches free.
-pub fn free_sides<M: SwitchedSystem<K>, const K: usize>(system: &M) -> M {
+pub fn free_sides<M: SwitchedSystem>(system: &M) -> M {
     system.with_switches(Switches::FREE)
 }
 
 /// Writes the values of the events by which sides change, positive on the present sides.
-pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
-    system: &M,
-    t: M::Scalar,
-    y: &M::State,
-    values: &mut [M::Scalar],
-) {
+pub fn side_values<M: SwitchedSystem>(system: &M, t: M::Scalar, y: &M::State, values: &mut [M::Scalar]) {
     let (one, switches) = (M::Scalar::ONE, system.switches());
-    let found = system.switch_values(t, y);
-    for (k, (value, found)) in values[system.first()..].iter_mut().zip(found).enumerate() {
-        *value = match (found.is_finite(), switches.is_fixed(k)) {
-            (true, true) => switches.sign::<M::Scalar>(k) * found,
+    let values = &mut values[system.first()..];
+    system.switch_values(t, y, values);
+    for (k, value) in values.iter_mut().enumerate() {
+        *value = match (value.is_finite(), switches.is_fixed(k)) {
+            (true, true) => switches.sign::<M::Scalar>(k) * *value,
             // It now has a side.
             (true, false) => -one,
             // An undefined value either does not matter or makes the rates undefined.
@@ -139,40 +151,34 @@ pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
 ///
 /// # Errors
 /// Never.
-pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
-    system: &M,
-    event: usize,
-    t: M::Scalar,
-    y: &M::State,
-) -> Reacted<M> {
+pub fn change_side<M: SwitchedSystem>(system: &M, event: usize, t: M::Scalar, y: &M::State) -> Reacted<M> {
     let Some(k) = event.checked_sub(system.first()) else { return Ok(Response::new(Action::Continue)) };
     let switches = system.switches();
     let is_positive = match switches.is_fixed(k) {
-        true => switches.positive >> k & 1 == 0,
-        false => system.switch_values(t, y)[k] >= M::Scalar::ZERO,
+        true => !has_bit(&switches.positive, k),
+        false => {
+            let mut values = [M::Scalar::ZERO; MAX_LOCATED];
+            system.switch_values(t, y, &mut values[..count(system)]);
+            values[k] >= M::Scalar::ZERO
+        }
     };
     let system = Some(system.with_switches(switches.with(k, is_positive)));
     Ok(Response { system, ..Response::new(Action::Continue) })
 }
 
 /// Returns the system on the sides from `t` towards `end`, if a switch is passed at the time `t`.
-pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, end: M::Scalar) -> Option<M> {
-    let times = system.switch_times();
-    let passed = (0..K).filter(|&k| times[k] == Some(t));
+pub fn beyond<M: SwitchedSystem>(system: &M, t: M::Scalar, end: M::Scalar) -> Option<M> {
+    let passed = system.switch_times().enumerate().filter(|(_, time)| *time == Some(t));
     let before = system.switches();
-    let after = passed.fold(before, |switches, k| switches.with(k, end > t));
+    let after = passed.fold(before, |switches, (k, _)| switches.with(k, end > t));
     (after != before).then(|| system.with_switches(after))
 }
 
 /// Returns the next time after `t` and before `end`, which may lie before it, at which a switch is
 /// known to be passed.
-pub fn next_switch_time<M: SwitchedSystem<K>, const K: usize>(
-    system: &M,
-    t: M::Scalar,
-    end: M::Scalar,
-) -> Option<M::Scalar> {
+pub fn next_switch_time<M: SwitchedSystem>(system: &M, t: M::Scalar, end: M::Scalar) -> Option<M::Scalar> {
     let is_ahead =
         |time: &M::Scalar| if end < t { *time < t && *time > end } else { *time > t && *time < end };
-    let ahead = system.switch_times().into_iter().flatten().filter(is_ahead);
+    let ahead = system.switch_times().flatten().filter(is_ahead);
     ahead.reduce(|one, other| if (other - t).abs() < (one - t).abs() { other } else { one })
 }

@@ -37,7 +37,7 @@ where
 /// True if a change of the state or of time by half of its digits crosses the switch of this event.
 fn is_near<M: LinearisedSystem>(sided: &M, t: M::Scalar, y: &M::State, event: usize) -> bool {
     let passes = |t: M::Scalar, y: &M::State| {
-        let mut values = [M::Scalar::ONE; crate::system::MOST_LOCATED];
+        let mut values = [M::Scalar::ONE; crate::system::MAX_LOCATED];
         sided.event_values(t, y, &mut values[..sided.events().len()]);
         // NaN counts as crossing, too.
         let is_kept = values[event] > M::Scalar::ZERO;

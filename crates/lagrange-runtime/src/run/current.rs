@@ -2,7 +2,7 @@
 
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
-use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure, check_delays, have_modes};
+use crate::system::{MAX_LOCATED, OdeSystem, SettingError, StepFailure, check_delays, have_modes};
 
 /// The original system, or its present form after contacts, friction, switches or inputs changed
 /// it.
@@ -105,7 +105,7 @@ pub fn check_direction<M: OdeSystem>(
     system: &M,
     [t, end]: [M::Scalar; 2],
 ) -> Result<(), SettingError<M::Scalar>> {
-    if system.events().len() > MOST_LOCATED {
+    if system.events().len() > M::MAX_EVENTS.min(MAX_LOCATED) {
         return Err(SettingError::Invalid("the system declares too many events"));
     }
     if end < t && have_modes(system.events()) {

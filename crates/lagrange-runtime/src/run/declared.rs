@@ -6,20 +6,18 @@ use super::pending::Pending;
 use crate::event::{Detector, Occurrence, end_of_instant, locate};
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
-use crate::system::{
-    Action, DeclaredEvent, Direction, MOST_LOCATED, OdeSystem, Reacted, Response, StepFailure,
-};
+use crate::system::{Action, DeclaredEvent, Direction, OdeSystem, Reacted, Response, StepFailure};
 
-/// The events in the declaration of the system M.
-pub struct DeclaredEvents<M: OdeSystem> {
-    pending: Pending<M::Scalar, M::State, MOST_LOCATED>,
-    margins: Margins<M::Scalar>,
+/// The events in the declaration of the system M, at most C.
+pub struct DeclaredEvents<M: OdeSystem, const C: usize> {
+    pending: Pending<M::Scalar, M::State, C>,
+    margins: Margins<M::Scalar, C>,
     /// Start time of the run.
     start: M::Scalar,
     /// The last change of a side.
     change: Option<Change<M::Scalar>>,
     /// True for each further side that changes with the last event.
-    together: [bool; MOST_LOCATED],
+    together: [bool; C],
 }
 
 /// A switch that changed its side.
@@ -39,7 +37,7 @@ const MOST_RETURNS: u32 = 5;
 /// change.
 const NEAR: f64 = 4.0;
 
-impl<M: OdeSystem> DeclaredEvents<M> {
+impl<M: OdeSystem, const C: usize> DeclaredEvents<M, C> {
     /// Starts the search at a time and state, if there are any events that steppers of type T do
     /// not find themselves.
     pub fn new<T: Stepper<M>>(system: &M, t: M::Scalar, y: &M::State) -> Option<Self> {
@@ -47,11 +45,10 @@ impl<M: OdeSystem> DeclaredEvents<M> {
             return None;
         }
         let directions = directions(system.events());
-        let margins =
-            Margins::new(system, t, y, &[M::Scalar::ZERO; MOST_LOCATED]).without_modes(T::FINDS_MODES);
+        let margins = Margins::new(system, t, y, &[M::Scalar::ZERO; C]).without_modes(T::FINDS_MODES);
         let detector =
             Detector::new(directions, t, margins.values(system, t, y)).with_switches(system.events());
-        let together = [false; MOST_LOCATED];
+        let together = [false; C];
         Some(DeclaredEvents { pending: Pending::new(detector), margins, start: t, change: None, together })
     }
 
@@ -59,7 +56,7 @@ impl<M: OdeSystem> DeclaredEvents<M> {
     /// with it.
     pub fn passed_with(&self, system: &M, event: usize) -> impl Iterator<Item = usize> {
         let is_side = system.events()[event].is_side;
-        let others = (0..MOST_LOCATED).filter(move |side| is_side && self.together[*side]);
+        let others = (0..C).filter(move |side| is_side && self.together[*side]);
         core::iter::once(event).chain(others)
     }
 
@@ -98,15 +95,15 @@ fn are_left(events: &[DeclaredEvent], finds_modes: bool) -> bool {
     events.iter().any(|event| !finds_modes || !event.is_of_mode())
 }
 
-fn directions(events: &[DeclaredEvent]) -> [Direction; MOST_LOCATED] {
-    let mut directions = [Direction::Crossing; MOST_LOCATED];
+fn directions<const C: usize>(events: &[DeclaredEvent]) -> [Direction; C] {
+    let mut directions = [Direction::Crossing; C];
     for (direction, event) in directions.iter_mut().zip(events) {
         *direction = event.direction;
     }
     directions
 }
 
-impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
+impl<M: OdeSystem, const C: usize> Events<M> for DeclaredEvents<M, C> {
     fn is_empty(&self) -> bool {
         false
     }
@@ -172,13 +169,13 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
 }
 
 /// Sides passed at the same time, within the accuracy of located times.
-struct Passage<S> {
-    is_passed: [bool; MOST_LOCATED],
+struct Passage<S, const C: usize> {
+    is_passed: [bool; C],
     /// A time at which all of them are passed.
     end: S,
 }
 
-impl<S: Scalar> Passage<S> {
+impl<S: Scalar, const C: usize> Passage<S, C> {
     /// Finds the sides that are passed together with this event.
     fn new<M>(system: &M, stepper: &mut impl Stepper<M>, first: &Occurrence<S, M::State>) -> Self
     where
@@ -191,11 +188,7 @@ impl<S: Scalar> Passage<S> {
 
     /// Returns the sides that are passed with this event, given the values at the end of its
     /// instant.
-    fn of(
-        (event, time): (usize, S),
-        events: &[DeclaredEvent],
-        (end, at_end): (S, &[S; MOST_LOCATED]),
-    ) -> Self {
+    fn of((event, time): (usize, S), events: &[DeclaredEvent], (end, at_end): (S, &[S; C])) -> Self {
         let is_side = |k: usize| events.get(k).is_some_and(|event| event.is_side);
         let is_passed = core::array::from_fn(|k| k == event || is_side(k) && at_end[k] < S::ZERO);
         let is_alone = is_passed.iter().filter(|is_passed| **is_passed).count() == 1;
@@ -204,13 +197,13 @@ impl<S: Scalar> Passage<S> {
 
     /// Returns the largest of these values among the sides that are passed; it is negative once all
     /// are passed.
-    fn last(&self, values: &[S; MOST_LOCATED]) -> S {
+    fn last(&self, values: &[S; C]) -> S {
         let passed = values.iter().zip(self.is_passed).filter(|(_, is_passed)| *is_passed);
         passed.fold(-S::ONE / S::ZERO, |last, (value, _)| last.max(*value))
     }
 
     /// Returns the passed sides other than that of this event.
-    fn others(&self, event: usize) -> [bool; MOST_LOCATED] {
+    fn others(&self, event: usize) -> [bool; C] {
         core::array::from_fn(|k| self.is_passed[k] && k != event)
     }
 

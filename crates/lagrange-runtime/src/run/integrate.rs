@@ -3,6 +3,7 @@
 use super::declared::DeclaredEvents;
 use super::drive::{RunEnd, drive};
 use super::events::NoEvents;
+use super::room::with_room;
 use crate::integrate::{Method, Outcome};
 use crate::system::OdeSystem;
 
@@ -75,6 +76,8 @@ where
     if system.events().is_empty() {
         return drive(system, (t0, y0), t_end, method, |_, _| NoEvents, observe);
     }
-    let events = |system: &M, y: &M::State| DeclaredEvents::new::<K::Stepper>(system, t0, y);
-    drive(system, (t0, y0), t_end, method, events, observe)
+    with_room!(system, M, ROOM => {
+        let events = |system: &M, y: &M::State| DeclaredEvents::<M, ROOM>::new::<K::Stepper>(system, t0, y);
+        drive(system, (t0, y0), t_end, method, events, observe)
+    })
 }

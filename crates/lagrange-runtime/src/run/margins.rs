@@ -6,26 +6,26 @@
 
 use crate::event::rounded;
 use crate::scalar::{Number, Scalar};
-use crate::system::{DeclaredEvent, MOST_LOCATED, OdeSystem};
+use crate::system::{DeclaredEvent, OdeSystem};
 use crate::tolerance::SURFACE;
 
 /// The distances beyond their surfaces at which switches change their sides; zero for other events.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Margins<S> {
+pub(super) struct Margins<S, const C: usize> {
     /// Time at which the margins were computed.
     pub(super) time: S,
-    margins: [S; MOST_LOCATED],
+    margins: [S; C],
     /// True if events that change modes of contacts and friction are not searched for.
     finds_modes: bool,
 }
 
-impl<S: Scalar> Margins<S> {
+impl<S: Scalar, const C: usize> Margins<S, C> {
     /// Computes the margins at a state, for functions with magnitudes up to `ranges` so far.
-    pub(super) fn new<M>(system: &M, time: S, y: &M::State, ranges: &[S; MOST_LOCATED]) -> Self
+    pub(super) fn new<M>(system: &M, time: S, y: &M::State, ranges: &[S; C]) -> Self
     where
         M: OdeSystem<Scalar = S>,
     {
-        let mut margins = [S::ZERO; MOST_LOCATED];
+        let mut margins = [S::ZERO; C];
         if have_sides(system.events()) {
             let here = exact_values(system, time, y);
             let rounded = exact_values(system, time, &rounded(y));
@@ -41,7 +41,7 @@ impl<S: Scalar> Margins<S> {
     }
 
     /// Computes the margins at another state.
-    pub(super) fn again<M>(&self, system: &M, time: S, y: &M::State, ranges: &[S; MOST_LOCATED]) -> Self
+    pub(super) fn again<M>(&self, system: &M, time: S, y: &M::State, ranges: &[S; C]) -> Self
     where
         M: OdeSystem<Scalar = S>,
     {
@@ -50,7 +50,7 @@ impl<S: Scalar> Margins<S> {
 
     /// Returns the values of all declared events, padded with ones. The values of switches vanish
     /// slightly beyond their surfaces.
-    pub(super) fn values<M>(&self, system: &M, t: S, y: &M::State) -> [S; MOST_LOCATED]
+    pub(super) fn values<M>(&self, system: &M, t: S, y: &M::State) -> [S; C]
     where
         M: OdeSystem<Scalar = S>,
     {
@@ -58,7 +58,7 @@ impl<S: Scalar> Margins<S> {
     }
 
     /// Adds the margins to these values of the events.
-    fn beyond(&self, events: &[DeclaredEvent], mut values: [S; MOST_LOCATED]) -> [S; MOST_LOCATED] {
+    fn beyond(&self, events: &[DeclaredEvent], mut values: [S; C]) -> [S; C] {
         for (k, value) in values.iter_mut().enumerate() {
             let is_left_out = self.finds_modes && events.get(k).is_some_and(DeclaredEvent::is_of_mode);
             *value = if is_left_out { S::ONE } else { *value + self.margins[k] };
@@ -74,12 +74,12 @@ fn have_sides(events: &[DeclaredEvent]) -> bool {
 
 /// Returns the margins of sides from their values here, their values at the rounded state, and
 /// their ranges. Constraints share the rounding of the largest entry.
-fn of_sides<S: Scalar>(
+fn of_sides<S: Scalar, const C: usize>(
     events: &[DeclaredEvent],
-    [here, rounded, ranges]: [&[S; MOST_LOCATED]; 3],
+    [here, rounded, ranges]: [&[S; C]; 3],
     shared: S,
-) -> [S; MOST_LOCATED] {
-    let mut margins = [S::ZERO; MOST_LOCATED];
+) -> [S; C] {
+    let mut margins = [S::ZERO; C];
     for (k, _) in events.iter().enumerate().filter(|(_, event)| event.is_side) {
         let own = ranges[k].max(here[k].abs()).max(shared);
         let change = (rounded[k] - here[k]).abs();
@@ -89,13 +89,13 @@ fn of_sides<S: Scalar>(
 }
 
 /// Returns the values of all declared events, padded with ones.
-pub(super) fn exact_values<M: OdeSystem>(
+pub(super) fn exact_values<M: OdeSystem, const C: usize>(
     system: &M,
     t: M::Scalar,
     y: &M::State,
-) -> [M::Scalar; MOST_LOCATED] {
-    let mut values = [M::Scalar::ONE; MOST_LOCATED];
-    let count = system.events().len().min(MOST_LOCATED);
+) -> [M::Scalar; C] {
+    let mut values = [M::Scalar::ONE; C];
+    let count = system.events().len().min(C);
     system.event_values(t, y, &mut values[..count]);
     values
 }
@@ -107,7 +107,7 @@ fn largest<S: Scalar>(y: &[S]) -> S {
 #[cfg(test)]
 mod tests {
     use super::Margins;
-    use crate::system::{DeclaredEvent, MOST_LOCATED, OdeSystem};
+    use crate::system::{DeclaredEvent, OdeSystem};
 
     /// A system whose equations change at y = 1.
     struct Surface;
@@ -129,7 +129,7 @@ mod tests {
 
     #[test]
     fn a_switch_changes_its_side_a_few_roundings_beyond_its_surface() {
-        let margins = Margins::new(&Surface, 0.0, &[1.0], &[1.0; MOST_LOCATED]);
+        let margins = Margins::new(&Surface, 0.0, &[1.0], &[1.0]);
         let margin = margins.values(&Surface, 0.0, &[1.0])[0] / f64::EPSILON;
         assert!((4.0..400.0).contains(&margin), "{margin}");
     }

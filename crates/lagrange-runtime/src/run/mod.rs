@@ -13,6 +13,7 @@ mod margins;
 mod outcome;
 mod pending;
 mod restarts;
+pub(crate) mod room;
 mod steps;
 #[cfg(test)]
 mod tests;

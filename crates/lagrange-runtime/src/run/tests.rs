@@ -345,3 +345,30 @@ fn motions_continue_from_the_state_observed_after_an_event() {
 
 mod ranges;
 mod simultaneous;
+
+/// A system whose events are known at run time, but whose type reserves no memory for them.
+struct Unreserved;
+
+impl OdeSystem for Unreserved {
+    type Scalar = f64;
+    type State = [f64; 1];
+
+    fn rhs(&self, _t: f64, _y: &[f64; 1]) -> [f64; 1] {
+        [1.0]
+    }
+
+    fn events(&self) -> &'static [DeclaredEvent] {
+        Halving::EVENTS
+    }
+
+    fn event_values(&self, t: f64, _y: &[f64; 1], values: &mut [f64]) {
+        values[0] = t - 0.5;
+    }
+}
+
+#[test]
+fn events_without_memory_are_refused() {
+    let method = RungeKutta4 { step: 0.25 };
+    let error = integrate(&Unreserved, 0.0, [0.0], 1.0, &method, |_, _| {}).expect_err("a refusal");
+    assert!(std::format!("{error}").contains("declares too many events"), "{error}");
+}

@@ -4,6 +4,7 @@ use super::declared::DeclaredEvents;
 use super::drive::drive;
 use super::events::{AllEvents, Events, Found, Next, Origin, Replacement};
 use super::pending::Pending;
+use super::room::with_room;
 use crate::event::{Detector, Occurrence};
 use crate::integrate::{Method, Outcome, Stepper};
 use crate::system::{Action, Direction, OdeSystem, Reacted, Response};
@@ -62,11 +63,13 @@ where
 {
     let detector = Detector::new(directions, t0, values(t0, &y0));
     let given = GivenFunctions { pending: Pending::new(detector), values, act };
-    let events = |system: &M, y: &M::State| AllEvents {
-        declared: DeclaredEvents::new::<K::Stepper>(system, t0, y),
-        given,
-    };
-    let end = drive(system, (t0, y0), t_end, method, events, |_, _| {})?;
+    let end = with_room!(system, M, ROOM => {
+        let events = |system: &M, y: &M::State| AllEvents {
+            declared: DeclaredEvents::<M, ROOM>::new::<K::Stepper>(system, t0, y),
+            given,
+        };
+        drive(system, (t0, y0), t_end, method, events, |_, _| {})
+    })?;
     Ok((end.time, end.state))
 }
 

@@ -3,6 +3,7 @@
 #[cfg(feature = "ensemble")]
 use crate::integrate::Work;
 use crate::integrate::{Method, Stepper, explained};
+use crate::run::room::with_room;
 use crate::run::{AllEvents, Current, DeclaredEvents, Events, Run, Turn};
 use crate::scalar::Number;
 use crate::simulate::builder::{KnowsItsEnd, Simulation};
@@ -101,12 +102,12 @@ where
         let max_steps = settings.max_steps.unwrap_or(u64::MAX);
         let mut stepper = method.start(current.system(), t, &start.1, end)?;
         stepper.limit_steps(max_steps);
-        let events = AllEvents {
-            declared: DeclaredEvents::new::<K::Stepper>(current.system(), t, &start.1),
-            given: Watchers::new(&settings.events, watches, current.system(), (t, &start.1)),
-        };
-        let run = Run::new(&mut current, stepper, events, (t, end), &restarts);
-        follow(run, &mut record, &mut controllers, max_steps)
+        let given = Watchers::new(&settings.events, watches, current.system(), (t, &start.1));
+        with_room!(system, D::Closed, ROOM => {
+            let declared = DeclaredEvents::<_, ROOM>::new::<K::Stepper>(current.system(), t, &start.1);
+            let run = Run::new(&mut current, stepper, AllEvents { declared, given }, (t, end), &restarts);
+            follow(run, &mut record, &mut controllers, max_steps)
+        })
     });
     let ending = *result.as_ref().unwrap_or(&Ending::Failed);
     let (time, state) = record.last();

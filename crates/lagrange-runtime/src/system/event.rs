@@ -45,12 +45,9 @@ pub(crate) fn have_modes(events: &[DeclaredEvent]) -> bool {
     events.iter().any(DeclaredEvent::is_of_mode)
 }
 
-/// Maximum number of events that a system can declare.
-pub const MOST_DECLARED: usize = 32;
-
 /// Maximum number of events located by runs, including those by which
 /// [switches](crate::event::Switches) change their sides.
-pub(crate) const MOST_LOCATED: usize = 64;
+pub const MAX_LOCATED: usize = 512;
 
 /// The direction in which a function passes zero as the integration proceeds. If time runs
 /// backwards, a function that rises with time is falling.

@@ -232,6 +232,7 @@ impl<W: Wrapper> OdeSystem for W {
     }
 
     const EVENTS: &'static [DeclaredEvent] = W::Inner::EVENTS;
+    const MAX_EVENTS: usize = W::Inner::MAX_EVENTS;
 
     #[inline]
     fn events(&self) -> &'static [DeclaredEvent] {

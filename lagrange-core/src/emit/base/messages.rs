@@ -52,10 +52,11 @@ pub(in crate::emit) fn fewer_pairs_help(most: usize) -> String {
 }
 
 pub(in crate::emit) fn many_contacts(most: usize) -> String {
-    format!("a system of more than {most} events, contacts and friction needs the method `Stepped`")
+    format!("a system of more than {most} contacts and frictions needs the method `Stepped`")
 }
 
-pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "contacts and dry friction count as one event if they are many; pass events that do not affect the system to a simulation instead";
+pub(in crate::emit) const FEWER_EVENTS_HELP: &str =
+    "pass events that do not affect the system to a simulation instead";
 
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
     format!(

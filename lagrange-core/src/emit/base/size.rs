@@ -11,9 +11,13 @@ use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::{
     MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_CONTACT_PAIRS, MAX_CONTACTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS,
-    MAX_OPERATIONS, MAX_OUTPUTS, MAX_STATES, MAX_VELOCITIES,
+    MAX_LOCATED, MAX_OPERATIONS, MAX_OUTPUTS, MAX_STATES, MAX_VELOCITIES,
 };
 use lagrange_language::syntax::ast::{Action, Declaration, Name, Statement, StatementKind};
+
+/// Contacts and friction with an event of their own each; if there are more, they share one.
+pub const MAX_CONTACT_EVENTS: usize = 64;
+const _: () = assert!(MAX_EVENTS + MAX_CONTACT_EVENTS <= MAX_LOCATED);
 
 /// Seconds that `cargo check` takes for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;
@@ -70,7 +74,6 @@ const KINDS: [Kind; 6] = [
 /// further processing.
 pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option<()> {
     for Kind { plural, names, most, help } in KINDS {
-        let most = if plural == "events" { most - usize::from(shares_event(declaration)) } else { most };
         let names = declaration.statements.iter().flat_map(|statement| names(&statement.kind));
         let names = names.collect::<Vec<_>>();
         let Some(first) = names.get(most) else { continue };
@@ -144,11 +147,8 @@ fn outputs(kind: &StatementKind) -> Vec<&Name> {
 
 /// True if a run cannot locate an event of each contact and friction.
 pub(in crate::emit) fn shares_event(declaration: &Declaration) -> bool {
-    let count = |names: fn(&StatementKind) -> Vec<&Name>| -> usize {
-        declaration.statements.iter().map(|statement| names(&statement.kind).len()).sum()
-    };
-    let contacts = count(contacts);
-    contacts > 0 && count(events) + contacts > MAX_EVENTS
+    let counts = declaration.statements.iter().map(|statement| contacts(&statement.kind).len());
+    counts.sum::<usize>() > MAX_CONTACT_EVENTS
 }
 
 /// Returns the names of events, except those of contacts.

@@ -11,11 +11,11 @@ use crate::emit::base::members::Members;
 use crate::emit::base::messages;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, Touch, identifier, length, local};
+use crate::emit::base::size::MAX_CONTACT_EVENTS;
 use crate::emit::base::writer::MethodWriter;
 use crate::model::{Model, ReactionKind};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::{Dependencies, ExprId, Node};
-use lagrange_expr::limits::MAX_EVENTS;
 
 const REACTIONS: [&str; 2] = [
     "Forces of contacts and friction in the order of their declaration: normal forces along the gradients of the gaps,",
@@ -99,7 +99,7 @@ pub(in crate::emit) fn varying_restitutions(model: &Model) -> Vec<bool> {
 pub(in crate::emit) fn needs_steps(shape: &Shape<'_>, model: &Model) -> Option<String> {
     let of_faces = contact_of_faces(shape, model)
         .map(|name| format!("the contact `{name}` of faces and edges needs the method `Stepped`"));
-    of_faces.or_else(|| shape.shares_event.then(|| messages::many_contacts(MAX_EVENTS)))
+    of_faces.or_else(|| shape.shares_event.then(|| messages::many_contacts(MAX_CONTACT_EVENTS)))
 }
 
 /// Returns the first contact of faces and edges, whose gap contains a contact point.

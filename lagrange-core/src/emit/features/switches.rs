@@ -186,23 +186,24 @@ pub(in crate::emit) fn switched_impl(shape: &Shape<'_>, members: &Members) -> To
         return TokenStream::new();
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, field, k) = (shape.krate, switches_field(shape), length(shape.switches.len()));
+    let (krate, field) = (shape.krate, switches_field(shape));
     let (first, all) = (length(shape.event_names().len()), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
-    let (switches, others) = (local("switches"), shape.kept_fields(|_| true));
+    let (switches, values) = (local("switches"), local("values"));
+    let others = shape.kept_fields(|_| true);
     let variables = state_variables(shape);
     let (positions, velocities) = variables.split_at(shape.coordinates.len());
     let option = quote!(::core::option::Option);
     let times = members.switch_times.as_ref().map(|times| {
         quote! {
-            fn switch_times(&self) -> [#option<#scalar>; #k] {
-                #times
+            fn switch_times(&self) -> impl ::core::iter::Iterator<Item = #option<#scalar>> {
+                ::core::iter::IntoIterator::into_iter({ #times })
             }
         }
     });
     quote! {
         #[automatically_derived]
-        impl #bounds #krate::event::SwitchedSystem<#k> for #name #generics {
+        impl #bounds #krate::event::SwitchedSystem for #name #generics {
             const FIRST: ::core::primitive::usize = #first;
             fn switches(&self) -> #krate::event::Switches {
                 self.#field
@@ -210,9 +211,9 @@ pub(in crate::emit) fn switched_impl(shape: &Shape<'_>, members: &Members) -> To
             fn with_switches(&self, #switches: #krate::event::Switches) -> Self {
                 Self { #field: #switches, #others }
             }
-            fn switch_values(&self, #time: #scalar, #state: &[#scalar; #all]) -> [#scalar; #k] {
+            fn switch_values(&self, #time: #scalar, #state: &[#scalar; #all], #values: &mut [#scalar]) {
                 let [#(#variables),*] = *#state;
-                self.switch_functions(#time, &[#(#positions),*], &[#(#velocities),*])
+                #values.copy_from_slice(&self.switch_functions(#time, &[#(#positions),*], &[#(#velocities),*]));
             }
             #times
         }

@@ -10,16 +10,11 @@ fn dry_friction_counts_as_an_event_and_smooth_friction_does_not() {
         (0..count).map(|i| format!("event e{i} = x - {i}, rising => record;")).collect()
     };
     let (dry, smooth) = ("friction dry = dot(x), 1;", "friction smooth = dot(x), 1, smooth: 1;");
-    for text in [format!("{smooth} {}", events(MAX_EVENTS)), format!("{dry} {}", events(MAX_EVENTS - 1))] {
-        assert!(parse(&format!("{point}{text}")).is_ok(), "{text}");
-    }
-    // Where there are too many, all dry friction shares one event.
-    for (text, most) in [
-        (events(MAX_EVENTS + 1), MAX_EVENTS),
-        (format!("{dry} {}", events(MAX_EVENTS)), MAX_EVENTS - 1),
-        (format!("{} {dry}", events(MAX_EVENTS)), MAX_EVENTS - 1),
-    ] {
-        let report = parse(&format!("{point}{text}")).expect_err("too many events").to_string();
-        assert!(report.contains(&format!("a system can have at most {most} events")), "{report}");
+    for friction in [dry, smooth] {
+        let text = format!("{point} {friction} {}", events(MAX_EVENTS));
+        assert!(parse(&text).is_ok(), "{text}");
+        let text = format!("{point} {} {friction}", events(MAX_EVENTS + 1));
+        let report = parse(&text).expect_err("too many events").to_string();
+        assert!(report.contains(&format!("a system can have at most {MAX_EVENTS} events")), "{report}");
     }
 }

@@ -382,7 +382,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
-    impl ::lagrange::event::SwitchedSystem<3> for FrictionPatch {
+    impl ::lagrange::event::SwitchedSystem for FrictionPatch {
         const FIRST: ::core::primitive::usize = 0;
         fn switches(&self) -> ::lagrange::event::Switches {
             self.switches
@@ -398,9 +398,9 @@ const _: () = {
                 g: self.g,
             }
         }
-        fn switch_values(&self, t: f64, y: &[f64; 2]) -> [f64; 3] {
+        fn switch_values(&self, t: f64, y: &[f64; 2], values: &mut [f64]) {
             let [s, s_dot] = *y;
-            self.switch_functions(t, &[s], &[s_dot])
+            values.copy_from_slice(&self.switch_functions(t, &[s], &[s_dot]));
         }
     }
     #[automatically_derived]

@@ -525,7 +525,7 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
         }
     }
     #[automatically_derived]
-    impl<S: ::lagrange::Scalar> ::lagrange::event::SwitchedSystem<1> for Pendulum<S> {
+    impl<S: ::lagrange::Scalar> ::lagrange::event::SwitchedSystem for Pendulum<S> {
         const FIRST: ::core::primitive::usize = 0;
         fn switches(&self) -> ::lagrange::event::Switches {
             self.switches
@@ -540,9 +540,9 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
                 motor: self.motor,
             }
         }
-        fn switch_values(&self, t: S, y: &[S; 2]) -> [S; 1] {
+        fn switch_values(&self, t: S, y: &[S; 2], values: &mut [S]) {
             let [theta, theta_dot] = *y;
-            self.switch_functions(t, &[theta], &[theta_dot])
+            values.copy_from_slice(&self.switch_functions(t, &[theta], &[theta_dot]));
         }
     }
     #[automatically_derived]

@@ -328,7 +328,7 @@ const _: () = {
         type NamedState = WinchState;
     }
     #[automatically_derived]
-    impl ::lagrange::event::SwitchedSystem<3> for Winch {
+    impl ::lagrange::event::SwitchedSystem for Winch {
         const FIRST: ::core::primitive::usize = 0;
         fn switches(&self) -> ::lagrange::event::Switches {
             self.switches
@@ -345,9 +345,12 @@ const _: () = {
                 u: self.u,
             }
         }
-        fn switch_values(&self, t: f64, y: &[f64; 4]) -> [f64; 3] {
+        fn switch_values(&self, t: f64, y: &[f64; 4], values: &mut [f64]) {
             let [x, theta, x_dot, theta_dot] = *y;
-            self.switch_functions(t, &[x, theta], &[x_dot, theta_dot])
+            values
+                .copy_from_slice(
+                    &self.switch_functions(t, &[x, theta], &[x_dot, theta_dot]),
+                );
         }
     }
     #[automatically_derived]

@@ -22,26 +22,26 @@ impl<const N: usize, const L: usize> OdeSystem for Row<'_, N, L> {
 
     const EVENTS: &'static [DeclaredEvent] = &[DeclaredEvent::side("x"); N];
 
-    fn rhs(&self, t: f64, y: &[f64; L]) -> [f64; L] {
-        let sides: [f64; N] = self.switches.signs(|| self.switch_values(t, y));
+    fn rhs(&self, _t: f64, y: &[f64; L]) -> [f64; L] {
+        let sides: [f64; N] = self.switches.signs(|| core::array::from_fn(|k| y[k]));
         core::array::from_fn(|k| if k < N { y[N + k] } else { -y[k - N] - sides[k - N] * y[k - N] / 2.0 })
     }
 
     fn event_values(&self, t: f64, y: &[f64; L], values: &mut [f64]) {
         self.evaluations.set(self.evaluations.get() + 1);
-        side_values::<_, N>(self, t, y, values);
+        side_values(self, t, y, values);
     }
 
     fn react(&self, event: usize, t: f64, _elapsed: f64, y: &[f64; L]) -> Reacted<Self> {
-        change_side::<_, N>(self, event, t, y)
+        change_side(self, event, t, y)
     }
 
     fn begin(&self, t: f64, y: &[f64; L]) -> Result<Option<Self>, StepFailure<f64>> {
-        Ok(choose_sides::<_, N>(self, t, y))
+        Ok(choose_sides(self, t, y))
     }
 }
 
-impl<const N: usize, const L: usize> SwitchedSystem<N> for Row<'_, N, L> {
+impl<const N: usize, const L: usize> SwitchedSystem for Row<'_, N, L> {
     const FIRST: usize = 0;
 
     fn switches(&self) -> Switches {
@@ -52,8 +52,8 @@ impl<const N: usize, const L: usize> SwitchedSystem<N> for Row<'_, N, L> {
         Row { switches, ..*self }
     }
 
-    fn switch_values(&self, _t: f64, y: &[f64; L]) -> [f64; N] {
-        core::array::from_fn(|k| y[k])
+    fn switch_values(&self, _t: f64, y: &[f64; L], values: &mut [f64]) {
+        values.copy_from_slice(&y[..N]);
     }
 }
 

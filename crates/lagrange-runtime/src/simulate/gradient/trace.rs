@@ -5,6 +5,7 @@ use std::vec::Vec;
 
 use super::jump::{Cause, Jump};
 use crate::integrate::{Method, Stepper};
+use crate::run::room::with_room;
 use crate::run::{AllEvents, Current, DeclaredEvents, Events, Found, Next, NoEvents, Origin, Replacement};
 use crate::run::{Run, Sink, Turn};
 use crate::scalar::Number;
@@ -94,22 +95,34 @@ where
     // The stepper may have brought it nearer to the constraints.
     let y = *stepper.state();
     let log = RefCell::new(Vec::new());
-    let declared = DeclaredEvents::new::<K::Stepper>(current.system(), t, &y);
-    let declared = declared.map(|declared| LoggedEvents { declared, start: t, log: &log });
     let mut recorder = Recorder { pieces: Vec::new(), samples, last: (t, y), log: &log };
     recorder.begin(current.system(), (t, y), Vec::new());
     recorder.take_samples(t);
-    let mut run = Run::new(&mut current, stepper, AllEvents { declared, given: NoEvents }, (t, end), &[]);
+    with_room!(system, M, ROOM => {
+        let declared = DeclaredEvents::<M, ROOM>::new::<K::Stepper>(current.system(), t, &y);
+        let declared = declared.map(|declared| LoggedEvents { declared, start: t, log: &log });
+        let events = AllEvents { declared, given: NoEvents };
+        follow(Run::new(&mut current, stepper, events, (t, end), &[]), &mut recorder, limit)?;
+    });
+    Ok(recorder.pieces)
+}
+
+/// Follows a run to its end.
+fn follow<M: ParametricSystem, T: Stepper<M>, E: Events<M>>(
+    mut run: Run<'_, '_, M, T, E>,
+    recorder: &mut Recorder<'_, M>,
+    limit: u64,
+) -> Result<(), StepFailure<M::Scalar>> {
     while !run.is_over() {
         if run.work().steps + run.work().rejections >= limit {
             return Err(StepFailure::TooManySteps { limit });
         }
         let instant = recorder.samples.first().copied();
-        if let Turn::Stopped(..) = run.next(&mut recorder, instant).map_err(|error| error.cause)? {
+        if let Turn::Stopped(..) = run.next(recorder, instant).map_err(|error| error.cause)? {
             return Err(StepFailure::Setting(SettingError::Invalid(STOPPED)));
         }
     }
-    Ok(recorder.pieces)
+    Ok(())
 }
 
 /// Keeps the steps of a run.
@@ -204,13 +217,13 @@ impl<M: ParametricSystem> Sink<M> for Recorder<'_, M> {
 }
 
 /// Declared events whose reactions are logged.
-struct LoggedEvents<'a, M: OdeSystem> {
-    declared: DeclaredEvents<M>,
+struct LoggedEvents<'a, M: OdeSystem, const C: usize> {
+    declared: DeclaredEvents<M, C>,
     start: M::Scalar,
     log: &'a RefCell<Vec<Jump<M>>>,
 }
 
-impl<M: ParametricSystem> Events<M> for LoggedEvents<'_, M> {
+impl<M: ParametricSystem, const C: usize> Events<M> for LoggedEvents<'_, M, C> {
     fn is_empty(&self) -> bool {
         self.declared.is_empty()
     }

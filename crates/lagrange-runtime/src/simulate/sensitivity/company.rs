@@ -7,7 +7,7 @@
 use std::vec::Vec;
 
 use crate::scalar::{Number, Scalar};
-use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
+use crate::system::{MAX_LOCATED, OdeSystem, SettingError, StepFailure};
 
 const TOGETHER: &str = "contacts or friction change at the same time, which a variable would separate, so that there is no derivative: start where they follow each other";
 /// Shifts of events that differ by this part are different.
@@ -16,7 +16,7 @@ const APART: f64 = 1e-6;
 /// Events at the same time, and the rates of all event functions.
 pub(super) struct Company<S> {
     events: Vec<usize>,
-    rates: [S; MOST_LOCATED],
+    rates: [S; MAX_LOCATED],
 }
 
 impl<S: Scalar> Company<S> {
@@ -26,7 +26,7 @@ impl<S: Scalar> Company<S> {
         closed: &L,
         event: usize,
         (t, elapsed, y): (S, S, &L::State),
-        rates: [S; MOST_LOCATED],
+        rates: [S; MAX_LOCATED],
     ) -> Option<Self> {
         let (declared, values) = (closed.events(), event_values(closed, t, y)?);
         let near = S::epsilon().powf(S::from_f64(0.4)) * elapsed;
@@ -45,14 +45,14 @@ impl<S: Scalar> Company<S> {
     ///
     /// # Errors
     /// If they do not, or derivatives are unknown.
-    pub(super) fn check(&self, slopes: Option<[S; MOST_LOCATED]>, unit: S) -> Result<(), StepFailure<S>> {
+    pub(super) fn check(&self, slopes: Option<[S; MAX_LOCATED]>, unit: S) -> Result<(), StepFailure<S>> {
         match slopes.is_some_and(|slopes| self.stays_together(&slopes, unit)) {
             true => Ok(()),
             false => Err(SettingError::Invalid(TOGETHER).into()),
         }
     }
 
-    fn stays_together(&self, slopes: &[S; MOST_LOCATED], unit: S) -> bool {
+    fn stays_together(&self, slopes: &[S; MAX_LOCATED], unit: S) -> bool {
         let (shift, part) = (|event: usize| slopes[event] / self.rates[event], S::from_f64(APART));
         let shifts = self.events.iter().map(|event| shift(*event));
         let most = shifts.clone().fold(S::ZERO, |most, shift| most.max(shift.abs()));
@@ -66,9 +66,9 @@ pub(super) fn event_values<L: OdeSystem>(
     closed: &L,
     t: L::Scalar,
     y: &L::State,
-) -> Option<[L::Scalar; MOST_LOCATED]> {
-    let mut values = [Number::ONE; MOST_LOCATED];
-    let count = closed.events().len().min(MOST_LOCATED);
+) -> Option<[L::Scalar; MAX_LOCATED]> {
+    let mut values = [Number::ONE; MAX_LOCATED];
+    let count = closed.events().len().min(MAX_LOCATED);
     closed.event_values(t, y, &mut values[..count]);
     Some(values)
 }

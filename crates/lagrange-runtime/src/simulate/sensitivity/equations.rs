@@ -6,7 +6,7 @@ use super::system::Sensitive;
 use crate::scalar::Number;
 use crate::simulate::closed_loop::ClosedLoop;
 use crate::system::{
-    Action, Component, DeclaredEvent, Domain, EventSource, LanesVisitor, MOST_LOCATED, OdeSystem,
+    Action, Component, DeclaredEvent, Domain, EventSource, LanesVisitor, MAX_LOCATED, OdeSystem,
     ParametricSystem, Reacted, Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
 };
 
@@ -104,6 +104,7 @@ where
     }
 
     const EVENTS: &'static [DeclaredEvent] = L::EVENTS;
+    const MAX_EVENTS: usize = L::MAX_EVENTS;
 
     fn events(&self) -> &'static [DeclaredEvent] {
         self.closed.events()
@@ -133,8 +134,8 @@ where
         let next = system.as_ref().unwrap_or(&self.closed);
         next.restore(t, &mut after)?;
         let value = |closed: &L, t: M::Scalar, y: &M::State| {
-            let mut values = [M::Scalar::ONE; MOST_LOCATED];
-            let count = closed.events().len().min(MOST_LOCATED);
+            let mut values = [M::Scalar::ONE; MAX_LOCATED];
+            let count = closed.events().len().min(MAX_LOCATED);
             closed.event_values(t, y, &mut values[..count]);
             values[event]
         };
