@@ -1,25 +1,26 @@
-//! Room for declared events: the size of the arrays that a run searches them with.
+//! Room for declared events: the length of the arrays with which a run searches for them.
 //!
-//! Arrays are as long as the next of three lengths, so that a ball with one event does not pay for
-//! hundreds. The length follows from constants, and only one of the branches is compiled, except
-//! for systems that are read at run time.
+//! It is the next of four lengths, so that a ball with one event does not pay for hundreds. The
+//! length follows from constants, and only one of the branches is compiled, except for systems that
+//! are read at run time.
 
-/// Room for the events of most systems.
-pub(crate) const FEW: usize = 8;
-/// Room for many events.
-pub(crate) const MANY: usize = 64;
+/// Lengths for few events and for many.
+pub(crate) const ROOMS: [usize; 3] = [2, 8, 64];
 
 /// Evaluates an expression with a constant: an upper bound of the number of declared events of a
 /// system.
 macro_rules! with_room {
     ($system:expr, $type:ty, $room:ident => $body:expr) => {
-        if const { <$type as $crate::system::OdeSystem>::MAX_EVENTS <= $crate::run::room::FEW } {
-            const $room: usize = $crate::run::room::FEW;
+        if const { <$type as $crate::system::OdeSystem>::MAX_EVENTS <= $crate::run::room::ROOMS[0] } {
+            const $room: usize = $crate::run::room::ROOMS[0];
             $body
-        } else if const { <$type as $crate::system::OdeSystem>::MAX_EVENTS <= $crate::run::room::MANY }
-            || $crate::system::OdeSystem::events($system).len() <= $crate::run::room::MANY
+        } else if const { <$type as $crate::system::OdeSystem>::MAX_EVENTS <= $crate::run::room::ROOMS[1] } {
+            const $room: usize = $crate::run::room::ROOMS[1];
+            $body
+        } else if const { <$type as $crate::system::OdeSystem>::MAX_EVENTS <= $crate::run::room::ROOMS[2] }
+            || $crate::system::OdeSystem::events($system).len() <= $crate::run::room::ROOMS[2]
         {
-            const $room: usize = $crate::run::room::MANY;
+            const $room: usize = $crate::run::room::ROOMS[2];
             $body
         } else {
             const $room: usize = $crate::system::MAX_LOCATED;
