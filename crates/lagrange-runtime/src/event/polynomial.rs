@@ -147,6 +147,9 @@ impl<S: Scalar> Polynomial<S> {
     /// negative.
     fn part(&self, sign: S, from: S, to: S) -> [S; POINTS] {
         let mut part = if sign > S::ZERO { self.bernstein } else { self.bernstein.map(|b| -b) };
+        if from == S::ZERO && to == S::ONE {
+            return part;
+        }
         // De Casteljau's scheme: first cut off the part before `from`, then the part after `to`.
         if from > S::ZERO {
             for round in 1..POINTS {
