@@ -30,7 +30,7 @@ const AS_VERIFIED: [&str; 4] = [
     "--workspace",
     "--exclude=lagrange-adapters-tests",
     "--exclude=lagrange-benches",
-    "--features=lagrange/symbolic,lagrange-tests/draw,lagrange-tests/ensemble,lagrange-tests/fit,lagrange-tests/linear,lagrange-tests/parquet,lagrange-tests/plot,lagrange-tests/trade,xtask/performance",
+    "--features=lagrange-tests/draw,lagrange-tests/ensemble,lagrange-tests/fit,lagrange-tests/linear,lagrange-tests/parquet,lagrange-tests/plot,lagrange-tests/symbolic,lagrange-tests/trade,xtask/performance",
 ];
 
 /// Returns the folder in which cargo puts examples, beside that of this test.

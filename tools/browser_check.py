@@ -32,7 +32,8 @@ WITH_GRAPHICS = [flag for flag in FLAGS if flag != "--disable-gpu"] + [
 # Position on the screen and shape of everything visible in the picture.
 SEEN = """(() => {
   const picture = document.querySelector("#picture svg") || document.documentElement;
-  const marks = [...picture.querySelectorAll("path, text")].map((mark) => [mark, getComputedStyle(mark)]);
+  const drawn = [...picture.querySelectorAll("path, text")].filter((mark) => mark.getClientRects().length);
+  const marks = drawn.map((mark) => [mark, getComputedStyle(mark)]);
   return JSON.stringify(marks.filter(([, style]) => style.visibility === "visible").map(([mark, style]) => {
     const box = mark.getBoundingClientRect();
     return [box.x, box.y, box.width, box.height].map(Math.round).join(" ") + style.d + style.strokeDashoffset;
@@ -171,6 +172,9 @@ def moves(browser, seconds=0.6):
 
 
 def check_svg(browser, path, checks, pictures):
+    browser.open(path, [("prefers-reduced-motion", "reduce")])
+    checks.that(not moves(browser), "is still where less motion is preferred")
+    checks.that(browser.evaluate("document.querySelector('.still').getBoundingClientRect().width") > 0, "shows its first picture there")
     browser.open(path)
     seek = "document.documentElement.{}"
     checks.that(moves(browser), "plays by itself")

@@ -133,6 +133,23 @@ fn every_item_has_its_marks() {
 }
 
 #[test]
+fn arrows_shorter_than_their_heads_have_no_labels() {
+    const RACE: Puppet = Puppet(|slow, visit| {
+        for (name, x, velocity) in [("a", 0.0, 1.0), ("b", 2.0, slow)] {
+            let motion = Motion { velocity: [0.0, velocity], ..still([x, 0.0], 0.0) };
+            visit(Item::Body { name, motion, parts: &[part(Outline::Disk(0.5))] });
+        }
+    });
+    let shown = |slow| {
+        let picture = Drawing::of(&RACE).velocities().picture(0.0, &[slow, 0.0]).expect("draws");
+        texts(&picture.svg()).into_iter().filter(|text| text.starts_with('v')).collect::<Vec<_>>()
+    };
+    assert_eq!(shown(1.0), ["va", "vb"]);
+    assert_eq!(shown(0.05), ["va"], "an arrow of some pixels");
+    assert_eq!(shown(0.0), ["va"]);
+}
+
+#[test]
 fn labels_are_those_of_formulas() {
     let picture = Drawing::of(&LADDER).velocities().picture(0.0, &[0.9, -1.0]).expect("draws");
     let mut texts = texts(&picture.svg());

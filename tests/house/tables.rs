@@ -441,7 +441,8 @@ const XTASK: &[Layer] = &[
                   of comments and pages; lines of code by crate; commands of cargo",
     },
     Layer {
-        modules: &["interface", "wrap"],
-        purpose: "public items, and their changes; wrapping of comments and pages; long sentences",
+        modules: &["interface", "name", "wrap"],
+        purpose: "public items, and their changes; the name of the package on the registry; wrapping of comments \
+                  and pages, long sentences",
     },
 ];

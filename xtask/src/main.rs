@@ -4,12 +4,14 @@
 //! of docs/performance.md. `cargo xtask performance spatial` only does so for bodies in space, and
 //! `… text` for declarations in text. `cargo xtask size [REVISION]`: counts lines of library code
 //! by crate. `cargo xtask package`: packages every crate and compiles it from its package.
+//! `cargo xtask name NAME`: gives the package of the library another name on the registry.
 //! `cargo xtask interface [REVISION]`: lists the public interface, or compares it with a revision.
 //! `cargo xtask wrap`: wraps comments and pages at 100 columns. `cargo xtask sentences`: lists
 //! sentences of more than 25 words.
 #![forbid(unsafe_code)]
 
 mod interface;
+mod name;
 mod package;
 #[cfg(feature = "performance")]
 mod performance;
@@ -38,13 +40,14 @@ fn main() -> ExitCode {
         ["package", ref options @ ..] => code(package(root, options)),
         ["interface"] => code(interface::interface(root, None)),
         ["interface", revision] => code(interface::interface(root, Some(revision))),
+        ["name", new] => code(name::name(root, new)),
         ["size"] => code(size::size(root, None)),
         ["size", revision] => code(size::size(root, Some(revision))),
         ["wrap"] => code(wrap::wrap(root)),
         ["sentences"] => code(wrap::sentences(root)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | sweeps | performance [spatial | text] | package | interface [REVISION] | size [REVISION] | wrap | sentences"
+                "usage: cargo xtask check | sweeps | performance [spatial | text] | package | interface [REVISION] | name NAME | size [REVISION] | wrap | sentences"
             );
             ExitCode::from(2)
         }

@@ -87,7 +87,7 @@ fn files(archive: &Path) -> Result<Vec<String>, String> {
 }
 
 /// Returns the standard output of a command.
-fn output(command: &mut Command) -> Result<String, String> {
+pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command.output().map_err(|error| format!("{program} cannot be started: {error}"))?;
     if !output.status.success() {
@@ -110,13 +110,15 @@ mod tests {
     use std::path::Path;
 
     use super::{mistakes, published};
+    use crate::name::current;
 
     #[test]
     fn published_members_are_those_that_packages_are_expected_of() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a folder of the workspace");
         let published = published(root).expect("cargo lists members");
         let is_among = |name: &str| published.contains(&format!("{name}-{}", env!("CARGO_PKG_VERSION")));
-        assert!(["lagrange", "lagrange-core", "lagrange-macro", "lagrange-cli"].into_iter().all(is_among));
+        let name = current(root).expect("a name");
+        assert!([&name, "lagrange-core", "lagrange-macro", "lagrange-cli"].into_iter().all(is_among));
         assert!(!["xtask", "lagrange-tests", "lagrange-benches"].into_iter().any(is_among), "{published:?}");
     }
 

@@ -94,7 +94,9 @@ fn of_products(programs: &Programs) -> Vec<Function<'_>> {
         if method.arguments == ProductArguments::Motion {
             return None;
         }
-        let docs = method.docs.iter().map(|line| line.replace('`', "")).collect();
+        let unit = method.unit.filter(|_| !programs.variables.units.is_empty());
+        let unit = unit.map(|unit| unit.sentence(method.returns));
+        let docs = method.docs.iter().map(|line| line.replace('`', "")).chain(unit).collect();
         let shape = programs.layout.shape_of(method.returns, program.outputs().len());
         let parts = vec![Part::of(program)];
         Some(Function { name: product.name().to_owned(), docs, shape, parts, takes_residuals: false })

@@ -294,6 +294,27 @@ fn ranges_and_nominal_values_are_arrays() {
 }
 
 #[test]
+fn headers_say_the_units_of_results_if_any_are_declared() {
+    let header = |text: &str| Module::new(&programs(text), None).expect("a module").header;
+    let units =
+        header("param m: kg = 2; coord x: m; kinetic = 1/2 * m * dot(x)^2; emit { inverse_mass_matrix }");
+    for (function, unit) in [
+        ("energy", "In J."),
+        ("momenta", "Each entry is in J over the unit of its velocity."),
+        ("mass_matrix", "Each entry is in J over the units of the velocities of its row and of its column."),
+        (
+            "inverse_mass_matrix",
+            "Each entry is in 1/J times the units of the velocities of its row and of its column.",
+        ),
+    ] {
+        let (before, _) = units.split_once(&format!("_{function}(")).expect("a function");
+        let docs = before.rsplit("\n\n").next().unwrap_or_default();
+        assert!(docs.contains(unit), "{function}: {docs}");
+    }
+    assert!(!header("param m = 2; coord x; kinetic = 1/2 * m * dot(x)^2;").contains("In J"));
+}
+
+#[test]
 fn systems_that_c_cannot_compute_are_refused_by_name() {
     let base = "coord x; kinetic = 1/2 * dot(x)^2;";
     let functions = refusal(&format!("function road(x); {base} potential = road(x);"));

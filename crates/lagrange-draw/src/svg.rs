@@ -11,8 +11,12 @@ use lagrange_plot::lettering::FAMILY;
 
 /// Returns a picture as an SVG document.
 pub(crate) fn document(picture: &Picture) -> String {
-    let marks: String = picture.marks.iter().filter(|mark| !is_empty(mark)).map(mark).collect();
-    format!("{}{marks}</svg>\n", opening(std::slice::from_ref(picture)))
+    format!("{}{}</svg>\n", opening(std::slice::from_ref(picture)), marks(picture))
+}
+
+/// Returns the elements of all marks of a picture.
+pub(crate) fn marks(picture: &Picture) -> String {
+    picture.marks.iter().filter(|mark| !is_empty(mark)).map(mark).collect()
 }
 
 /// Returns the start of the document of pictures with the same size; empty without pictures. It has

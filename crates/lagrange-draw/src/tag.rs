@@ -3,7 +3,7 @@
 use crate::colour::{INK, PALE};
 use crate::element::{Element, LANE, RING, Shape, WIDER};
 use crate::geometry::{add, direction, length, mix, subtract, times, turned, unit};
-use crate::marks::arrow::{self, ANGLE, BESIDE};
+use crate::marks::arrow::{self, ANGLE, BESIDE, NAMED};
 use crate::outline::Piece;
 use crate::picture::{Colour, Point};
 use crate::view::View;
@@ -124,8 +124,7 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
         Shape::Turn { at, ring, .. } => Some((view.point(*at), Side::Around, ANGLE + RING * *ring as f64)),
         Shape::Arrow { from, vector, measure, is_push } => {
             let vector = view.vector(*vector, *measure);
-            // Without an arrow there is no label.
-            (length(vector) >= 1.0).then_some(())?;
+            (length(vector) >= NAMED).then_some(())?;
             let start = arrow::start(view.point(*from), vector, *is_push);
             let (end, outwards) =
                 if *is_push { (start, times(-1.0, vector)) } else { (add(start, vector), vector) };

@@ -162,6 +162,26 @@ pub enum ProductUnit {
     Acceleration,
 }
 
+impl ProductUnit {
+    /// Describes the unit of the entries of a result where the units of the velocities are not
+    /// known.
+    #[must_use]
+    pub fn sentence(self, returns: ProductShape) -> String {
+        let velocities = match returns {
+            ProductShape::Matrix(..) => "the units of the velocities of its row and of its column",
+            _ => "the unit of its velocity",
+        };
+        match self {
+            ProductUnit::Same(unit) => format!("In {unit}."),
+            ProductUnit::Over(unit) => format!("Each entry is in {unit} over {velocities}."),
+            ProductUnit::Times(unit) => format!("Each entry is in {unit} times {velocities}."),
+            ProductUnit::Quotient => "Each entry has the unit of its row over that of its column.".to_owned(),
+            ProductUnit::Described(units) => units.to_owned(),
+            ProductUnit::Acceleration => "Each entry is in the unit of its velocity over s.".to_owned(),
+        }
+    }
+}
+
 /// The method of a product: arguments, result, its unit, and documentation by lines.
 #[derive(Debug)]
 pub struct ProductMethod {

@@ -393,6 +393,7 @@ fn documentation_says_the_units_of_results_if_those_of_the_velocities_are_known(
     let text = expanded(&statements(": kg", ": m").replace("l = 2", "l: m = 2"));
     for line in [
         "In J.",
+        "Each is in the unit of its entry of the state over s.",
         "Units by those of the velocities: m/s^2 for m/s, rad/s^2 for rad/s.",
         "Units by those of the velocities: N for m/s, N*m for rad/s.",
         "Units by those of the velocities: kg for m/s, kg*m for m/s and rad/s, kg*m^2 for rad/s.",
@@ -402,7 +403,7 @@ fn documentation_says_the_units_of_results_if_those_of_the_velocities_are_known(
         assert!(text.contains(line), "{line}: {text}");
     }
     let plain = expanded(&statements("", ""));
-    for line in ["In J.", "Units by", "Each entry has"] {
+    for line in ["In J.", "Units by", "Each entry has", "Each is in"] {
         assert!(!plain.contains(line), "{line}: {plain}");
     }
 }

@@ -7,12 +7,14 @@ use crate::picture::{Mark, Picture};
 use crate::svg;
 use crate::timeline::Timeline;
 use lagrange_plot::characters::number;
+use lagrange_plot::colours::CLASS;
 
 /// The value of an attribute in a picture, with the picture's zero-based index.
 type Key = (usize, String);
 
 impl Film {
-    /// Returns the film as an SVG that plays in a loop. Still viewers show its first picture.
+    /// Returns the film as an SVG that plays in a loop. Still viewers show its first picture, and
+    /// so do browsers if the reader prefers reduced motion.
     pub fn svg(&self) -> String {
         animated(&self.recording, &self.timeline)
     }
@@ -21,7 +23,20 @@ impl Film {
 pub(super) fn animated(pictures: &[Picture], timeline: &Timeline) -> String {
     let clock = Clock::new(timeline);
     let marks: String = layers(pictures).iter().map(|layer| clock.animated(layer)).collect();
-    with_marks(pictures, &marks)
+    match pictures {
+        [first, _, ..] => with_marks(pictures, &calmed(first, &marks)),
+        _ => with_marks(pictures, &marks),
+    }
+}
+
+/// Returns marks that move, and those of a picture that replace them if the reader prefers reduced
+/// motion. Style sheets cannot stop animations of attributes, so they choose between both.
+fn calmed(picture: &Picture, moving: &str) -> String {
+    format!(
+        "<style>@media (prefers-reduced-motion:reduce){{.{CLASS} .still{{display:inline}}.{CLASS} .moving{{display:none}}}}</style>\n\
+         <g class=\"still\" display=\"none\">\n{}</g>\n<g class=\"moving\">\n{moving}</g>\n",
+        svg::marks(picture)
+    )
 }
 
 /// Returns an SVG document for a film with the given marks already written.

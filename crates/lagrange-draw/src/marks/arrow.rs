@@ -8,6 +8,9 @@ use crate::picture::{Point, Segment};
 
 /// Length and half width of an arrowhead.
 const HEAD: (f64, f64) = (9.0, 3.2);
+/// Length below which an arrow has no label. It would be on the body that the arrow starts in, and
+/// there is hardly an arrow to read it with.
+pub(crate) const NAMED: f64 = HEAD.0;
 /// Maximum fraction of an arrow's length for its head.
 const SHARE: f64 = 0.6;
 /// Length below which an arrow has no visible direction.

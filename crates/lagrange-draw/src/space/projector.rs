@@ -11,6 +11,7 @@ use crate::error::DrawError;
 use crate::geometry::{self, dot, length, polyline, subtract};
 use crate::labels::{self, Sheet};
 use crate::look::Look;
+use crate::marks::arrow::NAMED;
 use crate::paper::Paper;
 use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use crate::tag::{Side, Tag, extent};
@@ -194,6 +195,10 @@ impl Projector {
             return None;
         }
         let at = placement.of(&label.at);
+        let size = self.view.length(length(subtract(at, placement.origin)));
+        if thing.kind == Kind::Arrow && size < NAMED {
+            return None;
+        }
         let along = subtract(self.point(at), self.point(placement.origin));
         // The tip of an arrow or axis.
         let is_tip = label.at.share == 1.0;

@@ -6,15 +6,15 @@ use quote::quote;
 use super::docs::with_counts;
 use super::method::Returns;
 use super::shape::{Shape, doc};
-use crate::model::{Product, ProductUnit};
+use crate::model::{Product, ProductShape, ProductUnit};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::number::Number;
 use lagrange_expr::units::{Dimension, spelled};
 use lagrange_language::syntax::ast::acceleration_name;
 use lagrange_language::syntax::parse_unit;
 
-/// The unit of derivatives.
-const QUOTIENT: &str = "Each entry has the unit of its row over that of its column.";
+/// The unit of rates.
+const RATES: &str = "Each is in the unit of its entry of the state over s.";
 
 impl Shape<'_> {
     /// Returns the documentation of a method: lines, the unit of its result, and its cost.
@@ -25,19 +25,23 @@ impl Shape<'_> {
         counts: OperationCounts,
     ) -> TokenStream {
         let unit = Product::unit_of_method(name).filter(|_| self.declaration.has_dimensions);
-        let unit = unit.and_then(|unit| self.unit_of_entries(unit, returns)).map(|line| {
-            let (blank, line) = (doc(""), doc(&line));
-            quote!(#blank #line)
-        });
+        let unit = unit.and_then(|unit| self.unit_of_entries(unit, returns));
+        let unit = unit.map(|line| paragraph(&line));
         with_counts(quote!(#lines #unit), counts)
+    }
+
+    /// Returns the documentation of rates of the state or of its positions: a line and their units.
+    pub(in crate::emit) fn rates_docs(&self, line: &str) -> TokenStream {
+        let (line, unit) = (doc(line), self.declaration.has_dimensions.then(|| paragraph(RATES)));
+        quote!(#line #unit)
     }
 
     /// Describes the unit of the entries of a result; `None` if that of a velocity is unknown.
     fn unit_of_entries(&self, unit: ProductUnit, returns: Returns) -> Option<String> {
         let (unit, exponent) = match unit {
-            ProductUnit::Quotient => return Some(QUOTIENT.to_owned()),
-            ProductUnit::Described(units) => return Some(units.to_owned()),
-            ProductUnit::Same(unit) => return Some(format!("In {unit}.")),
+            ProductUnit::Quotient | ProductUnit::Described(_) | ProductUnit::Same(_) => {
+                return Some(unit.sentence(ProductShape::Scalar));
+            }
             ProductUnit::Over(unit) => (unit, -1),
             ProductUnit::Times(unit) => (unit, 1),
             ProductUnit::Acceleration => return self.unit_of_accelerations(),
@@ -87,6 +91,12 @@ impl Shape<'_> {
         }
         Some(units)
     }
+}
+
+/// Returns a line of documentation after a blank one.
+fn paragraph(line: &str) -> TokenStream {
+    let (blank, line) = (doc(""), doc(line));
+    quote!(#blank #line)
 }
 
 /// Describes units, each with the units of velocities to which it belongs.

@@ -270,7 +270,7 @@ pub(in crate::emit) fn rhs(shape: &Shape<'_>, names: &ArgumentNames, system: &To
         let rates = local("rates");
         quote!(let #rates = #system.position_rates(#time, &[#(#positions),*], &[#(#velocities),*]);)
     });
-    let docs = doc(line);
+    let docs = shape.rates_docs(line);
     quote! {
         #docs
         #[must_use]

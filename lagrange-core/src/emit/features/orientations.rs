@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
-use crate::emit::base::shape::{Shape, doc, length, local};
+use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::writer::MethodWriter;
 use lagrange_language::syntax::ast::{Name, StateVelocity};
 
@@ -17,12 +17,10 @@ pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
     let rates = writer.model.position_rates();
     let returns = Returns::Vector(rates.len());
     let (body, _) = writer.lowered(&rates, Arguments::State, |results| returns.collect(results));
-    let docs = match writer.shape.states {
-        0 => doc("Rates of the positions: kinematic differential equations."),
-        _ => {
-            doc("Rates of the positions: kinematic differential equations, then the equations of the states.")
-        }
-    };
+    let docs = writer.shape.rates_docs(match writer.shape.states {
+        0 => "Rates of the positions: kinematic differential equations.",
+        _ => "Rates of the positions: kinematic differential equations, then the equations of the states.",
+    });
     let name = format_ident!("position_rates");
     writer.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
 }

@@ -263,6 +263,8 @@ const _: () = {
             ]
         }
         /// Rate of the state: velocities, then accelerations.
+        ///
+        /// Each is in the unit of its entry of the state over s.
         #[must_use]
         #[inline]
         pub fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {

@@ -80,8 +80,10 @@ fn looks_like_its_first_picture_where_nothing_is_animated() {
     };
     assert_eq!(title(&document), title(&still));
     assert_eq!(document.root_element().attribute("viewBox"), still.root_element().attribute("viewBox"));
-    let is_hidden =
-        |node: &Node<'_, '_>| node.ancestors().any(|above| above.attribute("visibility") == Some("hidden"));
+    let is_hidden = |node: &Node<'_, '_>| {
+        let has = |name, value| node.ancestors().any(|above| above.attribute(name) == Some(value));
+        has("visibility", "hidden") || has("display", "none")
+    };
     let shown = document.descendants().filter(|node| ["path", "text"].contains(&node.tag_name().name()));
     let styles = |nodes: Vec<Node<'_, '_>>| {
         let style = |node: &Node<'_, '_>| {
@@ -92,6 +94,18 @@ fn looks_like_its_first_picture_where_nothing_is_animated() {
     };
     let wanted = still.descendants().filter(|node| ["path", "text"].contains(&node.tag_name().name()));
     assert_eq!(styles(shown.filter(|node| !is_hidden(node)).collect()), styles(wanted.collect()));
+}
+
+#[test]
+fn is_its_first_picture_if_the_reader_prefers_reduced_motion() {
+    let film = pendulum(26);
+    let (text, first) = (film.svg(), film.recording[0].svg());
+    let (_, still) = text.split_once("<g class=\"still\" display=\"none\">\n").expect("a still picture");
+    let (still, moving) = still.split_once("</g>\n<g class=\"moving\">\n").expect("a moving one");
+    assert!(!still.is_empty() && first.ends_with(&format!("{still}</svg>\n")), "{still}");
+    assert!(moving.contains("<animate") && !still.contains("<animate"));
+    let style = "{.lagrange .still{display:inline}.lagrange .moving{display:none}}";
+    assert!(text.contains(&format!("@media (prefers-reduced-motion:reduce){style}")), "{text}");
 }
 
 #[test]
