@@ -77,12 +77,14 @@ lagrange::system! {
         (0, 0, 0, 1), (0, 1, 0, 2), (1, 0, 0, 4), (1, 1, 0, 3),
         (0, 0, 2, 0), (0, 1, 2, 1), (1, 0, 2, -2), (1, 1, 2, 5),
     ], interpolation: natural, outside: extend;
+    table grip(x, rate) = [[0, 1, 1], [0, 3, 4]], rows: [-1, 2], columns: [0, 1, 3],
+        interpolation: monotone, outside: extend;
     function stiffness(x);
     param m = 2, g = 9.81;
     coord x, y;
     kinetic = kinetic_energy(m, dot((x, hill(x)))) + kinetic_energy(m, dot(y));
     potential = m * g * hill(x);
-    force x = motor(dot(x)) - drag(abs(dot(x)), y);
+    force x = motor(dot(x)) - drag(abs(dot(x)), y) + grip(y, dot(x));
     force y = -stiffness(y) * y + wind(x, y, dot(x));
     emit { lanes }
 }

@@ -111,6 +111,7 @@ lagrange::system! {
     }
     param g = 9.81;
     disc[i in 0..2]: Disc { mass: 2 + i; g: g; }
+    emit { statements }
 }
 
 /// A disc slides until it has lost a third of its speed, for v / (3 μ g).
@@ -142,4 +143,51 @@ fn discs_of_parts_in_parts_slide_until_they_roll() {
         assert!((x - expected).abs() < 1e-9, "{x} {expected}");
     }
     assert!((end.disc_0_spin_dot * 0.3 - end.disc_0_x_dot).abs() < 1e-12);
+    assert!(Discs::STATEMENTS.contains("kinetic = 1/2 * (2 + 1) * dot(disc_1_x)^2"), "{}", Discs::STATEMENTS);
+}
+
+lagrange::system! {
+    /// Tanks that drain by a valve, beside a cart.
+    #[derive(Clone, Debug)]
+    struct Plant;
+
+    part Tank(inflow) {
+        param area[2]: m^2 = [2, 1];
+        coord gate: m = 0.5;
+        coord flap[2]: rad;
+        state level[2]: m = 1;
+        solve depth: m: 0 = depth^2 - level[0] * level[1], start: level[0];
+        kinetic = 1 [kg] * dot(gate)^2 + 1 [kg*m^2] * inner(dot(flap), dot(flap));
+        for i in 0..2 {
+            dot(level[i]) = (inflow - 2 [m^2/s] * depth) / area[i];
+        }
+    }
+    tank[i in 0..2]: Tank { inflow: -0.5 [m^3/s] * i; }
+    coord cart: m;
+    kinetic = 1 [kg] * dot(cart)^2;
+}
+
+/// Indices of placements precede the name of a member, and a rate has the unit of its coordinate
+/// per second.
+#[test]
+fn rates_of_members_have_their_names_and_units() {
+    let run = Plant::default().simulate(Plant::default().start()).until(0.1).run().expect("a motion");
+    let units = [
+        ("tank[1].gate", "m"),
+        ("tank[0].gate_dot", "m/s"),
+        ("tank[1].flap[0]", "rad"),
+        ("tank[1].flap_dot[1]", "rad/s"),
+        ("tank[0].level[1]", "m"),
+        ("cart_dot", "m/s"),
+    ];
+    for (column, unit) in units {
+        assert_eq!((run.column(column).is_some(), run.unit(column)), (true, Some(unit)), "{column}");
+    }
+}
+
+#[test]
+fn errors_name_unknowns_of_members_as_they_are_written() {
+    let run = Plant::default().simulate(Plant::default().start()).until(9.0).run();
+    let message = run.expect_err("the second tank runs dry").to_string();
+    assert!(message.contains("there is no solution for `tank[1].depth`"), "{message}");
 }

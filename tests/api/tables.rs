@@ -26,10 +26,13 @@ declared_twice! { Wheel, WHEEL;
     table drag(speed, height) = [
         (0, -1, 0), (0, 1, 0.5), (10, -1, 3), (10, 1, 2.5), (30, -1, 25), (30, 1, 22)
     ], interpolation: natural, outside: error;
+    table slip(s, speed) = [[0, 1, 1], [2, 2, 5], [3, 4, 9]],
+        rows: [0, 4, 12], columns: [0, 10, 20], interpolation: monotone, outside: extend;
     let height = road(s);
     kinetic = kinetic_energy(m, dot((s, height))) + kinetic_energy(j, dot(s) / r);
     potential = m * g * height;
-    force s = motor(dot(s) / r) / r - brake(dot(s)) - drag(dot(s), height);
+    force s = motor(dot(s) / r) / r - brake(dot(s)) - drag(dot(s), height) - slip(s, dot(s));
+    output slips = slip(s, dot(s));
     emit { jacobian }
 }
 
@@ -51,6 +54,15 @@ lagrange::system! {
     kinetic = kinetic_energy(1, dot((x, road(x))));
     potential = 9.81 * road(x);
     force x = 3;
+}
+
+lagrange::system! {
+    /// A crank on an engine, whose map is in a file.
+    struct Driven;
+    table map(speed, throttle) = "api/engine.csv", interpolation: monotone, outside: clamp;
+    coord throttle;
+    kinetic = kinetic_energy(1, dot(throttle));
+    output moment = map(dot(throttle), throttle);
 }
 
 fn interpreted() -> NumericSystem {
@@ -83,6 +95,26 @@ fn jacobians_go_through_tables() {
             [(at(s + h, v) - at(s - h, v)) / (2.0 * h), (at(s, v + h) - at(s, v - h)) / (2.0 * h)];
         for (found, difference) in jacobian.into_iter().zip(differences) {
             assert!((found - difference).abs() < 1e-7 * found.abs().max(1.0), "{found} or {difference}");
+        }
+    }
+}
+
+/// The moment in the file falls with speed and rises with throttle. At full throttle it is
+/// constant.
+#[test]
+fn monotone_maps_from_files_and_from_matrices_do_not_overshoot() {
+    let wheel = Wheel::default();
+    let moment = |speed: f64, throttle: f64| Driven.moment(0.0, &[throttle], &[speed]);
+    assert_eq!([moment(10.0, 0.5), moment(25.0, 0.0), moment(25.0, 1.0)], [60.0, -5.5, 90.0]);
+    assert!((moment(17.5, 1.0) - 90.0).abs() < 1e-13 && moment(40.0, 2.0) == 90.0);
+    let slips = |s: f64, speed: f64| wheel.slips(0.0, &[s], &[speed]);
+    for i in 0..120 {
+        for j in 0..50 {
+            let [a, b] = [0.1 * f64::from(i), 0.4 * f64::from(j)];
+            let [speed, throttle] = [31.0 * a / 12.0, b / 20.0];
+            assert!(moment(speed + 0.2, throttle) <= moment(speed, throttle) + 1e-12, "{speed}, {throttle}");
+            assert!(moment(speed, throttle + 0.01) >= moment(speed, throttle) - 1e-12, "{speed}, {throttle}");
+            assert!(slips(a + 0.1, b) >= slips(a, b) && slips(a, b + 0.4) >= slips(a, b) - 1e-14, "{a}, {b}");
         }
     }
 }

@@ -56,9 +56,9 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         let programs = self.programs();
         programs.ranges.iter().try_for_each(|Range { parameter, bounds }| {
             let name = self.names.fields[*parameter];
-            let units = self.names.description.units.iter();
-            let known = |(known, _): &&(&str, &str)| *known == name.split('[').next().unwrap_or(name);
-            let unit = units.clone().find(known).map_or("", |(_, unit)| unit);
+            let unit = programs.variables.unit(name);
+            let unit = self.names.description.units.iter().find(|(_, known)| Some(*known) == unit);
+            let unit = unit.map_or("", |(_, unit)| unit);
             let bounds = bounds.map(bound);
             let unit = if unit == "1" { "" } else { unit };
             OutOfRange::check(

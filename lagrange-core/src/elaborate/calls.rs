@@ -39,7 +39,10 @@ pub(super) fn evaluate_call(
     }
     let Some(arity) = arity(&name.text) else {
         let is_read = |&id: &AstId| !matches!(evaluator.syntax(id), Expression::Invalid);
-        if arguments.iter().all(is_read) {
+        // Advice about a word such as `sum` makes no sense beside a mistake in what it sums.
+        let is_unclear = foreign::without_counterpart(&name.text).is_some()
+            && arguments.iter().any(|&id| evaluator.value(id).is_none());
+        if arguments.iter().all(is_read) && !is_unclear {
             report_no_function(evaluator, name, arguments);
         }
         return None;

@@ -19,7 +19,9 @@ pub(super) fn define_delay(elaborator: &mut Elaborator<'_>, name: &Name, [signal
     let (symbol, zero) = (graph.symbol(&name.text, Role::Input(index as u32)), graph.number(0));
     let (text, range) = (name.text.clone(), [None, None]);
     elaborator.inputs.push(Parameter { name: text, symbol, default: Some(zero), range });
-    elaborator.declare(name, NameKind::Input, Some(Operand::Scalar(symbol)));
+    // What uses a mistaken signal is not to blame.
+    let value = signal.map(|_| Operand::Scalar(symbol));
+    elaborator.declare(name, NameKind::Input, value);
     let delay = signal.zip(lag).map(|(signal, lag)| Delay { input: index, signal, lag, before: None });
     elaborator.delays.extend(delay.map(|delay| (delay, name.span)));
 }

@@ -277,8 +277,7 @@ impl<'a> Evaluator<'a> {
         let name = match self.syntax(culprit) {
             Expression::Name(name) => self.symbol_behind(name, culprit, kinds),
             // The rate of a state.
-            _ if kinds == Dependencies::NOISE => self.symbol_behind("", culprit, kinds),
-            _ => String::new(),
+            _ => self.symbol_behind("", culprit, kinds),
         };
         (self.origin(culprit), name)
     }

@@ -26,7 +26,6 @@ impl Staged {
             _ if product.is_centroidal() => self.bodies.is_empty(),
             Product::Drawing => self.bodies.is_empty() && !self.is_visible,
             Product::Frames | Product::FrameJacobians => !self.is_in_space || is_empty,
-            Product::Statements => is_empty && !self.is_visible,
             _ => false,
         }
     }

@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use super::base::fields::split_indices;
 use super::base::shape::{Shape, Touch};
 use super::features::contacts::{events_of_rows, needs_steps, reversing_limits, varying_restitutions};
 use super::features::orientations::written_velocity;
@@ -74,7 +75,7 @@ impl Variables {
     /// Returns the unit of a variable, or of the array for an element; `None` if it is unknown.
     pub fn unit(&self, name: &str) -> Option<&str> {
         let of = |name: &str| self.units.iter().find(|(known, _)| known == name).map(|(_, unit)| &**unit);
-        of(name).or_else(|| of(name.split('[').next().unwrap_or(name)))
+        of(name).or_else(|| of(split_indices(name).0))
     }
 
     /// Returns the unit in which the declaration writes numbers of a variable; `None` if it is
@@ -87,8 +88,8 @@ impl Variables {
 
 /// Returns the name of the rate of a coordinate in columns, `x_dot[0]` for `x[0]`.
 fn rate_of(name: &str) -> String {
-    let (stem, index) = name.split_at(name.find('[').unwrap_or(name.len()));
-    format!("{stem}_dot{index}")
+    let (stem, indices) = split_indices(name);
+    format!("{stem}_dot{indices}")
 }
 
 /// A declared event.
@@ -213,7 +214,7 @@ fn events_of_friction(shape: &Shape<'_>) -> Vec<String> {
 /// Returns the declared names of contacts and friction. An array has one name, and so do the points
 /// in which a body touches, with their friction.
 fn touching_names(shape: &Shape<'_>) -> Vec<String> {
-    let names = || shape.touching.iter().map(|(name, _)| array_of(shape.written(name)));
+    let names = || shape.touching.iter().map(|(name, _)| split_indices(shape.written(name)).0);
     let is_of_contact = |name: &str| {
         let contact = name.strip_suffix("_friction");
         contact.is_some_and(|contact| names().any(|name| name == contact))
@@ -221,12 +222,4 @@ fn touching_names(shape: &Shape<'_>) -> Vec<String> {
     let mut known = HashSet::default();
     let declared = names().filter(|name| known.insert(*name) && !is_of_contact(name));
     declared.map(str::to_owned).collect()
-}
-
-/// Returns the name of an array for that of an element, `leg[0].foot` for `leg[0].foot[2]`.
-fn array_of(mut name: &str) -> &str {
-    while let Some((array, _)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
-        name = array;
-    }
-    name
 }

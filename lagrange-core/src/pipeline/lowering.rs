@@ -288,7 +288,7 @@ impl<'a> Lowering<'a> {
         let graph = &self.model.graph;
         let unknown = |id: ExprId| match graph.node(id) {
             Node::Opaque(function, _) if function.is_solution() => {
-                Some((id, function.function().name.clone()))
+                Some((id, self.declaration.written(&function.function().name).to_owned()))
             }
             _ => None,
         };

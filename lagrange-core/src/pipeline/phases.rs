@@ -6,7 +6,7 @@ use quote::quote;
 use crate::derive::{Equations, StrategyChoice, derive};
 use crate::elaborate::elaborate;
 use crate::emit;
-use crate::model::{Model, Reduced};
+use crate::model::{Model, Product, Reduced};
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::units::{NamedUnits, momentum_name};
 use lagrange_language::bodies::plain;
@@ -134,7 +134,9 @@ fn emitted(
     krate: &TokenStream,
     report: &mut Report,
 ) -> Option<TokenStream> {
-    let has_statements = !declaration.bodies.is_empty() || !declaration.placed.is_empty();
+    let has_statements = !declaration.bodies.is_empty()
+        || !declaration.placed.is_empty()
+        || model.products.contains(&Product::Statements);
     let statements = has_statements.then(|| emit::statements(declaration));
     let mut items = emit::system(declaration, model, equations, statements.as_deref(), krate, report)?;
     for DerivedPart { declaration: of_part, mut reduced, equations: reduced_equations } in parts {

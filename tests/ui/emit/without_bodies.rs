@@ -5,7 +5,7 @@ lagrange::system! {
     coord theta;
     kinetic = 1/2 * m * (l * dot(theta))^2;
     potential = -m * g * l * cos(theta);
-    emit { motion, drawing, statements }
+    emit { motion, drawing }
 }
 
 fn main() {}

@@ -38,7 +38,9 @@ pub(crate) const SYSTEMS: [&str; 17] = [
         coord x; kinetic = 1/2 * dot(x)^2; potential = 2 * x^2 + curved(x); force x = gust(t) + even(dot(x));",
     "struct Map; table lift(a, b) = [(0, 0, 1), (0, 1, 2), (0, 3, 0), (1, 0, 4), (1, 1, 3), (1, 3, 1)],
         interpolation: natural, outside: extend;
-        coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = lift(x, y);",
+        table drag(a, b) = [[0, 1, 1], [1, 3, 4]], rows: [-1, 1], columns: [-1, 0, 1.5],
+        interpolation: monotone, outside: clamp;
+        coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = lift(x, y); force x = -drag(x, dot(x));",
     "struct Solid; table lift(a, b, c) = [(0, 0, 0, 1), (0, 1, 0, 2), (1, 0, 0, 4), (1, 1, 0, 3),
         (0, 0, 2, 0), (0, 1, 2, 1), (1, 0, 2, -2), (1, 1, 2, 5)], interpolation: natural, outside: extend;
         table push(a, b, c) = [(0, 0, 0, 1), (0, 1, 0, 2), (1, 0, 0, 4), (1, 1, 0, 3),

@@ -8,6 +8,7 @@
 //! differentiation (`calculus::implicit`).
 
 mod spline;
+mod surface;
 mod table;
 
 use std::hash::{Hash, Hasher};

@@ -56,20 +56,25 @@ impl Outside {
     }
 }
 
+/// Computes the slopes of a spline at its knots.
+pub(super) fn slopes(knots: &[f64], values: &[f64], interpolation: Interpolation) -> Vec<f64> {
+    match interpolation {
+        Interpolation::Linear => end_slopes(knots, values),
+        Interpolation::Monotone => monotone_slopes(knots, values),
+        Interpolation::Natural => natural_slopes(knots, values),
+    }
+}
+
 /// Computes coefficients of ascending powers of the distance from the start of a piece. There are
 /// polynomials before the first knot, between adjacent knots, and after the last. The first one is
 /// measured from the first knot.
 pub(super) fn pieces(
     knots: &[f64],
     values: &[f64],
+    slopes: &[f64],
     interpolation: Interpolation,
     outside: Outside,
 ) -> Vec<Vec<f64>> {
-    let slopes = match interpolation {
-        Interpolation::Linear => end_slopes(knots, values),
-        Interpolation::Monotone => monotone_slopes(knots, values),
-        Interpolation::Natural => natural_slopes(knots, values),
-    };
     let last = knots.len() - 1;
     let beyond = |end: usize| {
         let [value, slope] = match outside {

@@ -1,12 +1,14 @@
 //! Tables: piecewise polynomial functions, between and beyond the points of a declaration.
 //!
-//! With one argument, a table is a spline. With several, it is the tensor product of splines, since
-//! these depend linearly on the values that they interpolate. The coefficients of the splines along
-//! the last axes are interpolated along the first.
+//! With one argument, a table is a spline. With several, it is a tensor product of splines: the
+//! coefficients of the splines along the last axes are interpolated along the first. Linear and
+//! natural splines depend linearly on values, so their products need no more than these. Monotone
+//! tables of two arguments have slopes and twists from [`surface`](super::surface).
 
 use crate::elementary::multiply_add;
 
-use super::spline::{Interpolation, Outside, pieces};
+use super::spline::{Interpolation, Outside, pieces, slopes};
+use super::surface::monotone_derivatives;
 
 /// A piecewise polynomial function.
 #[derive(Clone, PartialEq, Debug)]
@@ -92,10 +94,15 @@ impl Axis {
 
 impl Table {
     /// Creates a table with these values at the points of a grid, those along the last axis
-    /// changing fastest. Each axis has at least two knots, which ascend. Interpolations of several
-    /// arguments must depend linearly on the values.
+    /// changing fastest. Each axis has at least two knots, which ascend. Tables of more than two
+    /// arguments cannot be monotone.
     pub fn new(axes: Vec<Vec<f64>>, values: &[f64], interpolation: Interpolation, outside: Outside) -> Table {
-        let coefficients = products(&axes, values, interpolation, outside);
+        let coefficients = match (interpolation, &axes[..]) {
+            (Interpolation::Monotone, [rows, columns]) => {
+                products(&axes, &monotone_derivatives([rows, columns], values), interpolation, outside)
+            }
+            _ => products(&axes, &[values.to_vec()], interpolation, outside),
+        };
         Table { axes: axes.into_iter().map(Axis::new).collect(), interpolation, outside, coefficients }
     }
 
@@ -184,15 +191,37 @@ impl Table {
 
 /// Returns the coefficients of a table: splines along the first axis through each coefficient of
 /// the splines along the others.
-fn products(axes: &[Vec<f64>], values: &[f64], interpolation: Interpolation, outside: Outside) -> Vec<f64> {
-    let Some((first, others)) = axes.split_first() else { return values.to_vec() };
-    let at_knots = values.chunks(values.len() / first.len());
-    let at_knots =
-        at_knots.map(|values| products(others, values, interpolation, outside)).collect::<Vec<_>>();
-    let splines = (0..at_knots[0].len()).map(|column| {
-        let values = at_knots.iter().map(|coefficients| coefficients[column]).collect::<Vec<_>>();
-        pieces(first, &values, interpolation, outside)
-    });
+///
+/// The values at the grid may be followed by their derivatives with respect to the last argument,
+/// to the first, and to both.
+fn products(
+    axes: &[Vec<f64>],
+    derivatives: &[Vec<f64>],
+    interpolation: Interpolation,
+    outside: Outside,
+) -> Vec<f64> {
+    let Some((first, others)) = axes.split_first() else { return derivatives[0].clone() };
+    // Each column holds one coefficient of the others at all knots.
+    let columns = |derivatives: &[Vec<f64>]| {
+        let at_knot = |knot: usize| {
+            let row = |values: &Vec<f64>| {
+                let size = values.len() / first.len();
+                values[knot * size..][..size].to_vec()
+            };
+            products(others, &derivatives.iter().map(row).collect::<Vec<_>>(), interpolation, outside)
+        };
+        let at_knots = (0..first.len()).map(at_knot).collect::<Vec<_>>();
+        let column = |index: usize| at_knots.iter().map(|coefficients| coefficients[index]).collect();
+        (0..at_knots[0].len()).map(column).collect::<Vec<Vec<f64>>>()
+    };
+    let (values, along_first) = derivatives.split_at(derivatives.len().div_ceil(2));
+    let values = columns(values);
+    let slopes = match along_first {
+        [] => values.iter().map(|values| slopes(first, values, interpolation)).collect(),
+        _ => columns(along_first),
+    };
+    let splines = values.iter().zip(&slopes);
+    let splines = splines.map(|(values, slopes)| pieces(first, values, slopes, interpolation, outside));
     let splines = splines.collect::<Vec<_>>();
     let size = interpolation.coefficients();
     let of_pieces = (0..=first.len())

@@ -4,6 +4,7 @@
 //! are built, walked and dropped without recursion. Children have smaller ids than their parents.
 
 mod array_shapes;
+mod arrays;
 pub mod bodies;
 mod callables;
 mod conditions;
@@ -21,6 +22,7 @@ use lagrange_expr::accuracy::Accuracy;
 use proc_macro2::{Span, TokenStream};
 
 pub use array_shapes::ArrayShape;
+pub use arrays::{ArrayElement, DeclaredArray};
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Part, SceneStatement, Shape};
 pub use callables::{
     ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableGrid,
@@ -262,20 +264,6 @@ pub fn declared_bodies(statements: &[Statement]) -> Vec<DeclaredBody> {
     bodies.collect()
 }
 
-/// An array that has been replaced by its elements.
-#[derive(Clone, Debug)]
-pub struct DeclaredArray {
-    /// Name of the array.
-    pub name: Name,
-    /// Numbers of elements in each direction, if none is missing.
-    pub sizes: Option<Vec<usize>>,
-    /// Elements, the last index changing fastest.
-    pub elements: Vec<ArrayElement>,
-    /// The part that contains it, and its name in the part. A member that is not an array has one
-    /// element without indices.
-    pub member_of: Option<[String; 2]>,
-}
-
 /// A file of statements that was read.
 #[derive(Clone, Debug)]
 pub struct IncludedFile {
@@ -300,15 +288,6 @@ pub struct PlacedInstance {
     pub name: String,
     /// Position of the placement.
     pub origin: Origin,
-}
-
-/// An element of an array.
-#[derive(Clone, Debug)]
-pub struct ArrayElement {
-    /// Name in expanded declarations: `theta_2`.
-    pub name: String,
-    /// Spelling in the declaration: `theta[2]`.
-    pub written: String,
 }
 
 /// A velocity of the state.

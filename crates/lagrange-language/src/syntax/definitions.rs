@@ -197,7 +197,11 @@ impl Parser<'_> {
                     return self.function(name, &group, cursor);
                 }
                 self.annotation(&mut name, "let", cursor);
-                Ok(StatementKind::Let(name, self.assigned(help, cursor)?))
+                let value = self.assigned(help, cursor)?;
+                if matches!(self.expressions.get(value), Expression::Invalid) {
+                    self.unreadable_words.insert(name.text.clone());
+                }
+                Ok(StatementKind::Let(name, value))
             }
             Some(group) => {
                 let names = self.inside(&group, |parser, cursor| parser.component_names("let", cursor));

@@ -167,7 +167,9 @@ impl Parser<'_> {
     /// reported as unknown.
     fn statement_in_event(&mut self, cursor: &mut Cursor) -> Reported {
         let start = cursor.position();
-        if let Some(keyword) = cursor.eat_ident() {
+        if let Some(keyword) = cursor.eat_ident()
+            && !(cursor.at('=') && self.unreadable_words.contains(&keyword.to_string()))
+        {
             let help = messages::statement_in_event_help(keyword.to_string());
             self.fail_with_help(keyword.span(), messages::STATEMENT_IN_EVENT, help);
         }

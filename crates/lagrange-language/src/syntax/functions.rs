@@ -38,6 +38,9 @@ impl Parser<'_> {
 
     /// Reads `f(x, y)`.
     pub(super) fn function_head(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<(Name, Vec<Name>)> {
+        if let Some((origin, message, _)) = self.path(cursor) {
+            return Err(self.fail_with_help(origin, message, words::PATH_HELP));
+        }
         let mut name = self.declared_name(cursor)?;
         self.check_callee(&name);
         let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {

@@ -57,7 +57,7 @@ impl Parser<'_> {
     }
 
     /// Detects `std::f64::consts::PI`, `f64::sin(x)`, `crate::GRAVITY`, `np.cos(x)`.
-    fn path(&self, cursor: &Cursor) -> Option<Habit> {
+    pub(super) fn path(&self, cursor: &Cursor) -> Option<Habit> {
         let word = cursor.ident()?.to_string();
         let is_library = foreign::is_library(&word) && self.declared(&word).is_none();
         let mut tokens = Ahead { cursor, count: 1 };

@@ -52,8 +52,8 @@ impl Parser<'_> {
         let Some((outside, _)) = options.outside else {
             return Err(unsaid(LABELS[3], words::ways(LABELS[3], &Outside::ALL.map(|(name, _)| name))));
         };
-        if interpolation == Interpolation::Monotone && parameters.len() > 1 {
-            self.report.error(place, words::MONOTONE_SURFACE).help(words::MONOTONE_SURFACE_HELP);
+        if interpolation == Interpolation::Monotone && parameters.len() > 2 {
+            self.report.error(place, words::MONOTONE_VOLUME).help(words::MONOTONE_VOLUME_HELP);
         }
         Ok(TableDefinition { name, parameters, source, interpolation, outside })
     }

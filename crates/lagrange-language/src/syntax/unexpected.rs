@@ -29,6 +29,10 @@ impl Parser<'_> {
             let message = habits::compound_assignment(operator.as_char());
             return self.fail_with_help(origin, message, habits::COMPOUND_ASSIGNMENT_HELP);
         }
+        if cursor.ident().is_some_and(|word| self.unreadable_words.contains(&word.to_string())) {
+            // A keyword as a name has been reported where it was declared.
+            return Reported;
+        }
         let (message, help) = operand_mistake(cursor)
             .unwrap_or_else(|| (messages::expected(messages::OPERAND, cursor.peek()), operand_help(cursor)));
         self.fail_with_help(cursor.here(), message, help)

@@ -7,7 +7,7 @@ use std::string::{String, ToString};
 
 use crate::simulate::builder::ENERGY;
 use crate::simulate::table::TIME;
-use crate::system::Description;
+use crate::system::{Description, split_indices};
 #[cfg(feature = "plot")]
 use lagrange_plot::{label::Label, notation};
 
@@ -22,7 +22,7 @@ pub(crate) fn unit(system: &Description, name: &str) -> Option<&'static str> {
 /// Returns a unit from the known ones by name, as [`unit`].
 pub(crate) fn unit_among(units: &[(&str, &'static str)], name: &str) -> Option<&'static str> {
     let declared = |name: &str| units.iter().find(|(known, _)| *known == name).map(|(_, unit)| *unit);
-    let of_array = || name.split_once('[').and_then(|(array, _)| declared(array));
+    let of_array = || declared(split_indices(name).0);
     declared(name).or_else(of_array).or(match name {
         _ if units.is_empty() => None,
         TIME => Some("s"),

@@ -55,7 +55,7 @@ pub(crate) use self::positions::normalised;
 pub(crate) use self::positions::{displaced, normalise_positions, reach};
 pub use self::positions::{join, normalise, normalise_described, split};
 #[cfg(feature = "std")]
-pub(crate) use self::rate_name::WithSuffix;
+pub(crate) use self::rate_name::{WithSuffix, split_indices};
 pub use self::regressor::RegressorSystem;
 pub use self::setting_error::SettingError;
 pub use self::step_failure::{DelayFault, EventSource, StepFailure};

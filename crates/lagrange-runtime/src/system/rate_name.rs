@@ -32,9 +32,15 @@ impl<'a> WithSuffix<'a> {
     }
 
     fn new(name: &'a str, suffix: &'static str) -> WithSuffix<'a> {
-        let (stem, brackets) = name.split_at(name.find('[').unwrap_or(name.len()));
+        let (stem, brackets) = split_indices(name);
         WithSuffix { stem, suffix, brackets }
     }
+}
+
+/// Splits the square brackets at the end from the name of an element: `leg[0].foot` and `[2]`.
+pub(crate) fn split_indices(name: &str) -> (&str, &str) {
+    let member = name.rfind('.').unwrap_or(0);
+    name.split_at(name[member..].find('[').map_or(name.len(), |bracket| member + bracket))
 }
 
 impl Display for WithSuffix<'_> {
@@ -53,6 +59,8 @@ mod tests {
     fn suffixes_stand_before_square_brackets() {
         assert_eq!(WithSuffix::velocity("theta").to_string(), "theta_dot");
         assert_eq!(WithSuffix::velocity("u[1][2]").to_string(), "u_dot[1][2]");
+        assert_eq!(WithSuffix::velocity("leg[1].knee").to_string(), "leg[1].knee_dot");
+        assert_eq!(WithSuffix::velocity("leg[1].toe[0]").to_string(), "leg[1].toe_dot[0]");
         assert_eq!(WithSuffix::acceleration("theta[0]").to_string(), "theta_ddot[0]");
         assert_eq!(WithSuffix::rate_of("theta_dot[0]").to_string(), "theta_ddot[0]");
         assert_eq!(WithSuffix::rate_of("w").to_string(), "w_dot");

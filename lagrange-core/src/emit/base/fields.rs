@@ -76,6 +76,12 @@ impl Field {
     }
 }
 
+/// Splits the indices at the end from the written name of an element: `leg[0].foot` and `[2]`.
+pub(in crate::emit) fn split_indices(written: &str) -> (&str, &str) {
+    let member = written.rfind('.').unwrap_or(0);
+    written.split_at(written[member..].find('[').map_or(written.len(), |bracket| member + bracket))
+}
+
 /// Returns fields for names in this order: arrays if all names of an array are consecutive, numbers
 /// otherwise. No two fields have the same name.
 pub(in crate::emit) fn fields(names: &[&Name], arrays: &[DeclaredArray]) -> Vec<Field> {

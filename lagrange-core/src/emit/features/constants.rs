@@ -29,7 +29,7 @@ pub(in crate::emit) fn parameter_names(shape: &Shape<'_>) -> TokenStream {
 /// Writes the constant with the plain statements.
 pub(in crate::emit) fn statements_constant(statements: &str) -> TokenStream {
     quote! {
-        /// The statements that those about rigid bodies stand for.
+        /// The declaration in plain statements: without parts, arrays and rigid bodies.
         pub const STATEMENTS: &'static ::core::primitive::str = #statements;
     }
 }

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use crate::emit::base::fields::split_indices;
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, length, local};
@@ -94,8 +95,8 @@ pub(in crate::emit) fn written_velocity(shape: &Shape<'_>, velocity: &StateVeloc
     let is_rate = |name: &&Name| velocity.name.text == format!("{}_dot", name.text);
     match velocity.coordinate.filter(is_rate).map(|name| shape.written(name)) {
         Some(coordinate) => {
-            let (stem, brackets) = coordinate.split_at(coordinate.find('[').unwrap_or(coordinate.len()));
-            format!("{stem}_dot{brackets}")
+            let (stem, indices) = split_indices(coordinate);
+            format!("{stem}_dot{indices}")
         }
         None => shape.written(&velocity.name).to_owned(),
     }

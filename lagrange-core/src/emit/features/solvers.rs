@@ -27,7 +27,7 @@ pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
             && function.is_solution()
         {
             roots.push(id);
-            names.push(function.function().name.clone());
+            names.push(writer.shape.declaration.written(&function.function().name).to_owned());
         }
     }
     if roots.is_empty() {

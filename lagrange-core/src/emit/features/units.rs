@@ -1,10 +1,11 @@
 //! Units by name, for axes and files.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
-use crate::emit::base::fields::Field;
-use crate::emit::base::shape::{Shape, doc, local};
+use super::orientations::written_velocity;
+use crate::emit::base::fields::{Field, split_indices};
+use crate::emit::base::shape::{Shape, doc};
 use crate::emit::base::units::PLAIN;
 use lagrange_expr::units::momentum_name;
 use lagrange_language::syntax::ast::{Name, acceleration_name};
@@ -29,12 +30,39 @@ pub(in crate::emit) fn units_by_name<'s>(
     outputs: Vec<(String, &'s str)>,
     has_momenta: bool,
 ) -> Vec<(String, &'s str)> {
-    let state = shape.state_fields();
-    let accelerations = accelerations(shape, &state);
-    let momenta = if has_momenta { momenta(shape, &state) } else { Vec::new() };
-    let fields = state.into_iter().chain(accelerations).chain(shape.number_fields());
-    let named = fields.flat_map(|field| units_of(shape, &field)).chain(outputs);
-    named.chain(momenta.iter().flat_map(|field| units_of(shape, field))).collect()
+    let column = |name: &Name| (shape.written(name).to_owned(), name.text.clone());
+    let positions = shape.coordinates.iter().map(|name| column(name));
+    let velocities = shape.velocities.iter();
+    let velocities =
+        velocities.map(|velocity| (written_velocity(shape, velocity), velocity.name.text.clone()));
+    let accelerations = velocities.clone().map(|(written, name)| {
+        let (stem, indices) = split_indices(&written);
+        (format!("{}{indices}", acceleration_name(stem)), acceleration_name(&name))
+    });
+    let momenta = positions.clone().filter(|_| has_momenta);
+    let momenta = momenta.map(|(written, name)| (format!("p_{written}"), momentum_name(&name)));
+    let parameters = shape.fields.iter().map(|name| column(name));
+    let columns = positions.chain(velocities).chain(accelerations).chain(parameters);
+    let known = by_array(shape, columns).into_iter().chain(outputs);
+    known.chain(by_array(shape, momenta)).collect()
+}
+
+/// Returns the known units of columns, given with the names of their quantities. Consecutive
+/// elements of an array with the same unit have one entry.
+fn by_array<'s>(
+    shape: &'s Shape<'_>,
+    columns: impl Iterator<Item = (String, String)>,
+) -> Vec<(String, &'s str)> {
+    let columns = columns.map(|(written, name)| (written, shape.unit(&name))).collect::<Vec<_>>();
+    let array = |(written, _): &(String, _)| split_indices(written).0.to_owned();
+    let arrays = columns.chunk_by(|before, after| array(before) == array(after));
+    let entries = arrays.flat_map(|elements| match elements {
+        [(_, unit), others @ ..] if others.iter().all(|(_, other)| other == unit) => {
+            vec![(array(&elements[0]), *unit)]
+        }
+        _ => elements.to_vec(),
+    });
+    entries.filter_map(|(name, unit)| Some((name, unit?))).collect()
 }
 
 /// Returns documentation of the units of parameters and inputs, such as `` `m` in kg, `l` in m ``.
@@ -45,39 +73,6 @@ pub(in crate::emit) fn units_of_parameters(shape: &Shape<'_>) -> Option<TokenStr
     let units = units.map(|(name, unit)| format!("`{name}` in {unit}")).collect::<Vec<_>>().join(", ");
     let (blank, line) = (doc(""), doc(&format!("Units: {units}.")));
     (!units.is_empty()).then(|| quote!(#blank #line))
-}
-
-/// Returns fields for accelerations, derived from those of velocities.
-fn accelerations(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
-    let mut positions = shape.coordinates.len();
-    let velocities = state.iter().skip_while(|field| {
-        let is_position = positions > 0;
-        positions = positions.saturating_sub(field.names.len());
-        is_position
-    });
-    let rate = |name: &Name| Name::new(acceleration_name(&name.text), name.span);
-    let accelerations = velocities.map(|field| Field {
-        identifier: local(&acceleration_name(&field.identifier.to_string())),
-        names: field.names.iter().map(rate).collect(),
-        sizes: field.sizes.clone(),
-    });
-    accelerations.collect()
-}
-
-/// Returns fields for the momenta of coordinates.
-fn momenta(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
-    let mut coordinates = shape.coordinates.len();
-    let of_coordinates = state.iter().take_while(|field| {
-        let is_coordinate = coordinates > 0;
-        coordinates = coordinates.saturating_sub(field.names.len());
-        is_coordinate
-    });
-    let momenta = of_coordinates.map(|field| Field {
-        identifier: format_ident!("p_{}", field.identifier),
-        names: field.names.iter().map(|name| Name::new(momentum_name(&name.text), name.span)).collect(),
-        sizes: field.sizes.clone(),
-    });
-    momenta.collect()
 }
 
 /// Returns the unit of a field under its name, or the units of its elements under their names if

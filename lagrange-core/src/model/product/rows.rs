@@ -157,7 +157,7 @@ pub(super) const ROWS: [ProductRow; 41] = [
     ProductRow::new(Product::Frames, "frames", Bodies),
     ProductRow::new(Product::FrameJacobians, "frame_jacobians", Bodies),
     ProductRow::new(Product::Drawing, "drawing", Bodies),
-    ProductRow::new(Product::Statements, "statements", Bodies),
+    ProductRow::new(Product::Statements, "statements", Demand),
 ];
 
 #[cfg(test)]

@@ -112,7 +112,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{abs, multiply_add, sin_cos, sqrt};
     impl HungArm {
-        /// The statements that those about rigid bodies stand for.
+        /// The declaration in plain statements: without parts, arrays and rigid bodies.
         pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 0.8, r = 0.1, k = 30, g = 9.81;\ninput u;\ncoord x, y, z;\nlet arm_mass = m - m/50;\nlet arm_moments = (m * (1/12 * r^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2), m * (1/12 * r^2 + 1/12 * l^2) - m/50 * (1/2 * (r/4)^2), m * (1/12 * l^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2));\ncoord q;\nlet arm_w = (0, dot(q), 0);\nlet arm_x = (cos(q), 0, -sin(q));\nlet arm_z = (sin(q), 0, cos(q));\nlet arm_T_rotation = 1/2 * arm_moments.y * arm_w.y^2;\nkinetic = arm_T_rotation;\nlet tip_origin = (l * arm_x.x, 0, l * arm_x.z);\nforce q = u;\nlet bob_T_translation = kinetic_energy(m, dot((x, y, z)));\nkinetic = bob_T_translation;\nlet bob_V = m * (g * z);\npotential = bob_V;\nconstraint hook_x = tip_origin.x - x;\nconstraint hook_y = -y;\nconstraint hook_z = tip_origin.z - z;\nlet spring_1_span = (1 - x, 1 - y, -z);\npotential = spring_energy(k, norm(spring_1_span) - l);\nemit { no momenta }\nlet arm_alpha = (0, ddot(q), 0);\nlet arm_S = 1/2 * arm_moments.y * arm_alpha.y^2;\ngibbs = arm_S, for: arm_T_rotation;\n";
         /// Accelerations in the order of the velocities.
         ///

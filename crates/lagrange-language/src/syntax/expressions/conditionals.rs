@@ -1,10 +1,10 @@
 //! `if c { a } else { b }`.
 
-use proc_macro2::{Delimiter, Spacing, TokenTree};
+use proc_macro2::{Delimiter, Ident, Spacing, TokenTree};
 
 use super::ReadOperand;
 use crate::syntax::ast::{ArrayExpression, AstId, CombinedCondition, Condition, Expression, TestKind};
-use crate::syntax::cursor::{Cursor, group_origin};
+use crate::syntax::cursor::{Cursor, as_group, group_origin};
 use crate::syntax::messages;
 use crate::syntax::messages::habits;
 use crate::syntax::parser::{Parsed, Parser, Reported};
@@ -108,6 +108,12 @@ impl Parser<'_> {
     /// Reads a condition on moving quantities up to its block.
     fn condition(&mut self, cursor: &mut Cursor) -> Parsed<CombinedCondition> {
         let start = cursor.here();
+        let is_alone = as_group(cursor.peek_past(1), Delimiter::Brace).is_some();
+        let is_unreadable = |word: &Ident| self.unreadable_words.contains(&word.to_string());
+        if is_alone && cursor.ident().is_some_and(is_unreadable) {
+            // It stands for a condition, which has been reported where it was named.
+            return Err(Reported);
+        }
         let condition = self.combined_condition(cursor, |parser, cursor| parser.no_relation(cursor))?;
         if cursor.group(Delimiter::Brace).is_none() {
             return Err(self.no_block(cursor, "`{`"));

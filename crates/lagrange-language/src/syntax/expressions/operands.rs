@@ -72,6 +72,10 @@ impl Parser<'_> {
             Some(TokenTree::Ident(word)) => {
                 let word = word.clone();
                 if let Some((origin, message, help)) = self.habit(cursor) {
+                    if message == messages::PATH && self.unreadable_words.contains(&word.to_string()) {
+                        // It has been reported where the function was declared.
+                        return Err(Reported);
+                    }
                     return Err(self.fail_with_help(origin, message, help));
                 }
                 let name = self.used_name(&word)?;
@@ -91,7 +95,8 @@ impl Parser<'_> {
     /// names.
     fn used_name(&mut self, word: &Ident) -> Parsed<Name> {
         let name = self.plain(word)?;
-        if self.unreadable_words.contains(&name.text) && !self.is_known(&name.text) {
+        let is_keyword = keywords::begins_statement(&name.text) || is_rust_keyword(&name.text);
+        if self.unreadable_words.contains(&name.text) && (is_keyword || !self.is_known(&name.text)) {
             // It has been reported where it was declared.
             return Err(Reported);
         }

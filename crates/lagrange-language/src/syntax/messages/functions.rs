@@ -10,6 +10,8 @@ messages! {
     DERIVATIVE = "a derivative";
     REPEATED_DERIVATIVE = "this derivative is named twice";
 
+    PATH_HELP = "write the name alone, and import the function: `use crate::f;` before the declaration";
+
     VALUE_OF_EXTERNAL = "a function of your crate is defined there, not in the declaration";
     defined_function(name) =
         "end the statement with `;`, or write `let {name}(…) = …;` for a function defined by an expression";

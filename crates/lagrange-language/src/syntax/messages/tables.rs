@@ -11,9 +11,9 @@ pub(in crate::syntax) const AXIS_HELP: &str = "write `rows: [0, 1, 2]` and `colu
 pub(in crate::syntax) const ROWS_HELP: &str =
     "write the values in rows, `[[1, 2], [3, 4]]`; points `(x, y, z)` contain their arguments";
 pub(in crate::syntax) const AXES_OF_FILES_HELP: &str = "remove it: the first line of a file holds the columns, and the first number of each further line is that of a row";
-pub(in crate::syntax) const MONOTONE_SURFACE: &str = "a table of several arguments cannot be monotone";
-pub(in crate::syntax) const MONOTONE_SURFACE_HELP: &str =
-    "write `interpolation: natural` or `interpolation: linear`";
+pub(in crate::syntax) const MONOTONE_VOLUME: &str = "a table of three arguments cannot be monotone";
+pub(in crate::syntax) const MONOTONE_VOLUME_HELP: &str =
+    "write `interpolation: linear`, which does not overshoot, or `interpolation: natural`";
 
 pub(in crate::syntax) fn too_many_arguments(most: usize) -> String {
     format!("a table has at most {most} arguments")
