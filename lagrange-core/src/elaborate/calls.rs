@@ -97,6 +97,7 @@ fn evaluate_rate(
         return evaluator.refuse(call, messages::rate_of_constant(&text), messages::RATE_OF_CONSTANT_HELP);
     }
     let rate = evaluator.rate(&value, argument)?;
+    evaluator.record_rate(&value, call);
     if function == "dot" {
         return Some(rate);
     }

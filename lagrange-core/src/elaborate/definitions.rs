@@ -63,6 +63,7 @@ pub(super) fn define_constant(elaborator: &mut Elaborator<'_>, definition: &Defi
 pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let value = value_of(&mut elaborator.evaluator, syntax)
         .filter(|value| is_sound_place(elaborator, name, syntax, value));
+    elaborator.evaluator.record_name(&name.text, syntax);
     declare_abbreviation(elaborator, name, value);
 }
 
@@ -123,6 +124,7 @@ pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Nam
     }
     for (i, name) in names.iter().enumerate() {
         let component = whole.as_ref().filter(|_| is_sound).and_then(|whole| whole.entry(&[i]));
+        elaborator.evaluator.record_name(&name.text, syntax);
         declare_abbreviation(elaborator, name, component);
     }
 }

@@ -1,6 +1,7 @@
 //! State of the evaluation of a declaration's expressions.
 
 use super::callable::Callable;
+use super::carried::Carriers;
 use super::constants::Constants;
 use super::messages;
 use super::operand::Operand;
@@ -53,6 +54,7 @@ pub(super) struct Evaluator<'a> {
     pub(super) obliged_masses: HashSet<AstId>,
     /// Nesting depth of the partial derivatives under evaluation.
     pub(super) derivatives: u32,
+    pub(super) carriers: Carriers,
 }
 
 /// A leaf of a chain, negated in a sum or inverted in a product.
@@ -80,6 +82,7 @@ impl<'a> Evaluator<'a> {
             obliged_vectors: HashSet::default(),
             obliged_masses: HashSet::default(),
             derivatives: 0,
+            carriers: Carriers::default(),
         }
     }
 

@@ -6,6 +6,7 @@
 mod assigned;
 mod callable;
 mod calls;
+mod carried;
 mod chains;
 mod check;
 mod constants;

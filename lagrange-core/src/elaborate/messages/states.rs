@@ -5,6 +5,9 @@ use lagrange_expr::diagnostics::messages;
 messages! {
     pub(in crate::elaborate):
 
+    carried(state) = "a velocity in an energy contains the rate of the state `{state}`, which depends on the motion";
+    CARRIED_HELP =
+        "virtual displacements leave states unchanged: declare the quantity as a `coord`, and its rate as a `constraint`";
     RATE = "the rate of a state";
     RATE_HELP =
         "rates are functions of time, coordinates, velocities, states and inputs, not of accelerations and forces";
