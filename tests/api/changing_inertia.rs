@@ -25,7 +25,7 @@ lagrange::system! {
     coord x, theta;
     state load = 1.0, length = 2.0;
     dot(load) = -leak * (1 + sin(dot(theta)));
-    dot(length) = 0.3 * cos(t) + 0.01 * x;
+    dot(length) = 0.3 * cos(t) - 0.01 * length;
     let (px, py) = (x + length * sin(theta), -length * cos(theta));
     kinetic = 1/2 * m * dot(x)^2 + 1/2 * load * (dot(px)^2 + dot(py)^2);
     potential = load * g * py + 3 * x^2;
