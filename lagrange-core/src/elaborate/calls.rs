@@ -1,5 +1,6 @@
 //! Function calls of the language: elementary functions, rates, vector operations, energies.
 
+use super::carried::record_rate;
 use super::chains::power;
 use super::evaluator::Evaluator;
 use super::function_names::{arity, function_names, mass_function, usage};
@@ -97,7 +98,7 @@ fn evaluate_rate(
         return evaluator.refuse(call, messages::rate_of_constant(&text), messages::RATE_OF_CONSTANT_HELP);
     }
     let rate = evaluator.rate(&value, argument)?;
-    evaluator.record_rate(&value, call);
+    record_rate(evaluator, &value, call);
     if function == "dot" {
         return Some(rate);
     }

@@ -1,5 +1,6 @@
 //! Names that statements define: parameters, inputs, constants, abbreviations.
 
+use super::carried::record_name;
 use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages;
@@ -63,7 +64,7 @@ pub(super) fn define_constant(elaborator: &mut Elaborator<'_>, definition: &Defi
 pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let value = value_of(&mut elaborator.evaluator, syntax)
         .filter(|value| is_sound_place(elaborator, name, syntax, value));
-    elaborator.evaluator.record_name(&name.text, syntax);
+    record_name(&mut elaborator.evaluator, &name.text, syntax);
     declare_abbreviation(elaborator, name, value);
 }
 
@@ -124,7 +125,7 @@ pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Nam
     }
     for (i, name) in names.iter().enumerate() {
         let component = whole.as_ref().filter(|_| is_sound).and_then(|whole| whole.entry(&[i]));
-        elaborator.evaluator.record_name(&name.text, syntax);
+        record_name(&mut elaborator.evaluator, &name.text, syntax);
         declare_abbreviation(elaborator, name, component);
     }
 }

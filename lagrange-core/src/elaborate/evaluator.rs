@@ -1,7 +1,6 @@
 //! State of the evaluation of a declaration's expressions.
 
 use super::callable::Callable;
-use super::carried::Carriers;
 use super::constants::Constants;
 use super::messages;
 use super::operand::Operand;
@@ -54,7 +53,10 @@ pub(super) struct Evaluator<'a> {
     pub(super) obliged_masses: HashSet<AstId>,
     /// Nesting depth of the partial derivatives under evaluation.
     pub(super) derivatives: u32,
-    pub(super) carriers: Carriers,
+    /// States that carry along what these calls of `dot` and `ddot` differentiate.
+    pub(super) carried_calls: HashMap<AstId, ExprId>,
+    /// States of the calls in the definitions of these names.
+    pub(super) carried_names: HashMap<String, ExprId>,
 }
 
 /// A leaf of a chain, negated in a sum or inverted in a product.
@@ -82,7 +84,8 @@ impl<'a> Evaluator<'a> {
             obliged_vectors: HashSet::default(),
             obliged_masses: HashSet::default(),
             derivatives: 0,
-            carriers: Carriers::default(),
+            carried_calls: HashMap::default(),
+            carried_names: HashMap::default(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::carried::report_carried_rate;
+use super::carried::{MOTION, report_carried_rate};
 use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages;
@@ -13,7 +13,7 @@ use lagrange_language::syntax::ast::AstId;
 
 pub(super) fn add_gibbs(elaborator: &mut Elaborator<'_>, function: AstId, stated: AstId, keyword: Span) {
     let value = gibbs_value(elaborator, function);
-    report_carried_rate(elaborator, function, Dependencies::COORDINATE | Dependencies::VELOCITY);
+    report_carried_rate(&mut elaborator.evaluator, function, MOTION);
     let stated = elaborator.term(stated, keyword, "the part of the Lagrangian that a Gibbs function states");
     if let (Some(function), Some(stated)) = (value, stated) {
         elaborator.gibbs.push(GibbsFunction { function, stated: stated.value });

@@ -1,6 +1,6 @@
 //! Dispatch of each statement to the function that handles it.
 
-use super::carried::report_carried_rate;
+use super::carried::{MOTION, report_carried_rate};
 use super::constraints::add_constraint;
 use super::coordinates::{define_coordinate, define_quaternion, name_velocity};
 use super::definitions::{define_abbreviation, define_abbreviations, define_constant, define_parameter};
@@ -81,7 +81,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::LetTuple(names, value) => define_abbreviations(elaborator, names, *value),
         StatementKind::Kinetic(value) => {
             let term = elaborator.term(*value, keyword, "the kinetic energy");
-            report_carried_rate(elaborator, *value, Dependencies::COORDINATE | Dependencies::VELOCITY);
+            report_carried_rate(&mut elaborator.evaluator, *value, MOTION);
             elaborator.kinetic.extend(term);
         }
         StatementKind::Potential(value) => {
@@ -90,13 +90,13 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         }
         StatementKind::Lagrangian(value) => {
             let term = elaborator.term(*value, keyword, "the Lagrangian");
-            report_carried_rate(elaborator, *value, Dependencies::COORDINATE | Dependencies::VELOCITY);
+            report_carried_rate(&mut elaborator.evaluator, *value, MOTION);
             elaborator.lagrangian.extend(term);
         }
         StatementKind::Gibbs { function, stated } => add_gibbs(elaborator, *function, *stated, keyword),
         StatementKind::Dissipation(value) => {
             let term = elaborator.term(*value, keyword, "the dissipation function");
-            report_carried_rate(elaborator, *value, Dependencies::VELOCITY);
+            report_carried_rate(&mut elaborator.evaluator, *value, Dependencies::VELOCITY);
             elaborator.dissipation.extend(term);
         }
         StatementKind::ForceOn(coordinate, value) => add_force_on(elaborator, coordinate, *value),
