@@ -110,6 +110,8 @@ impl<const N: usize> OdeSystem for FixedSystem<N> {
         Self::change(y, own, |own| self.0.restore(t, own))
     }
 
+    const MAX_EVENTS: usize = DynamicSystem::<N>::MAX_EVENTS;
+
     fn events(&self) -> &'static [DeclaredEvent] {
         self.0.events()
     }

@@ -75,11 +75,7 @@ impl<'d> Placer<'d> {
         if self.reported.contains(&address) || !is_possible(placement, part, scope, site) {
             return None;
         }
-        if self.placed.len() >= MAX_PLACED {
-            if !std::mem::replace(&mut self.is_full, true) {
-                let message = messages::too_many_parts(MAX_PLACED);
-                site.complaints.report.error(statement.origin, message).help(messages::TOO_LONG_HELP);
-            }
+        if !self.has_room(1, statement, site.complaints) {
             return None;
         }
         let indices = indices(placement, turn, scope, site)?;
@@ -125,6 +121,21 @@ impl<'d> Placer<'d> {
         });
         let (interior, outer) = (part.interior.clone(), site.scopes.part_of(scope));
         PlacedPart { interior, prefix, written: written + ".", bindings: HashMap::default(), outer }
+    }
+
+    /// True if this many parts can be placed. If not, it is reported once.
+    pub(super) fn has_room(
+        &mut self,
+        count: usize,
+        statement: &Statement,
+        complaints: &mut Complaints<'_>,
+    ) -> bool {
+        let has_room = self.placed.len().saturating_add(count) <= MAX_PLACED;
+        if !has_room && !std::mem::replace(&mut self.is_full, true) {
+            let message = messages::too_many_parts(MAX_PLACED);
+            complaints.report.error(statement.origin, message).help(messages::TOO_LONG_HELP);
+        }
+        has_room
     }
 
     fn part(&self, placement: &Placement, is_new: bool, site: &mut Site<'_, '_>) -> Option<&Part<'d>> {

@@ -20,6 +20,9 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::{MAX_EXPANDED_NESTING, MAX_WRITTEN_OUT};
 use lagrange_expr::number::Number;
 
+/// Number of values for which loops that are too long are expanded.
+const FIRST_VALUES: i64 = 100;
+
 /// One instance of a statement.
 pub(super) struct Instance<'d> {
     pub(super) statement: &'d Statement,
@@ -119,14 +122,33 @@ impl<'d> Unroller<'_, '_, 'd> {
         let counting = Counting { expressions: self.expressions, scopes: self.scopes, constants };
         let values = values(variable, range, (counting, scope), self.complaints);
         let Some(values) = values else { return };
-        for value in values {
+        let origin = origin_of(self.expressions, range);
+        for value in self.admitted(values, body.len(), origin) {
             // Loops may be nested.
             if !self.has_room(body.len()) {
-                return self.report_too_long(origin_of(self.expressions, range));
+                return self.report_too_long(origin);
             }
             let scope = self.scopes.within(scope, &variable.text, value);
             self.statements(body, scope);
         }
+    }
+
+    /// Returns the values for which a body of this many statements is expanded. If that would be
+    /// too many statements, it reports them and returns the first values, whose names other
+    /// statements may use.
+    fn admitted(
+        &mut self,
+        values: std::ops::Range<i64>,
+        statements: usize,
+        origin: Origin,
+    ) -> std::ops::Range<i64> {
+        let count = u64::try_from(values.end.saturating_sub(values.start)).unwrap_or(0);
+        let all = (statements as u64).saturating_add(1).saturating_mul(count);
+        if self.turns.saturating_add(all) <= MAX_WRITTEN_OUT {
+            return values;
+        }
+        self.report_too_long(origin);
+        first_of(values)
     }
 
     /// Counts statements before they are expanded; false if there are too many.
@@ -151,10 +173,12 @@ impl<'d> Unroller<'_, '_, 'd> {
                 error.help(messages::ARRAY_OF_PARTS_HELP);
             }
         }
+        let body = self.placer.parts.find(&placement.part.text).map_or(0, |part| part.definition.body.len());
+        let values = match self.placer.has_room(count.max(0) as usize, statement, self.complaints) {
+            true => self.admitted(values, body, origin_of(self.expressions, range)),
+            false => first_of(values),
+        };
         for (number, value) in (0..count).zip(values) {
-            if self.is_too_long {
-                return;
-            }
             let scope = self.scopes.within(scope, &variable.text, value);
             self.placed((statement, placement), Some((value, [number, count])), scope);
         }
@@ -269,6 +293,11 @@ impl<'d> Unroller<'_, '_, 'd> {
                 .help(messages::TOO_LONG_HELP);
         }
     }
+}
+
+/// Returns the values for which a loop that is too long is expanded.
+fn first_of(values: std::ops::Range<i64>) -> std::ops::Range<i64> {
+    values.start..values.end.min(values.start.saturating_add(FIRST_VALUES))
 }
 
 /// Returns the values of a variable; errors in them, or in its name, are reported.

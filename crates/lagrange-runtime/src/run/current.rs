@@ -106,7 +106,7 @@ pub fn check_direction<M: OdeSystem>(
     [t, end]: [M::Scalar; 2],
 ) -> Result<(), SettingError<M::Scalar>> {
     if system.events().len() > M::MAX_EVENTS.min(MAX_LOCATED) {
-        return Err(SettingError::Invalid("the system declares too many events"));
+        return Err(SettingError::Invalid("the system has more events than its `MAX_EVENTS`"));
     }
     if end < t && have_modes(system.events()) {
         return Err(SettingError::Invalid("contacts and dry friction run forwards in time only"));

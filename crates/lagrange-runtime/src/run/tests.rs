@@ -370,5 +370,5 @@ impl OdeSystem for Unreserved {
 fn events_without_memory_are_refused() {
     let method = RungeKutta4 { step: 0.25 };
     let error = integrate(&Unreserved, 0.0, [0.0], 1.0, &method, |_, _| {}).expect_err("a refusal");
-    assert!(std::format!("{error}").contains("declares too many events"), "{error}");
+    assert!(std::format!("{error}").contains("more events than its `MAX_EVENTS`"), "{error}");
 }

@@ -7,7 +7,7 @@ use crate::syntax::ast::{ArrayExpression, AstId, CombinedCondition, Condition, E
 use crate::syntax::cursor::{Cursor, as_group, group_origin};
 use crate::syntax::messages;
 use crate::syntax::messages::habits;
-use crate::syntax::parser::{Parsed, Parser, Reported};
+use crate::syntax::parser::{Declared, Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_BRANCHES;
@@ -109,7 +109,11 @@ impl Parser<'_> {
     fn condition(&mut self, cursor: &mut Cursor) -> Parsed<CombinedCondition> {
         let start = cursor.here();
         let is_alone = as_group(cursor.peek_past(1), Delimiter::Brace).is_some();
-        let is_unreadable = |word: &Ident| self.unreadable_words.contains(&word.to_string());
+        let is_unreadable = |word: &Ident| {
+            let word = word.to_string();
+            let may_be_condition = self.declared(&word).is_none_or(|declared| declared == Declared::Other);
+            may_be_condition && self.unreadable_words.contains(&word)
+        };
         if is_alone && cursor.ident().is_some_and(is_unreadable) {
             // It stands for a condition, which has been reported where it was named.
             return Err(Reported);
