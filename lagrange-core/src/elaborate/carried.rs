@@ -24,15 +24,16 @@ pub(super) fn record_rate(evaluator: &mut Evaluator<'_>, value: &Operand, call: 
         let is_state = matches!(graph.symbol_of(id).map(|symbol| symbol.role), Some(Role::State(_)));
         is_state && rate_of(evaluator, id).intersects(MOTION)
     };
-    if let Some(state) = graph.reachable(&components).into_iter().find(is_carrier) {
+    let states = graph.reachable(&components).into_iter().filter(is_carrier);
+    if let Some(state) = states.max_by_key(|state| is_fast(evaluator, *state)) {
         evaluator.carried_calls.insert(call, state);
     }
 }
 
 /// Records that a name has the value of an expression.
 pub(super) fn record_name(evaluator: &mut Evaluator<'_>, name: &str, definition: AstId) {
-    let carried = carried_rates(evaluator, definition).next();
-    if let Some((_, state)) = carried {
+    let states = carried_rates(evaluator, definition).map(|(_, state)| state);
+    if let Some(state) = states.max_by_key(|state| is_fast(evaluator, *state)) {
         evaluator.carried_names.insert(name.to_owned(), state);
     }
 }
@@ -48,6 +49,12 @@ pub(super) fn report_carried_rate(evaluator: &mut Evaluator<'_>, energy: AstId, 
     let name = evaluator.graph.symbol_of(state).map(|symbol| symbol.name.clone()).unwrap_or_default();
     let error = evaluator.report.error(evaluator.origin(place), messages::states::carried(&name));
     error.help(messages::states::CARRIED_HELP);
+}
+
+/// True if the rate of a state depends on velocities, with respect to which every energy is
+/// differentiated. One such state represents all that carry the same quantity.
+fn is_fast(evaluator: &Evaluator<'_>, state: ExprId) -> bool {
+    rate_of(evaluator, state).intersects(Dependencies::VELOCITY)
 }
 
 /// Returns the kinds of quantities that the rate of a state depends on.
