@@ -12,7 +12,7 @@ use crate::package::output;
 
 /// Renames the package throughout the repository, and updates the lock files.
 pub(crate) fn name(root: &Path, new: &str) -> Result<(), String> {
-    if !new.chars().all(|letter| letter.is_ascii_alphanumeric() || "-_".contains(letter)) {
+    if !new.starts_with(|first: char| first.is_ascii_alphabetic()) || !new.chars().all(is_of_name) {
         return Err(format!("not a name of a package: {new}"));
     }
     let files = files(root)?;
@@ -40,7 +40,8 @@ pub(crate) fn current(root: &Path) -> Result<String, String> {
     name.map(|(name, _)| name.to_owned()).ok_or_else(|| "Cargo.toml names no package".to_owned())
 }
 
-/// Lists all files of the repository but those that tell its history.
+/// Lists all files of the repository, except the history and this file, whose tests contain the
+/// name.
 fn files(root: &Path) -> Result<Vec<String>, String> {
     let listed = output(Command::new("git").arg("ls-files").current_dir(root))?;
     let lasting = |path: &&str| !["CHANGELOG.md", "xtask/src/name.rs"].contains(path);
@@ -70,8 +71,20 @@ fn renamed(text: &str, old: &str, new: &str) -> String {
         ("cargo run --features ", "/"),
     ];
     MENTIONS.iter().fold(text.to_owned(), |text, (before, after)| {
-        text.replace(&format!("{before}{old}{after}"), &format!("{before}{new}{after}"))
+        let (found, replacement) = (format!("{before}{old}{after}"), format!("{before}{new}{after}"));
+        let mut pieces = text.split(&found);
+        let mut renamed = pieces.next().unwrap_or_default().to_owned();
+        for piece in pieces {
+            let is_end_of_name = before.is_empty() && renamed.ends_with(is_of_name);
+            renamed += if is_end_of_name { &found } else { &replacement };
+            renamed += piece;
+        }
+        renamed
     })
+}
+
+fn is_of_name(letter: char) -> bool {
+    letter.is_ascii_alphanumeric() || "-_".contains(letter)
 }
 
 #[cfg(test)]
@@ -80,7 +93,7 @@ mod tests {
     use std::path::{Path, PathBuf};
     use std::process::Command;
 
-    use super::{changed, files, renamed};
+    use super::{changed, files, name, renamed};
     use crate::package::output;
 
     #[test]
@@ -130,5 +143,15 @@ mod tests {
         let manifest = "lagrange = { path = \"../lagrange\" }\nm = { package = \"lagrange\" }\ncargo add lagrange --path";
         let expected = "b = { path = \"../lagrange\" }\nm = { package = \"b\" }\ncargo add b --path";
         assert_eq!(renamed(manifest, "lagrange", "b"), expected);
+        let longer = "draw = { path = \"..\" }\nlagrange-draw = { path = \"../draw\" }";
+        assert_eq!(renamed(longer, "draw", "b"), longer.replacen("draw", "b", 1));
+    }
+
+    #[test]
+    fn names_that_are_none_are_refused() {
+        for none in ["", "9x", "-x", "a b", "Schrödinger"] {
+            let error = name(Path::new("nowhere"), none).expect_err(none);
+            assert_eq!(error, format!("not a name of a package: {none}"));
+        }
     }
 }

@@ -15,7 +15,7 @@
 //!
 //! Here, δ is the difference of fᵧ between the ends of the edge, and the opposite edge has −k.
 //! These are the conditions of Carlson and Fritsch, "Monotone piecewise bicubic interpolation",
-//! SIAM Journal on Numerical Analysis 22 (1985) 386–400, who choose derivatives iteratively.
+//! SIAM Journal on Numerical Analysis 22 (1985) 386–400, who choose derivatives differently.
 //!
 //! The slopes of splines along the grid satisfy the first condition. The second one admits fₓᵧ = 0
 //! if k |δ| ≤ 3 Δ − h fₓ. Therefore slopes are reduced until their differences do not exceed this
@@ -183,7 +183,8 @@ impl Grid<'_> {
 fn drawn_together([start, end]: [f64; 2], [low, high]: [f64; 2]) -> [f64; 2] {
     let bound = if end < start { low } else { high };
     let is_within = (end - start).abs() <= bound.abs();
-    match (is_within, start * end < 0.0) {
+    let are_opposite = start != 0.0 && end != 0.0 && (start < 0.0) != (end < 0.0);
+    match (is_within, are_opposite) {
         (true, _) => [start, end],
         (false, true) => [start, end].map(|slope| slope.signum() * slope.abs().min(0.5 * bound.abs())),
         (false, false) if start.abs() < end.abs() => [start, start + bound],

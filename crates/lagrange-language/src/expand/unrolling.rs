@@ -173,10 +173,12 @@ impl<'d> Unroller<'_, '_, 'd> {
                 error.help(messages::ARRAY_OF_PARTS_HELP);
             }
         }
-        let body = self.placer.parts.find(&placement.part.text).map_or(0, |part| part.definition.body.len());
-        let values = match self.placer.has_room(count.max(0) as usize, statement, self.complaints) {
-            true => self.admitted(values, body, origin_of(self.expressions, range)),
-            false => first_of(values),
+        let body = self.placer.parts.find(&placement.part.text).map(|part| part.definition.body.len());
+        let values = match body {
+            Some(body) if self.placer.has_room(count.max(0) as usize, statement, self.complaints) => {
+                self.admitted(values, body, origin_of(self.expressions, range))
+            }
+            _ => first_of(values),
         };
         for (number, value) in (0..count).zip(values) {
             let scope = self.scopes.within(scope, &variable.text, value);
@@ -190,12 +192,12 @@ impl<'d> Unroller<'_, '_, 'd> {
         turn: Option<(i64, [i64; 2])>,
         scope: ScopeId,
     ) {
-        let Unroller { unrolled, placer, expressions, scopes, complaints, .. } = self;
-        let body = placer.parts.find(&placement.part.text).map_or(0, |part| part.definition.body.len());
-        self.turns += 1 + body as u64;
-        if self.turns > MAX_WRITTEN_OUT {
+        let part = self.placer.parts.find(&placement.part.text);
+        let body = part.map_or(0, |part| part.definition.body.len());
+        if !self.has_room(body) {
             return self.report_too_long(statement.origin);
         }
+        let Unroller { unrolled, placer, expressions, scopes, complaints, .. } = self;
         let mut site = Site { expressions, constants: &unrolled.constants, scopes, complaints };
         if let Some((part, inside)) = placer.place((statement, placement), turn, scope, &mut site) {
             self.statements(&part.body, inside);

@@ -97,8 +97,8 @@ pub trait SwitchedSystem: OdeSystem + Sized {
     #[must_use]
     fn with_switches(&self, switches: Switches) -> Self;
 
-    /// Computes the functions that vanish on the switches and writes them to `values`, which has
-    /// the same length.
+    /// Computes the functions that vanish on the switches and writes them to `values`, which has an
+    /// entry for each switch.
     fn switch_values(&self, t: Self::Scalar, y: &Self::State, values: &mut [Self::Scalar]);
 
     /// Returns the time at which each switch is passed from its negative to its positive side, or
@@ -112,17 +112,13 @@ pub trait SwitchedSystem: OdeSystem + Sized {
 /// are not finite stay free.
 pub fn choose_sides<M: SwitchedSystem>(system: &M, t: M::Scalar, y: &M::State) -> Option<M> {
     let mut room = [M::Scalar::ZERO; MAX_LOCATED];
-    let values = &mut room[..count(system)];
+    let values = &mut room[..switch_count(system)];
     system.switch_values(t, y, values);
-    let fix = |switches: Switches, (k, value): (usize, &mut M::Scalar)| match value.is_finite() {
+    let fix = |switches: Switches, (k, value): (usize, &M::Scalar)| match value.is_finite() {
         true => switches.with(k, *value >= M::Scalar::ZERO),
         false => switches,
     };
-    Some(system.with_switches(values.iter_mut().enumerate().fold(Switches::FREE, fix)))
-}
-
-fn count<M: SwitchedSystem>(system: &M) -> usize {
-    system.events().len().saturating_sub(system.first()).min(MAX_LOCATED)
+    Some(system.with_switches(values.iter().enumerate().fold(Switches::FREE, fix)))
 }
 
 /// Returns the system with its switches free.
@@ -133,7 +129,7 @@ pub fn free_sides<M: SwitchedSystem>(system: &M) -> M {
 /// Writes the values of the events by which sides change, positive on the present sides.
 pub fn side_values<M: SwitchedSystem>(system: &M, t: M::Scalar, y: &M::State, values: &mut [M::Scalar]) {
     let (one, switches) = (M::Scalar::ONE, system.switches());
-    let values = &mut values[system.first()..];
+    let values = &mut values[system.first()..][..switch_count(system)];
     system.switch_values(t, y, values);
     for (k, value) in values.iter_mut().enumerate() {
         *value = match (value.is_finite(), switches.is_fixed(k)) {
@@ -158,7 +154,7 @@ pub fn change_side<M: SwitchedSystem>(system: &M, event: usize, t: M::Scalar, y:
         true => !has_bit(&switches.positive, k),
         false => {
             let mut values = [M::Scalar::ZERO; MAX_LOCATED];
-            system.switch_values(t, y, &mut values[..count(system)]);
+            system.switch_values(t, y, &mut values[..switch_count(system)]);
             values[k] >= M::Scalar::ZERO
         }
     };
@@ -181,4 +177,8 @@ pub fn next_switch_time<M: SwitchedSystem>(system: &M, t: M::Scalar, end: M::Sca
         |time: &M::Scalar| if end < t { *time < t && *time > end } else { *time > t && *time < end };
     let ahead = system.switch_times().flatten().filter(is_ahead);
     ahead.reduce(|one, other| if (other - t).abs() < (one - t).abs() { other } else { one })
+}
+
+fn switch_count<M: SwitchedSystem>(system: &M) -> usize {
+    system.events().len().saturating_sub(system.first()).min(MAX_LOCATED)
 }

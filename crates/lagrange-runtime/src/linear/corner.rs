@@ -3,7 +3,7 @@
 use super::tangent::Blocks;
 use crate::linalg::dense::DenseMatrix;
 use crate::scalar::{Number, Scalar};
-use crate::system::LinearisedSystem;
+use crate::system::{LinearisedSystem, MAX_LOCATED, values_of_events};
 
 /// Relative to the entries of a matrix, differences between both sides up to this count as
 /// rounding.
@@ -37,10 +37,8 @@ where
 /// True if a change of the state or of time by half of its digits crosses the switch of this event.
 fn is_near<M: LinearisedSystem>(sided: &M, t: M::Scalar, y: &M::State, event: usize) -> bool {
     let passes = |t: M::Scalar, y: &M::State| {
-        let mut values = [M::Scalar::ONE; crate::system::MAX_LOCATED];
-        sided.event_values(t, y, &mut values[..sided.events().len()]);
         // NaN counts as crossing, too.
-        let is_kept = values[event] > M::Scalar::ZERO;
+        let is_kept = values_of_events::<_, MAX_LOCATED>(sided, t, y)[event] > M::Scalar::ZERO;
         !is_kept
     };
     let step = M::Scalar::epsilon().sqrt();

@@ -1,12 +1,14 @@
 //! The events in the declaration of a system.
 
 use super::events::{Events, Found, Next, Origin, Replacement};
-use super::margins::{Margins, exact_values};
+use super::margins::Margins;
 use super::pending::Pending;
 use crate::event::{Detector, Occurrence, end_of_instant, locate};
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
-use crate::system::{Action, DeclaredEvent, Direction, OdeSystem, Reacted, Response, StepFailure};
+use crate::system::{
+    Action, DeclaredEvent, Direction, OdeSystem, Reacted, Response, StepFailure, values_of_events,
+};
 
 /// The events in the declaration of the system M, at most C.
 pub struct DeclaredEvents<M: OdeSystem, const C: usize> {
@@ -182,7 +184,7 @@ impl<S: Scalar, const C: usize> Passage<S, C> {
         M: OdeSystem<Scalar = S>,
     {
         let end = end_of_instant(first.time, stepper.last_time(), stepper.time());
-        let at_end = exact_values(system, end, &stepper.interpolate(system, end));
+        let at_end = values_of_events(system, end, &stepper.interpolate(system, end));
         Passage::of((first.event, first.time), system.events(), (end, &at_end))
     }
 
@@ -220,7 +222,7 @@ impl<S: Scalar, const C: usize> Passage<S, C> {
         M: OdeSystem<Scalar = S>,
     {
         let from = stepper.last_time();
-        let mut value = |t: S| self.last(&exact_values(system, t, &stepper.interpolate(system, t)));
+        let mut value = |t: S| self.last(&values_of_events(system, t, &stepper.interpolate(system, t)));
         let (before, after) = ((from, value(from)), (self.end, value(self.end)));
         let is_bracket = before.1 > S::ZERO && after.1 < S::ZERO;
         let located = if is_bracket { locate(before, after, S::ZERO, &mut value) } else { None };

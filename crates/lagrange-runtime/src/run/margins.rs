@@ -5,8 +5,8 @@
 //! the state. Entries that it does not depend on have no effect, unless constraints couple them.
 
 use crate::event::rounded;
-use crate::scalar::{Number, Scalar};
-use crate::system::{DeclaredEvent, OdeSystem};
+use crate::scalar::Scalar;
+use crate::system::{DeclaredEvent, OdeSystem, values_of_events};
 use crate::tolerance::SURFACE;
 
 /// The distances beyond their surfaces at which switches change their sides; zero for other events.
@@ -27,8 +27,8 @@ impl<S: Scalar, const C: usize> Margins<S, C> {
     {
         let mut margins = [S::ZERO; C];
         if have_sides(system.events()) {
-            let here = exact_values(system, time, y);
-            let rounded = exact_values(system, time, &rounded(y));
+            let here = values_of_events(system, time, y);
+            let rounded = values_of_events(system, time, &rounded(y));
             let shared = if system.is_constrained() { largest(y.as_ref()) } else { S::ZERO };
             margins = of_sides(system.events(), [&here, &rounded, ranges], shared);
         }
@@ -54,7 +54,7 @@ impl<S: Scalar, const C: usize> Margins<S, C> {
     where
         M: OdeSystem<Scalar = S>,
     {
-        self.beyond(system.events(), exact_values(system, t, y))
+        self.beyond(system.events(), values_of_events(system, t, y))
     }
 
     /// Adds the margins to these values of the events.
@@ -86,18 +86,6 @@ fn of_sides<S: Scalar, const C: usize>(
         margins[k] = SURFACE.part::<S>() * own + if change.is_finite() { change } else { S::ZERO };
     }
     margins
-}
-
-/// Returns the values of all declared events, padded with ones.
-pub(super) fn exact_values<M: OdeSystem, const C: usize>(
-    system: &M,
-    t: M::Scalar,
-    y: &M::State,
-) -> [M::Scalar; C] {
-    let mut values = [M::Scalar::ONE; C];
-    let count = system.events().len().min(C);
-    system.event_values(t, y, &mut values[..count]);
-    values
 }
 
 fn largest<S: Scalar>(y: &[S]) -> S {

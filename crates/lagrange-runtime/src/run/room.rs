@@ -4,7 +4,7 @@
 //! length follows from constants, and only one of the branches is compiled, except for systems that
 //! are read at run time.
 
-/// Lengths for few events and for many.
+/// The lengths below the greatest, `MAX_LOCATED`.
 pub(crate) const ROOMS: [usize; 3] = [2, 8, 64];
 
 /// Evaluates an expression with a constant: an upper bound of the number of declared events of a

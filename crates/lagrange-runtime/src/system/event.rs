@@ -1,6 +1,7 @@
 //! Events of a system: its declared events, and its responses to them.
 
-use crate::scalar::Scalar;
+use super::OdeSystem;
+use crate::scalar::{Number, Scalar};
 
 /// An event stated in the declaration of a system.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -48,6 +49,18 @@ pub(crate) fn have_modes(events: &[DeclaredEvent]) -> bool {
 /// Maximum number of events located by runs, including those by which
 /// [switches](crate::event::Switches) change their sides.
 pub const MAX_LOCATED: usize = 512;
+
+/// Returns the values of all declared events, padded with ones.
+pub(crate) fn values_of_events<M: OdeSystem, const C: usize>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+) -> [M::Scalar; C] {
+    let mut values = [M::Scalar::ONE; C];
+    let count = system.events().len().min(C);
+    system.event_values(t, y, &mut values[..count]);
+    values
+}
 
 /// The direction in which a function passes zero as the integration proceeds. If time runs
 /// backwards, a function that rises with time is falling.

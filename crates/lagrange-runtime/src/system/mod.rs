@@ -35,8 +35,8 @@ pub use self::constraint_values::ConstraintValues;
 pub use self::delayed::{DelayedSystem, check_delays};
 pub use self::description::Description;
 pub use self::domain::{Domain, EntryRange};
-pub(crate) use self::event::have_modes;
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MAX_LOCATED, Response};
+pub(crate) use self::event::{have_modes, values_of_events};
 pub use self::kernel::KernelSystem;
 pub use self::lagrangian::LagrangianSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
@@ -285,8 +285,8 @@ pub trait OdeSystem {
     /// The events of the declaration, at most [`MAX_LOCATED`]. Runs locate them by default.
     const EVENTS: &'static [DeclaredEvent] = &[];
 
-    /// The number of events for which runs reserve memory. It is the length of
-    /// [`EVENTS`](Self::EVENTS) unless the system was read at run time.
+    /// The number of events for which runs reserve memory. A type that overrides
+    /// [`events`](Self::events) states it; runs refuse systems with more events.
     const MAX_EVENTS: usize = Self::EVENTS.len();
 
     /// Returns the events of this system. They are [`EVENTS`](Self::EVENTS) unless the system was

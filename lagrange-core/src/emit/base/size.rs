@@ -145,7 +145,7 @@ fn outputs(kind: &StatementKind) -> Vec<&Name> {
     }
 }
 
-/// True if a run cannot locate an event of each contact and friction.
+/// True if contacts and friction share one event.
 pub(in crate::emit) fn shares_event(declaration: &Declaration) -> bool {
     let counts = declaration.statements.iter().map(|statement| contacts(&statement.kind).len());
     counts.sum::<usize>() > MAX_CONTACT_EVENTS

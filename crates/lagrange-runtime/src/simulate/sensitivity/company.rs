@@ -6,8 +6,8 @@
 
 use std::vec::Vec;
 
-use crate::scalar::{Number, Scalar};
-use crate::system::{MAX_LOCATED, OdeSystem, SettingError, StepFailure};
+use crate::scalar::Scalar;
+use crate::system::{MAX_LOCATED, OdeSystem, SettingError, StepFailure, values_of_events};
 
 const TOGETHER: &str = "contacts or friction change at the same time, which a variable would separate, so that there is no derivative: start where they follow each other";
 /// Shifts of events that differ by this part are different.
@@ -28,7 +28,7 @@ impl<S: Scalar> Company<S> {
         (t, elapsed, y): (S, S, &L::State),
         rates: [S; MAX_LOCATED],
     ) -> Option<Self> {
-        let (declared, values) = (closed.events(), event_values(closed, t, y)?);
+        let (declared, values) = (closed.events(), values_of_events::<_, MAX_LOCATED>(closed, t, y));
         let near = S::epsilon().powf(S::from_f64(0.4)) * elapsed;
         let falls = |k: usize| rates[k] < S::ZERO && values[k].abs() <= -near * rates[k];
         let others = (0..declared.len()).filter(|k| *k != event && declared[*k].is_of_mode() && falls(*k));
@@ -59,16 +59,4 @@ impl<S: Scalar> Company<S> {
         let apart = part * (most + part * unit);
         { shifts }.all(|one| (one - shift(self.events[0])).abs() <= apart)
     }
-}
-
-/// Returns the values of all event functions.
-pub(super) fn event_values<L: OdeSystem>(
-    closed: &L,
-    t: L::Scalar,
-    y: &L::State,
-) -> Option<[L::Scalar; MAX_LOCATED]> {
-    let mut values = [Number::ONE; MAX_LOCATED];
-    let count = closed.events().len().min(MAX_LOCATED);
-    closed.event_values(t, y, &mut values[..count]);
-    Some(values)
 }

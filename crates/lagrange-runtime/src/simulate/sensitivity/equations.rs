@@ -8,6 +8,7 @@ use crate::simulate::closed_loop::ClosedLoop;
 use crate::system::{
     Action, Component, DeclaredEvent, Domain, EventSource, LanesVisitor, MAX_LOCATED, OdeSystem,
     ParametricSystem, Reacted, Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
+    values_of_events,
 };
 
 impl<M, L, const N: usize, const R: usize> OdeSystem for Sensitive<M, L, N, R>
@@ -133,12 +134,8 @@ where
         };
         let next = system.as_ref().unwrap_or(&self.closed);
         next.restore(t, &mut after)?;
-        let value = |closed: &L, t: M::Scalar, y: &M::State| {
-            let mut values = [M::Scalar::ONE; MAX_LOCATED];
-            let count = closed.events().len().min(MAX_LOCATED);
-            closed.event_values(t, y, &mut values[..count]);
-            values[event]
-        };
+        let value =
+            |closed: &L, t: M::Scalar, y: &M::State| values_of_events::<_, MAX_LOCATED>(closed, t, y)[event];
         let is_side = self.events()[event].is_side;
         let outcome = |closed: &L, t: M::Scalar, y: &M::State| match is_side {
             true => Some(*y),

@@ -15,13 +15,16 @@
 
 use std::sync::Arc;
 
-use super::company::{Company, event_values};
+use super::company::Company;
 use super::stacked::{Stacked, variational_rates};
 use super::variable::{Varied, VariedPlace};
 use crate::differences::slope;
 use crate::scalar::{Number, Scalar};
 use crate::simulate::closed_loop::ClosedLoop;
-use crate::system::{Action, EventSource, OdeSystem, ParametricSystem, Response, ScalarOf, StepFailure};
+use crate::system::{
+    Action, EventSource, MAX_LOCATED, OdeSystem, ParametricSystem, Response, ScalarOf, StepFailure,
+    values_of_events,
+};
 
 /// A state that changes by more than this factor times a variable, both relatively, is moved
 /// without it. A common step, which suits the state, would be lost in the rounding of the variable.
@@ -184,12 +187,13 @@ where
     ) -> Result<(), StepFailure<M::Scalar>> {
         let state = &y.rows[0];
         let forwards = (Number::ONE, &self.closed.rhs(t, state));
-        let rates = self.along((t, state), forwards, None, event_values);
+        let values = |closed: &_, t, y: &_| Some(values_of_events::<_, MAX_LOCATED>(closed, t, y));
+        let rates = self.along((t, state), forwards, None, values);
         let company = rates.and_then(|rates| Company::of(&self.closed, event, (t, elapsed, state), rates));
         let Some(company) = company else { return Ok(()) };
         let mut pairs = self.variables.iter().zip(y.derivatives());
         pairs.try_for_each(|(variable, change)| {
-            let slopes = self.along((t, state), (Number::ZERO, change), Some(variable), event_values);
+            let slopes = self.along((t, state), (Number::ZERO, change), Some(variable), values);
             company.check(slopes, elapsed * variable.part(change, state))
         })
     }
