@@ -36,8 +36,8 @@ lagrange::system! {
 
 const ROUNDS: usize = 15;
 
-/// Prints the rows of one system, for the derivatives by all of these names, by one, and by the
-/// start alone.
+/// Prints the rows of one system, for the derivatives with respect to all of these names, by one,
+/// and by the start alone.
 macro_rules! rows {
     ($what:literal, $system:expr, $start:expr, $end:expr, $names:expr) => {{
         let (system, start, names) = ($system, $start, $names);

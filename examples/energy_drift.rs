@@ -41,7 +41,7 @@ const ECCENTRICITY: f64 = 0.2;
 /// Samples for each power of ten of the number of steps.
 const SAMPLES: f64 = 32.0;
 /// Largest mean error of a step, in rounding errors.
-const MOST_BIAS: f64 = 0.005;
+const MAX_BIAS: f64 = 0.005;
 /// Steps between new starts, and a time beyond them.
 const STEPS_AT_ONCE: u64 = 20_000;
 const FAR: f64 = 5e4;
@@ -205,7 +205,7 @@ fn table(drifts: &[Drift], steps: u64) -> String {
 fn check(drifts: &[Drift], steps: u64) {
     for drift in drifts {
         let (end, most) =
-            (drift.end(), 8.0 * brouwer(drift.rounding, steps) + MOST_BIAS * drift.rounding * steps as f64);
+            (drift.end(), 8.0 * brouwer(drift.rounding, steps) + MAX_BIAS * drift.rounding * steps as f64);
         let is_of_rounding = ["Gauss–Legendre 6", "Taylor series, 1e-16"].contains(&&*drift.method);
         let is_splitting = ["Störmer", "Blanes"].iter().any(|name| drift.method.starts_with(name));
         assert!(!is_of_rounding || end.energy < most, "{}: {:.1e} of {most:.1e}", drift.method, end.energy);

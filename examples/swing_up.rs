@@ -7,7 +7,7 @@
 //!
 //! The method is that of Hermite and Simpson. States are cubic and forces quadratic between nodes,
 //! and the equations of motion hold at both ends and in the middle. The macro emits their
-//! derivatives by states and force.
+//! derivatives with respect to states and force.
 //!
 //! The nonlinear program is solved by sequential quadratic programs (Nocedal, Wright, *Numerical
 //! Optimization*, 2nd ed., §18), at first with the Hessian of the effort alone. Near the solution

@@ -43,7 +43,7 @@
 pub use lagrange_runtime::integrate::{
     BlanesMoan4, DifferentiableStep, EulerMaruyama, EventSource, FixedStepper, Formula, GaussLegendre,
     GaussLegendre4, GaussLegendre6, Hamiltonian, ImplicitMidpoint, IntegrationError, LanesMethod,
-    LanesMethodVisitor, LanesStepper, MOST_LANES, Memory, Method, Outcome, PlainGaussLegendre, Radau5,
+    LanesMethodVisitor, LanesStepper, MAX_LANES, Memory, Method, Outcome, PlainGaussLegendre, Radau5,
     RadauStepper, RungeKutta4, SettingError, StepDerivatives, StepFailure, Stepper, StochasticRungeKutta4,
     StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational, Verner98, VernerStepper,
     WienerPath, Work, rk4_step, undefined,

@@ -68,4 +68,5 @@ bare_names! {
     powi(base: S, exponent: i32) -> S
     powf(base: S, exponent: S) -> S
     multiply_add(factor: S, other: S, addend: S) -> S
+    reciprocal(x: S) -> S
 }

@@ -158,8 +158,8 @@ hints! {
         "add `emit {{ parameter_jacobian }}` to the declaration: these are the names of its columns";
 }
 
-/// Something with a default value. Only modules with a system that has none know of it, and what is
-/// said is true of other types, too.
+/// A type with a default value. Imported only next to systems without a default; the message also
+/// holds for other types.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no default value",
     label = "no default value",

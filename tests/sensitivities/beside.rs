@@ -3,7 +3,7 @@
 use lagrange::simulate::Gradient;
 use lagrange::system::{OdeSystem, ParametricSystem};
 
-/// States of samples, and their derivatives by each variable.
+/// States of samples, and their derivatives with respect to each variable.
 pub(crate) type Samples = (Vec<Vec<f64>>, Vec<Vec<Vec<f64>>>);
 
 /// Compares the derivatives of half the sum of squares of all entries, over all samples.
@@ -47,8 +47,8 @@ macro_rules! compare {
     }};
 }
 
-/// Compares derivatives by parameters with extrapolated differences of costs, relative to one or to
-/// the cost.
+/// Compares derivatives with respect to parameters with extrapolated differences of costs, relative
+/// to one or to the cost.
 pub(crate) fn compare_with_differences<M, const N: usize>(
     system: &M,
     names: &[&str],

@@ -82,7 +82,7 @@ fn both_directions_agree_along_equal_steps() {
     assert_eq!(gradient.steps, 300);
 }
 
-/// Costs of samples add up, and derivatives by the start cover all entries.
+/// Costs of samples add up, and derivatives with respect to the start cover all entries.
 #[test]
 fn samples_and_the_start_are_those_of_differences() {
     let (chain, method) = (chain(), RungeKutta4 { step: 0.02 });
@@ -248,7 +248,7 @@ fn what_has_no_gradient_is_refused_in_words() {
     }
 }
 
-/// x = cos(√k t), of which the derivative by k is −t sin(√k t)/(2 √k).
+/// x = cos(√k t), of which the derivative with respect to k is −t sin(√k t)/(2 √k).
 #[test]
 fn differences_replace_derivatives_that_are_not_emitted() {
     let plain = Plain::default();

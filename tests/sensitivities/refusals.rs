@@ -67,7 +67,10 @@ fn a_reaction_that_is_not_smooth_is_refused_by_name() {
     let error = run.sensitivities(["x", "k"]).run().unwrap_err();
     assert!(matches!(error.cause, StepFailure::NotDifferentiable { variable: "k", .. }), "{error}");
     let text = error.to_string();
-    assert!(text.starts_with("the motion after event `wall` has no derivative by `k`"), "{text}");
+    assert!(
+        text.starts_with("the motion after event `wall` has no derivative with respect to `k`"),
+        "{text}"
+    );
     assert!((error.time() - (1.0_f64 / 1.5).asin()).abs() < 1e-12);
 }
 
@@ -82,7 +85,7 @@ fn events_without_a_reaction_leave_derivatives_alone() {
     let [plain, watched] = [plain, watched].map(|motion| motion.sensitivities(motion.len() - 1).unwrap()[0]);
     assert!((plain[0] - watched[0]).abs() < 1e-10 && (plain[1] - watched[1]).abs() < 1e-10);
     let stopped = run().stop_at("wall", Direction::Rising, value).sensitivities(["k"]).run().unwrap();
-    // x = v sin(w t)/w with w = √k, differentiated by k at a fixed time.
+    // x = v sin(w t)/w with w = √k, differentiated with respect to k at a fixed time.
     let t = stopped.end_time();
     let exact = 1.5 * (0.5 * t * t.cos() - 0.5 * t.sin());
     assert!((stopped.column("d(x)/d(k)").unwrap().last().unwrap() - exact).abs() < 1e-10);

@@ -47,7 +47,7 @@ fn main() -> ExitCode {
         ["sentences"] => code(wrap::sentences(root)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | sweeps | performance [spatial | text] | package | interface [REVISION] | name NAME | size [REVISION] | wrap | sentences"
+                "usage: cargo xtask check | sweeps | performance [chains | spatial | text] | package | interface [REVISION] | name NAME | size [REVISION] | wrap | sentences"
             );
             ExitCode::from(2)
         }

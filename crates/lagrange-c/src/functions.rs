@@ -60,7 +60,9 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
     let states = layout.positions + layout.velocities;
     let jacobian = function(
         "jacobian",
-        &["Derivatives of the rates by the state, in rows: entry [i][j] is that of rate i by y[j]."],
+        &[
+            "Derivatives of the rates with respect to the state, in rows: entry [i][j] is that of rate i by y[j].",
+        ],
         programs.jacobian.iter().map(Part::of).collect(),
     );
     let is_derived = programs.jacobian.is_some();

@@ -29,7 +29,7 @@ use crate::source;
 use crate::trades;
 
 /// Number of operations above which compilers need minutes for the derivatives in units.
-const MOST_DERIVATIVES: usize = 20_000;
+const MAX_DERIVATIVES: usize = 20_000;
 
 /// The result of a command, whose errors have been printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -139,7 +139,7 @@ impl Command {
         let system = self.source().and_then(|source| {
             let derived = with_derivatives(&source)?;
             let mut programs = Programs::new(&derived);
-            programs.linearised.take_if(|program| program.len() > MOST_DERIVATIVES);
+            programs.linearised.take_if(|program| program.len() > MAX_DERIVATIVES);
             Ok((self.dynamic(&source, programs)?, source.name))
         });
         let Ok((mut system, name)) = system else { return Ended::WithMistakes };

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::exact::{ordered_sum, product, sum};
+use crate::exact::{fused, fused_product, ordered_sum, product, sum};
 
 /// A real number as the unevaluated sum of two doubles, about 106 bits or 32 decimal digits.
 ///
@@ -42,6 +42,20 @@ impl Double {
     fn joined(upper: f64, lower: f64, plain: f64) -> Self {
         let is_sum = lower.is_finite() && upper.is_finite() && upper != 0.0;
         let (upper, lower) = if is_sum { (upper, lower) } else { (plain, 0.0) };
+        Double { upper, lower }
+    }
+
+    /// Computes `self * factor + addend` for sums of products. The error is a few units of 2⁻¹⁰⁵ of
+    /// the larger of the product and the addend, and infinity becomes NaN.
+    ///
+    /// Source: Ogita, Rump, Oishi, "Accurate sum and dot product", *SIAM Journal on Scientific
+    /// Computing* 26 (2005) 1955–1988, algorithm 5.3.
+    #[inline(always)]
+    pub(crate) fn accumulated(self, factor: Double, addend: Double) -> Double {
+        let (upper, error) = fused_product(self.upper, factor.upper);
+        let crossed = fused(self.upper, factor.lower, fused(self.lower, factor.upper, error));
+        let (sum, sum_error) = sum(upper, addend.upper);
+        let (upper, lower) = ordered_sum(sum, sum_error + (crossed + addend.lower));
         Double { upper, lower }
     }
 

@@ -28,6 +28,24 @@ pub(crate) fn product(a: f64, b: f64) -> (f64, f64) {
     (product, if product.abs() < LEAST_EXACT_PRODUCT { 0.0 } else { error })
 }
 
+/// Computes a b + c, rounded once where `std` or the target has that, otherwise twice.
+#[inline(always)]
+pub(crate) fn fused(a: f64, b: f64, c: f64) -> f64 {
+    #[cfg(feature = "std")]
+    return a.mul_add(b, c);
+    #[cfg(not(feature = "std"))]
+    return a * b + c;
+}
+
+/// Returns the rounded product and its error, for code that the processor's fused products compute.
+#[inline(always)]
+pub(crate) fn fused_product(a: f64, b: f64) -> (f64, f64) {
+    #[cfg(feature = "std")]
+    return (a * b, a.mul_add(b, -(a * b)));
+    #[cfg(not(feature = "std"))]
+    return product(a, b);
+}
+
 #[cfg(all(feature = "std", target_feature = "fma"))]
 #[inline(always)]
 fn product_error(a: f64, b: f64, product: f64) -> f64 {

@@ -19,6 +19,11 @@ impl Number for Double {
         Double::of(value)
     }
 
+    #[inline]
+    fn from_sum(nearest: f64, remainder: f64) -> Self {
+        Double::of(nearest) + Double::of(remainder)
+    }
+
     #[inline(always)]
     fn less(self, other: Self) -> bool {
         self < other
@@ -97,6 +102,11 @@ impl Number for Double {
     #[inline]
     fn sqrt(self) -> Self {
         self.root()
+    }
+
+    #[inline(always)]
+    fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
+        self.accumulated(factor, addend)
     }
 
     #[inline(always)]

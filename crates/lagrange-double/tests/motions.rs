@@ -1,6 +1,6 @@
 //! Motions with thirty digits.
 
-use lagrange::integrate::{Method, RungeKutta4, Taylor, Verner98, integrate};
+use lagrange::integrate::{Method, Radau5, RungeKutta4, Taylor, Verner98, integrate};
 use lagrange::system::OdeSystem;
 use lagrange_double::Double;
 use lagrange_runtime::{Number, Scalar};
@@ -102,6 +102,23 @@ fn the_adaptive_pair_is_as_accurate_as_its_coefficients() {
     let found = end(&Pendulum::default(), start, 1.0, &Verner98::tolerance(read("1e-18")));
     let error = error(&found, &exact);
     assert!(error < 1e-15, "{error:e}");
+}
+
+#[test]
+fn tolerances_below_the_coefficients_are_refused() {
+    let (system, start, second) = (Pendulum::default(), [Double::from(0.5), Double::ZERO], Double::ONE);
+    let pair = Verner98::tolerance(read("1e-20"));
+    let implicit = Radau5::tolerance(read("1e-18"));
+    let messages = [
+        integrate(&system, Double::ZERO, start, second, &pair, |_, _| {}).map_err(|error| error.to_string()),
+        integrate(&system, Double::ZERO, start, second, &implicit, |_, _| {})
+            .map_err(|error| error.to_string()),
+    ];
+    let messages = messages.map(|refused| refused.expect_err("refuses the tolerance"));
+    assert!(messages.iter().all(|message| message.contains("use `Taylor`")), "{messages:?}");
+    // In double precision the same tolerances stand for rounding.
+    let pair = Verner98::tolerance(1e-20);
+    integrate(&Pendulum::default(), 0.0, [0.5, 0.0], 1.0, &pair, |_, _| {}).expect("runs to rounding");
 }
 
 #[test]

@@ -25,7 +25,7 @@ const LINE: f64 = 1.2;
 /// Space below the last line, in pixels.
 const BELOW: f64 = 4.0;
 /// Maximum number of lines.
-const MOST: usize = 3;
+const MAX_LINES: usize = 3;
 /// Maximum fraction of the picture's height.
 const SHARE: f64 = 0.25;
 /// Minimum font size.
@@ -72,7 +72,7 @@ pub(super) fn lines(title: &str, [across, down]: [f64; 2]) -> Heading {
         let is_narrow = lines.iter().all(|(_, width)| LEEWAY * width * size <= room);
         let is_low = lines.len() <= 1 || lines.len() as f64 * LINE * size <= SHARE * down;
         // A picture without any room is rejected for its size.
-        if (is_narrow && is_low && lines.len() <= MOST) || size < LEAST || room.is_nan() {
+        if (is_narrow && is_low && lines.len() <= MAX_LINES) || size < LEAST || room.is_nan() {
             return Heading { size, lines: lines.into_iter().map(|(line, _)| line).collect() };
         }
         size *= SMALLER;

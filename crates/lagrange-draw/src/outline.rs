@@ -132,10 +132,10 @@ fn triangle(a: f64, b: f64, c: f64) -> Vec<Point> {
 }
 
 /// Returns a regular polygon. It is NaN unless the number of corners is an integer of at least
-/// three and at most `MOST`.
+/// three and at most `MAX_SIDES`.
 fn regular_polygon(n: f64, radius: f64) -> Vec<Point> {
-    const MOST: f64 = 10_000.0;
-    if n.fract() != 0.0 || !(3.0..=MOST).contains(&n) {
+    const MAX_SIDES: f64 = 10_000.0;
+    if n.fract() != 0.0 || !(3.0..=MAX_SIDES).contains(&n) {
         return vec![[f64::NAN; 2]];
     }
     let corner = |k: u32| times(radius, direction(2.0 * PI * f64::from(k) / n));

@@ -9,7 +9,7 @@ use lagrange_runtime::contact::{self, Contact, ContactSystem, ForcedTerms, Limit
 use lagrange_runtime::system::{Reacted, StateVector, StepFailure};
 
 use crate::inline::Inline;
-use crate::reactions::{MOST, in_room};
+use crate::reactions::{MAX_COUNTS, in_room};
 use crate::system::DynamicSystem;
 
 /// Terms of contacts and friction with any number of slopes.
@@ -100,7 +100,7 @@ fn with_slopes<const N: usize, const K: usize>(
         0..=8 => sized::<N, K, 8>(terms, slopes),
         9..=48 => sized::<N, K, 48>(terms, slopes),
         49..=512 => sized::<N, K, 512>(terms, slopes),
-        _ => sized::<N, K, { MOST[1] * MOST[1] }>(terms, slopes),
+        _ => sized::<N, K, { MAX_COUNTS[1] * MAX_COUNTS[1] }>(terms, slopes),
     }
 }
 

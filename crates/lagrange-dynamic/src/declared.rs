@@ -6,7 +6,7 @@ use lagrange_core::emit::Variables;
 use lagrange_core::opaque::Opaque;
 use lagrange_core::pipeline::{Backend, NumericSystem, Programs};
 use lagrange_core::program::Program;
-use lagrange_runtime::manifold::{MOST_TOUCHES, TOUCH_LENGTH, touches};
+use lagrange_runtime::manifold::{MAX_TOUCHES, TOUCH_LENGTH, touches};
 use lagrange_runtime::system::{OdeSystem, OutOfRange};
 
 use crate::names::{Names, names_of};
@@ -17,7 +17,7 @@ use crate::system::DynamicSystem;
 /// Capacities of states for which code is compiled.
 const CAPACITIES: [usize; 3] = [8, 32, LARGEST];
 /// Numbers of the largest number of contact points of two blocks; fewer points have the first ones.
-const MOST_NUMBERS: usize = MOST_TOUCHES * TOUCH_LENGTH;
+const MAX_NUMBERS: usize = MAX_TOUCHES * TOUCH_LENGTH;
 /// Capacity of the largest states.
 pub(crate) const LARGEST: usize = 128;
 
@@ -233,7 +233,7 @@ impl Visitor for AtState<'_> {
 /// missing.
 fn contact_points(blocks: &[f64]) -> Vec<f64> {
     <[f64; 32]>::try_from(blocks)
-        .map_or_else(|_| Vec::new(), |blocks| touches::<f64, MOST_NUMBERS>(blocks).into())
+        .map_or_else(|_| Vec::new(), |blocks| touches::<f64, MAX_NUMBERS>(blocks).into())
 }
 
 /// Returns the length of the longest vector of a system.

@@ -7,7 +7,7 @@ use lagrange_runtime::system::StateVector;
 
 /// Largest capacity up to which computing with unused entries takes less time than a loop of a
 /// length known at run time.
-const MOST_PADDED: usize = 8;
+const MAX_PADDED: usize = 8;
 
 /// A vector of at most `CAPACITY` numbers. A vector joined from two parts stores the start of the
 /// second part.
@@ -65,12 +65,12 @@ impl<const CAPACITY: usize> StateVector<f64> for Inline<CAPACITY> {
 
     #[inline]
     fn padded(&self) -> &[f64] {
-        if CAPACITY <= MOST_PADDED { &self.entries } else { self.as_ref() }
+        if CAPACITY <= MAX_PADDED { &self.entries } else { self.as_ref() }
     }
 
     #[inline]
     fn padded_mut(&mut self) -> &mut [f64] {
-        if CAPACITY <= MOST_PADDED { &mut self.entries } else { self.as_mut() }
+        if CAPACITY <= MAX_PADDED { &mut self.entries } else { self.as_mut() }
     }
 
     #[inline]

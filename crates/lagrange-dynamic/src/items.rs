@@ -83,8 +83,24 @@ fn visit_item<D: NumberedSpace>(
         }
         // Torques have already become moments.
         DrawnKind::Omitted { name } | DrawnKind::Torque { name } => visit(Item::Omitted { name }),
-        _ => D::item(item, numbers, height, visit),
+        DrawnKind::Body { .. }
+        | DrawnKind::Surface { .. }
+        | DrawnKind::Joint { .. }
+        | DrawnKind::Frame { .. }
+        | DrawnKind::SpatialJoint { .. } => D::item(item, numbers, height, visit),
     }
+}
+
+/// Items with the same values in the plane and in space.
+macro_rules! in_both {
+    () => {
+        DrawnKind::Connector { .. }
+            | DrawnKind::Force { .. }
+            | DrawnKind::Moment { .. }
+            | DrawnKind::Cone { .. }
+            | DrawnKind::Omitted { .. }
+            | DrawnKind::Torque { .. }
+    };
 }
 
 /// Numbers that are consumed in order; NaN after the last.
@@ -209,8 +225,8 @@ impl NumberedSpace for Plane {
                 };
                 visit(Item::Joint { name, kind, at: numbers.take() });
             }
-            // Items of space.
-            _ => {}
+            DrawnKind::Frame { .. } | DrawnKind::SpatialJoint { .. } => {}
+            in_both!() => {}
         }
     }
 
@@ -262,8 +278,8 @@ impl NumberedSpace for Spatial {
                     SpatialJoint { kind: joint(*kind), axis, bodies: links.each_ref().map(Option::as_deref) };
                 visit(Item::Joint { name, kind, at });
             }
-            // Items of the plane.
-            _ => {}
+            DrawnKind::Joint { .. } => {}
+            in_both!() => {}
         }
     }
 

@@ -9,7 +9,7 @@ use lagrange_core::pipeline::Programs;
 use lagrange_runtime::contact::{Contact, Friction, Mode};
 
 /// Maximum number of velocities, and of reactions, of systems with contacts or friction.
-pub(crate) const MOST: [usize; 2] = [32, 48];
+pub(crate) const MAX_COUNTS: [usize; 2] = [32, 48];
 
 /// Numbers of velocities and reactions for which code of contacts is compiled.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 use lagrange_runtime::system::OutOfRange;
 
-use crate::reactions::MOST;
+use crate::reactions::MAX_COUNTS;
 
 /// The reason why a system cannot be run.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -33,7 +33,7 @@ impl Display for Refusal {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::Touching { velocities, forces } => {
-                let [most_velocities, most_forces] = MOST;
+                let [most_velocities, most_forces] = MAX_COUNTS;
                 write!(
                     f,
                     "there are {velocities} velocities and {forces} forces of contacts and friction, "

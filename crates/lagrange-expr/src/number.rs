@@ -179,6 +179,17 @@ impl Number {
         }
     }
 
+    /// Returns the exact value of an `f64`; `None` if that is not finite.
+    pub fn from_f64(value: f64) -> Option<Number> {
+        let bits = value.to_bits();
+        let exponent = (bits >> 52 & 0x7ff) as i32;
+        let fraction = (bits & ((1 << 52) - 1)) as i64;
+        let mantissa = if exponent == 0 { fraction } else { fraction | 1 << 52 };
+        let power = Number::TWO.power(exponent.max(1) - 1075).filter(|_| value.is_finite())?;
+        let magnitude = &Number::from(mantissa) * &power;
+        Some(if value.is_sign_negative() { -&magnitude } else { magnitude })
+    }
+
     /// Returns the magnitude.
     pub fn abs(&self) -> Number {
         if self.is_negative() { -self } else { self.clone() }

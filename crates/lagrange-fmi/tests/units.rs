@@ -439,8 +439,8 @@ fn refusals_name_what_is_missing() {
     assert!(rejected.to_string().contains("no-such-option"), "{rejected}");
 }
 
-/// Derivatives by state and inputs are slopes of the rates and of the outputs, even through
-/// accelerations, multipliers and quaternions.
+/// Derivatives with respect to state and inputs are slopes of the rates and of the outputs, even
+/// through accelerations, multipliers and quaternions.
 #[test]
 fn derivatives_are_slopes() {
     let pulled = "struct Pulled; input u = 0.5; coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2);

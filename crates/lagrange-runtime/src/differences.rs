@@ -18,7 +18,7 @@ const ASIDE: Differences = &[(48.0, [1.0, 0.0]), (-36.0, [2.0, 0.0]), (16.0, [3.
 /// Divisor of the step, applied until two successive results agree.
 const REFINEMENT: f64 = 8.0;
 /// Maximum number of refinements.
-const MOST_REFINEMENTS: usize = 4;
+const MAX_REFINEMENTS: usize = 4;
 
 /// Returns the derivative at zero of a function of one number. The function is assumed to change
 /// noticeably when its argument changes by 1/`rate`. The step is reduced if it changes faster.
@@ -35,7 +35,7 @@ pub(crate) fn slope<S: Scalar, V: StateVector<S>>(
     let mut best = differences(step, rate, &mut function)?;
     let (agreement, mut least) = (S::epsilon().powf(S::from_f64(0.7)), S::ONE / S::ZERO);
     let mut last = best;
-    for _ in 0..MOST_REFINEMENTS {
+    for _ in 0..MAX_REFINEMENTS {
         step = step / S::from_f64(REFINEMENT);
         let finer = differences(step, rate, &mut function)?;
         let change = distance(&last, &finer);

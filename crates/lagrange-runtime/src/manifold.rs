@@ -43,7 +43,7 @@ use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 
 /// The largest number of points in which two blocks touch.
-pub const MOST_TOUCHES: usize = 8;
+pub const MAX_TOUCHES: usize = 8;
 
 /// Numbers of a contact point: a place in each block, the normal, a tangent and a distance.
 pub const TOUCH_LENGTH: usize = 13;
@@ -77,7 +77,7 @@ pub struct Touch<S> {
 /// Contact points of two blocks, in fixed places.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Manifold<S> {
-    touches: [Touch<S>; MOST_TOUCHES],
+    touches: [Touch<S>; MAX_TOUCHES],
     count: usize,
 }
 
@@ -119,11 +119,11 @@ impl<S: Scalar> Manifold<S> {
     fn new() -> Self {
         let none = [S::ZERO; 3];
         let touch = Touch { on_first: none, on_second: none, normal: none, gap: S::ZERO };
-        Manifold { touches: [touch; MOST_TOUCHES], count: 0 }
+        Manifold { touches: [touch; MAX_TOUCHES], count: 0 }
     }
 
     fn push(&mut self, touch: Touch<S>) {
-        if self.count < MOST_TOUCHES {
+        if self.count < MAX_TOUCHES {
             self.touches[self.count] = touch;
             self.count += 1;
         }

@@ -8,6 +8,7 @@
 
 mod lanes;
 mod mask;
+mod order;
 mod platform;
 mod portable;
 mod rough;
@@ -87,6 +88,14 @@ pub trait Number:
     /// Converts to the nearest number; infinite if the magnitude is out of range.
     fn from_f64(value: f64) -> Self;
 
+    /// Converts a number that is given as the sum of its nearest `f64` and what that lacks. By
+    /// default the nearest number is converted; numbers wider than `f64` add both.
+    #[inline]
+    fn from_sum(nearest: f64, remainder: f64) -> Self {
+        let _ = remainder;
+        Self::from_f64(nearest)
+    }
+
     /// True if this is less than the other; false if either is NaN.
     fn less(self, other: Self) -> Self::Mask;
 
@@ -131,6 +140,13 @@ pub trait Number:
     }
 
     lagrange_math::functions!(methods);
+
+    /// Computes `1 / self`. For `f64` and `f32`, the optimiser does not move this division behind
+    /// later calls of [`sin_cos`](Number::sin_cos), nor combine it with others.
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        Self::ONE / self
+    }
 
     /// Raises `self` to a real power. NaN for a negative base with an exponent that is not an
     /// integer, and for NaN in either place; otherwise as IEEE 754 `pow`.

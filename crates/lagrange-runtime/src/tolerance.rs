@@ -16,7 +16,7 @@
 //! | [`CLOSED_GAP`] | 64 | the terms of the gap | a Newton correction leaves a few roundings of the terms | × 1/64 and × 64: `a_gap_is_closed_up_to_the_rounding_of_its_terms` |
 //! | [`SLIT`] | 16 | the terms of the gap | bodies that touch without pressing are separated by this distance: less than a closed gap, more than rounding | × 1/64 and × 64: `bodies_that_part_are_apart_by_more_than_rounding` |
 //! | [`HOP`] | 256 | the terms of the gap | the duration of a lower hop would be rounding; more than a closed gap | × 1/64 and × 64: `hops_no_higher_than_rounding_are_not_resolved` |
-//! | [`BOUNDARY`] | 4096 | a bound, or the nominal value or else the largest bound | bodies rest at bounds up to the gaps of closed contacts, and constraints hold up to residuals | |
+//! | [`BOUNDARY`] | 4096 | a bound, or the nominal value or else the largest bound | bodies rest at bounds up to the gaps of closed contacts, and constraints hold up to residuals | × 1/64 and × 64: `bounds_are_exceeded_by_rounding_only` |
 //! | [`INSTANT`] | 8 | time | the time of an event is accurate to a few roundings, and gaps and rates to their change in this time | × 1/64 and × 64: `gaps_are_known_as_well_as_the_time_of_an_event` |
 //! | [`HOP_TIME`] | 64 | time; the elapsed time of a run | shorter hops are not resolved, in numbers so coarse that 10⁻⁹ of the time is less | × 1/64 and × 64: `hops_no_longer_than_rounding_of_time_are_not_resolved` |
 //! | [`BALANCED`] | 16 | the terms of a rate or of a limit | a sum of a handful of terms | × 1/64 and × 64: `forces_that_are_rounding_do_not_press` |

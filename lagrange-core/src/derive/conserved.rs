@@ -45,7 +45,7 @@ pub(super) fn add(model: &mut Model, name: String, value: ExprId, description: S
 }
 
 /// Maximum number of coordinates in a name.
-const MOST_NAMED: usize = 3;
+const MAX_NAMED: usize = 3;
 
 fn name(model: &Model, symmetry: &Symmetry) -> String {
     let coordinate = |(of, _): &(Displacement, Number)| match *of {
@@ -53,7 +53,7 @@ fn name(model: &Model, symmetry: &Symmetry) -> String {
         Displacement::Rotation(..) | Displacement::Turn(..) | Displacement::Spin(..) => None,
     };
     match symmetry.terms.iter().map(coordinate).collect::<Option<Vec<_>>>() {
-        Some(names) if names.len() <= MOST_NAMED => format!("conserved_{}", names.join("_")),
+        Some(names) if names.len() <= MAX_NAMED => format!("conserved_{}", names.join("_")),
         Some(_) => "conserved_momentum".to_owned(),
         None => "conserved_angular_momentum".to_owned(),
     }

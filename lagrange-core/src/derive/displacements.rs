@@ -6,7 +6,7 @@ use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
 /// Maximum number of candidates if these include rotations in the planes of two coordinates.
-const MOST_CANDIDATES: usize = 300;
+const MAX_CANDIDATES: usize = 300;
 
 /// A candidate for a symmetry.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -37,7 +37,7 @@ pub(super) fn displacements(model: &Model) -> Vec<Displacement> {
     let axes = || (0..model.orientations.len()).flat_map(|body| (0..3).map(move |axis| (body, axis)));
     all.extend(axes().map(|(body, axis)| Displacement::Turn(body, axis)));
     all.extend(axes().map(|(body, axis)| Displacement::Spin(body, axis)));
-    if all.len() + plain.len() * plain.len().saturating_sub(1) / 2 <= MOST_CANDIDATES {
+    if all.len() + plain.len() * plain.len().saturating_sub(1) / 2 <= MAX_CANDIDATES {
         for (index, &first) in plain.iter().enumerate() {
             all.extend(plain[index + 1..].iter().map(|&second| Displacement::Rotation(first, second)));
         }

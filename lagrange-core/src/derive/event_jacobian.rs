@@ -5,8 +5,8 @@ use lagrange_algebra::calculus::{jacobian, substitute_all};
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::symbol::Role;
 
-/// Returns the derivatives of the functions of all events by the state and by time, in rows.
-/// Accelerations and multipliers are functions of these.
+/// Returns the derivatives of the functions of all events with respect to the state and to time, in
+/// rows. Accelerations and multipliers are functions of these.
 pub(super) fn event_jacobian(
     model: &mut Model,
     accelerations: &[ExprId],

@@ -31,19 +31,19 @@ messages! {
     EQUALITY_HELP =
         "`==` and `!=` compare discrete states, parameters and numbers; compare this with `<`, `<=`, `>` or `>=`";
     KINDS_HELP =
-        "make both scalars, with components such as `.x` or `norm(v)`, or both vectors of as many components, such as `(0, e)`";
+        "make both scalars, with components such as `.x` or `norm(v)`, or both vectors with the same number of components, such as `(0, e)`";
     VECTOR_HELP = "write a vector, such as `(x, y)`";
     PRODUCT_OF_VECTORS = "the product of two vectors is ambiguous";
     INNER_OR_CROSS = "use `inner(v, w)` for the scalar and `cross(v, w)` for the vector product";
     ROW_TIMES_MATRIX = "a vector is a column, on the right of its matrix: `A * v`, or `transpose(A) * v`";
-    PRODUCT_HELP = "a matrix needs as many columns as what is on its right has rows; `transpose(A)` exchanges them";
+    PRODUCT_HELP = "a matrix needs as many columns as the right operand has rows; `transpose(A)` exchanges them";
     DIVISION_BY_VECTOR = "cannot divide by a vector or a matrix";
     no_cross(count) = "`cross` is defined for vectors of 2 or 3 components, but these have {count}";
     CROSS_HELP = "take the cross product of vectors in the plane or in space; `inner(v, w)` takes any length";
     matrix_needed(function, found) = "the argument of `{function}` must be a matrix, but this is {found}";
     MATRIX_HELP = "write a matrix by rows, such as `((a, b), (c, d))`; a vector needs no transpose, `inner(v, w)`";
-    rows_differ(first, other) = "the rows of a matrix must have one length, but this is {other} beside {first}";
-    ROWS_HELP = "write a matrix by rows of as many numbers, such as `((a, b), (c, d))`";
+    rows_differ(first, other) = "the rows of a matrix must have equal lengths, but this is {other} and another row is {first}";
+    ROWS_HELP = "write a matrix by rows with the same number of entries each, such as `((a, b), (c, d))`";
     no_entry(indices, found) = "there is no entry `{indices}` in {found}";
     shape_needed(wanted, found) = "{wanted} is needed here, but this is {found}";
     SHAPE_HELP = "the name on the left is a whole array; give it a value of its shape, or write an index behind it";
@@ -112,14 +112,14 @@ messages! {
     negative_by_default(name) =
         "with the defaults, this kinetic energy decreases as `{name}` moves faster";
     negative_dissipation(name) =
-        "with the defaults, this dissipation drives `{name}` rather than to slow it down";
+        "with the defaults, this dissipation speeds `{name}` up instead of slowing it down";
     NEGATIVE_DISSIPATION_HELP =
         "the force is -∂R/∂v of R: a damper has `dissipation = 1/2 * c * dot(x)^2;` with a positive c";
     NEGATIVE_INERTIA_HELP =
         "check the sign; a Lagrangian that is not T − V can be given as `lagrangian = …;`";
 
     MOMENTA_JUMP =
-        "energies need second derivatives by velocities, but here a momentum jumps where this changes its branch";
+        "energies need second derivatives with respect to velocities, but here a momentum jumps where this changes its branch";
 
     MOMENTA_JUMP_HELP =
         "write an even power, such as `1/2*m*norm(v)^2`, or a `force`, `dissipation` or `friction` for a resistance to motion";
@@ -206,8 +206,8 @@ messages! {
     REDUCTION_HELP = "`freeze`, `small` and `ignore` take coordinates: `freeze x = 0; small theta;`";
     ALL_FROZEN = "every coordinate is frozen, so nothing can move";
     ALL_FROZEN_HELP = "leave at least one coordinate free, or make it `small`";
-    ALL_IGNORED = "no coordinate is left beside those that are ignored";
-    ALL_IGNORED_HELP = "keep at least one coordinate; ignored ones alone have rates that only time changes";
+    ALL_IGNORED = "all coordinates are ignored";
+    ALL_IGNORED_HELP = "keep at least one coordinate; if all are ignored, their rates depend only on time";
     PINNED_VALUE = "the value of a coordinate that is frozen or small";
     CONSTANT_IN_MOTION_HELP =
         "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";

@@ -110,8 +110,8 @@ fn check_linear_model(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Reports Hessians with unit quaternions. Second derivatives by their components depend on the
-/// extension of the Lagrangian to other lengths.
+/// Reports Hessians with unit quaternions. Second derivatives with respect to their components
+/// depend on the extension of the Lagrangian to other lengths.
 fn check_hessian(elaborator: &mut Elaborator<'_>) {
     if elaborator.orientations.is_empty() {
         return;

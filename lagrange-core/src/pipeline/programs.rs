@@ -86,7 +86,7 @@ pub struct Programs {
     pub products: Vec<(Product, Program)>,
     /// ∂ẏ/∂y in rows, if requested.
     pub jacobian: Option<Program>,
-    /// Derivatives of the rates by parameters, then by inputs, in rows, if requested.
+    /// Derivatives of the rates with respect to parameters, then to inputs, in rows, if requested.
     pub parameter_jacobian: Option<Program>,
     /// Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows, if
     /// the system matrix is requested.

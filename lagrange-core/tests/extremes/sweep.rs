@@ -21,7 +21,7 @@ use crate::trial::{DENSE, SQUARES, STANDARD, STRICT, Sample, Subject, WAYS, Way}
 const CASES: usize = 24;
 const SEED: u64 = 20;
 /// Number of decimal digits after which no digit remains.
-const MOST_DIGITS: usize = 16;
+const MAX_DIGITS: usize = 16;
 /// Constants in the bounds κ + c and κ + √c.
 const SLACK: f64 = 16.0;
 /// Condition above which a mass matrix in doubles may be singular, and results may not be finite.
@@ -46,7 +46,7 @@ impl Loss {
 
     fn digits(&self) -> usize {
         // A float becomes the nearest valid index.
-        (self.error.max(1.0).log10().round() as usize).min(MOST_DIGITS)
+        (self.error.max(1.0).log10().round() as usize).min(MAX_DIGITS)
     }
 }
 
@@ -127,7 +127,7 @@ fn losses(scene: &Scene) -> [(Way, Vec<Loss>); WAYS.len()] {
 fn digits_are_lost_only_to_the_condition_of_the_mass_matrix() {
     let mut all = WAYS.map(|way| (way, Vec::new()));
     let mut failures = Vec::new();
-    println!("\nrandom states by digits lost, 0 to {MOST_DIGITS}; worst error over κ + c and over κ + √c");
+    println!("\nrandom states by digits lost, 0 to {MAX_DIGITS}; worst error over κ + c and over κ + √c");
     for scene in scenes() {
         for ((way, losses), (_, all)) in losses(&scene).into_iter().zip(&mut all) {
             print_histogram(&scene.name, way, &losses);
@@ -156,7 +156,7 @@ fn share(way: Way, losses: &[Loss]) -> f64 {
 }
 
 fn print_histogram(name: &str, way: Way, losses: &[Loss]) {
-    let mut counts = [0; MOST_DIGITS + 1];
+    let mut counts = [0; MAX_DIGITS + 1];
     losses.iter().for_each(|loss| counts[loss.digits()] += 1);
     let counts = counts.map(|count| format!("{count:4}")).concat();
     let worst =

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use proptest::prelude::{Just, Strategy, any, prop, prop_oneof};
 
 /// The largest number of bodies, and of coordinates, of a machine.
-const MOST_BODIES: usize = 5;
+const MAX_BODIES: usize = 5;
 
 /// Supports of the machine: a point and a direction.
 const SUPPORTS: [&str; 3] = [
@@ -92,9 +92,9 @@ struct Body {
 /// Returns any machine.
 pub(crate) fn machines() -> impl Strategy<Value = Machine> {
     let formulation = prop_oneof![3 => Just(false), 1 => Just(true)];
-    let bodies = prop::collection::vec(body(), 1..=MOST_BODIES);
+    let bodies = prop::collection::vec(body(), 1..=MAX_BODIES);
     let number = || (-150..150).prop_map(|hundredths: i32| f64::from(hundredths) / 100.0);
-    let vector = || prop::collection::vec(number(), MOST_BODIES);
+    let vector = || prop::collection::vec(number(), MAX_BODIES);
     let state = (number(), vector(), vector());
     (prop::sample::select(SUPPORTS.to_vec()), bodies, formulation, state).prop_map(
         |(support, bodies, as_lagrangian, (t, q, v))| {

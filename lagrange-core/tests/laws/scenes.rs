@@ -17,7 +17,7 @@ use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
 use crate::one_in;
 
 /// The largest number of bodies in a scene.
-const MOST_BODIES: usize = 3;
+const MAX_BODIES: usize = 3;
 
 /// Placements of body `#`: any three coordinates that let it move freely.
 const PLACES: [&str; 4] = [
@@ -88,9 +88,9 @@ fn stages() -> impl Strategy<Value = Stage> {
     let loads = prop::collection::vec(0..LOADS.len(), 0..=3);
     let body = (0..PLACES.len(), 0..MATTER.len(), 0..JOINTS.len(), any::<usize>(), loads);
     let number = || (-150..150).prop_map(|hundredths: i32| f64::from(hundredths) / 100.0);
-    let state = || prop::collection::vec(number(), 3 * MOST_BODIES);
+    let state = || prop::collection::vec(number(), 3 * MAX_BODIES);
     let numbers = prop::collection::vec(10..20_u32, 16);
-    (prop::collection::vec(body, 1..=MOST_BODIES), state(), state(), numbers).prop_map(
+    (prop::collection::vec(body, 1..=MAX_BODIES), state(), state(), numbers).prop_map(
         |(bodies, q, v, tenths)| {
             let count = 3 * bodies.len();
             Stage { text: declaration(&bodies, &tenths), q: q[..count].into(), v: v[..count].into() }

@@ -8,7 +8,7 @@ use proptest::prelude::{Just, Strategy, any, prop, prop_oneof};
 use crate::machines::Machine;
 
 /// The largest number of bodies, and of coordinates, of a tree.
-const MOST_BODIES: usize = 5;
+const MAX_BODIES: usize = 5;
 
 /// Supports of the tree: a point and a direction.
 const SUPPORTS: [&str; 3] = [
@@ -65,10 +65,10 @@ struct Body {
 
 /// Returns any tree.
 pub(crate) fn trees() -> impl Strategy<Value = Machine> {
-    let bodies = prop::collection::vec(body(), 1..=MOST_BODIES);
+    let bodies = prop::collection::vec(body(), 1..=MAX_BODIES);
     // At zero, single squares lose an unknown.
     let number = || prop_oneof![1 => Just(0.0), 3 => (-150..150).prop_map(|n: i32| f64::from(n) / 100.0)];
-    let vector = || prop::collection::vec(number(), MOST_BODIES);
+    let vector = || prop::collection::vec(number(), MAX_BODIES);
     let state = (number(), vector(), vector());
     (prop::sample::select(SUPPORTS.to_vec()), bodies, state).prop_map(|(support, bodies, (t, q, v))| {
         let n = bodies.len();

@@ -11,11 +11,11 @@ use std::time::{Duration, Instant};
 use std::{fs, thread};
 
 /// Processor seconds allowed for one case; unoptimised code is up to fifteen times slower.
-const MOST_SECONDS: f64 = if cfg!(debug_assertions) { 30.0 } else { 2.0 };
+const MAX_SECONDS: f64 = if cfg!(debug_assertions) { 30.0 } else { 2.0 };
 /// Bytes allowed in use at a time.
-const MOST_BYTES: usize = 500_000_000;
+const MAX_BYTES: usize = 500_000_000;
 /// Number of failures after which the search stops.
-const MOST_FAILURES: usize = 20;
+const MAX_FAILURES: usize = 20;
 /// Number of workers that judge cases at a time.
 const WORKERS: usize = 2;
 /// The stack of the compiler's threads.
@@ -68,7 +68,7 @@ fn count(size: usize) {
     let total = IN_USE.get().saturating_add(size);
     IN_USE.set(total);
     MOST_IN_USE.set(MOST_IN_USE.get().max(total));
-    let Some(exceeded) = EXCEEDED.get().filter(|_| total > MOST_BYTES) else { return };
+    let Some(exceeded) = EXCEEDED.get().filter(|_| total > MAX_BYTES) else { return };
     exceeded.store(true, Ordering::SeqCst);
     loop {
         thread::sleep(Duration::from_secs(3600));
@@ -122,7 +122,7 @@ pub(crate) fn run(cases: Range<usize>, make: impl Fn(usize) -> Case + Send + Syn
 /// Judges cases one after the other.
 fn one_by_one(cases: Range<usize>, make: &Arc<dyn Fn(usize) -> Case + Send + Sync>) -> Vec<Verdict> {
     let (mut next, mut verdicts, mut failures) = (cases.start, Vec::new(), 0);
-    while next < cases.end && failures < MOST_FAILURES {
+    while next < cases.end && failures < MAX_FAILURES {
         let found = watch(next..cases.end, make);
         next += found.len();
         failures += found.iter().filter(|verdict| verdict.failure.is_some()).count();
@@ -189,12 +189,12 @@ fn told(verdict: &Verdict) {
 /// Returns the limit that the worker exceeds, if any.
 fn exceeded(has_exceeded: &AtomicBool, current: &Mutex<Option<Current>>, clock: &Clock) -> Option<String> {
     if has_exceeded.load(Ordering::SeqCst) {
-        return Some(format!("more than {} MB", MOST_BYTES / 1_000_000));
+        return Some(format!("more than {} MB", MAX_BYTES / 1_000_000));
     }
     let current = current.lock().expect("no panic");
     let seconds = current.as_ref().map(|current| (clock.now() - current.start).as_secs_f64());
     // A case that ends on its own is reported with its duration.
-    (seconds? > 10.0 * MOST_SECONDS).then(|| format!("more than {} s", 10.0 * MOST_SECONDS))
+    (seconds? > 10.0 * MAX_SECONDS).then(|| format!("more than {} s", 10.0 * MAX_SECONDS))
 }
 
 fn judged(
@@ -215,7 +215,7 @@ fn judged(
     let seconds = (clock.now() - start).as_secs_f64();
     *current.lock().expect("no panic") = None;
     let result = result.unwrap_or_else(|panic| Err(format!("panic: {}", message(&*panic))));
-    let is_slow = seconds > MOST_SECONDS;
+    let is_slow = seconds > MAX_SECONDS;
     let slow = is_slow.then(|| format!("{seconds:.1} s"));
     let (answer, failure) = match result {
         Ok(answer) => (Some(answer), slow),

@@ -18,11 +18,11 @@ const TOLERANCE: f64 = 1e-10;
 const ROUNDING: f64 = 1e-14;
 
 /// Larger trees take most of the time and contain nothing new.
-const MOST_VELOCITIES: usize = 7;
+const MAX_VELOCITIES: usize = 7;
 
 /// Returns every tree of moderate size whose number is a multiple of this one.
 fn trees(step: usize) -> impl Iterator<Item = Case> {
-    let is_small = |tree: &Case| tree.states[0].numbers("v").len() <= MOST_VELOCITIES;
+    let is_small = |tree: &Case| tree.states[0].numbers("v").len() <= MAX_VELOCITIES;
     cases("trees.txt").into_iter().filter(is_small).step_by(step)
 }
 

@@ -33,7 +33,7 @@ fn robots_cost_no_more_operations_than_they_did() {
 }
 
 /// Models with upper bounds on the cost of matrices, as above.
-const MOST_OF_MATRICES: [(&str, [usize; 3]); 3] =
+const MAX_OF_MATRICES: [(&str, [usize; 3]); 3] =
     [("ur5", [576, 433, 1181]), ("panda", [2547, 693, 5185]), ("go2", [5447, 5375, 11323])];
 
 #[test]
@@ -43,7 +43,7 @@ fn matrices_cost_no_more_operations_than_they_did() {
     );
     let products = [Product::CoriolisMatrix, Product::InverseMassMatrix, Product::InverseDynamicsJacobian];
     let asked = products.map(Product::name).join(", ");
-    for (model, most) in MOST_OF_MATRICES {
+    for (model, most) in MAX_OF_MATRICES {
         let derived = derived(&format!("{} emit {{ {asked} }}", read(&format!("models/{model}.lag"))));
         let costs = products.map(|product| cost_of(&derived, product));
         println!("| {model} | {} | {} | {} |", costs[0], costs[1], costs[2]);

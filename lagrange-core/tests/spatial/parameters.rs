@@ -135,7 +135,7 @@ fn prepared(text: &str) -> [usize; 3] {
 #[test]
 fn prepared_robots_cost_no_more_operations_than_they_did() {
     println!("| model | accelerations of a prepared one | values | operations of these |\n|---|---|---|---|");
-    for (name, most) in MOST_PREPARED {
+    for (name, most) in MAX_PREPARED {
         let found = prepared(&with_parameters(&model(name), Kind::Inertias));
         println!("| {name} | {} | {} | {} |", found[0], found[1], found[2]);
         assert!(found.iter().zip(most).all(|(cost, most)| *cost <= most), "{name}: {found:?}");
@@ -143,7 +143,7 @@ fn prepared_robots_cost_no_more_operations_than_they_did() {
 }
 
 /// Models with upper bounds on their costs: the measured costs plus 2 %.
-const MOST_PREPARED: [(&str, [usize; 3]); 6] = [
+const MAX_PREPARED: [(&str, [usize; 3]); 6] = [
     ("ur5", [528, 33, 72]),
     ("panda", [1163, 55, 235]),
     ("universal_5", [1225, 34, 46]),

@@ -14,7 +14,7 @@ const CHOICES: [StrategyChoice; 4] = [
     StrategyChoice::Always(Strategy::SumOfSquares),
 ];
 /// Number of velocities beyond which trees are not derived in every way.
-const MOST_VELOCITIES: usize = 4;
+const MAX_VELOCITIES: usize = 4;
 /// Velocities of a free body. Strict equations of some, which keep all roundings apart, take a
 /// minute.
 const FREE: usize = 6;
@@ -69,7 +69,7 @@ fn failures_by_all<'a>(trees: impl Iterator<Item = &'a Case>, levels: &[&str]) -
 #[test]
 fn small_trees_move_so_whatever_the_strategy_and_the_level() {
     let trees = trees();
-    let small = trees.iter().filter(|tree| !is_oriented(tree) && size(tree)[1] <= MOST_VELOCITIES);
+    let small = trees.iter().filter(|tree| !is_oriented(tree) && size(tree)[1] <= MAX_VELOCITIES);
     assert_none(&failures_by_all(small.step_by(8), &LEVELS));
 }
 
@@ -82,7 +82,7 @@ fn small_trees_with_quaternions_move_so_whatever_the_strategy_and_the_level() {
         let of_size = oriented.iter().filter(move |tree| (least..=most).contains(&size(tree)[1]));
         of_size.copied()
     };
-    assert_none(&failures_by_all(of_size(0, MOST_VELOCITIES).step_by(4), &LEVELS));
+    assert_none(&failures_by_all(of_size(0, MAX_VELOCITIES).step_by(4), &LEVELS));
     assert_none(&failures_by_all(of_size(FREE, FREE).step_by(7), &LEVELS[..1]));
 }
 

@@ -9,7 +9,7 @@ use crate::tree::{Declaration, Expr, Statement, number};
 use crate::world::State;
 
 /// Largest number of smaller cases to judge.
-const MOST_TRIALS: usize = 400;
+const MAX_TRIALS: usize = 400;
 
 /// Returns the smallest failing case found from one of its states.
 pub(crate) fn smallest(case: &Case, index: usize) -> Case {
@@ -42,7 +42,7 @@ fn smaller(case: &Case, trials: &mut usize) -> Option<Case> {
     by_name.chain(one_by_one).chain(edited).find_map(|statements| {
         *trials += 1;
         let smaller = reduced(case, statements)?;
-        (*trials <= MOST_TRIALS && fails(&smaller)).then_some(smaller)
+        (*trials <= MAX_TRIALS && fails(&smaller)).then_some(smaller)
     })
 }
 

@@ -17,7 +17,7 @@ use self::systems::{Board, Crate, Hexagon, Pentagon, Stack, Triangle, Walled};
 /// Duration of a throw, in s.
 const END: f64 = 4.0;
 /// Largest number of steps per second of motion.
-const MOST_STEPS: u64 = 5_000;
+const MAX_STEPS: u64 = 5_000;
 /// Number of throws by default.
 const USUAL: u64 = 70;
 
@@ -34,7 +34,7 @@ struct Outcome {
 
 impl Outcome {
     fn is_as_it_should_be(&self) -> bool {
-        let is_slow = self.steps <= (END as u64) * MOST_STEPS;
+        let is_slow = self.steps <= (END as u64) * MAX_STEPS;
         self.failure.is_none() && is_slow && self.rise <= 1e-9 && self.depth <= 1e-10
     }
 }
@@ -54,7 +54,7 @@ where
         system.terms(t, &q, &v).gaps.iter().fold(0.0_f64, |depth, gap| depth.max(-gap))
     };
     let run = system.simulate(start).until(END).tolerance(1e-10).energy().observe("depth", depth);
-    let (trajectory, failure) = match run.max_steps(END as u64 * MOST_STEPS).run() {
+    let (trajectory, failure) = match run.max_steps(END as u64 * MAX_STEPS).run() {
         Ok(trajectory) => (trajectory, None),
         Err(error) => (error.trajectory.as_ref().clone(), Some(error.to_string())),
     };

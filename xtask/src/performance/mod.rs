@@ -17,7 +17,7 @@ use crate_of_variants::Variant;
 use declared::Declared;
 use ideas::{Chain, Derivation, Idea, ideas};
 use lagrange_core::accuracy::Accuracy;
-use run::{DEFAULT, NATIVE, Target, UNPAIRED, cargo};
+use run::{DEFAULT, NATIVE, Target, cargo};
 use tables::{Comparison, Measured};
 
 const DOCUMENT: &str = "docs/performance.md";
@@ -43,9 +43,10 @@ const VARIED: [(&str, usize); 4] = [("absolute", 5), ("absolute", 10), ("absolut
 pub(crate) fn performance(root: &Path, sections: &[&str]) -> Result<(), String> {
     match sections {
         [] => everything(root),
+        ["chains"] => chains(root),
         ["spatial"] => spatial(root),
         ["text"] => declared(root),
-        _ => Err("usage: cargo xtask performance [spatial | text]".to_owned()),
+        _ => Err("usage: cargo xtask performance [chains | spatial | text]".to_owned()),
     }
 }
 
@@ -57,20 +58,23 @@ fn everything(root: &Path) -> Result<(), String> {
     let folder = crate_of_variants::write(root, &variants)?;
     let varied = [DEFAULT, NATIVE].map(|target| measured_variants(root, &folder, &target));
     let varied = tables::ideas(&ideas, &variants, &VARIED.map(chain), &collected(varied)?);
-    let compared =
-        collected([DEFAULT, NATIVE, UNPAIRED].map(|target| compared(root, &target, "comparison")))?;
+    let varied = format!("{}\n{varied}", machine::description()?);
+    let sections = [("growth", growth), ("ideas", varied), ("spatial", measured_spatial(root)?)];
+    document::rewrite(&root.join(DOCUMENT), &sections)?;
+    chains(root)?;
+    declared(root)
+}
+
+/// Measures chains beside handwritten code and updates the document.
+fn chains(root: &Path) -> Result<(), String> {
+    let compared = collected([DEFAULT, NATIVE].map(|target| compared(root, &target, "comparison")))?;
     let sections = [
         ("machine", machine::description()?),
         ("standard", tables::beside_by_hand("standard", &compared)),
         ("fast", tables::beside_by_hand("fast", &compared)),
         ("strict", tables::strict(&compared)),
-        ("pairing", tables::pairing(&compared)),
-        ("growth", growth),
-        ("ideas", varied),
-        ("spatial", measured_spatial(root)?),
     ];
-    document::rewrite(&root.join(DOCUMENT), &sections)?;
-    declared(root)
+    document::rewrite(&root.join(DOCUMENT), &sections)
 }
 
 /// Measures bodies in space and updates the document.

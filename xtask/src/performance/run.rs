@@ -12,7 +12,6 @@ pub(super) struct Target {
 
 pub(super) const DEFAULT: Target = Target { name: "default", flags: "" };
 pub(super) const NATIVE: Target = Target { name: "native", flags: "-C target-cpu=native" };
-pub(super) const UNPAIRED: Target = Target { name: "unpaired", flags: "-C no-vectorize-slp" };
 
 /// Returns the output of `cargo` in a folder, compiled for a target in its own folder.
 pub(super) fn cargo(

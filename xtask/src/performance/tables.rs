@@ -95,7 +95,6 @@ fn ratio(times: &Times) -> String {
 /// Returns times of a level and ratios to each hand-written variant, on the default and native
 /// targets.
 pub(super) fn beside_by_hand(level: &str, targets: &[Vec<Comparison>]) -> String {
-    let targets = &targets[..2];
     let mut table = "| chain | emitted, ns | to straight line | to articulated bodies | to massless rods |\n\
                      |---|---|---|---|---|\n"
         .to_owned();
@@ -111,28 +110,11 @@ pub(super) fn beside_by_hand(level: &str, targets: &[Vec<Comparison>]) -> String
 
 /// Returns the time of `strict` and its ratio to `standard`.
 pub(super) fn strict(targets: &[Vec<Comparison>]) -> String {
-    let targets = &targets[..2];
     let mut table = "| chain | `strict`, ns | to `standard` |\n|---|---|---|\n".to_owned();
     for chain in chains("strict", &targets[0]) {
         let time = on_targets(targets, "strict", chain, None, nanoseconds);
         let ratio = on_targets(targets, "strict", chain, None, |times| format!("{:.2}", times.ratio));
         let _ = writeln!(table, "| {chain} | {time} | {ratio} |");
-    }
-    table
-}
-
-/// Returns the level `standard` with and without the compiler's pairing of statements.
-pub(super) fn pairing(targets: &[Vec<Comparison>]) -> String {
-    let targets = [targets[0].clone(), targets[2].clone()];
-    let mut table =
-        "| chain | emitted, ns | massless rods by hand, ns | ratio |\n|---|---|---|---|\n".to_owned();
-    for chain in chains("standard", &targets[0]) {
-        let cell =
-            |show: fn(&Times) -> String| on_targets(&targets, "standard", chain, Some("massless rods"), show);
-        let by_hand = cell(|times| format!("{:.0}", times.second));
-        if !by_hand.is_empty() {
-            let _ = writeln!(table, "| {chain} | {} | {by_hand} | {} |", cell(nanoseconds), cell(ratio));
-        }
     }
     table
 }

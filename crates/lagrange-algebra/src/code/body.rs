@@ -23,7 +23,17 @@ pub enum Scalar {
         number: Ident,
         /// True if each number is an `f32`; literals are then rounded to `f32` before conversion.
         is_single: bool,
+        /// True if each number may have more digits than an `f64`.
+        is_generic: bool,
     },
+}
+
+impl Scalar {
+    /// True if numbers may have more digits than an `f64`. Literals then come with their
+    /// remainders.
+    pub(super) fn may_be_wide(&self) -> bool {
+        matches!(self, Scalar::Generic(_) | Scalar::SideBySide { is_generic: true, .. })
+    }
 }
 
 /// A program as Rust.

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::program::Float;
+use crate::program::{Float, remainder};
 use lagrange_expr::number::Number;
 
 /// A constant of a program.
@@ -31,6 +31,15 @@ impl Constant<'_> {
             Constant::Rounded(value) => value.value() as f32,
         };
         value.is_finite().then(|| format!("{value:?}"))
+    }
+
+    /// Returns the shortest text of what the nearest `f64` lacks; `None` if that is nothing.
+    pub(super) fn remainder(self) -> Option<String> {
+        let remainder = match self {
+            Constant::Exact(number) => remainder(number, number.to_f64()),
+            Constant::Rounded(value) => value.remainder(),
+        };
+        (remainder != 0.0).then(|| format!("{remainder:e}"))
     }
 
     fn to_f64(self) -> f64 {
@@ -86,27 +95,16 @@ fn nearest_single(number: &Number) -> f32 {
         return single;
     }
     let (lower, upper) = if error > 0.0 { (single, other) } else { (other, single) };
-    match exact(double).map_or(Ordering::Equal, |double| number.cmp(&double)) {
+    match Number::from_f64(double).map_or(Ordering::Equal, |double| number.cmp(&double)) {
         Ordering::Less => lower,
         Ordering::Equal => single,
         Ordering::Greater => upper,
     }
 }
 
-/// Returns the exact value of a finite `f64`.
-fn exact(value: f64) -> Option<Number> {
-    let bits = value.to_bits();
-    let exponent = (bits >> 52 & 0x7ff) as i32;
-    let fraction = (bits & ((1 << 52) - 1)) as i64;
-    let mantissa = if exponent == 0 { fraction } else { fraction | 1 << 52 };
-    let power = Number::TWO.power(exponent.max(1) - 1075)?;
-    let magnitude = &Number::from(mantissa) * &power;
-    Some(if value.is_sign_negative() { -&magnitude } else { magnitude })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Constant, exact, nearest_single};
+    use super::{Constant, nearest_single};
     use lagrange_expr::number::Number;
 
     fn number(text: &str) -> Number {
@@ -122,6 +120,17 @@ mod tests {
         let third = Number::ratio(1, 3).expect("no zero");
         assert_eq!(Constant::Exact(&third).double().as_deref(), Some("0.3333333333333333"));
         assert_eq!(Constant::Exact(&third).single().as_deref(), Some("0.33333334"));
+    }
+
+    #[test]
+    fn remainders_continue_the_nearest_number() {
+        let remainder = |text: &str| Constant::Exact(&number(text)).remainder();
+        assert_eq!(remainder("0.5"), None);
+        assert_eq!(remainder("1e400"), None);
+        // The nearest double is 3602879701896397 / 2⁵⁵, and 0.1 · 2⁵⁵ is that less 1/5.
+        assert_eq!(remainder("0.1").as_deref(), Some("-5.551115123125783e-18"));
+        let opposite = -&number("0.1");
+        assert_eq!(Constant::Exact(&opposite).remainder().as_deref(), Some("5.551115123125783e-18"));
     }
 
     #[test]
@@ -144,8 +153,5 @@ mod tests {
         assert_eq!(nearest_single(&(&halfway + &tiny)), 1.0 + f32::EPSILON);
         assert_eq!(nearest_single(&(&halfway - &tiny)), 1.0);
         assert_eq!(nearest_single(&-&(&halfway + &tiny)), -1.0 - f32::EPSILON);
-        for value in [1.0, -0.1, 5e-324, f64::MAX, 0.0] {
-            assert_eq!(exact(value).map(|number| number.to_f64()), Some(value));
-        }
     }
 }

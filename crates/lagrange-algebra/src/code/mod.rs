@@ -30,7 +30,7 @@ pub use statements::{Precision, SCRIPT_PRELUDE, Surroundings, Target, prelude, s
 
 use crate::program::{Op, Program};
 use lagrange_expr::symbol::{Role, Symbols};
-use values::{SELECTIONS, write};
+use values::{RECIPROCAL, SELECTIONS, write};
 use writer::BodyWriter;
 
 /// Writes a program as Rust.
@@ -44,7 +44,9 @@ pub fn body(
     names: &mut Names,
 ) -> Result<FunctionBody, Unrepresentable> {
     // All other functions are reserved words of the language, so symbols cannot have their names.
-    ["sin_cos", "sin_cos_each", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
+    ["sin_cos", "sin_cos_each", "multiply_add", RECIPROCAL]
+        .into_iter()
+        .for_each(|function| names.reserve(function));
     if matches!(scalar, Scalar::SideBySide { .. }) {
         SELECTIONS.into_iter().for_each(|function| names.reserve(function));
     }

@@ -18,6 +18,9 @@ use lagrange_expr::symbol::Role;
 /// Functions that select without branching, by the relations `<` and `<=`.
 pub(super) const SELECTIONS: [&str; 2] = ["if_less", "if_less_equal"];
 
+/// The function for reciprocals that remain in the written order.
+pub(super) const RECIPROCAL: &str = "reciprocal";
+
 /// Writes the statements, and an expression for each output.
 pub(super) fn write(mut writer: BodyWriter<'_>, used: Vec<Role>) -> Result<FunctionBody, Unrepresentable> {
     let program = writer.program;
@@ -59,6 +62,11 @@ fn value(writer: &mut BodyWriter<'_>, id: ValueId, op: &Op, is_branch: bool) -> 
                 true => Written::Expression(Fragment::block(chosen)),
                 false => Written::Variable(writer.bind(id, &chosen)),
             }
+        }
+        Op::Divide(..) if writer.is_reciprocal[id] => {
+            let divisor = writer.operands(op).split_off(1);
+            let reciprocal = writer.call(RECIPROCAL, divisor);
+            Written::Variable(writer.bind(id, &reciprocal.tokens))
         }
         _ => {
             let expression = expression(writer, op);
@@ -130,10 +138,15 @@ fn constant(
     if matches!(writer.scalar, Scalar::F64 | Scalar::F32) {
         return Written::Expression(number);
     }
-    let converted = match text.as_str() {
-        "0.0" => writer.associated("ZERO"),
-        "1.0" => writer.associated("ONE"),
-        _ => Fragment::call(&writer.associated("from_f64"), vec![number]).free(),
+    let remainder = constant.remainder().filter(|_| writer.scalar.may_be_wide());
+    let converted = match (text.as_str(), remainder) {
+        ("0.0", _) => writer.associated("ZERO"),
+        ("1.0", None) => writer.associated("ONE"),
+        (_, None) => Fragment::call(&writer.associated("from_f64"), vec![number]).free(),
+        (_, Some(remainder)) => {
+            let parts = vec![number, Fragment::number(&remainder)];
+            Fragment::call(&writer.associated("from_sum"), parts).free()
+        }
     };
     if writer.uses[id] > 1 {
         Written::Variable(writer.bind(id, &converted.tokens))

@@ -14,6 +14,7 @@ use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
 use crate::program::{Op, Program, ValueId, ValueTable};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::elementary::row;
+use lagrange_expr::number::Number;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Symbols;
 
@@ -48,6 +49,9 @@ pub(super) struct BodyWriter<'a> {
     pub(super) solved: HashMap<ValueId, Ident>,
     pub(super) written: ValueTable<Written>,
     pub(super) statements: Vec<LetStatement>,
+    /// The reciprocals that remain in the written order among calls of sine and cosine. Otherwise
+    /// the optimiser would move eliminations behind all calls.
+    pub(super) is_reciprocal: ValueTable<bool>,
     /// Functions that were called.
     pub(super) functions: BTreeSet<&'static str>,
 }
@@ -59,12 +63,20 @@ impl<'a> BodyWriter<'a> {
         scalar: &'a Scalar,
         names: &'a mut Names,
     ) -> BodyWriter<'a> {
+        let (mut uses, mut is_reciprocal) = (program.uses(), ValueTable::filled(program.len(), false));
+        if !matches!(scalar, Scalar::SideBySide { .. }) {
+            for (id, one) in pivots(program, &uses) {
+                is_reciprocal[id] = true;
+                uses[one] -= 1;
+            }
+        }
         BodyWriter {
             program,
             symbols,
             scalar,
             names: VariableNames::new(program, names),
-            uses: program.uses(),
+            uses,
+            is_reciprocal,
             solved: HashMap::default(),
             sines_and_cosines: sines_and_cosines(program),
             written: ValueTable::with_capacity(program.len()),
@@ -204,4 +216,16 @@ impl<'a> BodyWriter<'a> {
             "S::".len() + item.to_string().len(),
         )
     }
+}
+
+/// Returns the reciprocals with several uses, as the pivots of an elimination have, each with its
+/// dividend one. There are none without several sines and cosines.
+fn pivots(program: &Program, uses: &ValueTable<usize>) -> Vec<(ValueId, ValueId)> {
+    let calls = program.values().filter(|(_, op)| matches!(op, Op::SinCos(_))).count();
+    let pivot = |(id, op): (ValueId, &Op)| match op {
+        Op::Divide(one, _) if *program.op(*one) == Op::Constant(Number::ONE) => Some((id, *one)),
+        _ => None,
+    };
+    let pivots = program.values().filter_map(pivot).filter(|(id, _)| calls > 1 && uses[*id] > 1);
+    pivots.collect()
 }

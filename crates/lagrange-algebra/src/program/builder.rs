@@ -139,7 +139,7 @@ fn fold(builder: &mut Builder, op: Op) -> Result<ValueId, Op> {
 fn fold_negation(builder: &mut Builder, a: ValueId) -> Result<ValueId, Op> {
     match builder.op(a).clone() {
         Op::Constant(value) => Ok(builder.constant(-&value)),
-        Op::Float(value) => Ok(builder.push(Op::Float(Float::new(-value.value())))),
+        Op::Float(value) => Ok(builder.push(Op::Float(value.negated()))),
         Op::Negate(inner) => Ok(inner),
         _ => Err(Op::Negate(a)),
     }
@@ -222,7 +222,38 @@ fn constant_result(builder: &Builder, op: &Op) -> Option<Op> {
         return Some(Op::Constant(value));
     }
     let values = operands.iter().map(|op| approximate(op)).collect::<Option<Vec<_>>>()?;
-    approximate_result(op, &values).map(|value| Op::Float(Float::new(value)))
+    let value = approximate_result(op, &values)?;
+    let wide = operands.iter().map(|op| wide(op)).collect::<Option<Vec<_>>>();
+    let remainder = wide.map_or(0.0, |operands| wide_remainder(op, &operands, value));
+    Some(Op::Float(Float::with_remainder(value, remainder)))
+}
+
+/// Returns the exact value of a constant with its remainder; `None` if it is not finite.
+fn wide(op: &Op) -> Option<Number> {
+    match op {
+        Op::Constant(value) => Some(value.clone()),
+        Op::Float(value) => Some(&Number::from_f64(value.value())? + &Number::from_f64(value.remainder())?),
+        _ => None,
+    }
+}
+
+/// Returns what the approximate result of an operation lacks; zero for functions other than roots.
+fn wide_remainder(op: &Op, operands: &[Number], approximate: f64) -> f64 {
+    let operands = operands.iter().collect::<Vec<_>>();
+    match (op, exact_result(op, &operands)) {
+        (_, Some(value)) => remainder(&value, approximate),
+        // A step of Newton's method: √x ≈ r + (x − r²) / (2 r).
+        (Op::Call(Function::Sqrt, _), None) if approximate > 0.0 => {
+            let square = Number::from_f64(approximate).map(|root| &root * &root);
+            square.map_or(0.0, |square| (operands[0] - &square).to_f64() / (approximate + approximate))
+        }
+        _ => 0.0,
+    }
+}
+
+/// Returns what an approximation of a number lacks; zero if it is not finite.
+pub fn remainder(value: &Number, approximation: f64) -> f64 {
+    Number::from_f64(approximation).map_or(0.0, |approximation| (value - &approximation).to_f64())
 }
 
 fn exact(op: &Op) -> Option<&Number> {

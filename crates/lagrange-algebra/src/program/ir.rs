@@ -21,19 +21,35 @@ impl ValueId {
     }
 }
 
-/// A double-precision number that can be hashed: numbers are equal if they have the same bits.
+/// A double-precision number with what it lacks, which can be hashed: numbers are equal if they
+/// have the same bits.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Float(u64);
+pub struct Float([u64; 2]);
 
 impl Float {
-    /// Wraps a number.
+    /// Wraps a number that lacks nothing, or whose remainder is unknown.
     pub fn new(value: f64) -> Float {
-        Float(value.to_bits())
+        Float::with_remainder(value, 0.0)
+    }
+
+    /// Wraps a number with its remainder, for numbers wider than `f64`.
+    pub fn with_remainder(value: f64, remainder: f64) -> Float {
+        Float([value, remainder].map(f64::to_bits))
     }
 
     /// Returns the number.
     pub fn value(self) -> f64 {
-        f64::from_bits(self.0)
+        f64::from_bits(self.0[0])
+    }
+
+    /// Returns what the number lacks.
+    pub fn remainder(self) -> f64 {
+        f64::from_bits(self.0[1])
+    }
+
+    /// Returns the opposite.
+    pub fn negated(self) -> Float {
+        Float::with_remainder(-self.value(), -self.remainder())
     }
 }
 

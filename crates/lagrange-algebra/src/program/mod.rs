@@ -21,7 +21,7 @@ mod preparation;
 mod variability;
 mod verify;
 
-pub use builder::Builder;
+pub use builder::{Builder, remainder};
 pub use count::OperationCounts;
 #[cfg(test)]
 pub(crate) use interpret::integer_power;

@@ -114,7 +114,7 @@ impl Scene<'_> {
              <div id=\"labels\" aria-hidden=\"true\">{labels}</div>{}{}\
              <button id=\"reset\" type=\"button\" title=\"First view\">Reset view</button></div>\n\
              <div id=\"flat\">{}</div>\n\
-             <p id=\"no-space\" hidden>Things can be turned where a browser has WebGL 2; this is the first picture.</p>",
+             <p id=\"no-space\" hidden>This browser does not support WebGL 2, so this is a still picture.</p>",
             escaped(&name),
             caption("title", &look.title),
             caption("note", &recording.note),

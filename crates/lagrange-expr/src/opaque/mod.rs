@@ -110,7 +110,7 @@ impl Opaque {
         self.orders.iter().map(|order| usize::from(*order)).sum()
     }
 
-    /// Returns the partial derivative by an argument.
+    /// Returns the partial derivative with respect to an argument.
     pub fn derivative(&self, argument: usize) -> Opaque {
         let mut derivative = self.clone();
         derivative.orders[argument] = derivative.orders[argument].saturating_add(1);

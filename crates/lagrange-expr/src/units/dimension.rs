@@ -18,11 +18,6 @@ impl Dimension {
         Dimension(exponents.map(|exponent| Number::from(i64::from(exponent))))
     }
 
-    /// Creates a dimension from exponents of the [`BASE_UNITS`].
-    pub fn from_exponents(exponents: [Number; 7]) -> Dimension {
-        Dimension(exponents)
-    }
-
     /// Returns the exponents of the [`BASE_UNITS`].
     pub fn exponents(&self) -> &[Number; 7] {
         &self.0

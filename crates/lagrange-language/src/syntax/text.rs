@@ -57,7 +57,9 @@ fn character_help(culprit: char) -> &'static str {
         '½' => "write `1/2`",
         '¼' => "write `1/4`",
         '°' => "write `30 deg` for an angle and `20 degC` for a temperature",
-        '∂' | '∇' => "derivatives by coordinates are computed automatically; `dot(x)` is the rate of x",
+        '∂' | '∇' => {
+            "derivatives with respect to coordinates are computed automatically; `dot(x)` is the rate of x"
+        }
         '∫' | '∑' => "write a sum as `sum(i in 0..n, e)`; there are no integrals",
         '≤' => "write `<=`",
         '≥' => "write `>=`",

@@ -15,7 +15,8 @@
 //!
 //! As an example, take R = x² + y² − 1 with unit mass, at (1 + e, 0). The correction of a residual
 //! r is C r = −(x, y) r/(2 (x² + y²)). It leads to (1, 0), where w = (0, s₂). With r = 2 e, ∂C r by
-//! y is (0, −e). The derivative by y is therefore (1 − e) s₂; the exact one is s₂/(1 + e).
+//! y is (0, −e). The derivative with respect to y is therefore (1 − e) s₂; the exact one is s₂/(1 +
+//! e).
 
 use super::projection::{Residuals, are_zero, correct};
 use super::residuals::{gradients_times, largest, size, sizes};
@@ -28,11 +29,11 @@ use crate::system::{
 };
 
 /// Maximum number of corrections to remove residuals.
-const MOST_REMOVALS: u32 = 4;
+const MAX_REMOVALS: u32 = 4;
 
-/// Multiplies derivatives by the projected state, `slope`, by the transposed derivative of
-/// [`correct`] at the state `y` before. It writes the products with derivatives by the parameters
-/// and inputs at `indices` to `by`. Emitted types define
+/// Multiplies derivatives with respect to the projected state, `slope`, by the transposed
+/// derivative of [`correct`] at the state `y` before. It writes the products with derivatives with
+/// respect to the parameters and inputs at `indices` to `by`. Emitted types define
 /// [`ParametricSystem::correct_adjoint`] with this function.
 ///
 /// Returns false if there are none, or if squares of the correction are not negligible. This is so
@@ -77,7 +78,8 @@ fn adjoint<M: ConstrainedSystem + ParametricSystem>(
     Some(slope)
 }
 
-/// Converts derivatives by a state with unit quaternions into those by the state before.
+/// Converts derivatives with respect to a state with unit quaternions into those by the state
+/// before.
 fn through_normalisation<M: MechanicalSystem>(system: &M, y: &M::State, slope: &mut M::State) -> Option<()> {
     let description = system.description();
     if description.velocities_are_rates() {
@@ -125,8 +127,8 @@ impl<'a, M: ConstrainedSystem + ParametricSystem> Move<'a, M> {
         Move { system, t, part, start, end, sizes: join::<M>(&sizes(&q), &sizes(&v)) }
     }
 
-    /// Converts derivatives by the end into derivatives by the start, and adds to those by
-    /// parameters.
+    /// Converts derivatives with respect to the end into derivatives with respect to the start, and
+    /// adds to those by parameters.
     fn pull_back(&self, slope: &mut M::State, (indices, by): (&[usize], &mut [M::Scalar])) -> Option<()> {
         let after = *slope;
         add_products(slope, (indices, by), |argument| self.through_residuals(argument, &after))?;
@@ -167,7 +169,7 @@ impl<'a, M: ConstrainedSystem + ParametricSystem> Move<'a, M> {
         let negligible =
             M::Scalar::epsilon().powf(M::Scalar::from_f64(2.0 / 3.0)) * largest(residuals.as_ref());
         let (mut removal, mut rest) = (v.zeros(), *residuals);
-        for _ in 0..MOST_REMOVALS {
+        for _ in 0..MAX_REMOVALS {
             add(&mut removal, Number::ONE, &self.system.correction(self.t, &q, &v, &rest));
             rest = gradients_times(self.system, self.t, &end, &removal);
             add(&mut rest, Number::ONE, residuals);
@@ -235,7 +237,7 @@ impl<'a, M: ConstrainedSystem + ParametricSystem> Move<'a, M> {
     }
 }
 
-/// Adds a product to the derivatives by each argument.
+/// Adds a product to the derivatives with respect to each argument.
 fn add_products<S: Scalar>(
     slope: &mut impl StateVector<S>,
     (indices, by): (&[usize], &mut [S]),

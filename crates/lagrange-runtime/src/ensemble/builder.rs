@@ -20,7 +20,7 @@ use crate::system::{
     StateVector,
 };
 
-/// Motions of one system. They want to know when they end.
+/// Motions of one system, which still require an end time.
 #[must_use = "specify the end of the motions: `.until(time)`"]
 pub struct Motions<'a, M: MechanicalSystem> {
     batch: Batch<'a, M>,
@@ -180,9 +180,10 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
 }
 
 impl<'a, M: SharedSystem + ParametricSystem, K, D, P> Ensemble<'a, M, K, D, P> {
-    /// Adds derivatives of every motion by parameters, inputs and initial values, as [in a single
-    /// run](crate::simulate::Simulation::sensitivities): a column such as `d(theta)/d(m)` for each
-    /// pair. Motions are computed [in lanes](Self::is_in_lanes) with `emit { jacobian, lanes }`.
+    /// Adds derivatives of every motion with respect to parameters, inputs and initial values, as
+    /// [in a single run](crate::simulate::Simulation::sensitivities). Each pair has a column, such
+    /// as `d(theta)/d(m)`. Motions are computed [in lanes](Self::is_in_lanes) with
+    /// `emit { jacobian, lanes }`.
     pub fn sensitivities<V, const N: usize>(self, names: V) -> Ensemble<'a, M, K, V::Sensitive<M, D, N>, P>
     where
         V: Variables,

@@ -27,7 +27,7 @@ pub struct Reduced<M: MechanicalSystem, R> {
 
 /// Maximum number of failures in the list, so that memory is bounded. Further ones are only
 /// counted.
-const MOST_FAILURES: usize = 1000;
+const MAX_FAILURES: usize = 1000;
 
 impl<M: MechanicalSystem, R> Reduced<M, R> {
     /// Returns the reduction of no motions.
@@ -52,7 +52,7 @@ impl<M: MechanicalSystem, R> Reduced<M, R> {
 
     fn fail(&mut self, failed: u64, failures: impl IntoIterator<Item = Failure<M>>) {
         self.failed += failed;
-        let room = MOST_FAILURES - self.failures.len();
+        let room = MAX_FAILURES - self.failures.len();
         self.failures.extend(failures.into_iter().take(room));
     }
 

@@ -18,7 +18,7 @@ use earliest::First;
 /// Part of a step after which the state differs from its replacement.
 const SHORTLY: f64 = 1e-10;
 /// Number of events at the same time that counts as infinitely many.
-const MOST_REPETITIONS: u32 = 50;
+const MAX_REPETITIONS: u32 = 50;
 
 /// An occurrence of an event.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -322,7 +322,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     }
 
     fn check_repetitions(&self) -> Result<(), StepFailure<S>> {
-        if self.repetitions < MOST_REPETITIONS || !self.was_fired {
+        if self.repetitions < MAX_REPETITIONS || !self.was_fired {
             return Ok(());
         }
         Err(StepFailure::EventsAccumulate { events: self.repetitions, event: Given(self.last) })

@@ -3,6 +3,8 @@
 use super::locate::ACCURACY;
 use crate::scalar::Scalar;
 
+/// The accuracy of numbers wider than `f64`, in roundings of the length of a step.
+const ROUNDINGS: f64 = 512.0;
 /// Roundings of time below this fraction of a step are fine enough for any event.
 const FINE: f64 = 1.0 / 1024.0;
 /// Coarser ones are fine enough if the function changes per rounding by at most this fraction of
@@ -11,7 +13,7 @@ const LARGEST_CHANGE: f64 = 1.0 / 64.0;
 
 /// Returns the accuracy to which zeros within a step are located.
 pub(super) fn accuracy<S: Scalar>(from: S, to: S) -> S {
-    S::from_f64(ACCURACY) * (to - from).abs()
+    S::from_f64(ACCURACY).min(S::from_f64(ROUNDINGS) * S::epsilon()) * (to - from).abs()
 }
 
 /// True if two times in a step cannot be distinguished.

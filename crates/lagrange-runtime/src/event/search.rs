@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 /// Minimum length of a piece, relative to its step.
 const SHORTEST: f64 = 1.0 / 4096.0;
 /// Number of inconclusive pieces, as with noise, after which pieces must be longer.
-const MOST_UNCLEAR: u32 = 64;
+const MAX_UNCLEAR: u32 = 64;
 /// Minimum length of a piece, relative to its step, after that.
 const SHORTEST_IF_UNCLEAR: f64 = 1.0 / 16.0;
 
@@ -41,7 +41,7 @@ impl<S: Scalar> Search<S> {
 
     /// True if the next piece has minimum length.
     pub(super) fn is_shortest(&self) -> bool {
-        let shortest = if self.unclear < MOST_UNCLEAR { SHORTEST } else { SHORTEST_IF_UNCLEAR };
+        let shortest = if self.unclear < MAX_UNCLEAR { SHORTEST } else { SHORTEST_IF_UNCLEAR };
         self.part <= S::from_f64(shortest)
     }
 
@@ -53,7 +53,7 @@ impl<S: Scalar> Search<S> {
     /// Registers a piece that was searched up to an event.
     pub(super) fn pause(&mut self) {
         self.unclear += u32::from(self.is_shortest());
-        if self.unclear >= MOST_UNCLEAR {
+        if self.unclear >= MAX_UNCLEAR {
             self.part = self.part.max(S::from_f64(SHORTEST_IF_UNCLEAR));
         }
     }

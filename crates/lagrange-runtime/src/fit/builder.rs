@@ -20,7 +20,7 @@ use crate::simulate::{
 use crate::system::{ControlledSystem, OdeSystem, OutputSystem, ParametricSystem, split};
 
 /// Default maximum number of iterations of a search.
-const MOST_ITERATIONS: usize = 200;
+const MAX_ITERATIONS: usize = 200;
 
 /// A fit ready to be run: the data, the variables, and the method for motions.
 #[must_use = "nothing happens before `.run()`"]
@@ -56,7 +56,7 @@ impl<'a, M: ParametricSystem<Scalar = f64>> FitSearch<'a, M, Verner98<f64>> {
             measured: Vec::new(),
             from: None,
             starts: 1,
-            most_iterations: MOST_ITERATIONS,
+            most_iterations: MAX_ITERATIONS,
             callback: None,
             is_cancelled: None,
         };

@@ -22,9 +22,9 @@ const LEAST_RATIO: f64 = 1e-4;
 /// The initial λ, for columns of length one.
 const FIRST_DAMPING: f64 = 1e-3;
 /// Maximum λ, at which a search gives up.
-const MOST_DAMPING: f64 = 1e20;
+const MAX_DAMPING: f64 = 1e20;
 
-/// Residuals and their derivatives by the variables.
+/// Residuals and their derivatives with respect to the variables.
 #[derive(Clone)]
 pub(super) struct Comparison {
     pub(super) residuals: Vec<f64>,
@@ -67,7 +67,7 @@ pub(super) fn minimise<E>(
         }
         while !now.has_converged {
             let trial = BoundedStep::new(&now, bounds, &free, &scales, damping);
-            if trial.is_negligible(&now, &scales) || damping > MOST_DAMPING {
+            if trial.is_negligible(&now, &scales) || damping > MAX_DAMPING {
                 now.has_converged = trial.is_negligible(&now, &scales);
                 return Ok(now);
             }

@@ -130,7 +130,7 @@ where
         }
     }
 
-    /// Computes the motion with derivatives by some variables.
+    /// Computes the motion with derivatives with respect to some variables.
     fn motion(
         &self,
         (system, start): (&M, [f64; N]),
@@ -164,7 +164,7 @@ where
         }
     }
 
-    /// The derivative by a variable, with which the state changes like this.
+    /// The derivative with respect to a variable, with which the state changes like this.
     fn slope(
         &self,
         system: &M,

@@ -11,7 +11,7 @@ use crate::linalg::singular_values::{dot, length};
 /// Remainder of columns below which they count as dependent; these are known to be independent.
 const NOTHING: f64 = 0.0;
 /// Maximum number of solutions to find the weights.
-const MOST_WEIGHINGS: usize = 30;
+const MAX_WEIGHINGS: usize = 30;
 /// Relative change of the weights below which they are final.
 const SETTLED: f64 = 1e-4;
 /// Fewer degrees of freedom than this are rounding: residuals then say nothing of the noise.
@@ -176,7 +176,7 @@ impl Equations<'_> {
         let mut weighing = std::vec![1.0; self.velocities];
         let mut solution = self.solve(&weighing);
         let mut noise = self.noise(&solution, &weighing);
-        for _ in 0..MOST_WEIGHINGS {
+        for _ in 0..MAX_WEIGHINGS {
             weighing = weights(&noise);
             solution = self.solve(&weighing);
             let next = self.noise(&solution, &weighing);

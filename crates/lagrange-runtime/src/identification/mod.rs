@@ -1,4 +1,4 @@
-//! Inertial parameters from measured forces, and which combinations of them forces tell.
+//! Inertial parameters from measured forces, and which combinations of them forces determine.
 //!
 //! The inverse dynamics τ = Y π + τ₀ is linear in the parameters π of [`RegressorSystem`]. States
 //! with measured generalised forces therefore give linear equations. Some parameters have no
@@ -72,8 +72,8 @@ use crate::system::RegressorSystem;
 
 /// Identifies parameters of systems in `f64` from forces.
 pub trait Identifies: RegressorSystem<Scalar = f64> + Sized {
-    /// Finds the combinations of parameters that forces tell in any motion, from states that look
-    /// random. Positions, velocities, accelerations and times are within ±3 in units of the
+    /// Finds the combinations of parameters that forces determine in any motion, from states that
+    /// look random. Positions, velocities, accelerations and times are within ±3 in units of the
     /// declaration. States in which the system is not defined are left out. Inputs keep the values
     /// that they have: what an input multiplies has no effect while it is zero.
     ///

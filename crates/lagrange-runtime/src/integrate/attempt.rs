@@ -67,7 +67,7 @@ pub(super) enum Judgement<S> {
 
 /// Number of consecutive negligible steps after which nearly dependent constraints count as
 /// blocking the motion.
-const MOST_CRAWLING: u32 = 1000;
+const MAX_CRAWLING: u32 = 1000;
 
 /// Monitors steps below ε^(3/4) of the elapsed time under constraints. No motion is that fast:
 /// noise causes such steps, magnified by nearly dependent constraints.
@@ -99,6 +99,6 @@ impl<S: Scalar> Crawling<S> {
     /// If it does not.
     #[inline]
     pub(super) fn check(&self) -> Result<(), StepFailure<S>> {
-        if self.steps < MOST_CRAWLING { Ok(()) } else { Err(StepFailure::Stuck(UNDETERMINED)) }
+        if self.steps < MAX_CRAWLING { Ok(()) } else { Err(StepFailure::Stuck(UNDETERMINED)) }
     }
 }

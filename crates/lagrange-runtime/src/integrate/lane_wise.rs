@@ -1,6 +1,6 @@
 //! Small operations on numbers and states lane by lane.
 
-use super::method::MOST_LANES;
+use super::method::MAX_LANES;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{SideBySide, StateVector};
 
@@ -54,13 +54,13 @@ where
 /// Numbers of steps in each lane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counts {
-    tried: [u64; MOST_LANES],
-    taken: [u64; MOST_LANES],
+    tried: [u64; MAX_LANES],
+    taken: [u64; MAX_LANES],
 }
 
 impl Counts {
     pub(super) fn new() -> Self {
-        Counts { tried: [0; MOST_LANES], taken: [0; MOST_LANES] }
+        Counts { tried: [0; MAX_LANES], taken: [0; MAX_LANES] }
     }
 
     /// Counts a step in every lane. Returns true if the number of tries exceeds `most` in one of

@@ -169,7 +169,7 @@ pub struct Work {
 }
 
 /// Maximum number of lanes of a [`LanesStepper`].
-pub const MOST_LANES: usize = 16;
+pub const MAX_LANES: usize = 16;
 
 /// A method of integration that advances several motions in lanes.
 pub trait LanesMethod<T: Scalar>: Copy {

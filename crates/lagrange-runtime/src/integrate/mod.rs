@@ -42,7 +42,7 @@ pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };
 pub use self::method::{
-    LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, SuspectStep, Work,
+    LanesMethod, LanesMethodVisitor, LanesStepper, MAX_LANES, Method, Stepper, SuspectStep, Work,
 };
 pub use self::radau::{Radau5, RadauStepper};
 pub use self::rk4::{ClassicalLanes, RungeKutta4, rk4_step};

@@ -20,9 +20,10 @@ use crate::system::{
     note = "`RungeKutta4`, `SymplecticEuler`, `StormerVerlet`, `BlanesMoan4` and `GaussLegendre` with `.plain()` have them"
 )]
 pub trait DifferentiableStep<M: ParametricSystem>: Method<M> {
-    /// Computes the state after one step from `y` at time `t`, with its exact derivatives by the
-    /// state before. Derivatives by the parameters and inputs at these indices of
-    /// [`NUMBERS`](ParametricSystem::NUMBERS) follow as well. Inputs are constant during the step.
+    /// Computes the state after one step from `y` at time `t`, with its exact derivatives with
+    /// respect to the state before. Derivatives with respect to the parameters and inputs at these
+    /// indices of [`NUMBERS`](ParametricSystem::NUMBERS) follow as well. Inputs are constant during
+    /// the step.
     ///
     /// The step is neither checked for stability nor projected onto constraints, and a negative
     /// length steps backwards in time. An explicit method evaluates the Jacobian as

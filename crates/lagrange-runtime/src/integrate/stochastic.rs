@@ -16,10 +16,10 @@ use crate::integrate::corrected::{admitted_with_noise, check_finite, corrected, 
 use crate::integrate::fixed::check_length;
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Stepper, Work};
-use crate::integrate::wiener::{Increments, MOST_HALVINGS, WienerPath};
+use crate::integrate::wiener::{Increments, MAX_HALVINGS, WienerPath};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
-use crate::system::{MOST_NOISES, NoiseKind, OdeSystem, SettingError, StepFailure};
+use crate::system::{MAX_NOISES, NoiseKind, OdeSystem, SettingError, StepFailure};
 
 pub use self::euler_maruyama::EulerMaruyama;
 pub use self::runge_kutta::StochasticRungeKutta4;
@@ -61,14 +61,14 @@ pub trait Scheme<M: OdeSystem + ?Sized> {
 pub struct StepPath<S> {
     count: usize,
     /// W and H of each noise.
-    parts: [[S; 2]; MOST_NOISES],
+    parts: [[S; 2]; MAX_NOISES],
 }
 
 impl<S: Scalar> StepPath<S> {
     /// Calls a function with w W + h H of each noise.
     #[inline]
     pub(super) fn weighted<R>(&self, [w, h]: [S; 2], then: impl FnOnce(&[S]) -> R) -> R {
-        let mut values = [S::ZERO; MOST_NOISES];
+        let mut values = [S::ZERO; MAX_NOISES];
         for (value, [increment, area]) in values.iter_mut().zip(&self.parts[..self.count]) {
             *value = h.multiply_add(*area, w * *increment);
         }
@@ -159,15 +159,14 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> StochasticStepper<M, F> {
         check_settings(step, path)?;
         check_finite(end, y)?;
         let noise = system.noise();
-        let refused =
-            [(!noise.acts(), NO_NOISE), (noise.count > MOST_NOISES, TOO_MANY), (end < t, BACKWARDS)];
+        let refused = [(!noise.acts(), NO_NOISE), (noise.count > MAX_NOISES, TOO_MANY), (end < t, BACKWARDS)];
         refused
             .into_iter()
             .find(|(is_so, _)| *is_so)
             .map_or(Ok(()), |(_, why)| Err(SettingError::Invalid(why)))?;
         F::check(noise.kind)?;
         let state = admitted_with_noise(system, t, y)?;
-        let path_of_step = StepPath { count: noise.count, parts: [[M::Scalar::ZERO; 2]; MOST_NOISES] };
+        let path_of_step = StepPath { count: noise.count, parts: [[M::Scalar::ZERO; 2]; MAX_NOISES] };
         Ok(StochasticStepper {
             scheme: PhantomData,
             step,
@@ -240,7 +239,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> StochasticStepper<M, F> {
     /// Returns the reason why a step failed: a diffusion that is not finite, or else this cause.
     #[cold]
     fn undefined(&self, system: &M, cause: StepFailure<M::Scalar>) -> StepFailure<M::Scalar> {
-        let ones = [M::Scalar::ONE; MOST_NOISES];
+        let ones = [M::Scalar::ONE; MAX_NOISES];
         let diffusion = system.diffuse(self.time, self.state.value(), &ones[..self.last.path.count]);
         match check_finite(self.time, &diffusion) {
             Err(_) => StepFailure::Stuck(NO_DIFFUSION),
@@ -308,7 +307,7 @@ impl<M: OdeSystem + ?Sized, F: Scheme<M>> Stepper<M> for StochasticStepper<M, F>
 
 /// Checks the step length and the path.
 fn check_settings<S: Scalar>(step: S, path: WienerPath) -> Result<(), SettingError<S>> {
-    if path.halvings() > MOST_HALVINGS {
+    if path.halvings() > MAX_HALVINGS {
         return Err(SettingError::Invalid(TOO_FINE));
     }
     check_length(step)

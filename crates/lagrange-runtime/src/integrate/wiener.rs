@@ -19,7 +19,7 @@ use crate::random::{Stream, normals, words};
 /// The purpose of these numbers; others belong to `ensemble::Random`.
 const PURPOSE: u8 = 3;
 /// Maximum number of halvings. Nodes of the halvings of a cell are numbered by 32 bits.
-pub(super) const MOST_HALVINGS: u32 = 31;
+pub(super) const MAX_HALVINGS: u32 = 31;
 
 /// A path of the Wiener processes that drive a system: one for each noise, all independent.
 ///

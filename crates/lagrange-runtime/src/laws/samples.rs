@@ -12,7 +12,7 @@ use crate::system::LagrangianSystem;
 /// Number of states.
 const STATES: usize = 24;
 /// Maximum number of states drawn to find them.
-const MOST_DRAWN: usize = 20 * STATES;
+const MAX_DRAWN: usize = 20 * STATES;
 
 /// The reason why a check fails.
 #[derive(Clone, PartialEq, Debug)]
@@ -54,7 +54,7 @@ impl<S: Scalar + Display + LowerExp> core::error::Error for Broken<S> {}
 /// If a law is broken, with the first such state, or if no state can be judged.
 pub fn verify<M: LagrangianSystem>(system: &M, start: &M::State) -> Result<(), Broken<M::Scalar>> {
     let mut judged = 0;
-    for index in 0..MOST_DRAWN {
+    for index in 0..MAX_DRAWN {
         let (time, mut state) = (spread::<M::Scalar>(index, 0), sample(system, start, index));
         let is_found = system.restore(time, &mut state).is_ok() && is_finite(system, time, &state);
         if !is_found {

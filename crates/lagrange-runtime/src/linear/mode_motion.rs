@@ -17,7 +17,7 @@ use crate::system::{LinearisedSystem, OdeSystem, StateVector, displaced, join, s
 /// Default number of periods shown, in units of 1/|λ| for a mode that does not oscillate.
 const PERIODS: f64 = 3.0;
 /// Maximum number of moments.
-const MOST: f64 = 1e5;
+const MAX_COUNT: f64 = 1e5;
 /// Number of integration steps between two moments, for orientations of a steady motion.
 const STEPS: u32 = 16;
 
@@ -90,7 +90,7 @@ impl<'a, M: LinearisedSystem> ModeMotion<'a, M> {
     pub fn moments(&self, a_second: f64) -> Shown<M, Vec<(f64, TimedState<M>)>> {
         let duration = self.checked(a_second)? * self.periods;
         let count = (duration * self.slowness * a_second).round().max(1.0);
-        if count > MOST {
+        if count > MAX_COUNT {
             return Err(ModeMotionError::TooMany { moments: count });
         }
         // Without decay, the final moment would repeat the first.

@@ -94,25 +94,25 @@ impl LinearModel {
         }
     }
 
-    /// Returns A: derivatives of the rates by the states.
+    /// Returns A: derivatives of the rates with respect to the states.
     #[must_use]
     pub fn a(&self) -> &DenseMatrix {
         &self.a
     }
 
-    /// Returns B: derivatives of the rates by the inputs.
+    /// Returns B: derivatives of the rates with respect to the inputs.
     #[must_use]
     pub fn b(&self) -> &DenseMatrix {
         &self.b
     }
 
-    /// Returns C: derivatives of the outputs by the states.
+    /// Returns C: derivatives of the outputs with respect to the states.
     #[must_use]
     pub fn c(&self) -> &DenseMatrix {
         &self.c
     }
 
-    /// Returns D: derivatives of the outputs by the inputs.
+    /// Returns D: derivatives of the outputs with respect to the inputs.
     #[must_use]
     pub fn d(&self) -> &DenseMatrix {
         &self.d

@@ -19,7 +19,7 @@ pub struct TimeResponse {
 
 impl TimeResponse {
     /// Returns the time in which the output rises from a tenth to nine tenths of its limit. `None`
-    /// if it has no limit, or does not come so far.
+    /// if it has no limit, or never reaches it.
     #[must_use]
     pub fn rise_time(&self) -> Option<f64> {
         let limit = self.limit?;

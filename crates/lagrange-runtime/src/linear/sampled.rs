@@ -39,13 +39,13 @@ const PADE: [f64; 14] = [
 pub struct SampledModel {
     /// The period in units of time.
     pub period: f64,
-    /// A: derivatives of the states after a period by the states before.
+    /// A: derivatives of the states after a period with respect to the states before.
     pub a: DenseMatrix,
-    /// B: derivatives of the states after a period by the inputs.
+    /// B: derivatives of the states after a period with respect to the inputs.
     pub b: DenseMatrix,
-    /// C: derivatives of the outputs by the states, at the beginning of a period.
+    /// C: derivatives of the outputs with respect to the states, at the beginning of a period.
     pub c: DenseMatrix,
-    /// D: derivatives of the outputs by the inputs.
+    /// D: derivatives of the outputs with respect to the inputs.
     pub d: DenseMatrix,
     /// The names of the states.
     pub states: Vec<String>,

@@ -7,17 +7,17 @@ use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 
 /// Corners of a face that is clipped by four planes.
-const MOST_CORNERS: usize = 8;
+const MAX_CORNERS: usize = 8;
 
 /// A convex polygon.
 struct Polygon<S> {
-    corners: [Triple<S>; MOST_CORNERS],
+    corners: [Triple<S>; MAX_CORNERS],
     count: usize,
 }
 
 impl<S: Scalar> Polygon<S> {
     fn new() -> Self {
-        Polygon { corners: [[S::ZERO; 3]; MOST_CORNERS], count: 0 }
+        Polygon { corners: [[S::ZERO; 3]; MAX_CORNERS], count: 0 }
     }
 
     fn corners(&self) -> &[Triple<S>] {
@@ -26,7 +26,7 @@ impl<S: Scalar> Polygon<S> {
 
     /// Adds a corner, unless it is there already. Segments and points count as polygons.
     fn push(&mut self, corner: Triple<S>) {
-        if self.count < MOST_CORNERS && !self.corners().contains(&corner) {
+        if self.count < MAX_CORNERS && !self.corners().contains(&corner) {
             self.corners[self.count] = corner;
             self.count += 1;
         }

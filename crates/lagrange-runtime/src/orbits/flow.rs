@@ -1,4 +1,4 @@
-//! Final states of motions, with their derivatives by the initial state.
+//! Final states of motions, with their derivatives with respect to the initial state.
 
 use std::string::ToString;
 

@@ -66,7 +66,7 @@ pub struct PeriodicOrbit<const N: usize> {
     pub period: f64,
     /// Real and imaginary parts of Floquet's multipliers; pairs are adjacent.
     pub multipliers: Vec<(f64, f64)>,
-    /// Derivatives of the state after a period by the state: the monodromy matrix.
+    /// Derivatives of the state after a period with respect to the state: the monodromy matrix.
     pub monodromy: DenseMatrix,
     /// Distance of the end of a period from its start.
     pub distance: f64,

@@ -34,7 +34,7 @@ struct Change<S> {
 }
 
 /// Number of returns without leaving the surface after which a switch counts as sliding.
-const MOST_RETURNS: u32 = 5;
+const MAX_RETURNS: u32 = 5;
 /// A switch has left its surface if its value exceeds this multiple of the value right after the
 /// change.
 const NEAR: f64 = 4.0;
@@ -83,7 +83,7 @@ impl<M: OdeSystem, const C: usize> DeclaredEvents<M, C> {
             }
             _ => 0,
         };
-        if returns >= MOST_RETURNS {
+        if returns >= MAX_RETURNS {
             return Err(StepFailure::Slides { surface: system.events()[event].name });
         }
         self.change = Some(Change { event, time, value: M::Scalar::ZERO, returns });

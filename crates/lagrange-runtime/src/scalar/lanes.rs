@@ -139,6 +139,11 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Number for Lanes<T, N, FUSED>
     }
 
     #[inline(always)]
+    fn from_sum(nearest: f64, remainder: f64) -> Self {
+        Lanes([T::from_sum(nearest, remainder); N])
+    }
+
+    #[inline(always)]
     fn less(self, other: Self) -> LaneMask<N> {
         self.compare(other, |one, other| one < other)
     }

@@ -1,6 +1,7 @@
 //! `f64` and `f32` as numbers, with the functions of the standard library or, without it, of
 //! `libm`.
 
+use super::order::{f32_in_order, f64_in_order};
 use super::{Elementary, Number, Scalar, rough};
 
 /// Calls the method of the standard library or, without it, a function of `libm`. The second name
@@ -28,7 +29,7 @@ macro_rules! platform {
 /// Implements `Number` and `Scalar`, with the functions of the list.
 macro_rules! implement_scalar {
     (
-        $scalar:ident, sin_cos_each: $sin_cos_each:ident,
+        $scalar:ident, sin_cos_each: $sin_cos_each:ident, in_order: $in_order:ident,
         lanes: [$sines_and_cosines:ident, $values:ident, $angles:ident, $lengths:ident];
         $(
             $name:ident $arguments:tt C($libm:ident, $libmf:ident) lanes $lanes:tt {
@@ -109,7 +110,12 @@ macro_rules! implement_scalar {
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                platform!($scalar::sin_cos | sincos sincosf(self))
+                platform!($scalar::sin_cos | sincos sincosf($in_order(self)))
+            }
+
+            #[inline(always)]
+            fn reciprocal(self) -> Self {
+                $in_order(1.0 / self)
             }
 
             #[inline(always)]
@@ -150,11 +156,11 @@ macro_rules! implement_scalar {
 }
 
 lagrange_math::functions! {
-    implement_scalar f64, sin_cos_each: sin_cos_each,
+    implement_scalar f64, sin_cos_each: sin_cos_each, in_order: f64_in_order,
     lanes: [sines_and_cosines, values, angles, lengths];
 }
 
 lagrange_math::functions! {
-    implement_scalar f32, sin_cos_each: sin_cos_each_f32,
+    implement_scalar f32, sin_cos_each: sin_cos_each_f32, in_order: f32_in_order,
     lanes: [sines_and_cosines_f32, values_f32, angles_f32, lengths_f32];
 }

@@ -282,9 +282,9 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     }
 
     /// Sets the maximum length of a step, so that steps do not skip effects that last about a
-    /// quarter of it. By default, steps of the adaptive method are at most a twentieth of the run,
-    /// or a two-hundredth while the system is at rest. Methods with a fixed step length report an
-    /// error.
+    /// quarter of it. By default, steps are at most a twentieth of the run, and a quarter with
+    /// Taylor series. While the system is at rest, they are at most a two-hundredth. Methods with a
+    /// fixed step length report an error.
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
         self.plan.settings.longest_step = Some(longest);
         self

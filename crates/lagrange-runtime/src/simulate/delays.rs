@@ -73,9 +73,9 @@ impl<M: DelayedSystem> Drive<M> for WithHistory {
 const SPACINGS: f64 = 1e3;
 /// Maximum number of steps of the length of a delay in a run: as many as adaptive methods take by
 /// default.
-const MOST_STEPS: f64 = 1e8;
+const MAX_STEPS: f64 = 1e8;
 /// Maximum number of such steps that the past of a motion keeps.
-const MOST_KEPT: f64 = 1e6;
+const MAX_KEPT: f64 = 1e6;
 
 /// Returns the reason why a run over this span does not permit the shortest of these delays. If
 /// something else bounds the number of its steps, the span does not.
@@ -88,8 +88,8 @@ fn fault<S: Scalar>(
     let (spacing, span) = (S::epsilon() * start.abs().max(end.abs()), end - start);
     let longest = lags.iter().copied().fold(S::ZERO, S::max).min(span);
     let times = S::from_f64(SPACINGS) * spacing;
-    let steps = if are_bounded { S::ZERO } else { span / S::from_f64(MOST_STEPS) };
-    let past = longest / S::from_f64(MOST_KEPT);
+    let steps = if are_bounded { S::ZERO } else { span / S::from_f64(MAX_STEPS) };
+    let past = longest / S::from_f64(MAX_KEPT);
     let faults = [
         (times, DelayFault::Times { least: times }),
         (steps, DelayFault::Steps { least: steps }),

@@ -161,7 +161,7 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
 }
 
 /// Maximum number of breaks that one jump causes.
-const MOST_BREAKS: u64 = 300;
+const MAX_BREAKS: u64 = 300;
 
 /// Returns the highest order of derivatives whose jumps are followed. One jump causes as many
 /// breaks of the orders up to n as there are sums of up to n of the lags, (lags + n)!/(lags! n!) − 1.
@@ -169,7 +169,7 @@ const MOST_BREAKS: u64 = 300;
 /// control of errors.
 fn highest_order(lags: usize) -> u32 {
     let (mut sums, mut order) = (1, 0);
-    while sums <= MOST_BREAKS && order < u32::from(u8::MAX) {
+    while sums <= MAX_BREAKS && order < u32::from(u8::MAX) {
         order += 1;
         sums = sums * (lags as u64 + u64::from(order)) / u64::from(order);
     }

@@ -28,7 +28,7 @@
 //! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
 //! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`at_times`](Simulation::at_times), [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
 //! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
-//! | differentiate by parameters | [`sensitivities`](Simulation::sensitivities) |
+//! | differentiate with respect to parameters | [`sensitivities`](Simulation::sensitivities) |
 //! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
 //! | run with delayed signals | [`with_history`](Simulation::with_history) |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |

@@ -130,7 +130,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.last
     }
 
-    /// The system as it is for whoever looks at it.
+    /// Returns the system that observers see.
     pub(super) fn seen<'s>(&'s self, system: &'s C) -> &'s C {
         self.freed.as_ref().unwrap_or(system)
     }

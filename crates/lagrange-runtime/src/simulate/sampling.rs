@@ -28,7 +28,7 @@ pub(crate) struct Grid<S> {
 }
 
 /// Maximum number of samples; more would exhaust memory.
-const MOST_SAMPLES: f64 = 1e8;
+const MAX_SAMPLES: f64 = 1e8;
 /// A time within this fraction of the interval from the end counts as the end.
 const SNAP: f64 = 1e-9;
 
@@ -57,7 +57,7 @@ impl<S: Scalar> Grid<S> {
     /// If there are too many samples.
     pub(crate) fn checked(self) -> Result<Self, SettingError<S>> {
         let samples = (self.end - self.start) / self.interval;
-        let most = S::from_f64(MOST_SAMPLES);
+        let most = S::from_f64(MAX_SAMPLES);
         let is_finite = self.start.is_finite() && self.end.is_finite();
         if !is_finite || samples <= most {
             return Ok(self);

@@ -164,3 +164,45 @@ fn follows<S: Number>(lower: Bound<S>, value: S) -> S::Mask {
         Bound::Unbounded => value.less_equal(value),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use core::ops::Bound;
+
+    use super::{Domain, EntryRange};
+    use crate::scalar::Scalar;
+    use crate::system::RangedKind;
+
+    const HEIGHT: EntryRange = EntryRange {
+        entry: 0,
+        kind: RangedKind::Coordinate,
+        name: "height",
+        unit: "m",
+        bounds: (Bound::Included(0.0), Bound::Excluded(8.0)),
+    };
+
+    /// True if a state passes at this many roundings below its lower bound.
+    fn passes<S: Scalar>(nominal: &'static [f64], roundings: f64) -> bool {
+        let domain = Domain { ranges: &[HEIGHT], nominal };
+        domain.check(&[S::from_f64(-roundings) * S::epsilon()]).is_ok()
+    }
+
+    fn bounds_are_exceeded_by_rounding_only_in<S: Scalar>() {
+        // The largest bound is the size of the entry, otherwise the nominal value.
+        assert!(passes::<S>(&[], 8.0 * 1000.0));
+        assert!(!passes::<S>(&[], 8.0 * 65_536.0));
+        assert!(passes::<S>(&[0.5], 0.5 * 1000.0));
+        assert!(!passes::<S>(&[0.5], 0.5 * 65_536.0));
+        assert!(!passes::<S>(&[], f64::NAN));
+        // An excluded bound is not reached at all.
+        let domain = Domain { ranges: &[HEIGHT], nominal: &[] };
+        assert!(domain.check(&[S::from_f64(8.0)]).is_err());
+        assert!(domain.check(&[S::from_f64(8.0) * (S::ONE - S::epsilon())]).is_ok());
+    }
+
+    #[test]
+    fn bounds_are_exceeded_by_rounding_only() {
+        bounds_are_exceeded_by_rounding_only_in::<f64>();
+        bounds_are_exceeded_by_rounding_only_in::<f32>();
+    }
+}

@@ -103,7 +103,7 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::StepLost { step, time } => write!(
             f,
             "steps of {step:?} are below the rounding error of the time {time:?}: use longer steps, or measure \
-            time from nearer to the start"
+            time from a time closer to the start"
         ),
         StepFailure::TooManySteps { limit } => write!(
             f,
@@ -112,7 +112,7 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::Stiff { limit, tolerance, wants_jacobian } => write!(
             f,
             "the system is stiff: steps longer than about {limit:?} are unstable; use \
-            `.method(Radau5::tolerance({tolerance:?}))`{}",
+            `.method(Radau5::tolerance({tolerance:?}))`, named `radau` on the command line and in Python{}",
             if *wants_jacobian { ", and add `emit { jacobian }` to the declaration for speed" } else { "" }
         ),
         StepFailure::StepTooLong { step, limit } => write!(
@@ -148,7 +148,7 @@ pub(crate) fn explain<S: Debug>(
         ),
         StepFailure::NotDifferentiable { variable, .. } => write!(
             f,
-            "the motion after {event} has no derivative by `{variable}`: the event is only touched there, or its \
+            "the motion after {event} has no derivative with respect to `{variable}`: the event is only touched there, or its \
             reaction is not smooth"
         ),
     }

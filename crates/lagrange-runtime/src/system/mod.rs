@@ -47,7 +47,7 @@ pub(crate) use self::mechanical::description_of_type;
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
 pub(crate) use self::message::{EventName, explain};
-pub use self::noise::{MOST_NOISES, NoiseKind, WhiteNoise};
+pub use self::noise::{MAX_NOISES, NoiseKind, WhiteNoise};
 pub use self::out_of_range::{OutOfRange, RangedKind};
 pub use self::parametric::{ParametricSystem, pick_columns};
 pub use self::ports::{ControlledSystem, OutputSystem};

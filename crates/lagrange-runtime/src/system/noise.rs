@@ -1,12 +1,12 @@
 //! White noises of a system, as used by methods of integration.
 
 /// Maximum number of noises of a system.
-pub const MOST_NOISES: usize = 16;
+pub const MAX_NOISES: usize = 16;
 
 /// The white noises that act on a system.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WhiteNoise {
-    /// Number of noises, at most [`MOST_NOISES`].
+    /// Number of noises, at most [`MAX_NOISES`].
     pub count: usize,
     /// Dependence of the motion on them.
     pub kind: NoiseKind,

@@ -90,9 +90,9 @@ pub trait ParametricSystem: MechanicalSystem + Sized {
 
     /// Multiplies derivatives of a cost by a projected state, `slope`, by the transposed derivative
     /// of [`correct`](crate::system::OdeSystem::correct) at the state `y` before. Writes the
-    /// products with derivatives by the parameters and inputs at these indices to `by`. Returns
-    /// false, with the slope unchanged, if the derivative is not available. Emitted types with
-    /// constraints provide it.
+    /// products with derivatives with respect to the parameters and inputs at these indices to
+    /// `by`. Returns false, with the slope unchanged, if the derivative is not available. Emitted
+    /// types with constraints provide it.
     #[inline]
     fn correct_adjoint(
         &self,

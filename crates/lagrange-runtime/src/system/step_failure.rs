@@ -139,8 +139,8 @@ pub enum StepFailure<S> {
         /// Its distance from the next representable time.
         spacing: S,
     },
-    /// The state after an event has no derivative by this variable. The function of the event
-    /// touches zero with zero rate, or its outcome changes with the variable.
+    /// The state after an event has no derivative with respect to this variable. The function of
+    /// the event touches zero with zero rate, or its outcome changes with the variable.
     NotDifferentiable {
         /// Source of the event.
         event: EventSource,

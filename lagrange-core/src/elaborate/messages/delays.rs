@@ -9,7 +9,7 @@ messages! {
     SIGNAL_HELP =
         "delay a function of time, coordinates, velocities, states and inputs: accelerations and forces follow from delayed signals";
     LAG = "a delay";
-    NOT_POSITIVE_HELP = "write the time in seconds by which the signal is late, such as `delay(x, 0.1)`";
+    NOT_POSITIVE_HELP = "write the delay in seconds, such as `delay(x, 0.1)`";
     not_positive(number) = "a delay must be positive, but this is {number}";
     PLACE = "nothing is delayed here";
     PLACE_HELP =

@@ -76,7 +76,8 @@ fn mistakes_in_derivatives_are_reported_within() {
     assert!(report.starts_with("error at 1:58: "), "{report}");
 }
 
-/// The help for a derivative by an expression can be followed, including in calls of functions.
+/// The help for a derivative with respect to an expression can be followed, including in calls of
+/// functions.
 #[test]
 fn expressions_need_a_name_for_derivatives_by_them() {
     let slope = "let slope(s) = partial(s^3, s);";

@@ -41,7 +41,7 @@ fn dissipation_that_drives_is_a_warning() {
     let of = |dissipation: &str| reported(&format!("param c = 2; coord x; dissipation = {dissipation};"));
     for dissipation in ["-1/2 * c * dot(x)^2", "-1/2 * dot(x)^2"] {
         let report = of(dissipation);
-        assert!(report.contains("drives `x`") && report.contains("with a positive c"), "{report}");
+        assert!(report.contains("speeds `x` up") && report.contains("with a positive c"), "{report}");
     }
     // Van der Pol's oscillator is only driven near the middle.
     for dissipation in ["1/2 * c * dot(x)^2", "1/2 * c * (x^2 - 1) * dot(x)^2"] {

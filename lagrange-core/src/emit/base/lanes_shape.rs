@@ -25,7 +25,8 @@ impl Shape<'_> {
     /// Returns the number type in the bodies of its methods.
     pub(in crate::emit) fn lanes_computed_with(&self) -> Scalar {
         let is_single = matches!(self.declaration.scalar, ScalarType::F32);
-        Scalar::SideBySide { number: self.lanes_number(), is_single }
+        let is_generic = matches!(self.declaration.scalar, ScalarType::Generic(_));
+        Scalar::SideBySide { number: self.lanes_number(), is_single, is_generic }
     }
 
     /// Returns a type parameter that differs from that of the system.

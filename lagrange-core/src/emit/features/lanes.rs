@@ -21,7 +21,8 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 use lagrange_expr::expr::ExprId;
 
-/// Names of the arguments of `Equations::differentiated`, and of the derivatives by all numbers.
+/// Names of the arguments of `Equations::differentiated`, and of the derivatives with respect to
+/// all numbers.
 const NAMES: [&str; 4] = ["jacobian", "indices", "columns", "by_numbers"];
 
 /// Features not supported by loops over parallel motions.

@@ -108,7 +108,7 @@ pub(super) const ROWS: [ProductRow; 41] = [
     ProductRow::new(Product::SystemMatrix, "system_matrix", Demand)
         .with_method(Whole, Matrix(Extent::LinearRows, Extent::LinearColumns), &[
             "System matrix [A B; C D; G 0] of the linearised system, in rows: `tangent_jacobian` and the",
-            "derivatives by the inputs, then those of the outputs and of the constraint velocities.",
+            "derivatives with respect to the inputs, then those of the outputs and of the constraint velocities.",
         ])
         .in_unit(Quotient),
     ProductRow::new(Product::EventJacobian, "event_jacobian", Events)

@@ -51,7 +51,7 @@ pub struct DoublePendulumColumns<C>(C);
 ::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
-    use ::lagrange::private::{cos, multiply_add, sin_cos};
+    use ::lagrange::private::{cos, multiply_add, reciprocal, sin_cos};
     impl DoublePendulum {
         /// Accelerations in the order of the velocities.
         ///
@@ -69,7 +69,7 @@ const _: () = {
             );
             let pos_0 = m2 * sin_theta1_minus_theta2;
             let pivot_0 = multiply_add(sin_theta1_minus_theta2, pos_0, m1);
-            let inv_pivot_0 = 1.0 / pivot_0;
+            let inv_pivot_0 = reciprocal(pivot_0);
             let theta2_dot_sq = theta2_dot * theta2_dot;
             let (sin_theta1, cos_theta1) = sin_cos(theta1);
             let theta1_dot_sq = theta1_dot * theta1_dot;

@@ -370,8 +370,8 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
             Self {
                 m: S::from_f64(2.0),
                 l: S::from_f64(0.5),
-                c: S::from_f64(0.1),
-                g: S::from_f64(9.81),
+                c: S::from_sum(0.1, -5.551115123125783e-18),
+                g: S::from_sum(9.81, -4.973799150320702e-16),
                 motor: S::ZERO,
                 switches: ::core::default::Default::default(),
             }

@@ -73,7 +73,7 @@ const _: () = {
         pub fn start(&self) -> RodState<S> {
             let Self { l, .. } = *self;
             RodState {
-                theta: S::from_f64(0.3),
+                theta: S::from_sum(0.3, 1.1102230246251566e-17),
                 theta_dot: S::ONE / l,
             }
         }
@@ -97,7 +97,9 @@ const _: () = {
                 "l",
                 self.l,
                 (
-                    ::core::ops::Bound::Included(S::from_f64(0.1)),
+                    ::core::ops::Bound::Included(
+                        S::from_sum(0.1, -5.551115123125783e-18),
+                    ),
                     ::core::ops::Bound::Included(S::ONE),
                 ),
                 "",
@@ -213,8 +215,8 @@ const _: () = {
             Self {
                 m: S::from_f64(2.0),
                 l: S::from_f64(0.5),
-                i: S::from_f64(0.1),
-                g: S::from_f64(9.81),
+                i: S::from_sum(0.1, -5.551115123125783e-18),
+                g: S::from_sum(9.81, -4.973799150320702e-16),
                 motor: S::ZERO,
             }
         }

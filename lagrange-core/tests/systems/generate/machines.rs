@@ -15,7 +15,7 @@ struct Point {
     own: Vec<(Expr, Dimension)>,
 }
 
-const MOST_POINTS: usize = 4;
+const MAX_POINTS: usize = 4;
 /// Number of coordinates above which no point is added.
 const ENOUGH: usize = 5;
 
@@ -29,7 +29,7 @@ impl Generator {
         let is_lagrangian = self.chance(4);
         let dimension = if self.chance(3) { 3 } else { 2 };
         let mut points = vec![self.support(dimension)];
-        let count = 1 + self.random.below(MOST_POINTS);
+        let count = 1 + self.random.below(MAX_POINTS);
         while points.len() <= count && points.iter().map(|point| point.own.len()).sum::<usize>() < ENOUGH {
             let carrier = self.random.below(points.len());
             let point = self.point_on(&points[carrier]);

@@ -138,8 +138,9 @@ fn call_function(name: &str, x: &[f64]) -> f64 {
     match name {
         "multiply_add" if cfg!(target_feature = "fma") => x[0].mul_add(x[1], x[2]),
         "multiply_add" => x[0] * x[1] + x[2],
+        "reciprocal" => 1.0 / x[0],
         "powi" => integer_power(x[0], x[1] as i32),
-        "from_f64" => x[0],
+        "from_f64" | "from_sum" => x[0],
         "if_less" if x[0] < x[1] => x[2],
         "if_less" if x[1] <= x[0] => x[3],
         "if_less_equal" if x[0] <= x[1] => x[2],

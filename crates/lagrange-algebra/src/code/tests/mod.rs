@@ -16,7 +16,7 @@ fn generic() -> Scalar {
 }
 
 fn side_by_side() -> Scalar {
-    Scalar::SideBySide { number: Ident::new("S", Span::call_site()), is_single: false }
+    Scalar::SideBySide { number: Ident::new("S", Span::call_site()), is_single: false, is_generic: true }
 }
 
 /// Returns the body as a formatted function.
@@ -194,7 +194,7 @@ fn constants_are_those_of_the_numbers_that_stand_side_by_side() {
     let program = lower(&graph, &[third], &Labels::default());
     let number = Ident::new("S", Span::call_site());
     let written = [false, true].map(|is_single| {
-        let scalar = Scalar::SideBySide { number: number.clone(), is_single };
+        let scalar = Scalar::SideBySide { number: number.clone(), is_single, is_generic: false };
         body(&program, graph.symbols(), &scalar, &mut Names::default()).expect("a third").outputs[0]
             .to_string()
     });

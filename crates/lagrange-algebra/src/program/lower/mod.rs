@@ -28,6 +28,9 @@ use product::lower_product;
 use sharing::Sharing;
 use sum::lower_sum;
 
+/// π less the nearest `f64`.
+const PI_REMAINDER: f64 = 1.224_646_799_147_353_2e-16;
+
 /// Lowers `outputs` to a program, whose values are named after the labels of their expressions.
 pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
     let reachable = graph.reachable(outputs);
@@ -74,7 +77,7 @@ fn lower_node(lowering: &mut Lowering<'_>, id: ExprId) -> Signed {
     let graph = lowering.graph;
     Signed::positive(match graph.node(id) {
         Node::Number(value) => lowering.builder.constant(value.clone()),
-        Node::Pi => lowering.builder.push(Op::Float(Float::new(PI))),
+        Node::Pi => lowering.builder.push(Op::Float(Float::with_remainder(PI, PI_REMAINDER))),
         Node::Symbol(symbol) => lowering.builder.push(Op::Input(graph.symbols().get(*symbol).role)),
         Node::Sum { constant, terms } => {
             let prefers_opposite = lowering.opposites.contains(&id);

@@ -31,7 +31,7 @@ messages! {
         "the contact `{contact}` is of `{name}`, whose shape has neither a radius nor corners";
     NO_OUTLINE_HELP = "write a point of it, `name.point(X, Y)`, or the radius around its centre, `radius: r;`";
     corners_of_another(contact, name) =
-        "the contact `{contact}` is of all corners of `{name}`, which is not declared beside it";
+        "the contact `{contact}` uses all corners of `{name}`, which must be declared in the same place";
     loop_over_corners(count) = "write a loop: `for k in 0..{count} {{ contact foot[k] = case.corner(k) on ground {{ … }} }}`";
     edges_on_round(contact, name, surface) =
         "the contact `{contact}` is of `{name}` on the round body `{surface}`, which it may touch between its corners";

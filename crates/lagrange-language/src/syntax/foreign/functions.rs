@@ -58,7 +58,7 @@ pub const FUNCTIONS: &[(&[&str], usize, &str)] = &[
 const MISSING: &[(&[&str], &str)] = &[
     (
         &["diff", "D", "grad", "gradient", "derivative", "jacobian"],
-        "a derivative by a name is `partial(e, x)`; forces follow from energies: write `potential = V;` instead of its slope",
+        "a derivative with respect to a name is `partial(e, x)`; forces follow from energies: write `potential = V;` instead of its slope",
     ),
     (
         &["random", "rand", "randn", "noise", "normal", "gauss", "uniform"],

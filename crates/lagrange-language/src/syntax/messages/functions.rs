@@ -17,7 +17,7 @@ messages! {
         "end the statement with `;`, or write `let {name}(…) = …;` for a function defined by an expression";
     no_derivative(label) = "unknown label {} for derivatives", quoted(label);
     by_which(function, arguments) =
-        "`{function}` has {arguments} arguments: specify by which to differentiate";
+        "`{function}` has {arguments} arguments: specify the argument to differentiate with respect to";
     no_argument(function, name) = "`{function}` has no argument {}", quoted(name);
     repeated_argument(name) = "the argument {} is repeated", quoted(name);
     of_emitted_code(name) = "{} is reserved for generated code", quoted(name);
@@ -34,7 +34,7 @@ pub(in crate::syntax) fn derivatives_are(parameters: &[Name]) -> String {
             let first = names.first().copied().unwrap_or("x");
             let all = names.join(", ");
             format!(
-                "write `by {first}: name;` for the derivative by `{first}`, and `by {all}: name;` for a mixed one"
+                "write `by {first}: name;` for the derivative with respect to `{first}`, and `by {all}: name;` for a mixed one"
             )
         }
     }

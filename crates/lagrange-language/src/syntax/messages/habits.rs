@@ -50,7 +50,7 @@ messages! {
     COMPOUND_ASSIGNMENT_HELP = "write the whole new value, `x = x + e;`";
     INCREMENT = "`++` is not an operator";
     INCREMENT_HELP = "write `x + 1`; an event assigns the whole new value, `x = x + 1;`";
-    QUOTIENT = "derivatives by time are not written as `d/dt`";
+    QUOTIENT = "derivatives with respect to time are not written as `d/dt`";
     NO_ACCELERATIONS_HELP =
         "write `dot(x)` for a velocity; `ddot(x)` is accepted in outputs, events and Gibbs functions only";
     POWER_OF_FUNCTION = "the exponent of a function follows its argument";

@@ -30,11 +30,11 @@ use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, OdeSystem, Scal
 
 /// Maximum number of samples of motions that are computed together: a few megabytes for a small
 /// system.
-const MOST_SAMPLES: f64 = 1_048_576.0;
+const MAX_SAMPLES: f64 = 1_048_576.0;
 /// Minimum number of motions computed together, whatever their samples: two per lane.
 const LEAST_TOGETHER: usize = 16;
 /// Maximum number of motions computed together if they have samples.
-const MOST_TOGETHER: usize = 256;
+const MAX_TOGETHER: usize = 256;
 
 /// Size of the stacks of threads for derivatives in lanes, in bytes. Unoptimised code takes some
 /// 50 kB for each entry of a state with its derivatives.
@@ -127,10 +127,9 @@ where
         let Some(interval) = self.batch.plan.settings.interval() else { return usize::MAX };
         let [from, end] = self.batch.span();
         let samples = ((end - from) / interval).abs();
-        let is_too_many = |motions: usize| {
-            M::Scalar::from_f64(MOST_SAMPLES) < M::Scalar::from_f64(motions as f64) * samples
-        };
-        let mut together = MOST_TOGETHER;
+        let is_too_many =
+            |motions: usize| M::Scalar::from_f64(MAX_SAMPLES) < M::Scalar::from_f64(motions as f64) * samples;
+        let mut together = MAX_TOGETHER;
         while together > LEAST_TOGETHER && is_too_many(together) {
             together /= 2;
         }

@@ -9,7 +9,7 @@ use std::vec::Vec;
 use super::dispatch::Task;
 use super::sampler::{Sampler, SamplesWithin};
 use crate::ensemble::progress::Counter;
-use crate::integrate::{LanesMethod, LanesStepper, MOST_LANES, SuspectStep, Work};
+use crate::integrate::{LanesMethod, LanesStepper, MAX_LANES, SuspectStep, Work};
 use crate::scalar::{Lanes, Mask, Scalar};
 use crate::simulate::Grid;
 use crate::system::{Equations, LanesSystem, OdeSystem, ScalarOf, SideBySide, StateVector};
@@ -94,7 +94,7 @@ struct LanesGroup<E, T> {
     equations: E,
     stepper: T,
     /// Index of the motion in each lane.
-    motions: [usize; MOST_LANES],
+    motions: [usize; MAX_LANES],
 }
 
 type LanesGroupOf<M, L, S> = LanesGroup<<M as LanesSystem>::Lanes<S>, StepperOf<M, L, S>>;
@@ -154,7 +154,7 @@ impl<M: OdeSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
         if let Some(most) = self.max_steps {
             stepper.limit_steps(most);
         }
-        LanesGroup { equations: self.system.lanes(S::splat), stepper, motions: [FREE; MOST_LANES] }
+        LanesGroup { equations: self.system.lanes(S::splat), stepper, motions: [FREE; MAX_LANES] }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-use crate::integrate::{LanesStepper, MOST_LANES};
+use crate::integrate::{LanesStepper, MAX_LANES};
 use crate::scalar::{Mask, Number, Scalar};
 use crate::simulate::Grid;
 use crate::system::{Equations, SideBySide, StateVector};
@@ -13,11 +13,11 @@ pub(super) struct Sampler<S: SideBySide, Y, W> {
     /// The times of the samples of every motion.
     grid: Grid<S::Element>,
     /// The times of the samples that the motion in each lane has yet to reach.
-    ahead: [Grid<S::Element>; MOST_LANES],
+    ahead: [Grid<S::Element>; MAX_LANES],
     /// The time of the next sample in each lane; NaN after the last one.
     next: S,
     last: W,
-    kept: [SamplesWithin<S::Element, Y>; MOST_LANES],
+    kept: [SamplesWithin<S::Element, Y>; MAX_LANES],
     /// Number of samples per motion, known once the first motion has ended.
     number: usize,
 }
@@ -34,7 +34,7 @@ where
     /// Creates a sampler for the times of a grid.
     pub(super) fn new(grid: Grid<S::Element>, last: W) -> Self {
         let kept = core::array::from_fn(|_| Vec::new());
-        Sampler { grid, ahead: [grid; MOST_LANES], next: S::NAN, last, kept, number: 0 }
+        Sampler { grid, ahead: [grid; MAX_LANES], next: S::NAN, last, kept, number: 0 }
     }
 
     /// Prepares this lane for a new motion.

@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
 /// Maximum number of halvings in search of a short hop.
-const MOST_HALVINGS: u32 = 60;
+const MAX_HALVINGS: u32 = 60;
 
 /// The first event in a piece.
 pub(super) enum First<S> {
@@ -149,7 +149,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         ((mut t, mut found), sign): (Sample<S>, S),
         value: &mut dyn FnMut(S) -> S,
     ) -> Option<(Sample<S>, Sample<S>)> {
-        for _ in 0..MOST_HALVINGS {
+        for _ in 0..MAX_HALVINGS {
             let middle = self.started + S::from_f64(0.5) * (t - self.started);
             if middle == self.started || middle == t {
                 break;

@@ -7,7 +7,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, EnergyFunction, Positions, StateVector, StepFailure};
 
 /// Maximum number of Newton steps.
-const MOST_STEPS: u32 = 60;
+const MAX_STEPS: u32 = 60;
 /// Fraction of a Newton step below which it is no longer halved.
 const SHORTEST: f64 = 1e-6;
 
@@ -50,7 +50,7 @@ pub trait Hamiltonian: CanonicalSystem {
     ) -> Result<Positions<Self>, StepFailure<Self::Scalar>> {
         let mut v = p.zeros();
         let mut missing = lacking(self, t, (q, p), &v);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let factors = factors(&Matrix(self.mass_matrix(t, q, &v)))?;
             let change = factors.solve(&missing.0);
             let (closer, left) = step(self, t, (q, p), &v, &change, missing.1);
@@ -62,7 +62,7 @@ pub trait Hamiltonian: CanonicalSystem {
             }
             (v, missing) = (closer, left);
         }
-        Err(StepFailure::NotConverged { iterations: MOST_STEPS })
+        Err(StepFailure::NotConverged { iterations: MAX_STEPS })
     }
 
     /// Computes the Hamiltonian H(t, q, p) = p·v − L, which is the energy at the velocities that

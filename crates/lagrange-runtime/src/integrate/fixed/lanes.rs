@@ -3,7 +3,7 @@
 use crate::integrate::clock::{Clock, check_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::lane_wise::{Counts, are_finite, chosen, is_equal, take};
-use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, SuspectStep, Work};
+use crate::integrate::method::{LanesMethod, LanesStepper, MAX_LANES, SuspectStep, Work};
 use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Domain, Equations, OdeSystem, SideBySide, StateVector};
@@ -106,7 +106,7 @@ pub struct FixedLanes<S: Number, Y, F> {
     state: Compensated<Y>,
     suspicion: S::Mask,
     suspects: SuspectStep<S, Y>,
-    watches: [Watch; MOST_LANES],
+    watches: [Watch; MAX_LANES],
     are_watched: bool,
     most_steps: u64,
     counts: Counts,
@@ -142,7 +142,7 @@ where
             state: Compensated::new(Y::ZERO),
             suspicion: S::Mask::splat(false),
             suspects,
-            watches: [Watch::default(); MOST_LANES],
+            watches: [Watch::default(); MAX_LANES],
             are_watched: false,
             most_steps: u64::MAX,
             counts: Counts::new(),

@@ -4,7 +4,7 @@
 //! of them requires a shorter step. Source: Hairer, Wanner, *Solving Ordinary Differential
 //! Equations II*, §IV.8, "Step size selection".
 
-use super::newton::MOST_ITERATIONS;
+use super::newton::MAX_ITERATIONS;
 use crate::scalar::Scalar;
 
 /// Power of the step length with which the error estimate of a step grows.
@@ -12,9 +12,9 @@ pub(super) const POWER: f64 = 4.0;
 /// Safety factor of step lengths.
 const SAFETY: f64 = 0.9;
 /// Minimum ratio of a step to the previous one.
-const MOST_SHRINKING: f64 = 0.2;
+const MAX_SHRINKING: f64 = 0.2;
 /// Maximum ratio of a step to the previous one.
-const MOST_GROWTH: f64 = 10.0;
+const MAX_GROWTH: f64 = 10.0;
 /// Minimum growth of a step; for less, the length is kept so that the factors can be reused.
 const WORTHWHILE: f64 = 1.2;
 /// Factor of the step length if Newton's method does not converge.
@@ -56,8 +56,8 @@ impl<S: Scalar> ReuseControl<S> {
             let trend = taken / before * fourth_root(error_before / error);
             wanted = if trend < S::ONE { wanted * trend } else { wanted };
         }
-        let most = if self.was_rejected { S::ONE } else { S::from_f64(MOST_GROWTH) };
-        let growth = if wanted < most { wanted.max(S::from_f64(MOST_SHRINKING)) } else { most };
+        let most = if self.was_rejected { S::ONE } else { S::from_f64(MAX_GROWTH) };
+        let growth = if wanted < most { wanted.max(S::from_f64(MAX_SHRINKING)) } else { most };
         let is_kept = S::ONE <= growth && growth < S::from_f64(WORTHWHILE);
         let next = if is_kept { taken } else { taken * growth };
         self.step = if taken < self.step { next.max(self.step) } else { next };
@@ -69,7 +69,7 @@ impl<S: Scalar> ReuseControl<S> {
     pub(super) fn reject(&mut self, taken: S, error: S, iterations: u32) {
         let wanted = wanted(error, iterations);
         let shrinking =
-            if error.is_finite() { wanted.max(S::from_f64(MOST_SHRINKING)) } else { S::from_f64(RETREAT) };
+            if error.is_finite() { wanted.max(S::from_f64(MAX_SHRINKING)) } else { S::from_f64(RETREAT) };
         self.step = taken * shrinking;
         self.was_rejected = true;
     }
@@ -83,7 +83,7 @@ impl<S: Scalar> ReuseControl<S> {
 
 /// Returns the factor at which a step with this error would just meet the tolerance.
 fn wanted<S: Scalar>(error: S, iterations: u32) -> S {
-    let most = f64::from(MOST_ITERATIONS);
+    let most = f64::from(MAX_ITERATIONS);
     let safety = SAFETY * (2.0 * most + 1.0) / (2.0 * most + f64::from(iterations));
     S::from_f64(safety) / fourth_root(error)
 }

@@ -21,7 +21,7 @@ mod stepper;
 mod tableau;
 
 use crate::integrate::method::Method;
-use crate::integrate::verner::tolerance::{Tolerated, check_settings};
+use crate::integrate::verner::tolerance::{Tolerated, check_precision, check_settings};
 use crate::scalar::Scalar;
 use crate::system::{Domain, OdeSystem, SettingError, StepFailure};
 
@@ -74,6 +74,8 @@ pub struct Radau5<S> {
     pub max_steps: u64,
 }
 
+/// The least tolerance in numbers wider than `f64`, in which the coefficients are.
+const LEAST_OF_COEFFICIENTS: f64 = 5e-16;
 /// Tolerance above which the error estimate is not relaxed.
 const COARSE: f64 = 1e-4;
 
@@ -117,6 +119,7 @@ impl<M: OdeSystem + ?Sized> Method<M> for Radau5<M::Scalar> {
     }
 
     fn check(&self) -> Result<(), SettingError<M::Scalar>> {
+        check_precision([self.relative, self.absolute], LEAST_OF_COEFFICIENTS)?;
         check_settings([self.relative, self.absolute], &[self.first_step, self.longest_step])
     }
 

@@ -12,7 +12,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
 /// Maximum number of iterations; beyond it, shorter steps cost less.
-pub(super) const MOST_ITERATIONS: u32 = 7;
+pub(super) const MAX_ITERATIONS: u32 = 7;
 
 /// Changes of the state at the stages.
 pub(super) type StageChanges<Y> = [Y; STAGES];
@@ -79,7 +79,7 @@ impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
         let mut modes = product(&INVERSE_BASIS, stages);
         let mut progress = NewtonOutcome { iterations: 0, rate: None, remainder };
         let mut before = M::Scalar::ZERO;
-        while progress.iterations < MOST_ITERATIONS {
+        while progress.iterations < MAX_ITERATIONS {
             progress.iterations += 1;
             work.iterations += 1;
             let correction = self.correction(linearised, factors, (stages, &modes), work);
@@ -91,7 +91,7 @@ impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
                 let rate = size / before;
                 progress.rate = Some(rate);
                 progress.remainder = rate / (M::Scalar::ONE - rate);
-                let left = MOST_ITERATIONS - progress.iterations;
+                let left = MAX_ITERATIONS - progress.iterations;
                 let expected = (0..left).fold(progress.remainder * size, |size, _| size * rate);
                 if size > M::Scalar::ZERO && !(rate < M::Scalar::ONE && expected <= self.goal) {
                     break;

@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use super::euler_maruyama::EulerMaruyamaScheme;
 use super::runge_kutta::StochasticRungeKutta4Scheme;
-use super::{EulerMaruyama, MOST_NOISES, Scheme, StepPath, StochasticRungeKutta4, WienerPath};
+use super::{EulerMaruyama, MAX_NOISES, Scheme, StepPath, StochasticRungeKutta4, WienerPath};
 use crate::integrate::method::{Method, Stepper, Work};
 use crate::integrate::{RungeKutta4, Verner98};
 use crate::linalg::vector::StateVector;
@@ -57,7 +57,7 @@ const WIENER: Wiener = Wiener(NoiseKind::Additive);
 
 /// Returns the change of a state in a step along this path.
 fn change<F: Scheme<Oscillator<f64>>>(y: [f64; 2], h: f64, part: [f64; 2]) -> [f64; 2] {
-    let mut path = StepPath { count: 1, parts: [[0.0; 2]; MOST_NOISES] };
+    let mut path = StepPath { count: 1, parts: [[0.0; 2]; MAX_NOISES] };
     path.parts[0] = part;
     F::increment(&OSCILLATOR, 0.0, &y, h, &path, &mut Work::default())
 }

@@ -37,7 +37,7 @@ pub struct Taylor<S> {
     /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER). By default it is
     /// chosen according to the tolerance, and lower for systems of many products.
     pub order: Option<usize>,
-    /// Maximum step length. The default is a twentieth of the interval from the start to the end
+    /// Maximum step length. The default is a quarter of the interval from the start to the end
     /// known there. While the state is at rest, it is a two-hundredth, since the series does not
     /// reveal later changes.
     pub longest_step: Option<S>,

@@ -12,6 +12,9 @@ const SAFETY: f64 = 0.01;
 /// Largest difference between the rate at the end of a step and the slope of its polynomial, in
 /// tolerances over the length of the step.
 const LARGEST_DEFECT: f64 = 1.0;
+/// The longest step of a moving state, as a part of the interval. The check at the end of a step
+/// permits longer ones than pairs of Runge–Kutta methods take.
+const LONGEST: f64 = 1.0 / 4.0;
 /// A component below this part of what is tolerated may be led to zero.
 const NEAR_ZERO: f64 = 0.25;
 /// A step that changes the state by less than this part of what is tolerated leaves it at rest.
@@ -67,7 +70,10 @@ impl<S: Scalar> StepRule<S> {
             fused: settings.fused,
             tolerance,
             last_orders: LastOrders::new(order, tolerance),
-            longest: [false, true].map(|is_at_rest| longest_step(settings.longest_step, span, is_at_rest)),
+            longest: [
+                settings.longest_step.unwrap_or(span.abs() * S::from_f64(LONGEST)),
+                longest_step(settings.longest_step, span, true),
+            ],
             orders,
             tolerated: Tolerated::new(settings.relative, settings.absolute, domain),
             rounding,

@@ -44,7 +44,7 @@ struct StepLength<S> {
 }
 
 /// Shorter steps may not help where a component below what is tolerated turns by rounding.
-const MOST_TURNS: u32 = 8;
+const MAX_TURNS: u32 = 8;
 
 /// The result of a step that was tried.
 enum SeriesStep<S> {
@@ -215,7 +215,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let h = if limit < self.clock.time() { -accurate } else { accurate };
         let (reach, least) = (M::reach(&self.series, h).abs(), least_step(self.clock.time()));
         let is_across = reach < accurate && reach <= least + least;
-        StepLength { length: reach.max(least), is_across, turns_left: MOST_TURNS }
+        StepLength { length: reach.max(least), is_across, turns_left: MAX_TURNS }
     }
 }
 

@@ -4,9 +4,8 @@
 //! default target of x86-64 lacks AVX2. Fused products save a tenth beyond that. They have
 //! other bits, as in [lanes](crate::scalar::Lanes).
 //!
-//! This is the only file of the crate with unsafe code. A function compiled for AVX2 and FMA may
-//! only be called if the processor supports them, which requires a test at run time. A crate for
-//! such calls would be a dependency of every user.
+//! A function compiled for AVX2 and FMA may only be called if the processor supports them, which
+//! requires a test at run time. A crate for such calls would be a dependency of every user.
 
 #![cfg_attr(
     all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")),
@@ -25,7 +24,9 @@ pub(super) trait WideTask {
 /// them.
 #[inline]
 pub(super) fn compute<T: WideTask>(task: T, allowed: bool) -> T::Output {
-    let _ = allowed;
+    if cfg!(all(target_feature = "avx2", target_feature = "fma")) && allowed {
+        return task.compute::<true>();
+    }
     #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
     if allowed && std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
         // SAFETY: the processor has AVX2 and FMA.

@@ -13,11 +13,11 @@ pub(super) const MEMORY: f64 = 0.02;
 /// Safety factor of step lengths.
 pub(super) const SAFETY: f64 = 0.8;
 /// Minimum ratio of a step to the previous one.
-pub(super) const MOST_SHRINKING: f64 = 0.2;
+pub(super) const MAX_SHRINKING: f64 = 0.2;
 /// Maximum ratio of a step after a rejection to the rejected one.
 pub(super) const LEAST_SHRINKING: f64 = 0.9;
 /// Maximum ratio of a step to the previous one.
-pub(super) const MOST_GROWTH: f64 = 6.0;
+pub(super) const MAX_GROWTH: f64 = 6.0;
 /// Factor of the next step length after a step that led to NaN or infinity.
 pub(super) const RETREAT: f64 = 0.1;
 
@@ -49,8 +49,8 @@ impl<S: Scalar> Control<S> {
         let power = S::from_f64(1.0 / POWER - 0.75 * MEMORY);
         let memory = S::from_f64(MEMORY);
         let wanted = S::from_f64(SAFETY) * self.error.powf(memory) / error.powf(power);
-        let most = if self.was_rejected { S::ONE } else { S::from_f64(MOST_GROWTH) };
-        let growth = if wanted < most { wanted.max(S::from_f64(MOST_SHRINKING)) } else { most };
+        let most = if self.was_rejected { S::ONE } else { S::from_f64(MAX_GROWTH) };
+        let growth = if wanted < most { wanted.max(S::from_f64(MAX_SHRINKING)) } else { most };
         let next = taken * growth;
         self.step = if taken < self.step { next.max(self.step) } else { next };
         self.error = error.max(S::from_f64(LEAST_ERROR));
@@ -62,7 +62,7 @@ impl<S: Scalar> Control<S> {
     pub(super) fn reject(&mut self, taken: S, error: S) {
         let wanted = S::from_f64(SAFETY) / error.powf(S::from_f64(1.0 / POWER));
         let shrinking = if error.is_finite() {
-            wanted.max(S::from_f64(MOST_SHRINKING)).min(S::from_f64(LEAST_SHRINKING))
+            wanted.max(S::from_f64(MAX_SHRINKING)).min(S::from_f64(LEAST_SHRINKING))
         } else {
             S::from_f64(RETREAT)
         };

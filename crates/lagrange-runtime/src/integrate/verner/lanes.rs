@@ -19,7 +19,7 @@ use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::explicit::TableauRow;
 use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
-use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, Work};
+use crate::integrate::method::{LanesMethod, LanesStepper, MAX_LANES, Work};
 use crate::linalg::vector::combined;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Domain, Equations, SideBySide, StateVector};
@@ -41,7 +41,7 @@ pub struct VernerLanes<S, Y> {
     h: S,
     rates: [Y; STAGES],
     counts: Counts,
-    stiffness: [Stiffness; MOST_LANES],
+    stiffness: [Stiffness; MAX_LANES],
 }
 
 /// The settings common to all lanes.
@@ -84,7 +84,7 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
             h: S::ZERO,
             rates: [E::State::ZERO; STAGES],
             counts: Counts::new(),
-            stiffness: [Stiffness::default(); MOST_LANES],
+            stiffness: [Stiffness::default(); MAX_LANES],
         }
     }
 
@@ -190,13 +190,13 @@ where
     /// before them, and the lanes in which they were accepted.
     #[cold]
     #[inline(never)]
-    fn look_stiff(&mut self, h: S, before: &Y, is_taken: S::Mask) -> [bool; MOST_LANES] {
+    fn look_stiff(&mut self, h: S, before: &Y, is_taken: S::Mask) -> [bool; MAX_LANES] {
         let ends = [14, 15].map(|stage: usize| ROWS[stage].point(before, h, &self.rates));
         let lengths = (h, self.settings.end - self.clock.time());
         let rounding = S::splat(SAME_STATE.part::<S::Element>());
         let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
         let is_at_limit = is_at_limit(lengths, one, other, rounding);
-        let mut look_stiff = [false; MOST_LANES];
+        let mut look_stiff = [false; MAX_LANES];
         for (lane, looks_stiff) in look_stiff.iter_mut().enumerate().take(S::LANES) {
             let stiffness = &mut self.stiffness[lane];
             if is_taken.lane(lane) && stiffness.is_due(self.counts.taken(lane) - 1) {

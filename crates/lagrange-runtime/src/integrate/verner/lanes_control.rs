@@ -1,7 +1,7 @@
 //! The choice of the next step length per lane: the controller of `control` in logarithms, with
 //! powers computed to three digits.
 
-use super::control::{LEAST_SHRINKING, MEMORY, MOST_GROWTH, MOST_SHRINKING, POWER, RETREAT};
+use super::control::{LEAST_SHRINKING, MAX_GROWTH, MAX_SHRINKING, MEMORY, POWER, RETREAT};
 use crate::integrate::corrected::is_finite;
 use crate::integrate::lane_wise::{larger, smaller, take};
 use crate::scalar::Scalar;
@@ -32,7 +32,7 @@ where
     #[inline(always)]
     pub(super) fn new(step: S) -> Self {
         let error = S::from_f64(LOG_LEAST_ERROR);
-        LanesControl { step, error, most_growth: S::from_f64(MOST_GROWTH) }
+        LanesControl { step, error, most_growth: S::from_f64(MAX_GROWTH) }
     }
 
     /// Updates after steps of these lengths, which may be shorter than requested, with these
@@ -45,14 +45,14 @@ where
         let power = S::from_f64(-(1.0 / POWER - 0.75 * MEMORY));
         let log_wanted = safety + S::from_f64(MEMORY) * self.error + power * log_error;
         let wanted = log_wanted.each(Scalar::rough_exp2);
-        let growth = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), self.most_growth);
+        let growth = smaller(larger(wanted, S::from_f64(MAX_SHRINKING)), self.most_growth);
         let next = length * growth;
         let next = S::select(length.less(self.step), larger(next, self.step), next);
 
         self.step = S::select(is_taken, next, length * shrinking(error, log_error));
         let remembered = larger(log_error, S::from_f64(LOG_LEAST_ERROR));
         self.error = S::select(is_taken, remembered, self.error);
-        self.most_growth = S::select(is_taken, S::from_f64(MOST_GROWTH), S::ONE);
+        self.most_growth = S::select(is_taken, S::from_f64(MAX_GROWTH), S::ONE);
     }
 
     /// Reverts accepted steps of these lengths if the mask is true, with these errors.
@@ -79,7 +79,7 @@ where
 #[inline(always)]
 fn shrinking<S: SideBySide<Element: Scalar>>(error: S, log_error: S) -> S {
     let wanted = (S::from_f64(LOG_SAFETY) - log_error / S::from_f64(POWER)).each(Scalar::rough_exp2);
-    let shrinking = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), S::from_f64(LEAST_SHRINKING));
+    let shrinking = smaller(larger(wanted, S::from_f64(MAX_SHRINKING)), S::from_f64(LEAST_SHRINKING));
     S::select(is_finite(error), shrinking, S::from_f64(RETREAT))
 }
 

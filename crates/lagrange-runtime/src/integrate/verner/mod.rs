@@ -33,7 +33,7 @@ pub use self::lanes_dense::VernerLastStep;
 use self::stage::STAGES;
 pub use self::stepper::VernerStepper;
 use self::tableau::ADVANCE;
-use self::tolerance::check_settings;
+use self::tolerance::{check_precision, check_settings};
 
 /// Verner's pair of order nine with adaptive steps, for any non-stiff system.
 ///
@@ -78,6 +78,8 @@ impl<S: Scalar> Verner98<S> {
 const LONGEST: f64 = 1.0 / 20.0;
 /// Default maximum step length while the state is at rest, as a fraction of the interval.
 const LONGEST_AT_REST: f64 = 1.0 / 200.0;
+/// The least tolerance in numbers wider than `f64`, in which the coefficients are.
+const LEAST_OF_COEFFICIENTS: f64 = 5e-19;
 /// A state is at rest if a step changes it by less than this fraction of the tolerance.
 const AT_REST: f64 = 1e-3;
 
@@ -93,6 +95,7 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
     }
 
     fn check(&self) -> Result<(), SettingError<M::Scalar>> {
+        check_precision([self.relative, self.absolute], LEAST_OF_COEFFICIENTS)?;
         check_settings([self.relative, self.absolute], &[self.first_step, self.longest_step])
     }
 

@@ -13,7 +13,7 @@ use crate::tolerance::SAME_STATE;
 /// one.
 pub(super) const STABLE: f64 = 2.9;
 /// Number of steps at the limit after which the system counts as stiff.
-const MOST_AT_LIMIT: u32 = 15;
+const MAX_AT_LIMIT: u32 = 15;
 /// Number of consecutive steps below the limit after which the system counts as non-stiff.
 const ENOUGH_BELOW: u32 = 6;
 /// Number of steps per check while there is no suspicion.
@@ -31,7 +31,7 @@ pub(super) struct Stiffness {
 /// Number of steps within which stiffness that doubles or halves counts as temporary.
 const PASSING: f64 = 2e3;
 /// Number of steps after which an earlier limit is discarded.
-const FORGOTTEN: u64 = 20 * MOST_AT_LIMIT as u64;
+const FORGOTTEN: u64 = 20 * MAX_AT_LIMIT as u64;
 
 /// An observed stability limit, as a reference for changes of later ones.
 ///
@@ -96,7 +96,7 @@ impl Stiffness {
                 *self = Stiffness::default();
             }
         }
-        self.at_limit >= MOST_AT_LIMIT
+        self.at_limit >= MAX_AT_LIMIT
     }
 }
 

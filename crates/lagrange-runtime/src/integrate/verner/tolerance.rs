@@ -139,6 +139,24 @@ pub(in crate::integrate) fn check_settings<S: Scalar>(
     Err(SettingError::Invalid("step sizes must be positive and finite"))
 }
 
+/// Checks that coefficients in double precision can keep the tolerances, in numbers wider than
+/// that. Below this limit, steps become ever shorter without an end.
+///
+/// # Errors
+/// If both tolerances are less than `least`.
+pub(in crate::integrate) fn check_precision<S: Scalar>(
+    tolerances: [S; 2],
+    least: f64,
+) -> Result<(), SettingError<S>> {
+    let is_wide = S::epsilon() < S::from_f64(f64::EPSILON);
+    if is_wide && tolerances.into_iter().all(|part| part < S::from_f64(least)) {
+        return Err(SettingError::Invalid(
+            "the coefficients of this method have 16 digits, too few for this tolerance: use `Taylor`",
+        ));
+    }
+    Ok(())
+}
+
 /// Returns the maximum step length in an interval of this length, for a moving state or one at
 /// rest, unless it is a setting.
 pub(in crate::integrate) fn longest_step<S: Scalar>(setting: Option<S>, span: S, is_at_rest: bool) -> S {

@@ -22,7 +22,8 @@ const NOT_SMOOTH: &str =
 type Projection<M> =
     fn(&M, ScalarOf<M>, &mut <M as OdeSystem>::State) -> Result<(), StepFailure<ScalarOf<M>>>;
 
-/// Workspace for the stages of a step by the method K, and the derivatives by parameters so far.
+/// Workspace for the stages of a step by the method K, and the derivatives with respect to
+/// parameters so far.
 pub(super) struct Backwards<'a, M: OdeSystem, K, const N: usize> {
     system: &'a M,
     /// Parameters and inputs, their places, and slopes by them.
@@ -209,8 +210,8 @@ where
         K::ADVANCE.point(y, h, &self.rates)
     }
 
-    /// Converts the derivative by the state at the end of a step into the derivative by the state
-    /// at its start.
+    /// Converts the derivative with respect to the state at the end of a step into the derivative
+    /// with respect to the state at its start.
     fn pull_back(
         &mut self,
         times: &[M::Scalar],
@@ -236,7 +237,8 @@ where
         Ok(())
     }
 
-    /// Adds to the derivatives by parameters, and returns (∂f/∂y)ᵀ times the adjoint of a rate.
+    /// Adds to the derivatives with respect to parameters, and returns (∂f/∂y)ᵀ times the adjoint
+    /// of a rate.
     fn through_rates(
         &mut self,
         t: M::Scalar,

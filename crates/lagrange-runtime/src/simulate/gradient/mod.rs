@@ -28,9 +28,9 @@ const STATE: &str =
 pub struct Gradient<S, const N: usize> {
     /// The cost.
     pub value: S,
-    /// Derivatives by parameters and inputs, in the order of the names.
+    /// Derivatives with respect to parameters and inputs, in the order of the names.
     pub by: Vec<S>,
-    /// Derivatives by the entries of the initial state.
+    /// Derivatives with respect to the entries of the initial state.
     pub by_start: [S; N],
     /// Number of steps.
     pub steps: usize,
@@ -39,14 +39,14 @@ pub struct Gradient<S, const N: usize> {
 }
 
 impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
-    /// Computes a cost of the motion with its derivatives by the named parameters and inputs, and
-    /// by the initial state. With `emit { jacobian }`, the work hardly depends on the number of
-    /// names; constraints add a few corrections per name.
+    /// Computes a cost of the motion with its derivatives with respect to the named parameters and
+    /// inputs, and to the initial state. With `emit { jacobian }`, the work hardly depends on the
+    /// number of names; constraints add a few corrections per name.
     ///
-    /// `cost` receives a time, the state and a vector of zeros, writes its derivatives by the state
-    /// to the vector, and returns its value. It is called once for the end or, with
-    /// [`every`](Simulation::every), for each sample, the last one first. Values and derivatives
-    /// are summed. To integrate a cost along the motion, declare it as a `state`.
+    /// `cost` receives a time, the state and a vector of zeros. It writes its derivatives with
+    /// respect to the state to the vector, and returns its value. It is called once for the end or,
+    /// with [`every`](Simulation::every), for each sample, the last one first. Values and
+    /// derivatives are summed. To integrate a cost along the motion, declare it as a `state`.
     ///
     /// The gradient is that of the motion as computed: each step is differentiated, with its length
     /// held. At most 3 √n + 2 states are kept for n steps without an event, and two numbers per
@@ -70,7 +70,7 @@ impl<M: MechanicalSystem, K> Simulation<'_, M, K, Undriven> {
     ///     emit { jacobian }
     /// }
     ///
-    /// // x = cos(√k t), of which the derivative by k is −t sin(√k t)/(2 √k).
+    /// // x = cos(√k t), of which the derivative with respect to k is −t sin(√k t)/(2 √k).
     /// let oscillator = Oscillator::default();
     /// let gradient = oscillator.simulate([1.0, 0.0]).until(3.0).gradient(["k"], |_, [x, _], slope| {
     ///     slope[0] = 1.0;

@@ -27,8 +27,9 @@ use crate::system::{
 };
 
 impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
-    /// Adds the derivatives of the state by parameters, inputs of constant value and initial
-    /// values: a column such as `d(theta)/d(m)` for each pair. At most 24 names are accepted.
+    /// Adds the derivatives of the state with respect to parameters, inputs of constant value and
+    /// initial values: a column such as `d(theta)/d(m)` for each pair. At most 24 names are
+    /// accepted.
     ///
     /// Names refer to parameters, inputs and states; the name of a state stands for its initial
     /// value. Derivatives are taken at fixed times, even for motions that an event stops.
@@ -58,7 +59,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     ///     emit { jacobian }
     /// }
     ///
-    /// // x = cos(√k t), of which the derivative by k is −t sin(√k t)/(2 √k).
+    /// // x = cos(√k t), of which the derivative with respect to k is −t sin(√k t)/(2 √k).
     /// let oscillator = Oscillator::default();
     /// let motion = oscillator.simulate([1.0, 0.0]).until(3.0).sensitivities(["k", "x"]).run()?;
     /// let slopes = motion.column("d(x)/d(k)").unwrap();
@@ -112,8 +113,8 @@ pub(crate) fn uncounted<S: Scalar>() -> S {
 
 #[cfg(feature = "linear")]
 impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
-    /// Adds the derivatives by initial values, starting with index `first`, under fewer than R
-    /// names.
+    /// Adds the derivatives with respect to initial values, starting with index `first`, under
+    /// fewer than R names.
     pub(crate) fn by_initial_values<const N: usize, const R: usize>(
         self,
         first: usize,
@@ -208,7 +209,7 @@ macro_rules! variables {
 
 variables! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 }
 
-/// A drive D whose motions are differentiated by variables.
+/// A drive D whose motions are differentiated with respect to variables.
 pub struct Differentiated<M: MechanicalSystem, D, const N: usize, const R: usize> {
     drive: D,
     variables: Arc<[Varied<M::Scalar>]>,
@@ -216,7 +217,7 @@ pub struct Differentiated<M: MechanicalSystem, D, const N: usize, const R: usize
 
 #[cfg(feature = "fit")]
 impl<M: MechanicalSystem, D, const N: usize, const R: usize> Differentiated<M, D, N, R> {
-    /// Returns the drive with derivatives by fewer than R variables.
+    /// Returns the drive with derivatives with respect to fewer than R variables.
     pub(crate) fn new(drive: D, variables: Arc<[Varied<M::Scalar>]>) -> Self {
         debug_assert!(variables.len() < R);
         Differentiated { drive, variables }
@@ -257,7 +258,7 @@ pub(super) fn copy<M: ParametricSystem>(system: &M) -> M {
 }
 
 /// Maximum number of restarts to compare.
-const MOST_RESTARTS: usize = 1000;
+const MAX_RESTARTS: usize = 1000;
 
 impl<M, L, const N: usize, const R: usize> ClosedLoop<M> for Sensitive<M, L, N, R>
 where
@@ -326,7 +327,7 @@ where
         }
         let restarts = |closed: &L| {
             let next = |t: &M::Scalar| closed.next_restart(*t, end);
-            std::iter::successors(next(&start), next).take(MOST_RESTARTS).collect::<Vec<_>>()
+            std::iter::successors(next(&start), next).take(MAX_RESTARTS).collect::<Vec<_>>()
         };
         let here = restarts(&self.closed);
         let step = M::Scalar::epsilon().sqrt();

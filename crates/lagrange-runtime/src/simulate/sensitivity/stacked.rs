@@ -12,14 +12,14 @@ pub struct Stacked<S, const N: usize, const R: usize> {
 }
 
 impl<S: Number, const N: usize, const R: usize> Stacked<S, N, R> {
-    /// Returns a state whose derivatives by `variables` variables are zero.
+    /// Returns a state whose derivatives with respect to `variables` variables are zero.
     pub(super) fn new(state: [S; N], variables: usize) -> Self {
         let mut rows = [[S::ZERO; N]; R];
         rows[0] = state;
         Stacked { rows, count: 1 + variables }
     }
 
-    /// Returns a state with its derivative by one variable.
+    /// Returns a state with its derivative with respect to one variable.
     pub(in crate::simulate) fn with_change(state: [S; N], change: [S; N]) -> Self {
         let mut stacked = Stacked::new(state, 1);
         stacked.rows[1] = change;
@@ -117,8 +117,8 @@ impl<const N: usize, const R: usize> AsMut<[usize]> for StackedIndices<N, R> {
     }
 }
 
-/// Computes the rates ∂f/∂y s + c ∂f/∂p of a derivative s, given ∂f/∂y in rows and, for the
-/// derivative by a parameter, c with ∂f/∂p.
+/// Computes the rates ∂f/∂y s + c ∂f/∂p of a derivative s. ∂f/∂y is given in rows. Derivatives with
+/// respect to a parameter have c and ∂f/∂p.
 #[inline(always)]
 pub(super) fn variational_rates<S: Number, Y: AsRef<[S]>>(
     rows: &[Y],

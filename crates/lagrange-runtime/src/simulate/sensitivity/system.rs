@@ -41,7 +41,7 @@ where
     M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
     L: ClosedLoop<M> + OdeSystem<Scalar = ScalarOf<M>, State = [ScalarOf<M>; N]>,
 {
-    /// Returns the loop with derivatives by these variables.
+    /// Returns the loop with derivatives with respect to these variables.
     pub(in crate::simulate) fn new(closed: L, variables: Arc<[Varied<M::Scalar>]>) -> Self {
         Sensitive { closed, variables }
     }

@@ -8,7 +8,7 @@ use crate::scalar::{Number, Scalar};
 const ROUNDINGS: f64 = 16.0;
 /// Maximum number of steps of a search. Each step doubles the number of correct digits unless two
 /// zeros are close.
-const MOST: usize = 64;
+const MAX_ITERATIONS: usize = 64;
 
 /// An argument of a table along an expansion, and the ends of its initial piece.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +74,7 @@ fn first_beyond<S: Scalar>(path: &[S; MAX_ORDER], distance: S, size: S) -> S {
     let distance = distance + margin;
     let is_possible = farthest.is_finite() && bend.is_finite() && farthest > distance;
     let mut x = S::ZERO;
-    for _ in 0..if is_possible { MOST } else { 0 } {
+    for _ in 0..if is_possible { MAX_ITERATIONS } else { 0 } {
         let (value, slope) = value_and_slope(path, x);
         let left = distance - value;
         if left + left <= margin {
