@@ -216,7 +216,7 @@ struct Told {
 }
 
 impl Told {
-    /// Comparison with this variance tell relative changes of the free variables.
+    /// Finds the relative changes of the free variables that a comparison with this variance tells.
     fn new(minimum: &Minimum, free: &[usize], variance: Option<f64>) -> Told {
         let size = |j: usize| if minimum.values[j] == 0.0 { 1.0 } else { minimum.values[j].abs() };
         let (jacobian, n) = (&minimum.at.jacobian, minimum.values.len());

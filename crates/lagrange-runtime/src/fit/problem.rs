@@ -164,7 +164,7 @@ where
         }
     }
 
-    /// The derivative by a variable, with which the state changes like this.
+    /// Returns the derivative by a variable, with which the state changes like this.
     fn slope(
         &self,
         system: &M,
