@@ -66,6 +66,8 @@ pub use lagrange_expr::{
     accuracy, collections, diagnostics, elementary, expr, functions, keywords, limits, number, opaque,
     solids, symbol, units,
 };
+#[doc(hidden)]
+pub use lagrange_language::mobilizers;
 pub use lagrange_language::{bodies, dimensions, expand, inline, syntax, tables};
 
 /// `docs/tour.md`, compiled and run.

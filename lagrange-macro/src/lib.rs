@@ -33,7 +33,7 @@ fn is_in_editor() -> bool {
     program.file_stem().is_some_and(|name| name.to_string_lossy().starts_with("rust-analyzer"))
 }
 
-/// A file of the crate that is compiled, by its path from where that crate is.
+/// Returns a file of the crate that is compiled, by its path from where that crate is.
 fn file(path: &str) -> Result<FileText, String> {
     let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
     files::read(&folder, path)

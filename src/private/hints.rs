@@ -25,7 +25,7 @@ macro_rules! hints {
         )*
     };
     (@item fn $item:ident) => {
-        /// Never called.
+        /// Stands for a method that is never called.
         fn $item(&self) {}
     };
     (@item const $item:ident) => {
@@ -170,7 +170,7 @@ pub trait HasDefault {}
 
 /// The name of that value.
 pub trait DefaultValue: Sized {
-    /// Cannot be called.
+    /// Stands for a method that cannot be called.
     fn default() {}
 }
 

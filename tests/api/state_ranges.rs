@@ -119,7 +119,7 @@ lagrange::system! {
 
 const START: [f64; 4] = [1e-6, 1e6, 0.0, 0.0];
 
-/// The error of the small oscillator relative to its amplitude, after some turns.
+/// Returns the error of the small oscillator relative to its amplitude, after some turns.
 fn error<M: OdeSystem<Scalar = f64, State = [f64; 4]>>(system: &M, method: &impl Method<M>) -> f64 {
     let end = integrate(system, 0.0, START, 20.0, method, |_, _| ()).expect("swings");
     (end[0] * 1e6 - 20.0_f64.cos()).hypot(end[2] * 1e6 + 20.0_f64.sin())

@@ -62,7 +62,7 @@ pub(crate) fn still(center: [f64; 2], angle: f64) -> Motion<f64> {
     }
 }
 
-/// A line at rest.
+/// Returns a line at rest.
 pub(crate) fn line(name: &str, at: [f64; 2], rotation: f64) -> Item<'_, f64> {
     Item::Surface(Surface { name, body: None, shape: SurfaceShape::Flat, at, rotation, is_inside: false })
 }

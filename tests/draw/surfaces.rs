@@ -48,7 +48,7 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// The middle and the radius of a ball in a picture, by its first circle of four curves.
+/// Returns the middle and the radius of a ball in a picture, by its first circle of four curves.
 fn ball(svg: &str, radius: f64) -> impl Fn([f64; 2], [f64; 2]) -> [f64; 2] {
     let circle = paths(svg).into_iter().filter(|path| path.matches('C').count() == 4);
     let smallest = circle.map(|path| numbers(&path)).min_by(|a, b| width(a).total_cmp(&width(b)));
@@ -67,7 +67,7 @@ fn width(numbers: &[f64]) -> f64 {
     high - low
 }
 
-/// The points of the longest open path of straight lines in world coordinates.
+/// Returns the points of the longest open path of straight lines in world coordinates.
 fn longest(svg: &str, radius: f64, center: [f64; 2]) -> Vec<[f64; 2]> {
     let world = ball(svg, radius);
     let is_curve = |path: &String| path.matches('M').count() == 1 && !path.contains('C');

@@ -15,6 +15,27 @@ use crate::workspace::RustFile;
 const OPENINGS: [&str; 12] =
     ["As", "By", "How", "Of", "So", "Such", "The same", "Those", "What", "Where", "Whether", "Which"];
 
+/// Nouns that look like verbs in the third person and begin first lines nevertheless.
+const NOUNS: [&str; 14] = [
+    "Accelerations",
+    "Columns",
+    "Constraints",
+    "Derivatives",
+    "Distances",
+    "Equations",
+    "Errors",
+    "Frequencies",
+    "Inputs",
+    "Numbers",
+    "Residuals",
+    "Values",
+    "Velocities",
+    "Weights",
+];
+
+/// Number of functions whose documentation does not begin with a verb. It may only fall.
+const WITHOUT_VERB: usize = 20;
+
 /// Phrases that neither pages nor comments contain.
 const PHRASES: [&str; 6] = ["be it", "in the place of", "lest", "that is said", "that which", "those which"];
 
@@ -77,6 +98,78 @@ pub(crate) fn openings(files: &[RustFile]) -> Vec<String> {
     found.collect()
 }
 
+/// Finds functions whose documentation does not begin with a verb in the third person, or with
+/// "True", if there are not exactly [`WITHOUT_VERB`] of them.
+pub(crate) fn functions_without_verb(files: &[RustFile]) -> Vec<String> {
+    // Documentation of emitted code is that of products.
+    let files = files.iter().filter(|file| !file.path.contains("/golden/"));
+    let found = files.flat_map(|file| {
+        let lines = openings_of_functions(&file.text).into_iter();
+        let lines = lines.filter(|(_, opening)| !begins_with_verb(opening));
+        lines.map(|(line, text)| format!("{}:{line}: {text}", file.path))
+    });
+    let mut found = found.collect::<Vec<_>>();
+    match found.len() {
+        WITHOUT_VERB => Vec::new(),
+        count => {
+            found.push(format!("{count} functions begin without a verb, not {WITHOUT_VERB}"));
+            found
+        }
+    }
+}
+
+/// Returns the first lines of the documentation of functions, with their numbers. Tests and
+/// implementations of traits are left out.
+fn openings_of_functions(text: &str) -> Vec<(usize, &str)> {
+    let (mut found, mut opening, mut is_test) = (Vec::new(), None, false);
+    // The line that ends the implementation of a trait.
+    let mut end = None;
+    for (index, line) in text.lines().enumerate() {
+        let code = line.trim_start();
+        if let Some(documentation) = code.strip_prefix("///") {
+            opening = opening.or(Some((index + 1, documentation.trim_start())));
+            continue;
+        }
+        if end.as_deref() == Some(line) {
+            end = None;
+        } else if end.is_none() && is_of_trait(code) {
+            end = Some(format!("{}}}", &line[..line.len() - code.len()]));
+        }
+        if code.starts_with("#[") {
+            is_test |= code == "#[test]";
+            continue;
+        }
+        let is_function = is_function(code) && !is_test && end.is_none();
+        found.extend(opening.take().filter(|_| is_function));
+        is_test = false;
+    }
+    found
+}
+
+/// True at the first line of an implementation of a trait.
+fn is_of_trait(code: &str) -> bool {
+    let code = code.trim_start_matches("$(");
+    (code.starts_with("impl ") || code.starts_with("impl<"))
+        && code.contains(" for ")
+        && !code.ends_with("{}")
+}
+
+/// True at the first line of a function.
+fn is_function(code: &str) -> bool {
+    let words = code.split_whitespace().map(|word| word.split('(').next().unwrap_or_default());
+    let mut words = words
+        .skip_while(|word| ["pub", "const", "unsafe", "async", "super", ")"].contains(word) || *word == "in");
+    words.next() == Some("fn")
+}
+
+/// True for a verb in the third person, or "True".
+fn begins_with_verb(opening: &str) -> bool {
+    let word = opening.split_whitespace().next().unwrap_or_default().trim_end_matches(',');
+    let is_capitalised = word.starts_with(|first: char| first.is_ascii_uppercase());
+    let is_word = is_capitalised && word[1..].chars().all(|letter| letter.is_ascii_lowercase());
+    word == "True" || is_word && word.ends_with('s') && !NOUNS.contains(&word)
+}
+
 /// Finds the phrases to be avoided in pages and comments.
 pub(crate) fn phrases(root: &Path, files: &[RustFile]) -> Vec<String> {
     let texts = texts(root, files).into_iter();
@@ -124,7 +217,25 @@ fn has_words(line: &str, words: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::english::{clumsy_openings, has_words};
+    use crate::english::{begins_with_verb, clumsy_openings, has_words, openings_of_functions};
+
+    #[test]
+    fn openings_of_functions_leave_out_tests_and_traits() {
+        let text = "/// Asks.\n///\n/// The rest.\n#[inline]\npub(super) const fn f() {}\n/// A type.\nstruct T;\n\
+                    /// A claim.\n#[test]\nfn g() {}\nimpl A for T {\n    /// The name.\n    fn a() {}\n}\n\
+                    impl T {\n    /// The sum.\n    pub fn b() {}\n}\n";
+        assert_eq!(openings_of_functions(text), [(1, "Asks."), (16, "The sum.")]);
+    }
+
+    #[test]
+    fn verbs_are_in_the_third_person() {
+        assert!(["Returns x.", "True if x.", "Clips, but."].into_iter().all(begins_with_verb));
+        assert!(
+            ["The sum.", "Residuals.", "a + b", "True: x.", "Σ", "# Errors"]
+                .into_iter()
+                .all(|line| !begins_with_verb(line))
+        );
+    }
 
     #[test]
     fn first_lines_are_judged_and_only_these() {

@@ -111,6 +111,11 @@ fn documentation_is_plain_english() {
 }
 
 #[test]
+fn documentation_of_functions_begins_with_a_verb() {
+    nothing_in(english::functions_without_verb(&workspace().files));
+}
+
+#[test]
 fn sentences_are_short() {
     let Workspace { root, crates, files } = workspace();
     nothing_in(english::sentences(root, crates, files));

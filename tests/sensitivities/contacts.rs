@@ -153,8 +153,8 @@ lagrange::system! {
     friction rub = dot(x), mu * ground;
 }
 
-/// Half the squares of positions and velocities at samples: the block rests until T = μ m g/p, and
-/// then moves as p (t − T)³/6 m.
+/// Returns half the squares of positions and velocities at samples. The block rests until T = μ m
+/// g/p, and then moves as p (t − T)³/6 m.
 fn lying_cost(lying: &Lying) -> f64 {
     let (m, pull) = (lying.m, lying.pull);
     let at = |t: f64| {

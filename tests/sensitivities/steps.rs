@@ -119,7 +119,8 @@ lagrange::system! {
 
 const PLACE: [f64; 4] = [0.4, -0.7, 0.3, 0.9];
 
-/// Derivatives of a step by eighth-order differences of steps, and the step as a run takes it.
+/// Checks derivatives of a step by eighth-order differences of steps, and the step as a run takes
+/// it.
 fn check_beside_differences<M, D>(system: &M, method: &D, y: [f64; 4], tolerance: f64)
 where
     M: ParametricSystem + lagrange::system::OdeSystem<Scalar = f64, State = [f64; 4]>,

@@ -1,9 +1,10 @@
 //! `cargo xtask check`: all checks required for a change to this workspace, in one command that
 //! needs only Rust. `cargo xtask sweeps`: the longest tests, for releases and changes to methods or
-//! contacts. `cargo xtask performance`: measures the speed of emitted code and rewrites the tables
-//! of docs/performance.md. `cargo xtask performance spatial` only does so for bodies in space, and
-//! `… text` for declarations in text. `cargo xtask size [REVISION]`: counts lines of library code
-//! by crate. `cargo xtask package`: packages every crate and compiles it from its package.
+//! contacts, and the recipes of `ARCHITECTURE.md`, which need Python. `cargo xtask performance`:
+//! measures the speed of emitted code and rewrites the tables of docs/performance.md.
+//! `cargo xtask performance spatial` only does so for bodies in space, and `… text` for
+//! declarations in text. `cargo xtask size [REVISION]`: counts lines of library code by crate.
+//! `cargo xtask package`: packages every crate and compiles it from its package.
 //! `cargo xtask name NAME`: gives the package of the library another name on the registry.
 //! `cargo xtask interface [REVISION]`: lists the public interface, or compares it with a revision.
 //! `cargo xtask wrap`: wraps comments and pages at 100 columns. `cargo xtask sentences`: lists
@@ -154,6 +155,7 @@ fn sweeps() -> Vec<Step> {
              --test diffsol --example differential_equations",
         ),
         Step::new("adapters' lints", "clippy --package lagrange-adapters-tests --all-targets -- -D warnings"),
+        Step::script("recipes for additions", "tools/recipes.py"),
     ]
 }
 

@@ -114,7 +114,7 @@ mod tests {
         assert!(dark > 0, "the letter");
     }
 
-    /// Columns and rows from the first to the last with ink, in units of the picture.
+    /// Returns columns and rows from the first to the last with ink, in units of the picture.
     fn inked(picture: &Picture) -> [[f64; 2]; 2] {
         let pixels = rasterise(picture, 4.0).expect("fits");
         let width = pixels.width() as usize;

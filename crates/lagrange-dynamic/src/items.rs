@@ -1,6 +1,7 @@
 //! Drawn items from their numbers.
 
-use lagrange_core::bodies::{self, DrawnKind, JointForm, SpatialJointForm};
+use lagrange_core::bodies::{DrawnKind, JointForm, LoadOrigin as DeclaredOrigin, SpatialJointForm};
+use lagrange_core::mobilizers;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
 use lagrange_core::syntax::ast::{ConnectorKind, MobilizerKind, SurfaceKind};
 use lagrange_runtime::body::{Motion, SpatialMotion};
@@ -134,38 +135,14 @@ impl Numbers<'_> {
 
     /// Returns the solid of a part, with its placement.
     fn solid<'p>(&mut self, part: &PlacedPart) -> Part<'p, f64, Spatial> {
-        let shape = match part.variant {
-            "SlenderRod" => Solid::SlenderRod(self.one()),
-            "Sphere" => Solid::Sphere(self.one()),
-            "Ellipsoid" => Solid::Ellipsoid(self.one(), self.one(), self.one()),
-            "Cuboid" => Solid::Cuboid(self.one(), self.one(), self.one()),
-            "Disk" => Solid::Disk(self.one()),
-            "Ring" => Solid::Ring(self.one()),
-            "Cylinder" => Solid::Cylinder(self.one(), self.one()),
-            "HollowCylinder" => Solid::HollowCylinder(self.one(), self.one(), self.one()),
-            "Cone" => Solid::Cone(self.one(), self.one()),
-            _ => Solid::PointMass,
-        };
+        let shape = Solid::of_variant(part.variant, &mut || self.one()).unwrap_or(Solid::PointMass);
         Part { shape, at: self.take(), rotation: self.rows(), is_hole: part.is_hole }
     }
 
     /// Returns the outline of a part, with its placement. `corners` have already been consumed.
     fn outline<'c>(&mut self, part: &PlacedPart, corners: &'c [[f64; 2]]) -> Part<'c, f64, Plane> {
-        let shape = match part.variant {
-            "SlenderRod" => Outline::SlenderRod(self.one()),
-            "Disk" => Outline::Disk(self.one()),
-            "Annulus" => Outline::Annulus(self.one(), self.one()),
-            "Ring" => Outline::Ring(self.one()),
-            "Rectangle" => Outline::Rectangle(self.one(), self.one()),
-            "SemicircularDisk" => Outline::SemicircularDisk(self.one()),
-            "CircularSector" => Outline::CircularSector(self.one(), self.one()),
-            "RightTriangle" => Outline::RightTriangle(self.one(), self.one()),
-            "Triangle" => Outline::Triangle(self.one(), self.one(), self.one()),
-            "Ellipse" => Outline::Ellipse(self.one(), self.one()),
-            "RegularPolygon" => Outline::RegularPolygon(self.one(), self.one()),
-            "Polygon" => Outline::Polygon(corners),
-            _ => Outline::PointMass,
-        };
+        let shape = Outline::of_variant(part.variant, corners, &mut || self.one());
+        let shape = shape.unwrap_or(Outline::PointMass);
         Part { shape, at: self.take(), rotation: self.one(), is_hole: part.is_hole }
     }
 
@@ -292,40 +269,43 @@ impl NumberedSpace for Spatial {
     }
 }
 
-/// Converts the kind of a connector to that of scenes.
-pub fn connector(kind: ConnectorKind) -> Connector {
-    match kind {
-        ConnectorKind::Spring => Connector::Spring,
-        ConnectorKind::Damper => Connector::Damper,
-        ConnectorKind::TorsionSpring => Connector::TorsionSpring,
-        ConnectorKind::TorsionDamper => Connector::TorsionDamper,
-    }
+/// Defines a conversion between enumerations with the same variants.
+macro_rules! same_variants {
+    ($(#[doc = $doc:literal])* $visibility:vis $name:ident: $From:ident as $To:ident { $($Variant:ident),* }) => {
+        $(#[doc = $doc])*
+        $visibility fn $name(kind: $From) -> $To {
+            match kind {
+                $($From::$Variant => $To::$Variant,)*
+            }
+        }
+    };
 }
 
-fn origin(of: bodies::LoadOrigin) -> LoadOrigin {
-    match of {
-        bodies::LoadOrigin::Applied => LoadOrigin::Applied,
-        bodies::LoadOrigin::Gravity => LoadOrigin::Gravity,
-        bodies::LoadOrigin::Connector => LoadOrigin::Connector,
-        bodies::LoadOrigin::Joint => LoadOrigin::Joint,
-        bodies::LoadOrigin::Contact => LoadOrigin::Contact,
-    }
+same_variants! {
+    /// Converts the kind of a connector to that of scenes.
+    pub connector: ConnectorKind as Connector { Spring, Damper, TorsionSpring, TorsionDamper }
 }
+
+same_variants! {
+    origin: DeclaredOrigin as LoadOrigin { Applied, Gravity, Connector, Joint, Contact }
+}
+
+/// Defines the conversion of joints with coordinates from their rows.
+macro_rules! mobilizer {
+    ($(
+        #[doc = $doc:literal]
+        $Kind:ident $word:literal $coordinates:literal [$($motion:tt)*] $soft:ident: $form:literal;
+    )*) => {
+        same_variants! { mobilizer: MobilizerKind as SpatialJointKind { $($Kind),* } }
+    };
+}
+
+mobilizers!(mobilizer);
 
 fn joint(form: SpatialJointForm) -> SpatialJointKind {
     match form {
         SpatialJointForm::Pin => SpatialJointKind::Pin,
-        SpatialJointForm::Mobilizer(kind) => match kind {
-            MobilizerKind::Revolute => SpatialJointKind::Revolute,
-            MobilizerKind::Prismatic => SpatialJointKind::Prismatic,
-            MobilizerKind::Cylindrical => SpatialJointKind::Cylindrical,
-            MobilizerKind::Screw => SpatialJointKind::Screw,
-            MobilizerKind::Universal => SpatialJointKind::Universal,
-            MobilizerKind::Planar => SpatialJointKind::Planar,
-            MobilizerKind::Ball => SpatialJointKind::Ball,
-            MobilizerKind::Free => SpatialJointKind::Free,
-            MobilizerKind::Weld => SpatialJointKind::Weld,
-        },
+        SpatialJointForm::Mobilizer(kind) => mobilizer(kind),
     }
 }
 

@@ -68,6 +68,8 @@ enum Place {
 }
 
 impl Place {
+    /// Finds where a file of this path is written.
+    ///
     /// # Errors
     /// If the path refers to an object that cannot be written.
     fn of(path: &Path) -> io::Result<Place> {

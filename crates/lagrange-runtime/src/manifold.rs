@@ -82,7 +82,7 @@ pub struct Manifold<S> {
 }
 
 impl<S: Scalar> Block<S> {
-    /// The sum of the half sizes and the radius.
+    /// Returns the sum of the half sizes and the radius.
     fn size(&self) -> S {
         self.half.iter().fold(self.radius, |sum, half| sum + *half)
     }
@@ -92,13 +92,13 @@ impl<S: Scalar> Block<S> {
         self.half[axis] > S::ZERO
     }
 
-    /// The place of a point in its axes, from its centre.
+    /// Returns the place of a point in its axes, from its centre.
     fn own(&self, point: &Triple<S>) -> Triple<S> {
         let arm = difference(point, &self.center);
         self.axes.map(|axis| dot(&axis, &arm))
     }
 
-    /// The place of own coordinates.
+    /// Returns the place of own coordinates.
     fn place(&self, own: &Triple<S>) -> Triple<S> {
         let mut place = self.center;
         for (axis, &length) in self.axes.iter().zip(own) {
@@ -107,7 +107,7 @@ impl<S: Scalar> Block<S> {
         place
     }
 
-    /// Half of the extent along a direction.
+    /// Returns half of the extent along a direction.
     fn reach(&self, direction: &Triple<S>) -> S {
         let shares = self.axes.iter().zip(&self.half);
         shares.fold(S::ZERO, |sum, (axis, half)| dot(axis, direction).abs().multiply_add(*half, sum))
@@ -115,7 +115,7 @@ impl<S: Scalar> Block<S> {
 }
 
 impl<S: Scalar> Manifold<S> {
-    /// No contact point yet.
+    /// Creates a manifold without contact points.
     fn new() -> Self {
         let none = [S::ZERO; 3];
         let touch = Touch { on_first: none, on_second: none, normal: none, gap: S::ZERO };
@@ -163,7 +163,7 @@ pub fn manifold<S: Scalar>(first: &Block<S>, second: &Block<S>) -> Manifold<S> {
     manifold
 }
 
-/// The centres as the contact of blocks that are far apart.
+/// Returns the centres as the contact of blocks that are far apart.
 fn far<S: Scalar>(first: &Block<S>, second: &Block<S>, found: &Separation<S>) -> Manifold<S> {
     let mut manifold = Manifold::new();
     let (on_first, on_second) = (first.center, second.center);
@@ -171,7 +171,7 @@ fn far<S: Scalar>(first: &Block<S>, second: &Block<S>, found: &Separation<S>) ->
     manifold
 }
 
-/// Distances that count as equal for blocks of this size: 10⁻⁹ of it for `f64`.
+/// Returns distances that count as equal for blocks of this size: 10⁻⁹ of it for `f64`.
 fn slack<S: Scalar>(size: S) -> S {
     S::from_f64(0.0625) * S::epsilon().sqrt() * size
 }
@@ -205,7 +205,8 @@ pub fn touches<S: Scalar, const M: usize>(numbers: [S; 32]) -> [S; M] {
     results
 }
 
-/// The unit vector across a normal that is closest to the axis of a block the least along it.
+/// Returns the unit vector across a normal that is closest to the axis of a block the least along
+/// it.
 fn tangent<S: Scalar>(block: &Block<S>, normal: &Triple<S>) -> Triple<S> {
     let slope = |axis: usize| dot(&block.axes[axis], normal).abs();
     let least = (1..3).fold(0, |least, axis| if slope(axis) < slope(least) { axis } else { least });

@@ -1,34 +1,27 @@
 //! The equations derived from a model.
 
-use super::centroidal::{center_of_mass, centroidal_momentum, centroidal_momentum_matrix};
 use super::conserved::add_conserved;
 use super::constraints::ConstraintEquations;
-use super::coriolis::coriolis_matrix;
 use super::diffusion::Diffusion;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
-use super::elimination::solution::{Solution, push_down};
-use super::energy_function::energy_function;
-use super::event_jacobian::event_jacobian;
+use super::elimination::solution::Solution;
 use super::forms::{Forms, Rows};
 use super::frame_jacobians::{frame_biases, frame_jacobians};
 use super::grading::grade_parameters;
 use super::indefinite::{largest, pivot_growth};
-use super::inverse_dynamics::{inverse_dynamics_jacobian, residual};
-use super::inverse_mass_matrix::inverse_mass_matrix;
-use super::jacobian::{Derivatives, lagrangian_hessian};
+use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::power::add_power;
-use super::quadratic_form::QuadraticForm;
+use super::products::{DerivedProducts, SolvedMotion};
 use super::regressor::Regressor;
-use super::responses::{ReactionEquations, reaction_forces};
+use super::responses::ReactionEquations;
 use super::series::SeriesEquations;
 use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice, has_large_mass_matrix};
 use super::structure::{MassStructure, Structure};
 use super::switches::Switch;
-use super::virtual_displacements::{add_slopes, add_turning, applied_forces};
 use crate::model::{Constraint, Energies, Model, Product};
-use lagrange_algebra::calculus::{AccelerationTerms, gradient};
+use lagrange_algebra::calculus::AccelerationTerms;
 use lagrange_algebra::simplify::{self, Angles};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
@@ -120,43 +113,9 @@ impl Equations {
         add_conserved(model, &structure);
         add_power(model);
         let labels = labels(model, forms.mass_matrix(), &solution);
-        let mut products = jacobians(model, &split, &mut forms, (&solution, strategy));
-        let wants = |product| model.products.contains(&product);
-        let [wants_rates, wants_forces] = [Product::MomentumRates, Product::GeneralisedForces].map(wants);
-        let forces = if wants_rates || wants_forces { applied_forces(model) } else { Vec::new() };
-        let rates = if wants_rates { free_momentum_rates(model, &forces) } else { Vec::new() };
-        let touching = reaction_forces(model, &reactions);
-        let mut without_constraints = None;
-        for product in model.products.clone() {
-            let found = match product {
-                Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
-                Product::CoriolisMatrix => coriolis_matrix(model, &split),
-                Product::CenterOfMass => center_of_mass(model),
-                Product::CentroidalMomentum => centroidal_momentum(model),
-                Product::CentroidalMomentumMatrix => centroidal_momentum_matrix(model),
-                Product::EventJacobian => event_jacobian(model, &solution.values, &constraints.multipliers),
-                Product::InverseDynamicsJacobian => inverse_dynamics_jacobian(model, &split),
-                Product::InverseMassMatrix => match inverse_mass_matrix(model, &split) {
-                    Some(rows) => rows,
-                    None => continue,
-                },
-                Product::Momenta => gradient(&mut model.graph, model.lagrangian, &velocities),
-                Product::MomentumRates => {
-                    let sums = [&constraints.forces[..], &[]]
-                        .map(|forces| sums(model, &rates, &[forces, &touching]));
-                    let [all, free] = sums;
-                    without_constraints = Some(free);
-                    all
-                }
-                Product::Energy => vec![energy_function(model)],
-                Product::Lagrangian => vec![model.lagrangian],
-                Product::LagrangianHessian => lagrangian_hessian(model),
-                Product::GeneralisedForces => sums(model, &forces, &[&constraints.forces, &touching]),
-                Product::InverseDynamics => residual(model, &split, AccelerationTerms::Kept, Terms::All),
-                _ => continue,
-            };
-            products.push((product, found));
-        }
+        let solved =
+            SolvedMotion { solution: &solution, strategy, constraints: &constraints, reactions: &reactions };
+        let DerivedProducts { products, free_momentum_rates } = solved.products(model, &split, &mut forms);
         let wants_regressor = model.products.contains(&Product::Regressor);
         let regressor = if wants_regressor { Regressor::new(model) } else { Regressor::default() };
         let diffusion = Diffusion::new(model, &mut forms);
@@ -171,7 +130,7 @@ impl Equations {
             costs,
             mass_matrix,
             forcing,
-            free_momentum_rates: without_constraints,
+            free_momentum_rates,
             series,
             constraints,
             reactions,
@@ -312,64 +271,6 @@ fn kept_elimination(
         eliminate_dense(&mut model.graph, pushed, &unknowns)
     });
     steps.map(Some).ok_or(SingularMassMatrix)
-}
-
-/// Computes the requested derivatives of accelerations, by the state and by parameters and inputs.
-fn jacobians(
-    model: &mut Model,
-    split: &SplitLagrangian,
-    forms: &mut Forms,
-    (solution, strategy): (&Solution, Strategy),
-) -> Vec<(Product, Vec<ExprId>)> {
-    let wanted = model.products.iter().copied().filter(|product| product.is_derivative());
-    let wanted = wanted.collect::<Vec<_>>();
-    if wanted.is_empty() {
-        return Vec::new();
-    }
-    let derivatives = Derivatives::new(model, split, forms, (&solution.values, strategy));
-    let state = [model.positions(), model.velocities()].concat();
-    let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
-    let constants = constants.collect::<Vec<_>>();
-    let with_inputs = [&state[..], &constants[model.parameters.len()..]].concat();
-    let derived = |product| {
-        let arguments = match product {
-            Product::ParameterJacobian => &constants,
-            Product::SystemMatrix => &with_inputs,
-            _ => &state,
-        };
-        let slopes = derivatives.by(model, arguments).concat();
-        (product, solution.balanced(&mut model.graph, &slopes))
-    };
-    wanted.into_iter().map(derived).collect()
-}
-
-/// Computes ∂L/∂q + Q, which equals the rate of ∂L/∂v by Lagrange's equations, unless constraints
-/// act. An angular momentum p in rotating axes also changes by −ω × p.
-fn free_momentum_rates(model: &mut Model, forces: &[ExprId]) -> Vec<ExprId> {
-    let (positions, velocities) = (model.positions(), model.velocities());
-    let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
-    let mut form = QuadraticForm::default();
-    add_slopes(model, &mut form, &slopes);
-    if !model.orientations.is_empty() {
-        let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
-        add_turning(model, &mut form, &momenta);
-    }
-    let graph = &mut model.graph;
-    let form = push_down(graph, form, &velocities);
-    let rates = velocities.iter().zip(forces).map(|(&velocity, &force)| {
-        let slope = form.linear(graph, velocity);
-        graph.subtract(force, slope)
-    });
-    rates.collect()
-}
-
-/// Adds the corresponding entries of `added`, if any, to each of `values`.
-fn sums(model: &mut Model, values: &[ExprId], added: &[&[ExprId]]) -> Vec<ExprId> {
-    let sum = |(i, &value): (usize, &ExprId)| {
-        let terms = added.iter().filter_map(|list| list.get(i).copied()).chain([value]).collect::<Vec<_>>();
-        model.graph.total(terms)
-    };
-    values.iter().enumerate().map(sum).collect()
 }
 
 /// Returns the user's names, followed by names of matrix entries and intermediate results of the

@@ -121,6 +121,7 @@ mod messages;
 mod null_space;
 mod plane_rotation;
 mod power;
+mod products;
 mod quadratic_form;
 mod quasi_velocities;
 mod regressor;

@@ -104,7 +104,7 @@ impl QuadraticForm {
         self.pairs.contains_key(&(i, i))
     }
 
-    /// Wᵢⱼ
+    /// Returns Wᵢⱼ.
     pub(super) fn coefficient(&self, graph: &mut Graph, i: ExprId, j: ExprId) -> ExprId {
         total(graph, self.pairs.get(&(i.min(j), i.max(j))).cloned())
     }
@@ -144,7 +144,7 @@ impl QuadraticForm {
         rows.iter().map(row).collect()
     }
 
-    /// cᵢ
+    /// Returns cᵢ.
     pub(super) fn linear(&self, graph: &mut Graph, i: ExprId) -> ExprId {
         total(graph, self.linear.get(&i).cloned())
     }

@@ -327,8 +327,8 @@ impl<'a> Elaborator<'a> {
         None
     }
 
-    /// The height of a terrain that depends on what no height may depend on. It is the cause of
-    /// errors in gaps and potentials of contacts.
+    /// Returns the height of a terrain that depends on what no height may depend on. It is the
+    /// cause of errors in gaps and potentials of contacts.
     fn height_with(&mut self, kind: Dependencies) -> Option<AstId> {
         if kind != Dependencies::VELOCITY && !UNKNOWNS.contains(&kind) {
             return None;

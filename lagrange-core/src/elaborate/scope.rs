@@ -37,7 +37,7 @@ pub(super) enum NameKind {
 }
 
 impl NameKind {
-    /// Description in the user's words.
+    /// Describes it in the user's words.
     pub(super) fn describe(self) -> &'static str {
         match self {
             NameKind::Parameter => "parameter",

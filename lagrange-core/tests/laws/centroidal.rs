@@ -19,7 +19,7 @@ fn of(system: &NumericSystem, product: Product, (t, q, v): (f64, &[f64], &[f64])
     system.product(product, t, q, v).expect("it is requested")
 }
 
-/// In free fall, the mass falls with g and no moment acts about its centre.
+/// Asserts that in free fall, the mass falls with g and no moment acts about its centre.
 fn assert_free_fall(text: &str, (mass, up): (f64, usize)) {
     let system = numeric(&format!("struct S; {text} {ASKED}"));
     for (t, q, v) in states(&system, 6) {

@@ -89,7 +89,7 @@ impl Monomial {
         Monomial(self.0.iter().filter_map(least).collect())
     }
 
-    /// The factors that `keep` accepts, and the others.
+    /// Returns the factors that `keep` accepts, and the others.
     pub(super) fn split(&self, keep: impl Fn(ExprId, &Number) -> bool) -> (Monomial, Monomial) {
         let (kept, others) = self.0.iter().cloned().partition(|(base, exponent)| keep(*base, exponent));
         (Monomial(kept), Monomial(others))

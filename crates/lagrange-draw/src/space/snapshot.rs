@@ -5,7 +5,7 @@ use crate::geometry::{add, subtract};
 use crate::snapshot::{Joint, Named, Snapshot, Stored};
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scalar::Scalar;
-use lagrange_runtime::scene::{Frame, Part, Solid, Spatial, SpatialJoint, SpatialJointKind};
+use lagrange_runtime::scene::{Frame, Part, Spatial, SpatialJoint, SpatialJointKind};
 
 /// A body or frame.
 #[derive(Clone, PartialEq, Debug)]
@@ -114,18 +114,6 @@ pub(super) fn difference(one: &Snapshot<Spatial>, other: &Snapshot<Spatial>) -> 
 }
 
 fn part<S: Scalar + Into<f64>>(part: &Part<'_, S, Spatial>) -> SolidPart {
-    let shape = match part.shape {
-        Solid::PointMass => Solid::PointMass,
-        Solid::SlenderRod(l) => Solid::SlenderRod(l.into()),
-        Solid::Sphere(r) => Solid::Sphere(r.into()),
-        Solid::Ellipsoid(a, b, c) => Solid::Ellipsoid(a.into(), b.into(), c.into()),
-        Solid::Cuboid(a, b, c) => Solid::Cuboid(a.into(), b.into(), c.into()),
-        Solid::Disk(r) => Solid::Disk(r.into()),
-        Solid::Ring(r) => Solid::Ring(r.into()),
-        Solid::Cylinder(r, h) => Solid::Cylinder(r.into(), h.into()),
-        Solid::HollowCylinder(inner, outer, h) => Solid::HollowCylinder(inner.into(), outer.into(), h.into()),
-        Solid::Cone(r, h) => Solid::Cone(r.into(), h.into()),
-    };
     let (at, rotation) = (Spatial::vector(part.at), Spatial::rotation(part.rotation));
-    Part { shape, at, rotation, is_hole: part.is_hole }
+    Part { shape: part.shape.map(Into::into), at, rotation, is_hole: part.is_hole }
 }

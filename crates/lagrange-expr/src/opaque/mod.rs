@@ -287,7 +287,7 @@ pub fn default_name(name: &str, parameters: &[String], orders: &[u8]) -> String 
     }
 }
 
-/// The arguments by which a function is differentiated, each as often as that is done.
+/// Returns the arguments by which a function is differentiated, each as often as that is done.
 fn arguments<'a>(parameters: &'a [String], orders: &'a [u8]) -> impl Iterator<Item = &'a str> {
     let repeated = parameters.iter().zip(orders);
     repeated.flat_map(|(parameter, order)| std::iter::repeat_n(parameter.as_str(), usize::from(*order)))

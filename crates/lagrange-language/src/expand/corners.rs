@@ -107,7 +107,7 @@ impl PointCounts {
     }
 }
 
-/// The number of points in which a shape touches a cuboid with its faces and edges.
+/// Returns the number of points in which a shape touches a cuboid with its faces and edges.
 fn contact_points(shape: &Shape) -> usize {
     match (shape.solid.text.as_str(), shape.dimensions.len()) {
         ("cuboid", 3) => POINTS_OF_CUBOIDS,
@@ -117,7 +117,7 @@ fn contact_points(shape: &Shape) -> usize {
     }
 }
 
-/// The body whose corners or contact points touch, and their number.
+/// Returns the body whose corners or contact points touch, and their number.
 fn corners_of(kind: &StatementKind, expressions: &Expressions, counts: &CornerCounts) -> Option<Numbered> {
     let StatementKind::Scene(SceneStatement::Contact(contact)) = kind else { return None };
     let (body, is_whole) = match expressions.get(contact.object) {
@@ -141,7 +141,7 @@ fn corners_of(kind: &StatementKind, expressions: &Expressions, counts: &CornerCo
     (count > 0).then_some(Numbered { body, function, count })
 }
 
-/// `for k in 0..count { contact name[k] = body.corner(k) on … }`
+/// Writes `for k in 0..count { contact name[k] = body.corner(k) on … }`.
 fn repeat(statement: &mut Statement, numbered: &Numbered, expressions: &mut Expressions) {
     let &Numbered { body, function, count } = numbered;
     let mut element = statement.clone();

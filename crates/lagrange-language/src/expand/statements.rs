@@ -14,7 +14,7 @@ use crate::syntax::ast::{
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
 
-/// The statements that one instance stands for: one, but for quaternions, noises and modes
+/// Returns the statements that one instance stands for: one, but for quaternions, noises and modes
 /// that are declared together, and none if it is wrong.
 pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Vec<Statement> {
     let Instance { statement, scope, lines } = instance;
@@ -64,7 +64,7 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
     vec![with(kind)]
 }
 
-/// A rate or a force on a whole array, for each of its elements.
+/// Returns a rate or a force on a whole array, for each of its elements.
 fn given_to_elements(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Option<Vec<StatementKind>> {
     let kind = &instance.statement.kind;
     let (StatementKind::StateRate(name, value) | StatementKind::ForceOn(name, value)) = kind else {
@@ -79,7 +79,7 @@ fn given_to_elements(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Option
     Some(given_to(copier, name, &array, value).into_iter().map(of_element).collect())
 }
 
-/// The elements of a whole array, each with its part of a value.
+/// Returns the elements of a whole array, each with its part of a value.
 fn given_to(copier: &mut Copier<'_>, name: &Name, array: &WholeArray, value: AstId) -> Vec<(Name, AstId)> {
     let shape = ArrayShape::of_sizes(&array.sizes);
     let part = |(indices, text): &(Vec<i64>, String)| {
@@ -88,7 +88,7 @@ fn given_to(copier: &mut Copier<'_>, name: &Name, array: &WholeArray, value: Ast
     array.elements.iter().map(part).collect()
 }
 
-/// A change to a coordinate, or one to each element of an array of them.
+/// Returns a change to a coordinate, or one to each element of an array of them.
 fn reduced(copier: &mut Copier<'_>, item: &ReductionItem, scope: ScopeId) -> Vec<ReductionItem> {
     let value = item.value.map(|value| copier.copied(value, scope));
     if let Some(array) = copier.whole_array(&item.coordinate, scope) {
@@ -112,7 +112,7 @@ fn reduction_item(coordinate: Name, value: Option<AstId>, kind: ReductionKind) -
     ReductionItem { coordinate, value, kind, enclosures: Vec::new() }
 }
 
-/// A statement without indices.
+/// Returns a statement without indices.
 fn single(
     copier: &mut Copier<'_>,
     (kind, origin): (&StatementKind, Origin),
@@ -163,7 +163,7 @@ fn single(
     Some(kind)
 }
 
-/// An assignment in each iteration of the loops around it.
+/// Returns an assignment in each iteration of the loops around it.
 fn assigned(copier: &mut Copier<'_>, assignment: &Assignment, scopes: &[ScopeId]) -> Vec<Assignment> {
     let mut all = Vec::new();
     for &scope in scopes {
@@ -229,7 +229,7 @@ fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Nam
     }
 }
 
-/// The elements that a name declares, with their indices; itself if it declares no array.
+/// Returns the elements that a name declares, with their indices; itself if it declares no array.
 fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i64>, Name)> {
     let base = copier.scopes.prefixed(scope, &name.text);
     if name.indices.is_empty() {
@@ -244,7 +244,7 @@ fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i6
     positions.into_iter().map(named).collect()
 }
 
-/// The name of an element, with the unit of the array.
+/// Returns the name of an element, with the unit of the array.
 fn element(of: &Name, text: String) -> Name {
     Name { unit: of.unit.clone(), ..Name::new(text, of.span) }
 }

@@ -87,7 +87,7 @@ impl<S: Scalar> SpatialMotion<S> {
         sum(self.center, self.arm(own))
     }
 
-    /// ρ from the centre of mass to a point.
+    /// Returns ρ from the centre of mass to a point.
     fn arm(&self, own: Triple<S>) -> Triple<S> {
         self.vector(difference(&own, &self.centroid))
     }
@@ -140,7 +140,7 @@ impl<S: Scalar> SpatialMotion<S> {
         S::from_f64(0.5) * twice
     }
 
-    /// ω and J ω in own axes.
+    /// Returns ω and J ω in own axes.
     fn own_spin(&self) -> [Triple<S>; 2] {
         let own = self.to_body(self.angular_velocity);
         [own, self.inertia.map(|row| dot(&row, &own))]

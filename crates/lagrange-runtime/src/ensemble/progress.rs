@@ -59,6 +59,8 @@ impl<'r, 'a> Counter<'r, 'a> {
         self.motions.load(Ordering::Relaxed)
     }
 
+    /// Checks that the ensemble is to continue.
+    ///
     /// # Errors
     /// If the callback cancelled the ensemble, or panicked.
     pub(super) fn check(&self) -> Result<(), EnsembleError> {

@@ -11,6 +11,8 @@ use crate::scalar::Number;
 use crate::simulate::state_names;
 
 impl<M: SharedSystem> Batch<'_, M> {
+    /// Checks the room for recorded data.
+    ///
     /// # Errors
     /// If the recorded data of this many motions do not fit in memory, as far as the operating
     /// system can predict.
@@ -21,6 +23,8 @@ impl<M: SharedSystem> Batch<'_, M> {
         )
     }
 
+    /// Checks the room for samples that are in memory together.
+    ///
     /// # Errors
     /// If the samples of this many motions, held in memory together while they are saved or
     /// reduced, do not fit.

@@ -110,6 +110,8 @@ impl Shard {
         self.count
     }
 
+    /// Checks the index.
+    ///
     /// # Errors
     /// If the index is beyond the count.
     pub(super) fn check(self) -> Result<(), EnsembleError> {

@@ -185,7 +185,7 @@ fn changes<S: Scalar>(part: &[S; POINTS], error: S) -> u32 {
     changes
 }
 
-/// cos(π k/8)
+/// Computes cos(π k/8).
 const fn cosine(k: usize) -> f64 {
     match k % 16 {
         k @ 0..=4 => COSINES[k],
@@ -212,9 +212,9 @@ fn chebyshev<S: Scalar>(values: &[S; POINTS]) -> [S; POINTS] {
     coefficients
 }
 
-/// On the unit interval, Σᵢ (−1)^(k−i) C(2k, 2i) C(n−k, j−i)/C(n, j). Source: Farouki, §5.3;
-/// Rababah, "Transformation of Chebyshev–Bernstein polynomial basis", *Computational Methods in
-/// Applied Mathematics* 3 (2003) 608–622.
+/// Computes, on the unit interval, Σᵢ (−1)^(k−i) C(2k, 2i) C(n−k, j−i)/C(n, j). Source: Farouki,
+/// §5.3; Rababah, "Transformation of Chebyshev–Bernstein polynomial basis", *Computational Methods
+/// in Applied Mathematics* 3 (2003) 608–622.
 const fn bernstein() -> [[f64; POINTS]; POINTS] {
     let mut table = [[0.0; POINTS]; POINTS];
     let mut j = 0;

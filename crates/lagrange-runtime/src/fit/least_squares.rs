@@ -200,7 +200,7 @@ pub(super) fn half_square(residuals: &[f64]) -> f64 {
 mod tests {
     use super::{Comparison, DenseMatrix, minimise};
 
-    /// Rosenbrock's valley: 10 (y − x²) and 1 − x.
+    /// Computes Rosenbrock's valley: 10 (y − x²) and 1 − x.
     fn valley(x: &[f64]) -> Result<Comparison, ()> {
         let residuals = std::vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]];
         let jacobian = DenseMatrix::from_rows(&[[-20.0 * x[0], 10.0], [-1.0, 0.0]]);

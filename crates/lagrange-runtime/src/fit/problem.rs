@@ -164,7 +164,7 @@ where
         }
     }
 
-    /// The derivative with respect to a variable, with which the state changes like this.
+    /// Returns the derivative with respect to a variable, with which the state changes like this.
     fn slope(
         &self,
         system: &M,

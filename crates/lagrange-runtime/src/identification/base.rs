@@ -35,8 +35,8 @@ impl BaseParameter {
     }
 }
 
-/// Six digits of a number, which are enough to recognise it. Equal ones look alike, though rounding
-/// tells them apart.
+/// Returns six digits of a number, which are enough to recognise it. Equal ones look alike, though
+/// rounding tells them apart.
 pub(super) fn six_digits(number: f64) -> f64 {
     let exact = std::format!("{number:.11e}").parse::<f64>().unwrap_or(number);
     std::format!("{exact:.5e}").parse::<f64>().unwrap_or(exact)

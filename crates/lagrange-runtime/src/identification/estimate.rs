@@ -125,7 +125,8 @@ impl Display for Estimate {
     }
 }
 
-/// Weights of forces with these levels of noise; those without noise count like the best others.
+/// Returns weights of forces with these levels of noise; those without noise count like the best
+/// others.
 fn weights(noise: &[f64]) -> Vec<f64> {
     let least =
         noise.iter().filter(|level| **level > 0.0).fold(f64::INFINITY, |least, level| least.min(*level));
@@ -146,8 +147,8 @@ struct Solution {
 }
 
 impl Equations<'_> {
-    /// The least squares with a weight for the force of each velocity, and the covariance for
-    /// weights that are reciprocal levels of noise.
+    /// Returns the least squares with a weight for the force of each velocity, and the covariance
+    /// for weights that are reciprocal levels of noise.
     fn solve(&self, weights: &[f64]) -> Solution {
         let weighted = |column: &[f64]| {
             let entries = column.iter().enumerate();
@@ -194,8 +195,8 @@ impl Equations<'_> {
         (solution, noise)
     }
 
-    /// The noise level of the force of each velocity, from its residuals. What the solution takes
-    /// of them is the trace of its part of the projection onto the columns.
+    /// Returns the noise level of the force of each velocity, from its residuals. What the solution
+    /// takes of them is the trace of its part of the projection onto the columns.
     fn noise(&self, Solution { values, covariance }: &Solution, weights: &[f64]) -> Vec<f64> {
         let mut squares = std::vec![0.0; self.velocities];
         let mut degrees = std::vec![0.0; self.velocities];

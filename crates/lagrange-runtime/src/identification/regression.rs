@@ -138,7 +138,7 @@ impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
         }
     }
 
-    /// The first row from this one on that is not finite.
+    /// Returns the first row from this one on that is not finite.
     fn undefined_row(&self, from: usize) -> Option<usize> {
         (from..self.forces.len()).find(|&row| {
             let entries = self.columns.iter().map(|column| column[row]).chain([self.forces[row]]);

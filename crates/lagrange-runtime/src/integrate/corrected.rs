@@ -13,7 +13,7 @@ pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<
     Err(StepFailure::NotFinite)
 }
 
-/// True, in each lane, if this is neither NaN nor infinite.
+/// True in each lane in which this is neither NaN nor infinite.
 #[inline(always)]
 pub(super) fn is_finite<S: Number>(value: S) -> S::Mask {
     // Infinity times zero is NaN.

@@ -128,7 +128,7 @@ impl<'a, M: LagrangianSystem> Nearby<'a, M> {
         products.fold(M::Scalar::ZERO, |sum, product| sum + product) / self.step
     }
 
-    /// ∂L/∂t, with what first-order states change.
+    /// Computes ∂L/∂t, with what first-order states change.
     pub(super) fn explicit_rate(&self) -> M::Scalar {
         let states = self.system.description().first_order_states;
         let first = self.q.as_ref().len() - states;

@@ -223,8 +223,8 @@ where
         self.system.domain().check(point.y.as_ref()).map_err(EquilibriumCause::OutOfRange)
     }
 
-    /// The point beyond the step, or a part of it that brings the equations closer to zero; with
-    /// true if it halves their distance.
+    /// Returns the point beyond the step, or a part of it that brings the equations closer to zero;
+    /// with true if it halves their distance.
     fn shortened(
         &self,
         point: &EquilibriumGuess<M>,

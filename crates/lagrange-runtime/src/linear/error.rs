@@ -184,7 +184,7 @@ pub struct Undetermined {
 }
 
 impl Undetermined {
-    /// The entry at this row and column.
+    /// Returns the entry at this row and column.
     pub(super) fn of(names: &Names, (row, column): (usize, usize)) -> Undetermined {
         let (components, layout) = (names.tangent(), names.beyond);
         let by = components.get(column).cloned();

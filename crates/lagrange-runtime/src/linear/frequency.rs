@@ -101,7 +101,7 @@ impl FrequencyResponse {
         }
     }
 
-    /// Frequencies at which a function of G changes its sign.
+    /// Finds frequencies at which a function of G changes its sign.
     fn crossings(&self, of: impl Fn((f64, f64)) -> f64) -> Vec<f64> {
         let signs = self.values.iter().map(|&value| of(value)).collect::<Vec<_>>();
         let changes = signs.windows(2).enumerate().filter(|(_, pair)| pair[0] * pair[1] < 0.0);

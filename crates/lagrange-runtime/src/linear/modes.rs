@@ -315,7 +315,7 @@ impl Eigenvectors {
         x
     }
 
-    /// |A x − λ x|
+    /// Computes |A x − λ x|.
     fn residual(&self, (real, imaginary): (f64, f64), x: &ComplexVector) -> f64 {
         let rows = (0..self.a.rows()).map(|i| {
             let (re, im) = (dot(self.a.row(i), &x.real), dot(self.a.row(i), &x.imaginary));

@@ -260,7 +260,8 @@ fn check(entries: &DenseMatrix, expected: usize, matrix: DesignMatrix) -> Result
     }
 }
 
-/// The mode that does not decay by itself and that the inputs move least, if they do not move it.
+/// Returns the mode that does not decay by itself and that the inputs move least, if they do not
+/// move it.
 fn out_of_reach(Plant { time, a, states }: Plant<'_>, b: &DenseMatrix, matrix: DesignMatrix) -> DesignError {
     let size = a.largest();
     let channel = if matrix == DesignMatrix::States { Channel::Inputs } else { Channel::Outputs };

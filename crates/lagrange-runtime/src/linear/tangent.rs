@@ -71,8 +71,8 @@ pub(super) struct TangentSpace {
 }
 
 impl TangentSpace {
-    /// Constraints on positions restrict displacements by ∂ċ/∂v δ = 0. All constraints restrict
-    /// velocities by ∂ċ/∂v ε + ∂ċ/∂q δ = 0.
+    /// Creates the tangent. Constraints on positions restrict displacements by ∂ċ/∂v δ = 0. All
+    /// constraints restrict velocities by ∂ċ/∂v ε + ∂ċ/∂q δ = 0.
     pub(super) fn new(blocks: &Blocks, are_holonomic: &[bool]) -> TangentSpace {
         let (n, tangent) = (blocks.freedoms, blocks.tangent);
         let first = blocks.velocities();

@@ -101,7 +101,7 @@ impl Transfer {
         (self.seen(real) + self.d, self.seen(imaginary))
     }
 
-    /// C x
+    /// Computes C x.
     fn seen(&self, x: &[f64]) -> f64 {
         self.c.iter().zip(x).map(|(c, x)| c * x).sum()
     }

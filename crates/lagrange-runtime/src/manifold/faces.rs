@@ -32,7 +32,7 @@ impl<S: Scalar> Polygon<S> {
         }
     }
 
-    /// The part of it in which n·p ≤ limit.
+    /// Returns the part of it in which n·p ≤ limit.
     fn clipped(&self, normal: &Triple<S>, limit: S) -> Self {
         let mut clipped = Polygon::new();
         let beyond = |corner: &Triple<S>| dot(normal, corner) - limit;
@@ -53,7 +53,7 @@ impl<S: Scalar> Polygon<S> {
     }
 }
 
-/// Contact points of the face that separates two cuboids; none if nothing is over it.
+/// Returns the contact points of the face that separates two cuboids; none if nothing is over it.
 pub(super) fn between_faces<S: Scalar>(
     first: &Block<S>,
     second: &Block<S>,
@@ -81,7 +81,8 @@ pub(super) fn between_faces<S: Scalar>(
     manifold
 }
 
-/// The face of a cuboid that lies against a direction the most; of a segment an end or all of it.
+/// Returns the face of a cuboid that lies against a direction the most; of a segment an end or all
+/// of it.
 fn facing<S: Scalar>(block: &Block<S>, outward: &Triple<S>) -> Polygon<S> {
     let slope = |axis: usize| dot(&block.axes[axis], outward);
     let steepest =

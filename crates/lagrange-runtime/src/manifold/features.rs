@@ -34,8 +34,8 @@ impl<S: Scalar> Edge<S> {
 /// An edge of the first cuboid and one of the second.
 type EdgePair<S> = (Edge<S>, Edge<S>);
 
-/// The contact of the closest points of two cuboids. Cuboids that overlap touch where the edges of
-/// the found direction do, or at the middle of both if it has none.
+/// Returns the contact of the closest points of two cuboids. Cuboids that overlap touch where the
+/// edges of the found direction do, or at the middle of both if it has none.
 pub(super) fn closest_features<S: Scalar>(
     first: &Block<S>,
     second: &Block<S>,
@@ -72,14 +72,14 @@ pub(super) fn closest_features<S: Scalar>(
     manifold
 }
 
-/// A contact of blocks with a number that is NaN.
+/// Returns a contact of blocks with a number that is NaN.
 fn undefined<S: Scalar>(mut manifold: Manifold<S>) -> Manifold<S> {
     let nan = [S::NAN; 3];
     manifold.push(Touch { on_first: nan, on_second: nan, normal: nan, gap: S::NAN });
     manifold
 }
 
-/// The edge along an axis that reaches farthest in a direction.
+/// Returns the edge along an axis that reaches farthest in a direction.
 fn supporting<S: Scalar>(block: &Block<S>, axis: usize, direction: &Triple<S>) -> Edge<S> {
     let own = [0, 1, 2].map(|other| match other == axis {
         true => S::ZERO,
@@ -89,7 +89,8 @@ fn supporting<S: Scalar>(block: &Block<S>, axis: usize, direction: &Triple<S>) -
     Edge { middle: block.place(&own), direction: block.axes[axis], half: block.half[axis] }
 }
 
-/// The closest points of two cuboids that are apart, and the edges on which they are, if they are.
+/// Returns the closest points of two cuboids that are apart, and the edges on which they are, if
+/// they are.
 ///
 /// Edges are compared only if the spheres around them are as close as the closest corner. Of two
 /// corners beside each other, 9 of the 144 pairs of edges remain.
@@ -117,7 +118,7 @@ fn closest_pair<S: Scalar>(
     (best.filter(|best| best.distance.is_finite()), on_edges)
 }
 
-/// The corner of one cuboid that is closest to the other; `None` if none has a distance.
+/// Returns the corner of one cuboid that is closest to the other; `None` if none has a distance.
 fn closest_corner<S: Scalar>(first: &Block<S>, second: &Block<S>) -> Option<Pair<S>> {
     let corners = corners(first).map(|corner| {
         let on_second = within(second, &corner);
@@ -131,7 +132,7 @@ fn closest_corner<S: Scalar>(first: &Block<S>, second: &Block<S>) -> Option<Pair
     pairs.reduce(|best, pair| if pair.distance < best.distance { pair } else { best })
 }
 
-/// The corners of a cuboid, each once.
+/// Returns the corners of a cuboid, each once.
 fn corners<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Triple<S>> + '_ {
     (0..8).filter_map(move |number| {
         let is_above = |axis: usize| number >> axis & 1 == 1;
@@ -141,7 +142,7 @@ fn corners<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Triple<S>> + '_ 
     })
 }
 
-/// The edges of a cuboid, each once.
+/// Returns the edges of a cuboid, each once.
 fn edges<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Edge<S>> + '_ {
     (0..12).filter_map(move |number| {
         let (axis, sides) = (number / 4, [number & 1, number >> 1 & 1]);
@@ -158,13 +159,14 @@ fn edges<S: Scalar>(block: &Block<S>) -> impl Iterator<Item = Edge<S>> + '_ {
     })
 }
 
-/// The point of a cuboid that is closest to another.
+/// Returns the point of a cuboid that is closest to another.
 fn within<S: Scalar>(block: &Block<S>, point: &Triple<S>) -> Triple<S> {
     let own = block.own(point);
     block.place(&[0, 1, 2].map(|axis| clamped(own[axis], block.half[axis])))
 }
 
-/// The closest points of two edges; of parallel ones those at the middle of what they share.
+/// Returns the closest points of two edges; of parallel ones those at the middle of what they
+/// share.
 ///
 /// Let m be the middles and u the directions. The lines through both cross at s from the first
 /// middle, with ((m₁ − m₂) × u₂)·(u₁ × u₂) = −s |u₁ × u₂|². The left side is as accurate as the
@@ -195,7 +197,7 @@ fn pair_at<S: Scalar>(a: &Edge<S>, b: &Edge<S>, first: S, second: S) -> Pair<S> 
     Pair { on_first, on_second, distance: norm(&difference(&on_first, &on_second)) }
 }
 
-/// The part of the first of two parallel edges that is beside the second.
+/// Returns the part of the first of two parallel edges that is beside the second.
 fn shared<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[S; 2]> {
     let offset = dot(&a.direction, &difference(&b.middle, &a.middle));
     let from = (offset - b.half).max(-a.half);
@@ -203,7 +205,7 @@ fn shared<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[S; 2]> {
     (from < to).then_some([from, to])
 }
 
-/// The closest points at both ends of what parallel edges share; `None` of others.
+/// Returns the closest points at both ends of what parallel edges share; `None` of others.
 fn shared_ends<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[Pair<S>; 2]> {
     let across = cross(&a.direction, &b.direction);
     if norm(&across) > parallel() {
@@ -215,7 +217,7 @@ fn shared_ends<S: Scalar>(a: &Edge<S>, b: &Edge<S>) -> Option<[Pair<S>; 2]> {
     shared(a, b).map(|ends| ends.map(at))
 }
 
-/// A number moved into [−limit, limit]. If it is NaN, it stays so.
+/// Returns a number moved into [−limit, limit]. If it is NaN, it stays so.
 fn clamped<S: Scalar>(value: S, limit: S) -> S {
     if value > limit {
         limit

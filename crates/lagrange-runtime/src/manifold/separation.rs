@@ -23,7 +23,8 @@ pub(super) struct Separation<S> {
     pub(super) edges: Option<(usize, usize)>,
 }
 
-/// The direction in which two cuboids are farthest apart. A face takes precedence over edges.
+/// Returns the direction in which two cuboids are farthest apart. A face takes precedence over
+/// edges.
 pub(super) fn separation<S: Scalar>(first: &Block<S>, second: &Block<S>, size: S) -> Separation<S> {
     let arm = difference(&first.center, &second.center);
     let measure = |normal: Triple<S>, face, edges| {
@@ -61,13 +62,13 @@ pub(super) fn has_face<S: Scalar>(block: &Block<S>, axis: usize) -> bool {
     (0..3).all(|other| other == axis || block.extends(other))
 }
 
-/// The sine of the angle below which edges may touch at both ends of what they share: 10⁻⁶ for
-/// `f64`.
+/// Returns the sine of the angle below which edges may touch at both ends of what they share: 10⁻⁶
+/// for `f64`.
 pub(super) fn parallel<S: Scalar>() -> S {
     S::from_f64(64.0) * S::epsilon().sqrt()
 }
 
-/// The unit vector across two edges; `None` if they are parallel.
+/// Returns the unit vector across two edges; `None` if they are parallel.
 fn product<S: Scalar>(a: &Triple<S>, b: &Triple<S>) -> Option<Triple<S>> {
     let across = cross(a, b);
     let length = norm(&across);
@@ -80,7 +81,7 @@ fn product<S: Scalar>(a: &Triple<S>, b: &Triple<S>) -> Option<Triple<S>> {
     Some(multiple(S::ONE / norm(&normal), &normal))
 }
 
-/// A direction for parallel segments or points: that of the vector between them, or if they
+/// Returns a direction for parallel segments or points: that of the vector between them, or if they
 /// overlap any across.
 fn aside<S: Scalar>(first: &Block<S>, second: &Block<S>, arm: &Triple<S>) -> Triple<S> {
     let segment = [first, second].into_iter().find_map(|block| {

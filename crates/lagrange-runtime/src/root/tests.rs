@@ -96,7 +96,7 @@ fn equations_without_zero_or_slope_give_nan() {
     assert!(newton(1.0, 2, |y: f64| [y.powi(3) - 2.0, 3.0 * y * y, 4.0 * y.powi(3)]).is_nan());
 }
 
-/// Equations with one unknown y, each with its slope and a bound on its rounding error.
+/// Evaluates equations with one unknown y, each with its slope and a bound on its rounding error.
 fn equation<S: Number>(name: &str, x: S, y: S) -> [S; 3] {
     let (one, two) = (S::ONE, S::from_f64(2.0));
     let terms = |terms: &[S], slope: S| {

@@ -11,29 +11,58 @@ pub struct Frame<'a, S> {
     pub origin: [S; 3],
 }
 
-/// A solid in its own axes. Its axis of symmetry is z; a rod is along x.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Solid<S> {
+/// Defines solids from rows with their variants and the names of their dimensions.
+macro_rules! solids {
+    ($($(#[doc = $doc:literal])* $Variant:ident $(($($size:ident: $Number:ty),+))?;)+) => {
+        /// A solid in its own axes. Its axis of symmetry is z; a rod is along x.
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        pub enum Solid<S> {
+            $($(#[doc = $doc])* $Variant $(($($Number),+))?,)+
+        }
+
+        impl<S> Solid<S> {
+            /// Returns the solid of a variant, with the next numbers as its dimensions.
+            #[doc(hidden)]
+            pub fn of_variant(variant: &str, next: &mut dyn FnMut() -> S) -> Option<Solid<S>> {
+                $(if variant == stringify!($Variant) {
+                    $($(let $size = next();)+)?
+                    return Some(Solid::$Variant $(($($size),+))?);
+                })+
+                None
+            }
+
+            /// Converts the dimensions.
+            #[must_use]
+            pub fn map<T>(self, convert: impl Fn(S) -> T) -> Solid<T> {
+                match self {
+                    $(Solid::$Variant $(($($size),+))? => Solid::$Variant $(($(convert($size)),+))?,)+
+                }
+            }
+        }
+    };
+}
+
+solids! {
     /// A point mass at the origin.
-    PointMass,
+    PointMass;
     /// A rod of this length along x, with its middle at the origin.
-    SlenderRod(S),
+    SlenderRod(length: S);
     /// A sphere of this radius about the origin, solid or hollow.
-    Sphere(S),
+    Sphere(radius: S);
     /// An ellipsoid about the origin: its semi-axes along x, y and z.
-    Ellipsoid(S, S, S),
+    Ellipsoid(a: S, b: S, c: S);
     /// A cuboid about the origin: its sides along x, y and z.
-    Cuboid(S, S, S),
+    Cuboid(a: S, b: S, c: S);
     /// A disk of this radius about the origin, normal to z.
-    Disk(S),
+    Disk(radius: S);
     /// A ring of this radius about the origin, normal to z.
-    Ring(S),
+    Ring(radius: S);
     /// A cylinder of this radius and height, with its middle at the origin.
-    Cylinder(S, S),
+    Cylinder(radius: S, height: S);
     /// A tube of this inner radius, outer radius and height, with its middle at the origin.
-    HollowCylinder(S, S, S),
+    HollowCylinder(inner: S, outer: S, height: S);
     /// A cone of this radius and height, with its base at z = 0 and its tip at z = h.
-    Cone(S, S),
+    Cone(radius: S, height: S);
 }
 
 /// A joint in space.

@@ -122,8 +122,8 @@ where
         &self.plant
     }
 
-    /// With the plant's own inputs, on which the law may build, and not those that it had at a time
-    /// and state.
+    /// Wraps the plant with its own inputs, on which the law may build, and not those that it had
+    /// at a time and state.
     fn around(&self, inner: M) -> Self {
         self.with_plant(inner.with_inputs(self.plant.inputs()))
     }
@@ -224,7 +224,7 @@ where
     }
 }
 
-/// The state with one entry moved by about half of all its digits, and by how much.
+/// Returns the state with one entry moved by about half of all its digits, and by how much.
 fn moved<M: MechanicalSystem>(y: &M::State, entry: usize) -> (M::State, M::Scalar) {
     let mut moved = *y;
     let value = y.as_ref()[entry];

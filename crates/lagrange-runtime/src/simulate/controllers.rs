@@ -36,7 +36,7 @@ impl<M: ControlledSystem> InputColumns<M> {
 }
 
 impl<M: MechanicalSystem> InputColumns<M> {
-    /// The system with the inputs of this sample.
+    /// Returns the system with the inputs of this sample.
     pub(super) fn at(&self, table: &Table<M::Scalar>, index: usize, system: &M) -> Option<M> {
         let inputs = table.columns().skip(self.first).map(|column| column.get(index).copied());
         let inputs: Vec<M::Scalar> = inputs.collect::<Option<_>>()?;
@@ -78,7 +78,7 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
         Ok(Controllers { controllers, end: span[1] })
     }
 
-    /// The next instant at which one acts.
+    /// Returns the next instant at which one acts.
     pub(super) fn next(&self) -> Option<M::Scalar> {
         let mut next = None;
         for controller in &self.controllers {
@@ -91,7 +91,7 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
         next
     }
 
-    /// All act at the start.
+    /// Lets all act at the start.
     ///
     /// # Errors
     /// If an input is not finite.

@@ -249,9 +249,9 @@ impl<M: DelayedSystem> ClosedLoop<M> for Remembering<M> {
         fault(span, lags, shortest, are_bounded).map_or(Ok(()), |fault| refusal(number, fault))
     }
 
-    /// Before the start signals have the values that they have there, unless a function of time
-    /// gives them. One may depend on those declared before it, so that all are known after as many
-    /// rounds.
+    /// Sets the history: before the start, signals have the values that they have there, unless a
+    /// function of time gives them. One may depend on those declared before it, so that all are
+    /// known after as many rounds.
     fn start_history(&self, start: (M::Scalar, &M::State), order: u32, restarts: &[M::Scalar]) {
         let lags = self.plant.lags();
         let history = History::new(start.0, lags, order, restarts);

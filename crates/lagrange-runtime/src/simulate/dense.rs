@@ -34,7 +34,7 @@ pub(super) struct Dense<S, Y> {
 const LEAST_DEGREE: u32 = 5;
 
 impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
-    /// For a method of this order.
+    /// Creates an empty record for a method of this order.
     pub(super) fn new(order: u32) -> Self {
         let degree = LEAST_DEGREE.max(order + 1);
         let angle = |j: u32| S::from_f64(core::f64::consts::PI * f64::from(j) / f64::from(degree));
@@ -79,8 +79,8 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         }
     }
 
-    /// The state at `t`, at an end shared by two steps that of the later one; `None` outside of all
-    /// steps.
+    /// Returns the state at `t`, at an end shared by two steps that of the later one; `None`
+    /// outside of all steps.
     pub(super) fn at(&self, t: S) -> Option<Y> {
         let backwards = self.steps.first().is_some_and(|(from, to)| to < from);
         let is_past = |(from, _): &(S, S)| if backwards { *from >= t } else { *from <= t };
@@ -121,7 +121,7 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         sum
     }
 
-    /// The point that is nearest to this part of a step.
+    /// Returns the point that is nearest to this part of a step.
     fn nearest(&self, s: S) -> usize {
         let after = self.points.partition_point(|point| *point < s).min(self.points.len() - 1);
         let before = after.saturating_sub(1);

@@ -77,8 +77,8 @@ impl<S: Scalar, Y: StateVector<S>> History<S, Y> {
         values
     }
 
-    /// The signals at `t − lag`. An end of a step counts as passed once the run has gone on from
-    /// one delay later. Times are compared there, since (s + τ) − τ is not s.
+    /// Returns the signals at `t − lag`. An end of a step counts as passed once the run has gone on
+    /// from one delay later. Times are compared there, since (s + τ) − τ is not s.
     fn at(&self, t: S, lag: S, before: impl Fn(S) -> Option<Y>) -> Y {
         let steps = self.steps.steps();
         let is_passed = |edge: S| match Self::is_at(t, edge) {

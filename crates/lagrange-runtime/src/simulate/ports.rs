@@ -150,6 +150,8 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
     }
 }
 
+/// Checks the inputs of a sample.
+///
 /// # Errors
 /// If an input is not finite.
 fn check_finite<M: ControlledSystem>(

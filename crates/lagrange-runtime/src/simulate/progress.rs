@@ -31,7 +31,7 @@ impl<S: Scalar + Into<f64>> Progress<S> {
 
 /// The return value of a progress callback: nothing, or true to continue.
 pub trait Verdict {
-    /// True to continue.
+    /// True if the run is to continue.
     fn go_on(self) -> bool;
 }
 

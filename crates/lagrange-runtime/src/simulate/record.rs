@@ -52,7 +52,7 @@ enum Samples<S> {
 }
 
 impl<S: Scalar> Samples<S> {
-    /// The samples of a run after its start.
+    /// Returns the samples of a run after its start.
     fn new(settings: &RunSettings<S>) -> Self {
         match (settings.sampling, settings.grid()) {
             (Sampling::EveryStep, _) => Samples::EveryStep,
@@ -66,7 +66,7 @@ impl<S: Scalar> Samples<S> {
         }
     }
 
-    /// The next time of a sample if it is not after `to` and before the end.
+    /// Returns the next time of a sample if it is not after `to` and before the end.
     fn ahead(&self, to: S) -> Option<S> {
         match self {
             Samples::Grid(grid) => { *grid }.up_to(to),
@@ -125,7 +125,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.dense = Some(Dense::new(order));
     }
 
-    /// The last good state, with its time.
+    /// Returns the last good state, with its time.
     pub(super) fn last(&self) -> (M::Scalar, C::State) {
         self.last
     }

@@ -22,7 +22,7 @@ macro_rules! without_feature {
         #[doc(hidden)]
         #[diagnostic::on_unimplemented(message = $message, label = $label, note = $note)]
         pub trait $required {
-            /// Cannot be called.
+            /// Stands for a method that cannot be called.
             fn never<T>(&self) -> T;
         }
 

@@ -99,7 +99,7 @@ mod tests {
 
     use super::*;
 
-    /// The message for NaN, which no range contains.
+    /// Returns the message for NaN, which no range contains.
     fn message(lower: Bound<f64>, upper: Bound<f64>, unit: &'static str) -> String {
         OutOfRange::check(RangedKind::Parameter, "m", f64::NAN, (lower, upper), unit)
             .expect_err("NaN")

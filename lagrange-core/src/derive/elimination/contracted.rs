@@ -103,7 +103,7 @@ impl<'g> LinearSystem<'g> {
         LinearSystem { algebra: Algebra::new(graph), rows }
     }
 
-    /// The accelerations that have not been eliminated.
+    /// Returns the accelerations that have not been eliminated.
     fn remaining(&self) -> Vec<usize> {
         (0..self.rows.len()).filter(|&i| !self.rows[i].is_done).collect()
     }

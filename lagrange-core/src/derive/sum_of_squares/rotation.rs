@@ -150,7 +150,7 @@ fn pull(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> 
     Pull { pivot: algebra.weighted(&pivot), carriers: numerators, others, drifting, applied }
 }
 
-/// Σ wᵢ aᵢ (Jᵢ·drift)
+/// Computes Σ wᵢ aᵢ (Jᵢ·drift)
 fn drifting(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> ExprId {
     let mut drifts = Vec::new();
     for square in squares {

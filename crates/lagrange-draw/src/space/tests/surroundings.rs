@@ -18,7 +18,7 @@ use lagrange_runtime::scene::{Height, Item, LoadOrigin, Solid, Spatial, Surface,
 const WALL: Rotation = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 const SCALES: [f64; 3] = [1e-6, 1.0, 1e6];
 
-/// A cube at a place on a surface.
+/// Returns a cube at a place on a surface.
 fn scene(center: Vector, side: f64, form: Form, rotation: Rotation) -> Snapshot<Spatial> {
     let shape = Solid::Cuboid(side, side, side);
     let parts: Vec<SolidPart> = vec![SolidPart { shape, at: [0.0; 3], rotation: UPRIGHT, is_hole: false }];
@@ -113,12 +113,12 @@ fn a_bowl_is_seen_from_inside_and_a_huge_sphere_is_a_plane_below_the_motion() {
     }
 }
 
-/// Terrain of a height below a cube.
+/// Returns terrain of a height below a cube.
 fn terrain(height: &dyn Fn([f64; 2]) -> f64) -> MovingMesh {
     moving_terrain(&[height]).pop().expect("it is drawn")
 }
 
-/// Terrain of a different height at each moment.
+/// Returns terrain of a different height at each moment.
 fn moving_terrain(heights: &[&dyn Fn([f64; 2]) -> f64]) -> Vec<MovingMesh> {
     let moment = |_| scene([1.0, 2.0, 0.5], 1.0, Form::Terrain(Vec::new()), UPRIGHT);
     let mut film = heights.iter().map(moment).collect::<Vec<_>>();

@@ -11,7 +11,7 @@ impl Random {
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A step that is often zero, and varies by four orders of magnitude otherwise.
+    /// Returns a step that is often zero, and varies by four orders of magnitude otherwise.
     fn rise(&mut self) -> f64 {
         if self.number() < 0.4 { 0.0 } else { 10.0_f64.powf(4.0 * self.number() - 2.0) }
     }

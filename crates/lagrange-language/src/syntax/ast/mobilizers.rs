@@ -29,9 +29,45 @@ pub enum JointLine {
     Frame(usize),
 }
 
-/// Generates the kinds of joints and their properties from rows. A row has the kind, the keyword,
-/// the coordinates as written, the motions, the tokens required after the keyword, and the form of
-/// the statement.
+/// Passes the rows of joints to a macro. A row has the kind, the keyword, the coordinates as
+/// written, the motions, the tokens required after the keyword, and the form of the statement.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! mobilizers {
+    ($then:ident) => {
+        $then! {
+            /// `revolute q`: turns about an axis.
+            Revolute "revolute" "q" [Turn(Own)] Coordinates:
+                "write `revolute q = ground to arm { at: p; axis: u; }`";
+            /// `prismatic s`: moves along an axis.
+            Prismatic "prismatic" "s" [Slide(Own)] Coordinates:
+                "write `prismatic s = ground to slider { at: p; axis: u; }`";
+            /// `screw q`: turns about an axis and advances along it in proportion.
+            Screw "screw" "q" [Turn(Own), Advance] Coordinates:
+                "write `screw q = ground to nut { axis: u; pitch: e; }`";
+            /// `cylindrical (q, s)`: turns about an axis and moves along it.
+            Cylindrical "cylindrical" "(q, s)" [Turn(Own), Slide(Own)] Coordinates:
+                "write `cylindrical (q, s) = ground to piston { axis: u; }`";
+            /// `universal (a, b)`: turns about x, then about the rotated y.
+            Universal "universal" "(a, b)" [Turn(Frame(0)), Turn(Frame(1))] Coordinates:
+                "write `universal (a, b) = shaft to fork { at: p; }`";
+            /// `planar (x, y, phi)`: moves along x and y and turns about z.
+            Planar "planar" "(x, y, phi)" [Slide(Frame(0)), Slide(Frame(1)), Turn(Frame(2))] Coordinates:
+                "write `planar (x, y, phi) = ground to puck;`";
+            /// `ball hip`: turns about any axis.
+            Ball "ball" "hip" [Orientation] Coordinates:
+                "write `ball hip = trunk to leg { at: p; }`";
+            /// `free trunk`: moves and turns in any direction, without a carrier.
+            Free "free" "" [Slide(Frame(0)), Slide(Frame(1)), Slide(Frame(2)), Orientation] Alone:
+                "write `free trunk;`, with the name of a body";
+            /// `weld`: does not move.
+            Weld "weld" "" [] Joint:
+                "write `weld arm to hand { at: p; turned: (roll, pitch, yaw); }`";
+        }
+    };
+}
+
+/// Generates the kinds of joints and their properties from the rows.
 macro_rules! joints {
     ($(
         #[doc = $doc:literal]
@@ -68,35 +104,7 @@ macro_rules! joints {
     };
 }
 
-joints! {
-    /// `revolute q`: turns about an axis.
-    Revolute "revolute" "q" [Turn(Own)] Coordinates:
-        "write `revolute q = ground to arm { at: p; axis: u; }`";
-    /// `prismatic s`: moves along an axis.
-    Prismatic "prismatic" "s" [Slide(Own)] Coordinates:
-        "write `prismatic s = ground to slider { at: p; axis: u; }`";
-    /// `screw q`: turns about an axis and advances along it in proportion.
-    Screw "screw" "q" [Turn(Own), Advance] Coordinates:
-        "write `screw q = ground to nut { axis: u; pitch: e; }`";
-    /// `cylindrical (q, s)`: turns about an axis and moves along it.
-    Cylindrical "cylindrical" "(q, s)" [Turn(Own), Slide(Own)] Coordinates:
-        "write `cylindrical (q, s) = ground to piston { axis: u; }`";
-    /// `universal (a, b)`: turns about x, then about the rotated y.
-    Universal "universal" "(a, b)" [Turn(Frame(0)), Turn(Frame(1))] Coordinates:
-        "write `universal (a, b) = shaft to fork { at: p; }`";
-    /// `planar (x, y, phi)`: moves along x and y and turns about z.
-    Planar "planar" "(x, y, phi)" [Slide(Frame(0)), Slide(Frame(1)), Turn(Frame(2))] Coordinates:
-        "write `planar (x, y, phi) = ground to puck;`";
-    /// `ball hip`: turns about any axis.
-    Ball "ball" "hip" [Orientation] Coordinates:
-        "write `ball hip = trunk to leg { at: p; }`";
-    /// `free trunk`: moves and turns in any direction, without a carrier.
-    Free "free" "" [Slide(Frame(0)), Slide(Frame(1)), Slide(Frame(2)), Orientation] Alone:
-        "write `free trunk;`, with the name of a body";
-    /// `weld`: does not move.
-    Weld "weld" "" [] Joint:
-        "write `weld arm to hand { at: p; turned: (roll, pitch, yaw); }`";
-}
+crate::mobilizers!(joints);
 
 /// A joint that creates coordinates and places a body by them, called a mobilizer in Simbody and
 /// Drake.

@@ -142,6 +142,8 @@ impl Folder {
     }
 }
 
+/// Checks that a file belongs to this ensemble.
+///
 /// # Errors
 /// If the label of a file is not the expected one.
 pub(super) fn refuse_other(path: &Path, label: &Label, expected: &Label) -> Result<(), EnsembleError> {

@@ -105,7 +105,7 @@ fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     Ok((this.dev(), this.ino()) == (there.dev(), there.ino()))
 }
 
-/// True: on other systems, an open file is not deleted from its path.
+/// True always: on other systems, an open file is not deleted from its path.
 #[cfg(not(unix))]
 fn is_at(_: &File, _: &Path) -> io::Result<bool> {
     Ok(true)

@@ -1,10 +1,9 @@
 //! The method for several motions in lanes.
 
-use super::{RungeKutta4, RungeKuttaStages, hints_at_instability, longest_bearable};
+use super::{NODES, RungeKutta4, RungeKuttaStages, hints_at_instability, longest_bearable};
 use crate::integrate::fixed::{FixedSteps, LanesFormula};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::SuspectStep;
-use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
 use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
 
@@ -26,8 +25,7 @@ impl<T: Scalar> FixedSteps for RungeKutta4<T> {
 
     #[inline(always)]
     fn formula<S: SideBySide<Element = T>, Y: StateVector<S>>() -> ClassicalLanes<S, Y> {
-        let stages = RungeKuttaStages { k1: Y::ZERO, k2: Y::ZERO, k3: Y::ZERO, k4: Y::ZERO };
-        ClassicalLanes { stages, h: S::ZERO }
+        ClassicalLanes { stages: RungeKuttaStages::new(), h: S::ZERO }
     }
 
     fn is_stable<M: OdeSystem<Scalar = T>>(system: &M, step: &SuspectStep<T, M::State>) -> bool {
@@ -60,20 +58,13 @@ where
 
     #[inline(always)]
     fn increment<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y, h: S) -> Y {
-        let half = h / S::from_f64(2.0);
-        let mut rates = [Y::ZERO; 4];
+        let mut stages = RungeKuttaStages::new();
         // A single call site, so that the right-hand side is inlined once.
-        for stage in 0..4 {
-            let (ahead, rate) = match stage {
-                0 => (S::ZERO, &Y::ZERO),
-                1 => (half, &rates[0]),
-                2 => (half, &rates[1]),
-                _ => (h, &rates[2]),
-            };
-            rates[stage] = equations.rhs(t + ahead, &combined(y, ahead, rate));
+        for stage in 0..NODES.len() {
+            let (ahead, place) = stages.place(stage, y, h);
+            stages.rates[stage] = equations.rhs(t + ahead, &place);
         }
-        let [k1, k2, k3, k4] = rates;
-        *self = ClassicalLanes { stages: RungeKuttaStages { k1, k2, k3, k4 }, h };
+        *self = ClassicalLanes { stages, h };
         self.stages.increment(h)
     }
 
@@ -95,6 +86,6 @@ where
     #[inline(always)]
     fn interpolate(&self, (from, y0): (S, &Y), (to, y1): (S, &Y), end: &Y, t: S) -> Y {
         let h = to - from;
-        cubic(Place { h, s: (t - from) / h }, [y0, y1], [&self.stages.k1, end])
+        cubic(Place { h, s: (t - from) / h }, [y0, y1], [&self.stages.rates[0], end])
     }
 }

@@ -3,6 +3,11 @@
 //! Equations in lanes return rates of whole states, [v…, a…]; steps use the accelerations in them.
 //! Coordinates and velocities are the halves of a state, since only systems with q̇ = v are
 //! separable.
+//!
+//! The composition is the same data as for one motion, whose loop also serves derivatives. This
+//! loop stays apart: that one calls the acceleration with coordinates and velocities as separate
+//! arrays. Equations in lanes have no such call, and copies between states and halves would cost
+//! stores in every lane.
 
 use super::Composition;
 use super::blanes_moan::{self, BlanesMoan4};

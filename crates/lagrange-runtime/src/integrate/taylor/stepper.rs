@@ -208,8 +208,8 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         is_taken
     }
 
-    /// The length of the next step: as far as the series is accurate and tables are the polynomials
-    /// that it holds.
+    /// Returns the length of the next step: as far as the series is accurate and tables are the
+    /// polynomials that it holds.
     fn length(&self, limit: M::Scalar) -> StepLength<M::Scalar> {
         let accurate = self.ahead().length;
         let h = if limit < self.clock.time() { -accurate } else { accurate };

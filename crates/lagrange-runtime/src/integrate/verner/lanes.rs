@@ -3,6 +3,11 @@
 //! A step is the same as in `stepper` for a system without constraints, with two differences. Rates
 //! are not reused by the next attempt, since other lanes may have advanced. Lengths of steps are
 //! computed to three digits. A motion that appears stiff is abandoned: a single run reports it.
+//!
+//! Both take nodes and weights from `tableau`. They stay two steppers because the stages of one
+//! motion are written out there. A loop over the rows, as here, returns the same bits with 1.15 to
+//! 1.9 times the instructions. It takes 8 to 10 % longer for two to four numbers in a state. In
+//! lanes, fifteen copies of the equations would be too large.
 
 use super::Verner98;
 use super::control::POWER;
