@@ -6,6 +6,7 @@
 
 mod rim;
 mod terrain;
+mod tippe_top;
 mod turning;
 
 const G: f64 = 9.81;
