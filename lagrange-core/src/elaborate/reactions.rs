@@ -56,7 +56,7 @@ pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Fric
         }
         _ => add_reaction(elaborator, name, NameKind::Friction, None),
     };
-    if added {
+    if added && !friction.is_moment {
         warn_of_square(elaborator);
     }
 }

@@ -1,7 +1,8 @@
 //! Two friction statements at one contact.
 //!
 //! Each direction has its own limit, so the forces of both fill a rectangle instead of the disk of
-//! friction in a plane.
+//! friction in a plane. Friction that is a vector already covers its plane: another one at the
+//! contact resists rolling or spinning.
 
 use super::elaborator::Elaborator;
 use super::messages::events as messages;
@@ -19,16 +20,19 @@ pub(super) fn contact_of(elaborator: &Elaborator<'_>, force: ExprId) -> Option<u
 /// Warns if the last friction acts at the same contact as an earlier one, along another direction.
 pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     let last = elaborator.reactions.len().saturating_sub(1);
-    let last = if is_across(elaborator, last) { last - 1 } else { last };
+    if is_across(elaborator, last) {
+        return;
+    }
     let contacts = contacts(elaborator, last);
     let shares = |elaborator: &Elaborator<'_>, other: usize| {
         self::contacts(elaborator, other).into_iter().find(|contact| contacts.contains(contact))
     };
     for other in 0..last {
         if let Some(contact) = shares(elaborator, other)
-            && !are_parallel(elaborator, [other, last])
+            && is_one_of_square(elaborator, [other, last])
         {
-            let [first, second, contact] = [other, last, contact].map(|index| name_of(elaborator, index));
+            let name_of = |index: usize| elaborator.reactions[index].0.name.clone();
+            let [first, second, contact] = [other, last, contact].map(name_of);
             let [place, earlier] = [last, other].map(|index| elaborator.reactions[index].1);
             let message = messages::square_of_friction(&first, &second, &contact);
             let warning = elaborator.evaluator.report.doubtful(place, message);
@@ -38,12 +42,10 @@ pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Returns the declared name of a contact or friction, without the suffix of components in a plane.
-fn name_of(elaborator: &Elaborator<'_>, index: usize) -> String {
-    let written = &elaborator.reactions[index].0.name;
-    let is_component = is_across(elaborator, index) || is_across(elaborator, index + 1);
-    let component = written.rsplit_once('_').filter(|_| is_component);
-    component.map_or_else(|| written.clone(), |(name, _)| name.to_owned())
+/// True if the earlier of two frictions is a scalar along another direction.
+fn is_one_of_square(elaborator: &mut Elaborator<'_>, pair: [usize; 2]) -> bool {
+    let is_component = is_across(elaborator, pair[0]) || is_across(elaborator, pair[0] + 1);
+    !is_component && !are_parallel(elaborator, pair)
 }
 
 /// True if this reaction is the second component of friction in a plane.

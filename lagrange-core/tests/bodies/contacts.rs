@@ -95,8 +95,8 @@ fn a_contact_with_a_stiffness_is_a_potential_and_forces() {
         "force touch_dissipation along dot(touch_gap);",
         "let touch = k * touch_depth + touch_dissipation;",
         "let touch_slip = (dot(ball_x) - 0.1 * (ball_wx * ball_R_y.x + ball_wy * ball_R_y.y + ball_wz * ball_R_y.z), dot(ball_y) + 0.1 * (ball_wx * ball_R_x.x + ball_wy * ball_R_x.y + ball_wz * ball_R_x.z));",
-        "let touch_grip = 0.4 * touch / sqrt(touch_slip.x^2 + touch_slip.y^2 + v^2);",
-        "let touch_friction = (-(touch_grip * touch_slip.x), -(touch_grip * touch_slip.y));",
+        "let touch_friction_grip = 0.4 * touch / sqrt(touch_slip.x^2 + touch_slip.y^2 + v^2);",
+        "let touch_friction = (-(touch_friction_grip * touch_slip.x), -(touch_friction_grip * touch_slip.y));",
         "force touch_friction along touch_slip;",
     ];
     assert_eq!(plain(text, "touch"), wanted);
@@ -106,6 +106,111 @@ fn a_contact_with_a_stiffness_is_a_potential_and_forces() {
     let derived = derive(&format!("{text} emit {{ power }}"));
     let powers = derived.model.outputs.iter().map(|output| output.name.as_str()).collect::<Vec<_>>();
     assert_eq!(powers, ["power_touch_dissipation", "power_touch_friction", "power_balance"]);
+}
+
+#[test]
+fn friction_against_turning_is_a_friction_along_angular_velocities() {
+    let text = "param mu = 0.4;
+        gravity = (0, 0, -9.81);
+        body ball { mass: 2; shape: solid_sphere(0.1); }
+        free ball;
+        contact touch = ball on ground { friction: mu; rolling: 0.002; spinning: mu / 100; }";
+    let found = plain(text, "touch_s");
+    let wanted = [
+        "friction touch_friction = touch_slip, mu * touch;",
+        "friction touch_rolling = touch_turning, 0.002 * touch;",
+        "friction touch_spinning = touch_spin, mu/100 * touch;",
+    ];
+    wanted.iter().for_each(|line| assert!(found.contains(&line.to_string()), "{found:?}"));
+    let spin = "let touch_spin = ball_wx * ball_R_z.x + ball_wy * ball_R_z.y + ball_wz * ball_R_z.z;";
+    assert!(found.contains(&spin.to_owned()), "{found:?}");
+    let names = derive(text).model.reactions.into_iter().map(|reaction| reaction.name).collect::<Vec<_>>();
+    let wanted = [
+        "touch",
+        "touch_friction_x",
+        "touch_friction_y",
+        "touch_rolling_x",
+        "touch_rolling_y",
+        "touch_spinning",
+    ];
+    assert_eq!(names, wanted);
+    let flat = "coord x, y, phi;
+        body wheel { mass: 2; center: (x, y); angle: phi; shape: disk(0.1); }
+        contact touch = wheel on ground { friction: 0.4; rolling: 0.002; }
+        contact smooth = wheel on ground { rolling: 0.002; stiffness: 1e4; stiction_rate: 0.01; }";
+    let found = plain(flat, "smooth_");
+    for line in [
+        "friction touch_rolling = touch_turning, 0.002 * touch;",
+        "let smooth_turning = dot(phi);",
+        "let smooth_rolling = -(smooth_rolling_grip * smooth_turning);",
+        "force smooth_rolling along smooth_turning;",
+    ] {
+        assert!(found.contains(&line.to_owned()), "{line} {found:?}");
+    }
+}
+
+/// Labels of all contacts, written in each contact, declare the same system.
+#[test]
+fn labels_of_all_contacts_are_those_of_each() {
+    let text = |all: &str, first: &str, second: &str, third: &str| {
+        format!(
+            "{all} param k = 1e4, k_foot = 2e4;
+            part Foot {{
+                param k_foot = 5;
+                body toe {{ mass: 1; shape: solid_sphere(0.1); }}
+                free toe;
+                contact touch = toe on ground {{ rolling: 0.01; {third} }}
+            }}
+            gravity = (0, 0, -9.81);
+            body ball {{ mass: 2; shape: solid_sphere(0.1); }}
+            body case {{ mass: 2; shape: cuboid(0.1, 0.1, 0.1); }}
+            free ball; free case;
+            contact touch = ball on ground {{ friction: 0.4; {first} }}
+            contact foot = case on ground {{ {second} }}
+            a: Foot {{}}"
+        )
+    };
+    let statements = |text: &str| {
+        let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
+        print::statements(&system.declaration)
+    };
+    let block = "contacts: compliant { penetration: 1e-3; load: k * 1e-3; dissipation: 0.5; stiction: 0.01; stiction_rate: 0.1; }";
+    let found = statements(&text(block, "", "stiffness: k_foot; dissipation: 0;", "dissipation: 2;"));
+    let law = "penetration: 1e-3; load: k * 1e-3;";
+    let touch = format!("{law} dissipation: 0.5; stiction: 0.01;");
+    let third = "penetration: 1e-3; load: 1e4 * 1e-3; dissipation: 2; stiction_rate: 0.1;";
+    let wanted = statements(&text("", &touch, "stiffness: k_foot; dissipation: 0;", third));
+    let in_numbers = |text: &str| text.replace("k * 0.001", "10000 * 0.001");
+    assert_eq!(in_numbers(&found), in_numbers(&wanted));
+    // Rigid contacts are the default.
+    let rigid = statements(&text("contacts: rigid;", "", "", ""));
+    assert_eq!(rigid, statements(&text("", "", "", "")));
+}
+
+#[test]
+fn a_load_over_a_penetration_has_the_unit_of_a_stiffness() {
+    let text = |law: &str| {
+        format!(
+            "param m: kg = 2, g: m/s^2 = 9.81, depth: m = 1e-4;
+            coord x: m, y: m, phi: rad;
+            gravity = (0, -g);
+            contacts: compliant {{ {law} dissipation: 1 [s/m]; stiction: 1 [mm/s]; stiction_rate: 0.01; }}
+            body wheel {{ mass: m; center: (x, y); angle: phi; shape: disk(0.1 [m]); }}
+            contact touch = wheel on ground {{ friction: 0.4; rolling: 1 [mm]; }}
+            output moment: N*m = touch.rolling;"
+        )
+    };
+    derive(&text("penetration: depth; load: m * g;"));
+    derive(&text("penetration: 0.1 [mm]; load: 20;"));
+    for law in ["penetration: m; load: m * g;", "penetration: depth; load: m;", "stiffness: m;"] {
+        assert!(parse(&text(law)).is_err(), "{law}");
+    }
+    let rigid = text("").replace(
+        "contacts: compliant {  dissipation: 1 [s/m]; stiction: 1 [mm/s]; stiction_rate: 0.01; }",
+        "",
+    );
+    derive(&rigid);
+    assert!(parse(&rigid.replace("1 [mm]", "1 [N]")).is_err());
 }
 
 /// Each gap has one surface and, with dissipation, another where the force would pull.

@@ -1,11 +1,13 @@
-//! Contacts on terrain and of rims, against references, other declarations and conserved
-//! quantities.
+//! Contacts on terrain, of rims and with friction against turning, against references, other
+//! declarations and conserved quantities.
 //!
 //! `cargo motions --test surfaces` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
 mod rim;
 mod terrain;
+mod tippe_top;
+mod turning;
 
 const G: f64 = 9.81;
 

@@ -2,16 +2,19 @@
 //!
 //! `contact touch = wheel on floor { friction: mu; restitution: e; }` becomes
 //! `let touch_gap = …; event touch = touch_gap, falling => impact(e);` and
-//! `let touch_slip = …; friction touch_friction = touch_slip, mu * touch;`. A contact with a
-//! stiffness becomes a potential and forces along the rate of the gap and the slip velocity.
+//! `let touch_slip = …; friction touch_friction = touch_slip, mu * touch;`. Moments against rolling
+//! and spinning are frictions along angular velocities. A contact with a stiffness becomes a
+//! potential and forces along the rate of the gap and these velocities.
 
 mod coefficients;
 mod compliant;
 mod faces;
 mod geometry;
+mod labels;
 mod rim;
 mod terrain;
 mod touched;
+mod turning;
 
 use proc_macro2::TokenStream;
 
@@ -25,20 +28,27 @@ use super::surfaces::scene_vector;
 use super::touching::{Touching, touching};
 use super::translation::Translation;
 use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, StatementKind};
-use coefficients::{Coefficient, coefficients, compliance, limit, radius, restitution};
+use coefficients::{Coefficient, coefficients, compliance, limit, radius, restitution, turning_coefficients};
 use compliant::{press, rub_smoothly};
 use faces::{between_blocks, block_that_touches, is_between_blocks, surface_of_block};
-use geometry::{ContactGeometry, geometry, slip_of};
+use geometry::{ContactGeometry, geometry, relative_motion, slip_of};
+use labels::check_labels;
+pub(super) use labels::{default_compliance, mention_defaults};
 use rim::on_rim;
 use terrain::over_terrain;
 use touched::{is_block, surface_named};
+use turning::resist_turning;
 
 pub(super) fn translate_contact(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
     docs: &TokenStream,
 ) {
-    let contact = complete_contact(translation, statement);
+    let statement = &statement.with_defaults(&translation.compliance);
+    let contact = match statement.is_incomplete || check_labels(translation, statement) {
+        true => complete_contact(translation, statement),
+        false => None,
+    };
     let contact = contact.unwrap_or_else(|| broken_contact(translation, statement));
     let name = &statement.name.text;
     let declares = |kind: &StatementKind| match kind {
@@ -56,6 +66,7 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     let restitution = restitution(translation, statement);
     let radius = radius(translation, statement);
     let compliance = compliance(translation, statement);
+    let turning = turning_coefficients(translation, statement);
     let touching = touching_part(translation, statement);
     if touching.is_none() && is_ground(translation, statement.object) {
         // What it would touch is the body that was meant.
@@ -69,27 +80,30 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     };
     let (touching, surface) = (touching?, surface?);
     let (coefficients, restitution, radius) = (coefficients?, restitution?, radius?);
-    let compliance = compliance?;
+    let (compliance, turning) = (compliance?, turning?);
     if surface.carrier == Some(touching.body) {
         let message = words::touches_itself(&statement.name.text, translation.name_of(touching.body));
         translation.report.error(statement.surface.span, message).help(words::TOUCHES_ITSELF_HELP);
         return None;
     }
     let (touching, geometry) = geometry_of(translation, statement, (touching, &surface), radius)?;
-    let slip = slip_of(translation, &surface, &touching, &geometry);
+    let motion = relative_motion(translation, &surface, &touching, &geometry);
+    let slip = slip_of(translation, &motion, &geometry);
     let gap = translation.bind(&format!("{}_gap", statement.name.text), geometry.gap);
     match &compliance {
         Some(compliance) => press(translation, statement, gap, compliance),
         None => push_event(translation, &statement.name, gap, restitution),
     }
     let grip = coefficients.map(|[_, fixed]| fixed.value);
-    let slip = match (coefficients, compliance.and_then(|compliance| compliance.stiction)) {
-        (Some([coefficient, _]), Some(stiction)) => {
-            rub_smoothly(translation, statement, slip, (coefficient, stiction))
-        }
-        (Some(coefficients), None) => rub(translation, statement, slip, coefficients),
-        (None, _) => slip,
-    };
+    let stiction = compliance.as_ref().and_then(|compliance| compliance.stiction);
+    let slip = coefficients.map_or(slip, |coefficients| {
+        let slip = translation.bind(&format!("{}_slip", statement.name.text), slip);
+        let (slips, friction) = ((slip, translation.space.is_some()), (&statement.frictions.sliding, false));
+        rub(translation, &statement.name, friction, slips, (coefficients, stiction));
+        slip
+    });
+    let stiction_rate = compliance.and_then(|compliance| compliance.stiction_rate);
+    resist_turning(translation, statement, (&motion, &geometry), (turning, stiction_rate));
     let geometry = ContactGeometry { gap, ..geometry };
     if statement.is_inside {
         draw_from_inside(translation, &statement.surface.text);
@@ -123,14 +137,14 @@ fn geometry_of(
 /// Declares the names of an invalid contact, whose error was reported.
 fn broken_contact(translation: &mut Translation<'_>, statement: &ast::Contact) -> object::Contact {
     let invalid = translation.terms().invalid();
-    if statement.stiffness.is_some() {
+    if statement.compliance.way().is_some() {
         for name in statement.names() {
             translation.push(StatementKind::Let(name.clone(), invalid));
         }
     } else {
         push_event(translation, &statement.name, invalid, invalid);
-        if statement.has_friction() {
-            push_friction(translation, &statement.friction_name, invalid, [invalid; 2]);
+        for friction in statement.names().into_iter().skip(1) {
+            push_friction(translation, (friction, false), invalid, [invalid; 2]);
         }
     }
     let parts = PARTS.map(|part| (part, invalid)).to_vec();
@@ -138,7 +152,7 @@ fn broken_contact(translation: &mut Translation<'_>, statement: &ast::Contact) -
 }
 
 /// Parts of a contact that expressions can refer to.
-const PARTS: [&str; 6] = ["normal", "friction", "force", "gap", "slip", "point"];
+const PARTS: [&str; 8] = ["normal", "friction", "force", "gap", "slip", "point", "rolling", "spinning"];
 
 fn touching_part(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Touching> {
     let name = &statement.name;
@@ -163,22 +177,25 @@ fn loaded_name(translation: &Translation<'_>, body: usize) -> Option<String> {
     Some(translation.name_of(body).to_owned())
 }
 
-/// Adds the friction against a slip velocity, and returns the name of the slip velocity.
+/// Adds a friction of a contact against a slip velocity or an angular velocity, which is a scalar
+/// or a pair. Its name is accompanied by whether it is a moment. With a stiction speed it is smooth.
 fn rub(
     translation: &mut Translation<'_>,
-    statement: &ast::Contact,
-    slip: AstId,
-    [kinetic, fixed]: [Coefficient; 2],
-) -> AstId {
-    let slip = translation.bind(&format!("{}_slip", statement.name.text), slip);
-    let normal = translation.terms().name(&statement.name.text);
+    contact: &Name,
+    friction: (&Name, bool),
+    (slip, is_pair): (AstId, bool),
+    ([kinetic, fixed], stiction): ([Coefficient; 2], Option<AstId>),
+) {
+    let normal = translation.terms().name(&contact.text);
     let while_slipping = limit(translation, kinetic, normal);
+    if let Some(stiction) = stiction {
+        return rub_smoothly(translation, friction.0, (slip, is_pair), (while_slipping, stiction));
+    }
     let while_sticking = match fixed.written == kinetic.written {
         true => while_slipping,
         false => limit(translation, fixed, normal),
     };
-    push_friction(translation, &statement.friction_name, slip, [while_slipping, while_sticking]);
-    slip
+    push_friction(translation, friction, slip, [while_slipping, while_sticking]);
 }
 
 /// Draws the normal force and the friction on both bodies if there is a drawing; otherwise `touch`
@@ -234,14 +251,18 @@ fn parts_of(
     let is_spatial = translation.space.is_some();
     let mut terms = translation.terms();
     let normal = terms.name(&statement.name.text);
-    let friction = match statement.has_friction() {
-        true => terms.name(&statement.friction_name.text),
-        false if is_spatial => {
+    let mut share = |exists: bool, name: &Name, is_pair: bool| match exists {
+        true => terms.name(&name.text),
+        false if is_pair => {
             let nothing = terms.zero_pair();
             terms.tuple(nothing)
         }
         false => terms.number(0),
     };
+    let frictions = &statement.frictions;
+    let friction = share(statement.has_friction(), &frictions.sliding, is_spatial);
+    let rolling = share(statement.rolling.is_some(), &frictions.rolling, is_spatial);
+    let spinning = share(statement.spinning.is_some(), &frictions.spinning, false);
     let shares = if is_spatial { terms.pair(friction).to_vec() } else { vec![friction] };
     let pressure = scale(&mut terms, normal, geometry.normal);
     let mut grip = zero_triple(&mut terms);
@@ -256,7 +277,7 @@ fn parts_of(
     draw_contact(translation, &statement.name, bodies, point, shares);
     draw_cones(translation, &statement.name, bodies, (point, pressure), coefficient);
     let [force, point] = [force, point].map(|vector| scene_vector(translation, vector));
-    let values = [normal, friction, force, geometry.gap, slip, point];
+    let values = [normal, friction, force, geometry.gap, slip, point, rolling, spinning];
     object::Contact { parts: PARTS.into_iter().zip(values).collect() }
 }
 
@@ -270,7 +291,12 @@ fn push_event(translation: &mut Translation<'_>, name: &Name, gap: AstId, restit
     }));
 }
 
-fn push_friction(translation: &mut Translation<'_>, name: &Name, slip: AstId, [kinetic, fixed]: [AstId; 2]) {
+fn push_friction(
+    translation: &mut Translation<'_>,
+    (name, is_moment): (&Name, bool),
+    slip: AstId,
+    [kinetic, fixed]: [AstId; 2],
+) {
     let fixed = (fixed != kinetic).then_some(fixed);
     translation.push(StatementKind::Friction(Friction {
         name: name.clone(),
@@ -278,5 +304,6 @@ fn push_friction(translation: &mut Translation<'_>, name: &Name, slip: AstId, [k
         kinetic,
         fixed,
         width: None,
+        is_moment,
     }));
 }

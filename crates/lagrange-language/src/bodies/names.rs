@@ -219,8 +219,8 @@ fn is_unsuited(declaration: &Declaration, kind: &StatementKind, unsuited: &HashS
 /// True if a statement declares an object of the scene; coordinates of joints and forces of
 /// contacts do not count.
 fn declares_object(kind: &StatementKind) -> bool {
-    use SceneStatement::{Contact, Mobilizer};
-    matches!(kind, StatementKind::Scene(scene) if !matches!(scene, Contact(_) | Mobilizer(_)))
+    use SceneStatement::{Contact, Contacts, Mobilizer};
+    matches!(kind, StatementKind::Scene(scene) if !matches!(scene, Contact(_) | Contacts(_) | Mobilizer(_)))
 }
 
 /// Reports objects of the scene that share a name with something else.

@@ -2,7 +2,7 @@
 
 use super::body::translate_body;
 use super::connectors::translate_connector;
-use super::contacts::translate_contact;
+use super::contacts::{default_compliance, mention_defaults, translate_contact};
 use super::drawing::{Load, draw_force, draw_moment, torque_on};
 use super::expressions::{plain_expression, translated_place, turning};
 use super::gravity::{report_idle_gravity, translate_gravity};
@@ -29,6 +29,7 @@ use crate::syntax::ast::{
 /// Translates all statements.
 pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Declaration) -> Plain {
     let (asked, has_regressor) = (Asked::of(&declaration), declaration.asks_for("regressor"));
+    translation.compliance = default_compliance(&declaration.statements, translation.report);
     for statement in std::mem::take(&mut declaration.statements) {
         translation.origin = statement.origin;
         translate_statement(&mut translation, statement);
@@ -145,6 +146,7 @@ pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: Scen
         SceneStatement::Joint(joint) => translate_joint(translation, &joint),
         // These are statements with separate documentation.
         SceneStatement::Mobilizer(_) | SceneStatement::Contact(_) => {}
+        SceneStatement::Contacts(defaults) => mention_defaults(translation, &defaults),
     }
 }
 

@@ -8,6 +8,7 @@ use super::space::dimension::is_spatial;
 use super::space::scene::Space;
 use super::terms::{Pair, TermWriter};
 use crate::syntax::ast::AstId;
+use crate::syntax::ast::Compliance;
 use crate::syntax::ast::Declaration;
 use crate::syntax::ast::Expression;
 use crate::syntax::ast::Expressions;
@@ -33,6 +34,8 @@ pub(super) struct Translation<'a> {
     pub(super) waiting: Vec<WaitingBody>,
     /// Plain statements so far.
     pub(super) statements: Vec<Statement>,
+    /// Labels of contacts that have none of their own.
+    pub(super) compliance: Compliance,
     /// The statement that is being translated.
     pub(super) origin: Origin,
     pub(super) gravity: Option<(Pair, Origin)>,
@@ -78,6 +81,7 @@ impl<'a> Translation<'a> {
             waiting: Vec::new(),
             statements: Vec::new(),
             origin: declaration.name.span.into(),
+            compliance: Compliance::default(),
             gravity: None,
             points: HashMap::default(),
             early: HashSet::default(),

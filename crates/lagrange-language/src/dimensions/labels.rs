@@ -2,8 +2,8 @@
 
 use super::quantities::{is_of_numbers, with_unit};
 use crate::syntax::ast::{
-    AstId, Body, Connector, ConnectorKind, Contact, ElementaryMotion, Expression, Expressions, Joint,
-    JointKind, Mobilizer, Name, Part, SceneStatement, Shape, Surface, SurfaceKind,
+    AstId, Body, Compliance, Connector, ConnectorKind, Contact, ElementaryMotion, Expression, Expressions,
+    Joint, JointKind, Mobilizer, Name, Part, SceneStatement, Shape, Surface, SurfaceKind,
 };
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::units::Unit;
@@ -28,7 +28,9 @@ const LENGTH: Powers = &[("m", 1)];
 const INERTIA: Powers = &[("kg", 1), ("m", 2)];
 const ACCELERATION: Powers = &[("m", 1), ("s", -2)];
 const SPEED: Powers = &[("m", 1), ("s", -1)];
+const RATE: Powers = &[("rad", 1), ("s", -1)];
 const PER_SPEED: Powers = &[("s", 1), ("m", -1)];
+const FORCE: Powers = &[("N", 1)];
 const STIFFNESS: Powers = &[("N", 1), ("m", -1)];
 const DAMPING: Powers = &[("N", 1), ("s", 1), ("m", -1)];
 const TORSION: Powers = &[("N", 1), ("m", 1)];
@@ -85,6 +87,7 @@ fn rows(statement: &mut SceneStatement) -> Vec<LabelRow<'_>> {
         SceneStatement::Body(body) => of_body(body),
         SceneStatement::Surface(surface) => of_surface(surface),
         SceneStatement::Contact(contact) => of_contact(contact),
+        SceneStatement::Contacts(defaults) => of_compliance(&mut defaults.compliance).collect(),
         SceneStatement::Connector(connector) => of_connector(connector),
         SceneStatement::Joint(Joint { kind, .. }) => match kind {
             JointKind::Pin { first, second } => {
@@ -154,13 +157,12 @@ fn of_contact(contact: &mut Contact) -> Vec<LabelRow<'_>> {
     let radius = radius.iter_mut().map(|value| (value, LENGTH, "the radius of a contact"));
     let rim = rim.iter_mut().map(|value| (value, LENGTH, "the radius of a rim"));
     let restitution = restitution.iter_mut().map(|value| (value, PLAIN, "a coefficient of restitution"));
-    let compliance = [
-        (&mut contact.stiffness, STIFFNESS, "the stiffness of a contact"),
-        (&mut contact.dissipation, PER_SPEED, "the dissipation of a contact"),
-        (&mut contact.stiction, SPEED, "the stiction speed of a contact"),
+    let turning = [
+        (&mut contact.rolling, LENGTH, "a coefficient of rolling friction"),
+        (&mut contact.spinning, LENGTH, "a coefficient of spinning friction"),
     ];
-    let compliance =
-        compliance.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)));
+    let turning =
+        turning.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)));
     let object = [(object, LENGTH, "a point of a contact")];
     object
         .into_iter()
@@ -168,8 +170,21 @@ fn of_contact(contact: &mut Contact) -> Vec<LabelRow<'_>> {
         .chain(rim)
         .chain(coefficients)
         .chain(restitution)
-        .chain(compliance)
+        .chain(turning)
+        .chain(of_compliance(&mut contact.compliance))
         .collect()
+}
+
+fn of_compliance(compliance: &mut Compliance) -> impl Iterator<Item = LabelRow<'_>> {
+    let rows = [
+        (&mut compliance.stiffness, STIFFNESS, "the stiffness of a contact"),
+        (&mut compliance.penetration, LENGTH, "the penetration of a contact"),
+        (&mut compliance.load, FORCE, "the load of a contact"),
+        (&mut compliance.dissipation, PER_SPEED, "the dissipation of a contact"),
+        (&mut compliance.stiction, SPEED, "the stiction speed of a contact"),
+        (&mut compliance.stiction_rate, RATE, "the angular stiction speed of a contact"),
+    ];
+    rows.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)))
 }
 
 fn of_connector(connector: &mut Connector) -> Vec<LabelRow<'_>> {

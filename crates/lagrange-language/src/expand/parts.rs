@@ -162,6 +162,7 @@ fn check_statement(statement: &Statement, interior: &Interior, complaints: &mut 
         StatementKind::Stabilise(_) => Some("stabilise"),
         StatementKind::Block(Block::Include(_)) => Some("include"),
         StatementKind::Scene(SceneStatement::Gravity(_)) => Some("gravity"),
+        StatementKind::Scene(SceneStatement::Contacts(_)) => Some("contacts"),
         _ => None,
     };
     if let Some(word) = word {

@@ -8,8 +8,8 @@ use super::scopes::ScopeId;
 use super::unrolling::{Instance, report_nothing_left};
 use super::wholes::WholeArray;
 use crate::syntax::ast::{
-    ArrayShape, Assignment, AstId, Contact, Definition, Mobilizer, MobilizerKind, Mode, Name, Quaternion,
-    Reduction, ReductionItem, ReductionKind, SceneStatement, Statement, StatementKind,
+    ArrayShape, Assignment, AstId, Definition, FrictionNames, Mobilizer, MobilizerKind, Mode, Name,
+    Quaternion, Reduction, ReductionItem, ReductionKind, SceneStatement, Statement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
@@ -130,7 +130,7 @@ fn single(
     match &mut kind {
         StatementKind::Scene(SceneStatement::Mobilizer(joint)) => rename_parts(joint),
         StatementKind::Scene(SceneStatement::Contact(contact)) => {
-            contact.friction_name = Contact::friction_name(&contact.name);
+            contact.frictions = FrictionNames::of(&contact.name);
         }
         _ => {}
     }

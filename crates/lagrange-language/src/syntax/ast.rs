@@ -8,6 +8,7 @@ mod arrays;
 pub mod bodies;
 mod callables;
 mod conditions;
+mod contacts;
 mod definitions;
 mod expressions;
 mod id;
@@ -29,6 +30,7 @@ pub use callables::{
     TableSource, UnknownDefinition,
 };
 pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
+pub use contacts::{Compliance, Contact, ContactDefaults, FrictionNames};
 pub use definitions::{AllowedRange, Definition, EmitItem, Limit, LimitedEntry, Mode, StateKind};
 pub use expressions::{
     ArrayExpression, BinaryOperator, CONTACT_POINT, CONTACT_POINT_LENGTH, Condition, Expression, Expressions,
@@ -50,7 +52,7 @@ pub use statements::{
     PartDefinition, Placement, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
     StatementKind, momentum_of, nested,
 };
-pub use surfaces::{Contact, Surface, SurfaceKind};
+pub use surfaces::{Surface, SurfaceKind};
 
 /// A whole `system!` declaration.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use proc_macro2::Delimiter;
 
-use super::ast::{AstId, Contact, Name, Surface, SurfaceKind};
+use super::ast::{Compliance, Contact, ContactDefaults, Name, Surface, SurfaceKind};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages;
@@ -84,10 +84,10 @@ impl Parser<'_> {
         match cursor.eat_group(Delimiter::Brace) {
             Some(group) => {
                 let labels = BlockLabels::new("a contact", &Contact::LABELS);
-                let complete = self.values(&group, labels, &mut contact, Contact::value_mut);
-                if complete {
+                contact.is_incomplete = !self.values(&group, labels, &mut contact, Contact::value_mut);
+                if !contact.is_incomplete {
                     self.check_coefficients(&contact)?;
-                    self.check_labels(&contact)?;
+                    self.check_axis(&contact)?;
                 }
             }
             None if !cursor.at_statement_end() => return Err(self.misplaced("`{` or `;`", help, cursor)),
@@ -111,43 +111,34 @@ impl Parser<'_> {
         Err(Reported)
     }
 
-    /// Checks combinations of labels. Only a rim has an axis. A contact with a stiffness loses
-    /// energy by dissipation, and its friction has one coefficient and a creep speed.
-    fn check_labels(&mut self, contact: &Contact) -> Parsed<()> {
-        let name = &contact.name.text;
-        let Contact { friction, kinetic, restitution, stiffness, dissipation, stiction, .. } = *contact;
-        let is_rigid = stiffness.is_none();
-        let of_rigid = |value: Option<AstId>| value.filter(|_| is_rigid);
-        let of_compliant = |value: Option<AstId>| value.filter(|_| !is_rigid);
-        let rules = [
-            (contact.axis.filter(|_| contact.rim.is_none()), scenes::without_rim(name), scenes::RIM_HELP),
-            (of_rigid(dissipation), scenes::without_stiffness(name, "dissipation"), scenes::STIFFNESS_HELP),
-            (of_rigid(stiction), scenes::without_stiffness(name, "stiction"), scenes::STIFFNESS_HELP),
-            (
-                of_compliant(restitution),
-                scenes::compliant_restitution(name),
-                scenes::COMPLIANT_RESTITUTION_HELP,
-            ),
-            (
-                of_compliant(kinetic),
-                scenes::compliant_coefficients(name),
-                scenes::COMPLIANT_COEFFICIENTS_HELP,
-            ),
-            (
-                of_compliant(friction.filter(|_| stiction.is_none())),
-                scenes::without_stiction(name),
-                scenes::STICTION_HELP,
-            ),
-            (
-                of_compliant(stiction.filter(|_| friction.is_none())),
-                scenes::without_friction(name),
-                scenes::WITHOUT_FRICTION_HELP,
-            ),
-        ];
-        let broken = rules.into_iter().find_map(|(value, message, help)| Some((value?, message, help)));
-        let Some((value, message, help)) = broken else { return Ok(()) };
-        let origin = self.expressions.origin(value);
-        self.fail_with_help(origin, message, help);
+    /// Reads `contacts: rigid;` or `contacts: compliant { stiffness: k; … }`.
+    pub(super) fn contact_defaults(&mut self, cursor: &mut Cursor) -> Parsed<ContactDefaults> {
+        cursor.eat_ident();
+        self.colon("contacts", cursor)?;
+        let way = self.name(cursor)?;
+        let mut compliance = Compliance::default();
+        match way.text.as_str() {
+            "rigid" => {}
+            "compliant" => {
+                let group = self.braces(form("contacts"), cursor)?;
+                let labels = BlockLabels::new("compliant contacts", &Compliance::LABELS);
+                let complete = self.values(&group, labels, &mut compliance, Compliance::value_mut);
+                if complete && compliance.way().is_none() {
+                    return Err(self.fail_with_help(way.span, scenes::NO_STIFFNESS, form("contacts")));
+                }
+            }
+            "stepped" => return Err(self.fail_with_help(way.span, scenes::STEPPED, scenes::STEPPED_HELP)),
+            other => return Err(self.fail_with_help(way.span, scenes::unknown_way(other), form("contacts"))),
+        }
+        Ok(ContactDefaults { way, compliance })
+    }
+
+    /// Checks that only a rim has an axis.
+    fn check_axis(&mut self, contact: &Contact) -> Parsed<()> {
+        let Some(axis) = contact.axis.filter(|_| contact.rim.is_none()) else { return Ok(()) };
+        let origin = self.expressions.origin(axis);
+        let message = scenes::without_rim(&contact.name.text);
+        self.fail_with_help(origin, message, scenes::RIM_HELP);
         Err(Reported)
     }
 }

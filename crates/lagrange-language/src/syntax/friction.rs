@@ -37,7 +37,7 @@ impl Parser<'_> {
         }
         let (kinetic, fixed) = self.limits(&name, &values, cursor)?;
         let width = find(&values, "smooth").map(|(_, width, _)| *width);
-        Ok(Friction { name, slip, kinetic, fixed, width })
+        Ok(Friction { name, slip, kinetic, fixed, width, is_moment: false })
     }
 
     /// Reads the values after the slip velocity.

@@ -76,6 +76,11 @@ impl Parser<'_> {
     }
 
     fn statement_kind(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        if cursor.statement_keyword().is_some_and(|word| word == "contacts") {
+            return Ok(StatementKind::Scene(SceneStatement::Contacts(Box::new(
+                self.contact_defaults(cursor)?,
+            ))));
+        }
         if at_placement(cursor) {
             return self.placement(cursor);
         }
@@ -341,8 +346,13 @@ fn ends_in_braces(kind: &StatementKind) -> bool {
         StatementKind::Block(block) => !matches!(block, Block::Include(_)),
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
         StatementKind::Scene(statement) => {
-            use SceneStatement::{Body, Connector, Contact, Mobilizer, Surface};
-            matches!(statement, Body(_) | Surface(_) | Connector(_) | Contact(_) | Mobilizer(_))
+            use SceneStatement::{Body, Connector, Contact, Contacts, Mobilizer, Surface};
+            match statement {
+                Contacts(defaults) => defaults.compliance.way().is_some(),
+                statement => {
+                    matches!(statement, Body(_) | Surface(_) | Connector(_) | Contact(_) | Mobilizer(_))
+                }
+            }
         }
         _ => false,
     }

@@ -153,7 +153,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             };
             format!("event {} {} {:?} {action}", event.name.text, show(&event.value), event.direction)
         }
-        StatementKind::Friction(Friction { name, slip, kinetic, fixed, width }) => {
+        StatementKind::Friction(Friction { name, slip, kinetic, fixed, width, .. }) => {
             let mut text = format!("friction {} {} {}", name.text, show(slip), show(kinetic));
             text.extend(fixed.map(|fixed| format!(" static {}", show(&fixed))));
             text.extend(width.map(|width| format!(" smooth {}", show(&width))));

@@ -250,10 +250,22 @@ fn friction_in_two_directions_of_one_contact_is_warned_of() {
         ("dot(x), mu * floor", "dot(x), floor"),
         ("dot(x) + dot(y), mu * floor", "2 * dot(x) + 2 * dot(y) - 3, floor"),
         ("dot(x), mu", "dot(y), mu"),
+        ("(dot(x), dot(y)), mu * floor", "dot(x) - dot(y), floor / 9"),
+        ("dot(x), mu * floor", "(dot(x), dot(y)), floor / 9"),
     ] {
         let found = warnings(&format!("{contacts} friction one = {first}; friction other = {second};"));
         assert_eq!(found, "", "{first}; {second}");
     }
+}
+
+#[test]
+fn moments_of_a_contact_are_not_warned_of() {
+    let found = warnings(
+        "coord phi;
+        body wheel { mass: 2; center: (x, y); angle: phi; shape: disk(0.1); }
+        contact touch = wheel on ground { friction: 0.3; rolling: 0.001; }",
+    );
+    assert_eq!(found, "");
 }
 
 #[test]

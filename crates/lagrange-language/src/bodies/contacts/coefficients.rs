@@ -79,11 +79,50 @@ pub(super) fn limit(translation: &mut Translation<'_>, coefficient: Coefficient,
     TermWriter::new(&mut translation.expressions, origin).times(coefficient.value, normal)
 }
 
-/// Stiffness, dissipation and stiction speed of a compliant contact.
+/// Coefficients of the friction against turning, as far as they are given.
+#[derive(Clone, Copy, Default)]
+pub(super) struct TurningCoefficients {
+    pub(super) rolling: Option<Coefficient>,
+    pub(super) spinning: Option<Coefficient>,
+}
+
+/// Returns the coefficients of rolling and spinning friction; `None` after an error.
+pub(super) fn turning_coefficients(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+) -> Option<TurningCoefficients> {
+    let name = &statement.name.text;
+    if let Some(spinning) = statement.spinning
+        && translation.space.is_none()
+    {
+        let error = translation
+            .report
+            .error(translation.expressions.origin(spinning), words::spins_in_the_plane(name));
+        error.help(words::SPINS_IN_THE_PLANE_HELP);
+        return None;
+    }
+    let mut is_sound = true;
+    let [rolling, spinning] =
+        [(statement.rolling, "rolling"), (statement.spinning, "spinning")].map(|(written, kind)| {
+            let written = written?;
+            let value = mention(translation, written);
+            if size_of(translation, value).is_some_and(|size| size < 0.0) {
+                let message = words::negative_turning(kind, name);
+                let error = translation.report.error(translation.expressions.origin(written), message);
+                error.help(words::NEGATIVE_TURNING_HELP);
+                is_sound = false;
+            }
+            Some(Coefficient { written, value })
+        });
+    is_sound.then_some(TurningCoefficients { rolling, spinning })
+}
+
+/// Stiffness, dissipation and stiction speeds of a compliant contact.
 pub(super) struct Compliance {
     pub(super) stiffness: AstId,
     pub(super) dissipation: Option<AstId>,
     pub(super) stiction: Option<AstId>,
+    pub(super) stiction_rate: Option<AstId>,
 }
 
 /// Returns the compliance, if there is a stiffness; `None` after an error.
@@ -91,30 +130,53 @@ pub(super) fn compliance(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
 ) -> Option<Option<Compliance>> {
-    let Some(stiffness) = statement.stiffness else { return Some(None) };
+    if statement.compliance.way().is_none() {
+        return Some(None);
+    }
     let name = &statement.name.text;
-    let plain = property(translation, stiffness, &words::stiffness_of(name));
-    let [dissipation, stiction] =
-        [statement.dissipation, statement.stiction].map(|id| id.map(|id| mention(translation, id)));
-    let rows = [
-        (Some(stiffness), Some(plain), false, words::stiffness_not_positive(name), words::STIFFNESS_HELP),
-        (
-            statement.dissipation,
-            dissipation,
-            true,
-            words::negative_dissipation(name),
-            words::DISSIPATION_HELP,
-        ),
-        (statement.stiction, stiction, false, words::stiction_not_positive(name), words::STICTION_HELP),
+    let what = words::stiffness_of(name);
+    let ast::Compliance { stiffness, penetration, load, .. } = statement.compliance;
+    let [stiffness, penetration, load] =
+        [stiffness, penetration, load].map(|id| id.map(|id| property(translation, id, &what)));
+    let ast::Compliance { dissipation, stiction, stiction_rate, .. } = statement.compliance;
+    let [dissipation, stiction, stiction_rate] =
+        [dissipation, stiction, stiction_rate].map(|id| id.map(|id| mention(translation, id)));
+    let values = [stiffness, penetration, load, dissipation, stiction, stiction_rate];
+    if !are_possible(translation, statement, values) {
+        return None;
+    }
+    let by_load = penetration.zip(load);
+    let stiffness = stiffness
+        .or_else(|| by_load.map(|(penetration, load)| translation.terms().divide(load, penetration)));
+    Some(Some(Compliance { stiffness: stiffness?, dissipation, stiction, stiction_rate }))
+}
+
+/// Reports values of the labels of a compliant contact that are negative, or zero where they must
+/// not be.
+fn are_possible(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    values: [Option<AstId>; 6],
+) -> bool {
+    let name = &statement.name.text;
+    let words = [
+        (words::stiffness_not_positive(name), words::STIFFNESS_HELP),
+        (words::not_positive("penetration", name), words::PENETRATION_HELP),
+        (words::not_positive("load", name), words::LOAD_HELP),
+        (words::negative_dissipation(name), words::DISSIPATION_HELP),
+        (words::stiction_not_positive(name), words::STICTION_HELP),
+        (words::stiction_rate_not_positive(name), words::STICTION_RATE_HELP),
     ];
-    let mut is_sound = true;
-    for (written, value, may_vanish, message, help) in rows {
+    let mut are_possible = true;
+    for (((label, written), value), (message, help)) in
+        statement.compliance.values().into_iter().zip(values).zip(words)
+    {
         let (Some(written), Some(value)) = (written, value) else { continue };
-        let is_wrong = |size: f64| size < 0.0 || size == 0.0 && !may_vanish;
+        let is_wrong = |size: f64| size < 0.0 || size == 0.0 && label != "dissipation";
         if size_of(translation, value).is_some_and(is_wrong) {
             translation.report.error(translation.expressions.origin(written), message).help(help);
-            is_sound = false;
+            are_possible = false;
         }
     }
-    is_sound.then_some(Some(Compliance { stiffness: plain, dissipation, stiction }))
+    are_possible
 }

@@ -8,6 +8,7 @@
 //!
 //! Friction is −μ N s / √(|s|² + v²) against the slip velocity s, in space in both directions. A
 //! body that Coulomb's law would hold with the force f creeps at the velocity v f / √((μ N)² − f²).
+//! Moments against rolling and spinning are of the same form, with angular velocities.
 //!
 //! For k = 1000 N/m, d = 0.5 s/m, δ = 0.01 m and δ̇ = 0.2 m/s the normal force is 11 N.
 //!
@@ -15,11 +16,11 @@
 //! Journal of Applied Mechanics 42 (1975); Wriggers, *Computational Contact Mechanics*, 2nd ed.,
 //! §5.2.3, for the square root.
 
-use super::coefficients::{Coefficient, Compliance, limit};
+use super::coefficients::Compliance;
 use crate::bodies::plain::Obligation;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{self, AstId, StatementKind};
+use crate::syntax::ast::{self, AstId, Name, StatementKind};
 
 /// Adds the normal force under the name of the contact.
 pub(super) fn press(
@@ -67,33 +68,27 @@ fn dissipate(
     translation.terms().plus(elastic, force)
 }
 
-/// Adds the friction against a slip velocity; returns the name of the slip velocity.
+/// Adds a friction against a slip velocity or an angular velocity, which is a scalar or a pair.
 pub(super) fn rub_smoothly(
     translation: &mut Translation<'_>,
-    statement: &ast::Contact,
-    slip: AstId,
-    (coefficient, stiction): (Coefficient, AstId),
-) -> AstId {
-    let name = &statement.name.text;
-    let is_spatial = translation.space.is_some();
-    let slip = translation.bind(&format!("{name}_slip"), slip);
-    let normal = translation.terms().name(name);
-    let limit = limit(translation, coefficient, normal);
+    friction: &Name,
+    (slip, is_pair): (AstId, bool),
+    (limit, stiction): (AstId, AstId),
+) {
     let mut terms = translation.terms();
-    let slips = if is_spatial { terms.pair(slip).to_vec() } else { vec![slip] };
+    let slips = if is_pair { terms.pair(slip).to_vec() } else { vec![slip] };
     let grip = over_speed(&mut terms, limit, [&slips[..], &[stiction]].concat());
-    let grip = translation.bind(&format!("{name}_grip"), grip);
+    let grip = translation.bind(&format!("{}_grip", friction.text), grip);
     let mut terms = translation.terms();
     let mut forces = Vec::new();
     for slip in slips {
         let against = terms.times(grip, slip);
         forces.push(terms.negative(against));
     }
-    let force = if is_spatial { terms.vector(&forces) } else { forces[0] };
-    translation.push(StatementKind::Let(statement.friction_name.clone(), force));
-    let force = translation.terms().name(&statement.friction_name.text);
+    let force = if is_pair { terms.vector(&forces) } else { forces[0] };
+    translation.push(StatementKind::Let(friction.clone(), force));
+    let force = translation.terms().name(&friction.text);
     translation.push(StatementKind::ForceAlong { force, velocity: slip });
-    slip
 }
 
 /// Divides a force by the length of a vector of speeds.

@@ -58,7 +58,12 @@ pub(super) fn block_that_touches(
     let mistakes = [
         (translation.space.is_none(), words::faces_in_the_plane(name), words::FACES_IN_THE_PLANE_HELP),
         (statement.rim.is_some(), words::faces_with_rim(name), words::FACES_WITH_RIM_HELP),
-        (statement.stiffness.is_some(), words::compliant_faces(name), words::COMPLIANT_FACES_HELP),
+        (statement.compliance.way().is_some(), words::compliant_faces(name), words::COMPLIANT_FACES_HELP),
+        (
+            statement.rolling.or(statement.spinning).is_some(),
+            words::faces_that_turn(name),
+            words::FACES_THAT_TURN_HELP,
+        ),
         (statement.is_inside, words::inside_of_block(name), words::INSIDE_OF_BLOCK_HELP),
     ];
     if let Some((_, message, help)) = mistakes.into_iter().find(|(is_made, ..)| *is_made) {

@@ -10,6 +10,8 @@
 //! and t₂·u + r t₁·ω, because t·(ω × n) = ω·(n × t). In the plane, t₂ = −e_z, and the slip velocity
 //! is t₁·u + r ω.
 //!
+//! The body rolls with the components t₁·ω and t₂·ω, and spins with n·ω.
+//!
 //! Terrain is in a separate file.
 //!
 //! A disk of radius 0.2 that rotates at −3 rad/s and moves at 1 m/s along the ground slips at 1 +
@@ -108,22 +110,38 @@ pub(super) fn tangents_at(terms: &mut TermWriter<'_>, is_spatial: bool, normal: 
     [[y, terms.negative(x), zero], down]
 }
 
-/// Computes the slip velocity, in space along both tangents.
-pub(super) fn slip_of(
+/// The motion of a body at the centre of a contact, relative to the surface.
+pub(super) struct RelativeMotion {
+    velocity: Triple,
+    spin: Triple,
+}
+
+/// Computes the motion of a body relative to the surface.
+pub(super) fn relative_motion(
     translation: &mut Translation<'_>,
     surface: &Surface,
     touching: &Touching,
     geometry: &ContactGeometry,
-) -> AstId {
+) -> RelativeMotion {
     let (of_surface, turning) = match surface.carrier {
         Some(carrier) => motion_at(translation, carrier, touching.center),
         None => motion_of_surface(translation, surface, touching.center),
     };
-    let is_spatial = translation.space.is_some();
     let mut terms = translation.terms();
     let of_surface = geometry.rising.map_or(of_surface, |rising| plus(&mut terms, of_surface, rising));
     let velocity = minus(&mut terms, touching.velocity, of_surface);
     let spin = minus(&mut terms, touching.spin, turning);
+    RelativeMotion { velocity, spin }
+}
+
+/// Computes the slip velocity, in space along both tangents.
+pub(super) fn slip_of(
+    translation: &mut Translation<'_>,
+    &RelativeMotion { velocity, spin }: &RelativeMotion,
+    geometry: &ContactGeometry,
+) -> AstId {
+    let is_spatial = translation.space.is_some();
+    let mut terms = translation.terms();
     let &ContactGeometry { radius, tangents: [first, second], .. } = geometry;
     let along = inner(&mut terms, first, velocity);
     let rolling = rolling_part(&mut terms, radius, second, spin);
@@ -135,6 +153,30 @@ pub(super) fn slip_of(
     let rolling = rolling_part(&mut terms, radius, first, spin);
     let across = terms.plus(across, rolling);
     terms.tuple([slip, across])
+}
+
+/// Computes the angular velocity of rolling: in space along both tangents, in the plane its only
+/// component.
+pub(super) fn rolling_of(
+    translation: &mut Translation<'_>,
+    &RelativeMotion { spin, .. }: &RelativeMotion,
+    geometry: &ContactGeometry,
+) -> AstId {
+    if translation.space.is_none() {
+        return spin[2];
+    }
+    let mut terms = translation.terms();
+    let rates = geometry.tangents.map(|tangent| inner(&mut terms, tangent, spin));
+    terms.tuple(rates)
+}
+
+/// Computes the angular velocity about the normal.
+pub(super) fn spinning_of(
+    translation: &mut Translation<'_>,
+    motion: &RelativeMotion,
+    geometry: &ContactGeometry,
+) -> AstId {
+    inner(&mut translation.terms(), geometry.normal, motion.spin)
 }
 
 /// Returns the velocity at a place of a surface that no body carries, and its angular velocity. Its

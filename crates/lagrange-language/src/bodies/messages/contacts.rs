@@ -60,6 +60,9 @@ messages! {
     compliant_faces(contact) = "the contact `{contact}` of faces and edges has a stiffness";
     COMPLIANT_FACES_HELP =
         "omit it: contact points of faces jump, and so would their forces; simulate with the method `Stepped`";
+    faces_that_turn(contact) = "the contact `{contact}` of faces and edges has rolling or spinning friction";
+    FACES_THAT_TURN_HELP =
+        "omit it: such a contact has several points, whose sliding friction resists rolling and spinning";
     inside_of_block(contact) = "the contact `{contact}` is inside of a body that has no inside";
     INSIDE_OF_BLOCK_HELP = "write `on`, or planes for the walls of a container";
     touches_itself(contact, name) = "in the contact `{contact}`, `{name}` touches itself";
@@ -69,6 +72,11 @@ messages! {
     NEGATIVE_RADIUS_HELP = "it is the distance of the surface of the body from the point; 0 for the point alone";
     negative_coefficient(contact) = "a coefficient of friction of the contact `{contact}` is negative";
     NEGATIVE_COEFFICIENT_HELP = "it is the ratio of the largest friction force to the normal force, so at least 0";
+    negative_turning(kind, contact) = "the coefficient of {kind} friction of the contact `{contact}` is negative";
+    NEGATIVE_TURNING_HELP =
+        "it is a length, the largest moment of this friction divided by the normal force, so at least 0";
+    spins_in_the_plane(contact) = "the contact `{contact}` in the plane has spinning friction";
+    SPINS_IN_THE_PLANE_HELP = "nothing in the plane turns about a normal: write `rolling: a;`, or omit it";
     static_below_kinetic(contact) = "the static coefficient of the contact `{contact}` is below the kinetic one";
     STATIC_BELOW_KINETIC_HELP =
         "a body that begins to slip would stick again at once: make the static coefficient at least as large";
@@ -76,6 +84,38 @@ messages! {
         "the coefficient of restitution of the contact `{contact}` is not between 0 and 1";
     RESTITUTION_HELP =
         "it is the ratio of the speeds after and before: 0 if bodies stay together, 1 if no energy is lost";
+
+    without_stiffness(name, label) = "the contact `{name}` has a `{label}`, but no stiffness";
+    ADD_STIFFNESS_HELP =
+        "add `stiffness: k;` in N/m for a compliant contact; a rigid one has coefficients of friction and of restitution only";
+    compliant_restitution(name) = "the contact `{name}` has a stiffness and a restitution";
+    COMPLIANT_RESTITUTION_HELP =
+        "write `dissipation: d;` in s/m instead, about 3 (1 - e) / (2 v) for the restitution e at the speed v";
+    compliant_coefficients(name) = "the contact `{name}` has a stiffness and two coefficients of friction";
+    COMPLIANT_COEFFICIENTS_HELP =
+        "write `friction: mu; stiction: v;` instead: friction that creeps never sticks";
+    without_stiction(name) = "the contact `{name}` has a stiffness and friction, but no stiction speed";
+    ADD_STICTION_HELP =
+        "add `stiction: v;` in m/s, the speed at which what would stick may creep, such as `stiction: 0.001;`";
+    without_friction(name) = "the contact `{name}` has a stiction speed, but no friction";
+    WITHOUT_FRICTION_HELP = "add `friction: mu;`, or remove the stiction speed";
+    without_stiction_rate(name) =
+        "the contact `{name}` has a stiffness and a friction against turning, but no angular stiction speed";
+    ADD_STICTION_RATE_HELP =
+        "add `stiction_rate: w;` in rad/s, at which what would not turn may creep, such as `stiction_rate: 0.01;`";
+    without_turning(name) =
+        "the contact `{name}` has an angular stiction speed, but neither rolling nor spinning friction";
+    WITHOUT_TURNING_HELP = "add `rolling: a;` or `spinning: a;` in m, or remove the angular stiction speed";
+    second_law(name) = "the contact `{name}` has a stiffness and a penetration";
+    SECOND_LAW_HELP = "write `stiffness: k;`, or `penetration: d; load: f;` for the stiffness f/d";
+    half_a_law(name, label, other) = "the contact `{name}` has a `{label}`, but no `{other}`";
+    HALF_A_LAW_HELP = "write both, `penetration: d; load: f;`, for the stiffness f/d, or `stiffness: k;`";
+    not_positive(label, name) = "the {label} of the contact `{name}` is not positive";
+    PENETRATION_HELP = "a compliant contact sinks by this length, more than 0, under its load";
+    LOAD_HELP = "it is the normal force, more than 0, at the penetration: about the weight on the contact";
+    SECOND_CONTACTS = "the way of contacts is declared twice";
+    FIRST_CONTACTS = "the first one is here";
+    SECOND_CONTACTS_HELP = "keep one of the lines: it holds for all contacts";
 
     stiffness_of(name) = "the stiffness of the contact `{name}`";
     stiffness_not_positive(contact) = "the stiffness of the contact `{contact}` is not positive";
@@ -85,4 +125,7 @@ messages! {
         "it is d in the normal force k δ (1 + d δ̇) at the depth δ: 0 if no energy is lost";
     stiction_not_positive(contact) = "the stiction speed of the contact `{contact}` is not positive";
     STICTION_HELP = "it is v in the friction force μ N s / sqrt(s^2 + v^2) at the slip velocity s";
+    stiction_rate_not_positive(contact) = "the angular stiction speed of the contact `{contact}` is not positive";
+    STICTION_RATE_HELP =
+        "it is w in the moment a N ω / sqrt(ω^2 + w^2) at the angular velocity ω, in rad/s";
 }

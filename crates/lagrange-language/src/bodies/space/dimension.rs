@@ -53,6 +53,7 @@ fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
         | SceneStatement::Frame(_)
         | SceneStatement::Surface(_)
         | SceneStatement::Contact(_)
+        | SceneStatement::Contacts(_)
         | SceneStatement::Connector(_)
         | SceneStatement::Joint(_) => false,
     }
@@ -73,6 +74,7 @@ fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
         SceneStatement::Frame(_)
         | SceneStatement::Surface(_)
         | SceneStatement::Contact(_)
+        | SceneStatement::Contacts(_)
         | SceneStatement::Connector(_)
         | SceneStatement::Joint(_) => Vec::new(),
     };

@@ -1,8 +1,9 @@
 //! Rigid bodies and their connections, as written.
 
+use super::contacts::{Contact, ContactDefaults};
 use super::keywords::{Keyword, Soft};
 use super::mobilizers::{Mobilizer, MobilizerKind};
-use super::surfaces::{Contact, Surface};
+use super::surfaces::Surface;
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
 
@@ -24,6 +25,7 @@ use lagrange_expr::diagnostics::Origin;
 ///           | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
 ///           | "contact" NAME "=" sum ( "on" | "inside" ) NAME
 ///                 ( ";" | "{" { contact-label ":" sum ";" } "}" [ ";" ] )
+///           | "contacts" ":" ( "rigid" ";" | "compliant" "{" { compliant-label ":" sum ";" } "}" [ ";" ] )
 /// body-line = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" | "angles" ) ":" sum ";"
 ///           | "inertia" ":" "(" sum "," sum "," sum "," sum "," sum "," sum ")" ";"
 ///           | "sequence" ":" NAME ";"
@@ -46,6 +48,8 @@ pub enum SceneStatement {
     Surface(Surface),
     /// `contact name = p on floor { … }`
     Contact(Box<Contact>),
+    /// `contacts: rigid;` or `contacts: compliant { … }`
+    Contacts(Box<ContactDefaults>),
     /// `spring name { … }` and similar statements
     Connector(Connector),
     /// `pin`, `slide` and `roll`
@@ -55,7 +59,7 @@ pub enum SceneStatement {
 }
 
 /// Words that begin statements about rigid bodies, except those of [`Mobilizer`].
-pub const KEYWORDS: [Keyword; 17] = [
+pub const KEYWORDS: [Keyword; 18] = [
     Keyword::new("gravity", "write `gravity = (0, -g);`"),
     Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
     Keyword::new("frame", "write `frame name;`, and a joint that places it").before(Soft::Alone),
@@ -72,6 +76,8 @@ pub const KEYWORDS: [Keyword; 17] = [
         "write `contact name = wheel on ground { friction: mu; restitution: e; }`, or `… = wheel inside bowl { … }`",
     )
     .before(Soft::Definition),
+    Keyword::new("contacts", "write `contacts: compliant { stiffness: k; dissipation: d; stiction: v; }` for all contacts, or `contacts: rigid;`")
+        .before(Soft::Way),
     Keyword::new("spring", "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name after `spring` if it needs one")
         .before(Soft::Braces),
     Keyword::new("damper", "write `damper { from: p; to: q; damping: c; }`, with a name after `damper` if it needs one")
@@ -91,7 +97,7 @@ impl SceneStatement {
     /// Returns the names that a statement declares, and where they are known.
     pub(super) fn names(&self) -> (Vec<&Name>, Reach) {
         match self {
-            SceneStatement::Gravity(_) => (Vec::new(), Reach::Expressions),
+            SceneStatement::Gravity(_) | SceneStatement::Contacts(_) => (Vec::new(), Reach::Expressions),
             SceneStatement::Body(body) => (vec![&body.name], Reach::Both),
             SceneStatement::Frame(name) => (vec![name], Reach::Both),
             SceneStatement::Surface(surface) => (vec![&surface.name], Reach::Expressions),
@@ -108,7 +114,7 @@ impl SceneStatement {
     /// Returns its names, except those derived from others.
     pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
         match self {
-            SceneStatement::Gravity(_) => Vec::new(),
+            SceneStatement::Gravity(_) | SceneStatement::Contacts(_) => Vec::new(),
             SceneStatement::Body(body) => vec![&mut body.name],
             SceneStatement::Frame(name) => vec![name],
             SceneStatement::Surface(surface) => {
@@ -131,6 +137,7 @@ impl SceneStatement {
                 [place, direction, radius, height].into_iter().flatten().collect()
             }
             SceneStatement::Contact(contact) => contact.expressions_mut(),
+            SceneStatement::Contacts(defaults) => defaults.compliance.values_mut().collect(),
             SceneStatement::Connector(connector) => {
                 let Connector { from, to, stiffness, rest, damping, .. } = connector;
                 [from, to, stiffness, rest, damping].into_iter().flatten().collect()

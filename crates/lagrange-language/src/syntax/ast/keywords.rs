@@ -36,6 +36,8 @@ pub enum Soft {
     Loop,
     /// A name, with or without parentheses, and braces.
     Part,
+    /// A colon and a way of computing contacts.
+    Way,
     /// Text in quotation marks.
     Path,
 }

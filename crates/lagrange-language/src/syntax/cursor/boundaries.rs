@@ -5,6 +5,17 @@ use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 use super::{Cursor, as_group, is_punct, keywords};
 use crate::syntax::ast::Soft;
 
+/// Ways of computing contacts: what follows `contacts:`.
+pub(in crate::syntax) const WAYS: [&str; 3] = ["rigid", "compliant", "stepped"];
+
+/// True at a word, a colon and a way of computing contacts, or another word without braces: with
+/// them it is the name of a part.
+fn at_way(cursor: &Cursor) -> bool {
+    let Some(TokenTree::Ident(way)) = cursor.peek_past(2) else { return false };
+    let is_part = as_group(cursor.peek_past(3), Delimiter::Brace).is_some();
+    is_punct(cursor.peek_past(1), ':') && (!is_part || WAYS.contains(&way.to_string().as_str()))
+}
+
 impl Cursor {
     /// Returns the keyword that begins a statement here, if the next token is one.
     pub(in crate::syntax) fn statement_keyword(&self) -> Option<String> {
@@ -41,6 +52,7 @@ impl Cursor {
                 let braces = 2 + usize::from(as_group(self.peek_past(2), Delimiter::Parenthesis).is_some());
                 name.is_some() && as_group(self.peek_past(braces), Delimiter::Brace).is_some()
             }
+            Soft::Way => at_way(self),
             Soft::Path => {
                 let next = self.peek_past(1).map(ToString::to_string);
                 next.is_some_and(|next| next.starts_with('"'))

@@ -41,20 +41,11 @@ messages! {
         "write `contact name = wheel on ground;`, or the gap by hand, `event name = gap, falling => impact(e);`";
     COEFFICIENTS_HELP =
         "write `friction: mu;` for slipping and sticking, or both `kinetic: a;` and `static: b;`";
-    without_stiffness(name, label) = "the contact `{name}` has a `{label}`, but no stiffness";
-    STIFFNESS_HELP =
-        "add `stiffness: k;` in N/m for a compliant contact; a rigid one has `friction` and `restitution` only";
-    compliant_restitution(name) = "the contact `{name}` has a stiffness and a restitution";
-    COMPLIANT_RESTITUTION_HELP =
-        "write `dissipation: d;` in s/m instead, about 3 (1 - e) / (2 v) for the restitution e at the speed v";
-    compliant_coefficients(name) = "the contact `{name}` has a stiffness and two coefficients of friction";
-    COMPLIANT_COEFFICIENTS_HELP =
-        "write `friction: mu; stiction: v;` instead: friction that creeps never sticks";
-    without_stiction(name) = "the contact `{name}` has a stiffness and friction, but no stiction speed";
-    STICTION_HELP =
-        "add `stiction: v;` in m/s, the speed at which what would stick may creep, such as `stiction: 0.001;`";
-    without_friction(name) = "the contact `{name}` has a stiction speed, but no friction";
-    WITHOUT_FRICTION_HELP = "add `friction: mu;`, or remove the stiction speed";
+    NO_STIFFNESS = "compliant contacts have a stiffness";
+    STEPPED = "a declaration does not choose the method: rigid contacts are computed by events or in steps";
+    STEPPED_HELP =
+        "omit this line, and write `.method(Stepped::every(1e-3))` for the simulation, or `--method stepped --step 0.001` for the command";
+    unknown_way(word) = "contacts are `rigid` or `compliant`, not {}", quoted(word);
 
     /// Message for a tensor with the wrong number of components.
     tensor_count(count) = "a tensor of inertia has 6 components, not {count}";

@@ -2,8 +2,8 @@
 
 use super::Printer;
 use crate::syntax::ast::{
-    AstId, Body, Connector, Contact, Joint, JointKind, Mobilizer, MobilizerKind, Part, SceneStatement, Shape,
-    Surface,
+    AstId, Body, Connector, Contact, ContactDefaults, Joint, JointKind, Mobilizer, MobilizerKind, Part,
+    SceneStatement, Shape, Surface,
 };
 
 impl Printer<'_> {
@@ -18,6 +18,7 @@ impl Printer<'_> {
             }
             SceneStatement::Surface(surface) => self.surface(surface),
             SceneStatement::Contact(contact) => self.contact(contact),
+            SceneStatement::Contacts(defaults) => self.contact_defaults(defaults),
             SceneStatement::Connector(connector) => self.connector(connector),
             SceneStatement::Joint(joint) => self.joint(joint),
             SceneStatement::Mobilizer(joint) => self.mobilizer(joint),
@@ -115,6 +116,17 @@ impl Printer<'_> {
         self.name(&contact.surface);
         self.text(" {");
         self.given(contact.values());
+        self.text(" }");
+    }
+
+    fn contact_defaults(&mut self, defaults: &ContactDefaults) {
+        self.text("contacts: ");
+        self.name(&defaults.way);
+        if defaults.compliance.way().is_none() {
+            return self.text(";");
+        }
+        self.text(" {");
+        self.given(defaults.compliance.values());
         self.text(" }");
     }
 

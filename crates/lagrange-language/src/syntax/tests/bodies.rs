@@ -30,6 +30,11 @@ pub(super) fn scene(declaration: &Declaration, statement: &SceneStatement) -> St
             let object = show(&contact.object);
             format!("contact {} = {object} {word} {}{rest}", contact.name.text, contact.surface.text)
         }
+        SceneStatement::Contacts(defaults) => {
+            let values = defaults.compliance.values().into_iter();
+            let rest = values.map(|(label, value)| labelled(label, &value)).collect::<String>();
+            format!("contacts {}{rest}", defaults.way.text)
+        }
         SceneStatement::Connector(connector) => {
             let mut text = named(connector.kind.name(), &connector.name);
             text += &labelled("from", &connector.from);
@@ -408,6 +413,10 @@ fn surfaces_and_contacts_have_their_form() {
         contact foot[2] = leg.point(0, 0, -l) on side { radius: r; kinetic: a; static: b; restitution: e; }
         contact roll = ball inside bowl { friction: mu; };
         contact soft = ball on ground { friction: mu; stiffness: k; dissipation: d; stiction: v; }
+        contact ball_on = ball on ground { rolling: a; spinning: b; }
+        contacts: rigid;
+        contacts: compliant { penetration: d; load: f; stiction_rate: w; }
+        contacts: Foot { compliant: 1; }
         let contact = 1;
         let sphere = contact + 1;
     ";
@@ -422,6 +431,10 @@ fn surfaces_and_contacts_have_their_form() {
         "contact foot = (point leg 0 0 (- l)) on side (radius r) (kinetic a) (static b) (restitution e)",
         "contact roll = ball inside bowl (friction mu)",
         "contact soft = ball on ground (friction mu) (stiffness k) (dissipation d) (stiction v)",
+        "contact ball_on = ball on ground (rolling a) (spinning b)",
+        "contacts rigid",
+        "contacts compliant (penetration d) (load f) (stiction_rate w)",
+        "place contacts Foot",
         "let contact 1",
         "let sphere (+ contact 1)",
     ];

@@ -66,7 +66,7 @@ error at 3:8: missing `;` after this
   note at 4:1: the next statement begins here
   help: statements end in `;`
 error at 5:1: expected a statement, found `+`
-  help: statements begin with one of `param`, `const`, `coord`, `state`, `discrete`, `mode`, `start`, `history`, `range`, `quaternion`, `velocity`, `input`, `noise`, `let`, `function`, `table`, `solve`, `kinetic`, `potential`, `lagrangian`, `gibbs`, `dissipation`, `force`, `torque`, `constraint`, `stabilise`, `event`, `every`, `friction`, `output`, `emit`, `reduce`, `for`, `part`, `include`, `gravity`, `body`, `frame`, `line`, `plane`, `circle`, `sphere`, `cylinder`, `terrain`, `contact`, `spring`, `damper`, `torsion_spring`, `torsion_damper`, `pin`, `slide`, `roll`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `weld`
+  help: statements begin with one of `param`, `const`, `coord`, `state`, `discrete`, `mode`, `start`, `history`, `range`, `quaternion`, `velocity`, `input`, `noise`, `let`, `function`, `table`, `solve`, `kinetic`, `potential`, `lagrangian`, `gibbs`, `dissipation`, `force`, `torque`, `constraint`, `stabilise`, `event`, `every`, `friction`, `output`, `emit`, `reduce`, `for`, `part`, `include`, `gravity`, `body`, `frame`, `line`, `plane`, `circle`, `sphere`, `cylinder`, `terrain`, `contact`, `contacts`, `spring`, `damper`, `torsion_spring`, `torsion_damper`, `pin`, `slide`, `roll`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `weld`
 error at 6:5: expected a name, found `=`
   help: write `let name = e;`, `let (a, b) = (e, f);` for the components of a vector, or `let f(x, y) = e;` for a function
 error at 7:5: `let` begins a statement and cannot be a name

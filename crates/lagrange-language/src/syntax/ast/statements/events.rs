@@ -118,6 +118,8 @@ pub struct Friction {
     pub fixed: Option<AstId>,
     /// The range of slip velocities over which the force changes its sign, if it is smooth.
     pub width: Option<AstId>,
+    /// True if it is a moment of a contact against rolling or spinning.
+    pub is_moment: bool,
 }
 
 impl Friction {
