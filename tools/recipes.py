@@ -10,7 +10,8 @@ recipe.
 Usage: tools/recipes.py [--dry] [FOLDER]
 
 FOLDER, by default `target/recipes`, keeps the copy and what is built: a second run is faster. With
-`--dry`, nothing is compiled. CARGO_TARGET_DIR overrides the folder of what is built.
+`--dry`, nothing is compiled. What is built is never shared with the project: cargo gives the crates
+of the copy the same names, and would take one for the other.
 """
 
 import os
@@ -444,7 +445,7 @@ def cargo(arguments, folder, target):
 
 def compiled(folder, texts):
     """Runs the checks and the tests of the copy; returns the results of the checks, and whether all passed."""
-    target = Path(os.environ.get("CARGO_TARGET_DIR", folder / "build"))
+    target = folder / "build"
     copy(folder / "copy", texts)
     all_passed, output = cargo("--lib --offline", folder / "copy" / "recipes", target)
     results = {title: f"test {check} ... ok" in output for title, _, check in RECIPES}

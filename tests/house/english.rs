@@ -156,9 +156,10 @@ fn is_of_trait(code: &str) -> bool {
 
 /// True at the first line of a function.
 fn is_function(code: &str) -> bool {
-    let words = code.split_whitespace().map(|word| word.split('(').next().unwrap_or_default());
-    let mut words = words
-        .skip_while(|word| ["pub", "const", "unsafe", "async", "super", ")"].contains(word) || *word == "in");
+    let code =
+        code.strip_prefix("pub(").and_then(|rest| rest.split_once(") ")).map_or(code, |(_, rest)| rest);
+    let mut words =
+        code.split_whitespace().skip_while(|word| ["pub", "const", "unsafe", "async"].contains(word));
     words.next() == Some("fn")
 }
 
@@ -221,7 +222,7 @@ mod tests {
 
     #[test]
     fn openings_of_functions_leave_out_tests_and_traits() {
-        let text = "/// Asks.\n///\n/// The rest.\n#[inline]\npub(super) const fn f() {}\n/// A type.\nstruct T;\n\
+        let text = "/// Asks.\n///\n/// The rest.\n#[inline]\npub(in crate::a) const fn f() {}\n/// A type.\nstruct T;\n\
                     /// A claim.\n#[test]\nfn g() {}\nimpl A for T {\n    /// The name.\n    fn a() {}\n}\n\
                     impl T {\n    /// The sum.\n    pub fn b() {}\n}\n";
         assert_eq!(openings_of_functions(text), [(1, "Asks."), (16, "The sum.")]);
