@@ -19,16 +19,23 @@ pub(super) fn contact_of(elaborator: &Elaborator<'_>, force: ExprId) -> Option<u
 /// Warns if the last friction acts at the same contact as an earlier one, along another direction.
 pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     let last = elaborator.reactions.len().saturating_sub(1);
-    let last = if is_across(elaborator, last) { last - 1 } else { last };
+    // Friction in a plane is a cone already: another one at its contact acts on a rotation.
+    if is_across(elaborator, last) {
+        return;
+    }
     let contacts = contacts(elaborator, last);
     let shares = |elaborator: &Elaborator<'_>, other: usize| {
         self::contacts(elaborator, other).into_iter().find(|contact| contacts.contains(contact))
     };
-    for other in 0..last {
+    let is_single =
+        |other: &usize| ![*other, other + 1].into_iter().any(|index| is_across(elaborator, index));
+    let singles = (0..last).filter(is_single).collect::<Vec<_>>();
+    for other in singles {
         if let Some(contact) = shares(elaborator, other)
             && !are_parallel(elaborator, [other, last])
         {
-            let [first, second, contact] = [other, last, contact].map(|index| name_of(elaborator, index));
+            let [first, second, contact] =
+                [other, last, contact].map(|index| elaborator.reactions[index].0.name.clone());
             let [place, earlier] = [last, other].map(|index| elaborator.reactions[index].1);
             let message = messages::square_of_friction(&first, &second, &contact);
             let warning = elaborator.evaluator.report.doubtful(place, message);
@@ -36,14 +43,6 @@ pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
             return;
         }
     }
-}
-
-/// Returns the declared name of a contact or friction, without the suffix of components in a plane.
-fn name_of(elaborator: &Elaborator<'_>, index: usize) -> String {
-    let written = &elaborator.reactions[index].0.name;
-    let is_component = is_across(elaborator, index) || is_across(elaborator, index + 1);
-    let component = written.rsplit_once('_').filter(|_| is_component);
-    component.map_or_else(|| written.clone(), |(name, _)| name.to_owned())
 }
 
 /// True if this reaction is the second component of friction in a plane.
