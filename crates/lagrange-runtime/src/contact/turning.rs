@@ -150,8 +150,8 @@ impl<S: Scalar, const N: usize, const K: usize> ContactStep<'_, S, N, K> {
             false => Bounds::of(forced.normalise().0),
         };
         let ends = bounds.gaps;
-        for k in 0..K {
-            bounds.gaps[k] = ends[k] - h * bounds.rates[k];
+        for (k, end) in ends.iter().enumerate() {
+            bounds.gaps[k] = *end - h * bounds.rates[k];
             bounds.rates[k] = bounds.rates[k] - inner(&bounds.rows[k], &added);
         }
         (ends, bounds)
@@ -172,11 +172,11 @@ impl<S: Scalar, const N: usize, const K: usize> ContactStep<'_, S, N, K> {
             (found, before, after - before)
         };
         let (mut best, before, difference) = solved(self, S::ONE);
-        if before >= -self.closed || !(difference > S::ZERO) {
+        if before >= -self.closed || difference <= S::ZERO {
             return best;
         }
         let (found, _, least) = solved(self, S::ZERO);
-        if !(least < S::ZERO) {
+        if least >= S::ZERO {
             return found;
         }
         let mut ends = [(S::ZERO, least), (S::ONE, difference)];
@@ -188,7 +188,7 @@ impl<S: Scalar, const N: usize, const K: usize> ContactStep<'_, S, N, K> {
             let (found, _, difference) = solved(self, share);
             best = found;
             best.iterations += iterations;
-            if !(difference.abs() > self.closed) {
+            if difference.abs() <= self.closed {
                 break;
             }
             let (moves, stays) = if difference < S::ZERO { (0, 1) } else { (1, 0) };
