@@ -44,6 +44,9 @@ pub(crate) fn text(
     if !system.programs().delayed_inputs.is_empty() {
         return Err(Failure::Ended(DELAYS.to_owned()));
     }
+    if let Some(reason) = &system.programs().variables.needs_steps {
+        return Err(Failure::Ended(format!("{reason}, whose error is not compared")));
+    }
     let report = trade(system, &start, until, longest.unwrap_or(LONGEST));
     if report.rows().is_empty() {
         let reason =

@@ -110,7 +110,12 @@ fn the_table_has_a_line_for_each_error_and_all_runs_are_saved() {
 #[test]
 fn unmeasurable_motions_are_refused() {
     let ending = declaration("ends.lag", "coord x = 0; kinetic = 1/2 * dot(x)^2; force x = sqrt(1/2 - t);");
-    let cases: [(&str, &[&str], i32, &str); 9] = [
+    let stack = declaration(
+        "stack.lag",
+        "gravity = (0, 0, -9.81); body a { mass: 1; shape: cuboid(1, 1, 1); } free a;
+         body b { mass: 1; shape: cuboid(1, 1, 1); } free b; start b_z = 2; contact touch = b on a;",
+    );
+    let cases: [(&str, &[&str], i32, &str); 10] = [
         (SWING, &[], 2, "the end is missing"),
         (SWING, &["--until", "0"], 2, "the motion has no duration"),
         (SWING, &["--until", "1", "--error", "0"], 2, "--error 0: expected a positive number"),
@@ -119,6 +124,7 @@ fn unmeasurable_motions_are_refused() {
         (SWING, &["--until", "1", "--start", "phi=1"], 2, "no `phi`"),
         (SWING, &["--until", "1", "--every", "0.1"], 2, "--every"),
         (SWING, &["--until", "1", "--error", "1e-30", "--longest", "0.01"], 3, "longer `--longest`"),
+        (&stack, &["--until", "1"], 3, "needs the method `Stepped`"),
         (&ending, &["--until", "1"], 3, "no method with a tolerance reaches the end"),
     ];
     for (file, arguments, code, message) in cases {

@@ -320,4 +320,8 @@ impl<const CAPACITY: usize, const N: usize, const K: usize> ContactSystem<N, K> 
     fn limit_reverses(&self, k: usize) -> bool {
         self.names.reactions.get(k).is_some_and(|reaction| reaction.limit_reverses)
     }
+
+    fn gradient_jumps(&self, k: usize) -> bool {
+        self.names.reactions.get(k).is_some_and(|reaction| reaction.gradient_jumps)
+    }
 }

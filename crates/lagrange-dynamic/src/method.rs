@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-9;
 pub(crate) const NAMES: [&str; 8] =
     ["verner", "radau", "taylor", "rk4", "gauss", "stepped", "maruyama", "stochastic"];
 /// The reason why systems without contacts are not stepped.
-pub(crate) const NO_CONTACTS: &str = "the method `stepped` needs contacts or friction: take `verner`";
+pub(crate) const NO_CONTACTS: &str = "the method `stepped` needs contacts without a stiffness, or dry friction: take `verner`, or `radau` for stiff contacts";
 /// The reason why runs with delayed signals are not stepped.
 pub(crate) const STEPPED_DELAY: &str = "the method `stepped` has no delayed signals: take `verner`";
 /// The reason why runs with a law have no series.

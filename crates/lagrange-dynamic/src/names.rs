@@ -130,10 +130,9 @@ fn kept(programs: &Programs) -> &'static Names {
 }
 
 fn named(reaction: &ReactionOfSystem) -> NamedReaction {
-    let ReactionOfSystem { name, mode, event, restitution_varies, limit_reverses } = reaction;
-    let (mode, event) = (*mode, *event);
-    let (restitution_varies, limit_reverses) = (*restitution_varies, *limit_reverses);
-    NamedReaction { name: text(name), mode, event, restitution_varies, limit_reverses }
+    let &ReactionOfSystem { mode, event, restitution_varies, limit_reverses, gradient_jumps, .. } = reaction;
+    let name = text(&reaction.name);
+    NamedReaction { name, mode, event, restitution_varies, limit_reverses, gradient_jumps }
 }
 
 /// Returns the ranges and the nominal values of the entries of the state.

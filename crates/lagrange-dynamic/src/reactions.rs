@@ -76,6 +76,7 @@ pub(crate) struct NamedReaction {
     pub(crate) event: Option<usize>,
     pub(crate) restitution_varies: bool,
     pub(crate) limit_reverses: bool,
+    pub(crate) gradient_jumps: bool,
 }
 
 /// Returns the mode in which a system is created.

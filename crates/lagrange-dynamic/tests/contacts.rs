@@ -307,7 +307,11 @@ fn steps_refuse_delayed_signals() {
 fn steps_need_contacts() {
     let free = declared("struct Free; coord x; kinetic = 1/2 * dot(x)^2;");
     let found = free.visit(Run(settings(&[0.0, 1.0], 1.0, MethodChoice::Stepped { step: 0.1 })));
-    assert!(found.0[0].contains("the method `stepped` needs contacts or friction"), "{}", found.0[0]);
+    assert!(
+        found.0[0].contains("the method `stepped` needs contacts without a stiffness, or dry friction"),
+        "{}",
+        found.0[0]
+    );
 }
 
 fn refusal(text: &str) -> Option<String> {

@@ -52,7 +52,8 @@ impl NameKind {
             NameKind::Abbreviation => "`let`",
             NameKind::Unknown => "unknown of an equation",
             NameKind::Constraint | NameKind::Implied => "constraint",
-            NameKind::Event | NameKind::Contact => "event",
+            NameKind::Event => "event",
+            NameKind::Contact => "contact",
             NameKind::Friction => "friction",
             NameKind::Output => "output",
         }
@@ -104,7 +105,8 @@ impl Scope {
             first.is_ambiguous = true;
             let help = match kind {
                 NameKind::Constraint => messages::names::NAMELESS_CONSTRAINT_HELP,
-                NameKind::Event | NameKind::Contact => messages::names::OTHER_EVENT_HELP,
+                NameKind::Event => messages::names::OTHER_EVENT_HELP,
+                NameKind::Contact => messages::names::OTHER_CONTACT_HELP,
                 NameKind::Output => messages::names::OTHER_OUTPUT_HELP,
                 _ => messages::OTHER_NAME_HELP,
             };

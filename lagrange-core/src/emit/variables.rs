@@ -4,7 +4,9 @@ use proc_macro2::TokenStream;
 
 use super::base::fields::split_indices;
 use super::base::shape::{Shape, Touch};
-use super::features::contacts::{events_of_rows, needs_steps, reversing_limits, varying_restitutions};
+use super::features::contacts::{
+    events_of_rows, jumping_gradients, needs_steps, reversing_limits, varying_restitutions,
+};
 use super::features::orientations::written_velocity;
 use super::features::ports::column_names;
 use super::features::regressor::regressor_names;
@@ -116,6 +118,8 @@ pub struct ReactionOfSystem {
     pub restitution_varies: bool,
     /// True if the limit of friction contains constraint forces.
     pub limit_reverses: bool,
+    /// True if the gradient of the gap jumps.
+    pub gradient_jumps: bool,
 }
 
 /// The kind of the mode of a reaction.
@@ -191,6 +195,7 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
 fn reactions(shape: &Shape<'_>, model: &Model) -> Vec<ReactionOfSystem> {
     let (places, events) = (shape.reactions(), events_of_rows(shape));
     let (varying, reversing) = (varying_restitutions(model), reversing_limits(model));
+    let jumping = jumping_gradients(model);
     let reaction = |(k, &place): (usize, &usize)| {
         let (name, touch) = shape.touching[place];
         let mode = match touch {
@@ -199,9 +204,14 @@ fn reactions(shape: &Shape<'_>, model: &Model) -> Vec<ReactionOfSystem> {
             Touch::Friction | Touch::Planar => ModeOfReaction::Friction,
             Touch::Smooth => ModeOfReaction::Smooth,
         };
-        let (restitution_varies, limit_reverses) = (varying[k], reversing[k]);
-        let name = shape.written(name).to_owned();
-        ReactionOfSystem { name, mode, event: events[k], restitution_varies, limit_reverses }
+        ReactionOfSystem {
+            name: shape.written(name).to_owned(),
+            mode,
+            event: events[k],
+            restitution_varies: varying[k],
+            limit_reverses: reversing[k],
+            gradient_jumps: jumping[k],
+        }
     };
     places.iter().enumerate().map(reaction).collect()
 }

@@ -4,6 +4,7 @@
 //! `cargo motions --test surfaces` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
+mod flat;
 mod rim;
 mod terrain;
 mod tippe_top;

@@ -178,7 +178,8 @@ fn loaded_name(translation: &Translation<'_>, body: usize) -> Option<String> {
 }
 
 /// Adds a friction of a contact against a slip velocity or an angular velocity, which is a scalar
-/// or a pair. Its name is accompanied by whether it is a moment. With a stiction speed it is smooth.
+/// or a pair. Its name is accompanied by whether it is a moment. With a stiction speed it is
+/// smooth.
 fn rub(
     translation: &mut Translation<'_>,
     contact: &Name,

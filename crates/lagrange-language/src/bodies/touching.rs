@@ -58,7 +58,13 @@ fn report_without_radius(translation: &mut Translation<'_>, contact: &Contact) {
     };
     let is_on_round = round_named(translation, &surface.text);
     let (message, help) = match corner_count(translation, Some(&shape)) {
-        0 => (words::no_outline(&contact.text, &name), words::NO_OUTLINE_HELP.to_owned()),
+        0 => {
+            let help = match translation.space {
+                Some(_) => words::NO_OUTLINE_IN_SPACE_HELP,
+                None => words::NO_OUTLINE_HELP,
+            };
+            (words::no_outline(&contact.text, &name), help.to_owned())
+        }
         _ if is_on_round => (
             words::edges_on_round(&contact.text, &name, &surface.text),
             words::EDGES_ON_ROUND_HELP.to_owned(),

@@ -91,6 +91,7 @@ mod stepped;
 #[cfg(test)]
 mod tests;
 mod transition;
+mod turning;
 
 pub use self::forces::reactions;
 pub use self::guards::{event_values, switch_values};
@@ -228,6 +229,10 @@ pub trait ContactSystem<const N: usize, const K: usize>: MechanicalSystem + Size
     /// such a limit counts by its magnitude. Other limits must not be negative.
     const LIMITS_REVERSE: [bool; K] = [false; K];
 
+    /// True for each contact whose gradient jumps, as the lowest point of a rim does where it lies
+    /// flat. Steps also use the gradients at their ends.
+    const GRADIENTS_JUMP: [bool; K] = [false; K];
+
     /// The modes, in the order of declaration.
     fn modes(&self) -> [Mode; K];
 
@@ -291,6 +296,12 @@ pub trait ContactSystem<const N: usize, const K: usize>: MechanicalSystem + Size
     /// constant.
     fn limit_reverses(&self, k: usize) -> bool {
         Self::LIMITS_REVERSE[k]
+    }
+
+    /// Returns an entry of [`GRADIENTS_JUMP`](Self::GRADIENTS_JUMP), for systems in which it is no
+    /// constant.
+    fn gradient_jumps(&self, k: usize) -> bool {
+        Self::GRADIENTS_JUMP[k]
     }
 }
 

@@ -13,6 +13,9 @@
 //! twice the change of its rate by the other forces in a step. Otherwise it comes to rest; it would
 //! bounce forever if slow contacts were hit as well.
 //!
+//! Rates at the end of a step include the drifts of their gradients. Gradients that jump have none:
+//! see [`turning`](super::turning).
+//!
 //! Overlaps are removed by displacements, half of the overlap in each step, and never become
 //! velocities. Sources: Moreau, "Numerical aspects of the sweeping process", *Comput. Methods Appl.
 //! Mech. Eng.* 177 (1999) 329–349; Anitescu, "Optimization-based simulation of nonsmooth rigid
@@ -64,14 +67,14 @@ pub(super) struct Impulses<S, const N: usize, const K: usize> {
 /// The terms of a step of length h.
 pub(super) struct ContactStep<'a, S, const N: usize, const K: usize> {
     pub(super) terms: &'a mut Terms<S, N, K>,
-    metric: &'a Metric<S, N>,
+    pub(super) metric: &'a Metric<S, N>,
     modes: &'a [Mode; K],
-    h: S,
+    pub(super) h: S,
     /// Gaps up to which contacts are closed, as they differ from zero by rounding. Supports that
     /// differ by less share a load.
-    closed: S,
+    pub(super) closed: S,
     /// Rates at the end of the step without impulses.
-    free: [S; K],
+    pub(super) free: [S; K],
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
@@ -169,7 +172,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         self.metric.velocities(self.terms.change(impulses))
     }
 
-    fn is_contact(&self, k: usize) -> bool {
+    pub(super) fn is_contact(&self, k: usize) -> bool {
         matches!(self.modes[k], Mode::Contact(_))
     }
 

@@ -319,6 +319,10 @@ where
         let slits = slits(system, t, &q, forced.terms(), closed);
         let (terms, metric) = forced.normalise();
         work.evaluations += 1;
+        let jumps = array::from_fn(|k| system.gradient_jumps(k));
+        if jumps.contains(&true) {
+            terms.remove_curvatures(&jumps);
+        }
         let mut step = ContactStep::new(terms, &metric, &modes, [h, closed]);
         if !step.is_finite() {
             return Err(StepFailure::NotFinite);
@@ -327,7 +331,10 @@ where
         if step.terms.may_have_negative_limits(&modes) {
             step.check_limits(system)?;
         }
-        let found = step.solve(&restitutions, &self.expected(h));
+        let mut found = step.solve(&restitutions, &self.expected(h));
+        if jumps.contains(&true) {
+            found = step.follow(system, (t, &q, &v), &jumps, (&restitutions, found));
+        }
         work.iterations += u64::from(found.iterations);
         work.inexact += u64::from(!found.is_exact);
         self.keep(&found, h, |k| system.reaction_name(k))?;

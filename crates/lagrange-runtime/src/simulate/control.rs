@@ -171,6 +171,7 @@ where
     const NEEDS_STEPS: Option<&'static str> = M::NEEDS_STEPS;
     const RESTITUTIONS_VARY: [bool; K] = M::RESTITUTIONS_VARY;
     const LIMITS_REVERSE: [bool; K] = M::LIMITS_REVERSE;
+    const GRADIENTS_JUMP: [bool; K] = M::GRADIENTS_JUMP;
 
     fn modes(&self) -> [Mode; K] {
         self.plant.modes()
@@ -221,6 +222,10 @@ where
 
     fn limit_reverses(&self, k: usize) -> bool {
         self.plant.limit_reverses(k)
+    }
+
+    fn gradient_jumps(&self, k: usize) -> bool {
+        self.plant.gradient_jumps(k)
     }
 }
 

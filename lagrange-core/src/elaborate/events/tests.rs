@@ -252,6 +252,10 @@ fn friction_in_two_directions_of_one_contact_is_warned_of() {
         ("dot(x), mu", "dot(y), mu"),
         ("(dot(x), dot(y)), mu * floor", "dot(x) - dot(y), floor / 9"),
         ("dot(x), mu * floor", "(dot(x), dot(y)), floor / 9"),
+        // Friction in a plane is a cone already, beside which rotations have others.
+        ("(dot(x), dot(y)), mu * floor", "(2 * dot(x), dot(y)), floor / 9"),
+        ("dot(x), floor / 9", "(dot(x), dot(y)), mu * floor"),
+        ("(dot(x), dot(y)), mu * floor", "dot(x) + dot(y), floor / 9"),
     ] {
         let found = warnings(&format!("{contacts} friction one = {first}; friction other = {second};"));
         assert_eq!(found, "", "{first}; {second}");

@@ -56,6 +56,8 @@ messages! {
     NAMELESS_CONSTRAINT_HELP =
         "a constraint needs its own name, which stands for its force: write x = a as `constraint name = x - (a);`";
     OTHER_EVENT_HELP = "an event needs its own name: write `event name = e, falling => stop;`";
+    OTHER_CONTACT_HELP =
+        "a contact needs its own name: write `contact name = wheel on ground;`, or `event name = gap, falling => impact(e);`";
     OTHER_OUTPUT_HELP = "an output needs its own name: write `output name = e;`";
 }
 

@@ -44,6 +44,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) needs_steps: Option<String>,
     /// True for each friction whose limit contains constraint forces.
     pub(in crate::emit) limits_reverse: Vec<bool>,
+    /// True for each contact whose gradient jumps.
+    pub(in crate::emit) gradients_jump: Vec<bool>,
     /// Methods called only by other methods.
     pub(in crate::emit) hidden: TokenStream,
     /// Methods for the motion of bodies.

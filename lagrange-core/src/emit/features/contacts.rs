@@ -17,6 +17,8 @@ use crate::model::{Model, ReactionKind};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::{Dependencies, ExprId, Node};
 
+/// Largest constant below a square root that only rounds a kink.
+const ROUNDED_KINK: f64 = 1e-12;
 const REACTIONS: [&str; 2] = [
     "Forces of contacts and friction in the order of their declaration: normal forces along the gradients of the gaps,",
     "friction forces along those of the slip velocities, in a plane along both.",
@@ -35,6 +37,7 @@ pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&st
     writer.members.terms = touching_terms(writer);
     writer.members.restitutions_vary = varying_restitutions(writer.model);
     writer.members.limits_reverse = reversing_limits(writer.model);
+    writer.members.gradients_jump = jumping_gradients(writer.model);
     writer.members.needs_steps = needs_steps(writer.shape, writer.model);
     let krate = writer.shape.krate;
     let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
@@ -128,6 +131,25 @@ pub(in crate::emit) fn reversing_limits(model: &Model) -> Vec<bool> {
     model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
 }
 
+/// Returns true for each contact whose gap has a rounded kink: the square root of a sum with a
+/// constant that is almost zero. The lowest point of a rim jumps there.
+pub(in crate::emit) fn jumping_gradients(model: &Model) -> Vec<bool> {
+    let graph = &model.graph;
+    let is_rounded = |base: ExprId| match graph.node(base) {
+        Node::Sum { constant, .. } => constant.to_f64() > 0.0 && constant.to_f64() <= ROUNDED_KINK,
+        _ => false,
+    };
+    let has_kink = |id: ExprId| match graph.node(id) {
+        Node::Product(factors) => factors.iter().any(|(base, _)| is_rounded(*base)),
+        _ => false,
+    };
+    let jumps = |kind: &ReactionKind| match *kind {
+        ReactionKind::Contact { gap, .. } => graph.reachable(&[gap]).into_iter().any(has_kink),
+        _ => false,
+    };
+    model.reactions.iter().map(|reaction| jumps(&reaction.kind)).collect()
+}
+
 /// Writes the declarations of the fields that store modes.
 pub(in crate::emit) fn mode_fields(shape: &Shape<'_>) -> TokenStream {
     let krate = shape.krate;
@@ -181,6 +203,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
     });
     let vary = flags("RESTITUTIONS_VARY", &members.restitutions_vary);
     let reverse = flags("LIMITS_REVERSE", &members.limits_reverse);
+    let jump = flags("GRADIENTS_JUMP", &members.gradients_jump);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::contact::ContactSystem<#nv, #k> for #name #generics {
@@ -188,6 +211,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
             #needs_steps
             #vary
             #reverse
+            #jump
             #modes
             #checked
             #terms

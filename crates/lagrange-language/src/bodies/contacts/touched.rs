@@ -23,7 +23,11 @@ pub(super) fn surface_named(translation: &mut Translation<'_>, statement: &ast::
             Some(surface) => surface,
             None => {
                 let message = words::not_round(&statement.name.text, &name.text);
-                translation.report.error(name.span, message).help(words::NO_SURFACE_HELP);
+                let help = match translation.space {
+                    Some(_) => words::FACE_HELP,
+                    None => words::NO_SURFACE_HELP,
+                };
+                translation.report.error(name.span, message).help(help);
                 return None;
             }
         },

@@ -29,7 +29,10 @@ messages! {
         "write a round body, `wheel`, a point, `foot.point(X, Y)`, in space `foot.point(X, Y, Z)`, or corners, `case.corners`";
     no_outline(contact, name) =
         "the contact `{contact}` is of `{name}`, whose shape has neither a radius nor corners";
-    NO_OUTLINE_HELP = "write a point of it, `name.point(X, Y)`, or the radius around its centre, `radius: r;`";
+    NO_OUTLINE_HELP =
+        "write a point of it, `name.point(X, Y)`, or the radius around its centre, `radius: r;`";
+    NO_OUTLINE_IN_SPACE_HELP =
+        "write a point of it, `name.point(X, Y, Z)`, the radius around its centre, `radius: r;`, or on planes a circle such as the end of a cylinder, `rim: r; axis: (0, 0, 1);`";
     corners_of_another(contact, name) =
         "the contact `{contact}` uses all corners of `{name}`, which must be declared in the same place";
     loop_over_corners(count) = "write a loop: `for k in 0..{count} {{ contact foot[k] = case.corner(k) on ground {{ … }} }}`";
@@ -41,6 +44,8 @@ messages! {
     GROUND_TOUCHES_HELP = "write the body that moves first: `contact name = wheel on ground;`";
     no_surface(contact, name, found) = "the contact `{contact}` needs a surface, but `{name}` is {found}";
     not_round(contact, name) = "the contact `{contact}` needs a surface, but `{name}` is not round";
+    FACE_HELP =
+        "points and corners touch a face of it: declare a `plane` that is `on:` the body; a whole cuboid, rod or ball touches all faces of a cuboid: `contact name = case on crate;`";
     unknown_surface(contact, name) = "the contact `{contact}` is on the unknown surface `{name}`";
     NO_SURFACE_HELP =
         "write `ground`, the name of a `line`, `plane` or `terrain`, of a `circle`, `sphere` or `cylinder`, or of a round body";
