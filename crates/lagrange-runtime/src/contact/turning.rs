@@ -1,7 +1,7 @@
 //! Contacts whose gradients turn within a step.
 //!
 //! A step continues a gap g by its gradient d and its curvature. This is wrong where d turns far
-//! within a step, as the lowest point of a rim does that is almost flat: the curvature of a rim of
+//! within a step, like the lowest point of a rim that is almost flat. The curvature of a rim of
 //! radius R at the inclination s is about R ω²/s. Such curvatures are not used. Instead, the end of
 //! the step is computed without them, at the velocities v*. If bodies overlap there, at q*, the
 //! step is repeated with the bound
@@ -10,9 +10,9 @@
 //! g(q*) + h d(q*)·(v⁺ − v*) ≥ 0.
 //! ```
 //!
-//! The gap of a convex body over a plane is concave in its motion, so a bound never forbids what
-//! the contact permits, and its impulses add no energy. If the bound before it is then violated,
-//! the body is held at two places, such as the two ends of a diameter of a coin that lands flat.
+//! The gap of a convex body over a plane is concave in its motion. A bound therefore never forbids
+//! what the contact permits, and its impulses add no energy. If the bound before it is then
+//! violated, the body is held at two places. These may be both ends of a diameter of a flat coin.
 //! Both bounds are satisfied with equality by a mean of them, to which one reaction belongs. Its
 //! share is the zero of the difference of both gaps. The mean is a bound as well, to which the
 //! next one is added.

@@ -1,8 +1,8 @@
 //! Numbers that the optimiser computes in the written order.
 //!
 //! LLVM combines equal operations of neighbouring bodies into vectors. To do so it moves the
-//! elimination of bodies behind the calls of sine and cosine, and the two no longer overlap: a
-//! chain of 20 pendulums takes up to 1.3 times as long. An empty instruction whose operand is the
+//! elimination of bodies behind the calls of sine and cosine, so the two no longer overlap. A chain
+//! of 20 pendulums then takes up to 1.3 times as long. An empty instruction whose operand is the
 //! angle of a sine or a pivot keeps both in place, and costs nothing. [`core::hint::black_box`]
 //! would send the number through memory, which takes longer than is gained.
 

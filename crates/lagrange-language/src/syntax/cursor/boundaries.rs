@@ -8,8 +8,8 @@ use crate::syntax::ast::Soft;
 /// Ways of computing contacts: what follows `contacts:`.
 pub(in crate::syntax) const WAYS: [&str; 3] = ["rigid", "compliant", "stepped"];
 
-/// True at a word, a colon and a way of computing contacts, or another word without braces: with
-/// them it is the name of a part.
+/// True at a word, a colon and a way of computing contacts, or another word without braces. With
+/// braces, it is the name of a part.
 fn at_way(cursor: &Cursor) -> bool {
     let Some(TokenTree::Ident(way)) = cursor.peek_past(2) else { return false };
     let is_part = as_group(cursor.peek_past(3), Delimiter::Brace).is_some();
