@@ -4,14 +4,13 @@
 //! − R d with d = a × (n × a)/s. Here s = |n × a| is the sine of its inclination. A tube of radius
 //! r around the circle makes it a torus. The gap is n·(c − p) − R s − r.
 //!
-//! A circle that is flat on the plane has no lowest point. Therefore, d is divided by √(s² + ε²)
-//! with ε = 10⁻⁹ instead of s, and the gap contains s²/√(s² + ε²) in place of s. As the circle
-//! becomes parallel, it touches below its centre, at the height of the plane. At the inclination s,
-//! the gap is too large by R ε²/2 s, which is less than rounding for s above 0.01.
+//! A circle that is flat on the plane has no lowest point. Therefore, √(s² + ε²) with ε = 10⁻⁹
+//! replaces s. As the circle becomes parallel, it touches below its centre, at the height R ε. At
+//! the inclination s, the gap is too small by R ε²/2 s, which is less than rounding for s above
+//! 0.01.
 //!
 //! When the axis passes through the normal, d reverses instantly. Since there are no events, the
-//! motion continues as under a smooth constraint, which does no work. No restitution occurs. Steps
-//! know such a contact by the constant ε², and hold it at several places.
+//! motion continues as under a smooth constraint, which does no work. No restitution occurs.
 //!
 //! For R = 0.5 and an axis inclined by 30°, the centre is 0.25 above the plane.
 
@@ -63,7 +62,7 @@ struct Rim {
     axis: Triple,
 }
 
-/// Returns the lowest point over a plane, and its depth R s²/√(s² + ε²) below the centre.
+/// Returns the lowest point over a plane, and its depth R √(s² + ε²) below the centre.
 fn lowest(translation: &mut Translation<'_>, name: &str, rim: &Rim, surface: &Surface) -> (Triple, AstId) {
     let axis = bind_vector(translation, &format!("{name}_axis"), rim.axis);
     let across = cross(&mut translation.terms(), surface.direction, axis);
@@ -80,10 +79,7 @@ fn lowest(translation: &mut Translation<'_>, name: &str, rim: &Rim, surface: &Su
     let share = terms.divide(rim.size, inclination);
     let arm = scale(&mut terms, share, uphill);
     let lowest = minus(&mut terms, rim.center, arm);
-    // In this form, its derivatives have no quotient by s.
-    let excess = terms.divide(least, inclination);
-    let depth = terms.minus(inclination, excess);
-    let lift = terms.times(rim.size, depth);
+    let lift = terms.times(rim.size, inclination);
     (bind_vector(translation, &format!("{name}_lowest"), lowest), lift)
 }
 
