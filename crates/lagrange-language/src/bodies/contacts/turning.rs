@@ -1,13 +1,13 @@
 //! Friction against rolling and spinning.
 //!
 //! Let ω be the angular velocity relative to the surface, with the tangents t₁ and t₂ and the
-//! normal n. Rolling friction is a moment against (t₁·ω, t₂·ω) of at most ρ N, and spinning
-//! friction a moment against n·ω of at most ζ N, for the normal force N. The coefficients ρ and ζ
+//! normal n. Rolling friction is a moment against (t₁·ω, t₂·ω) of at most ρ N for the normal
+//! force N. Spinning friction is a moment against n·ω of at most ζ N. The coefficients ρ and ζ
 //! are lengths. As with sliding friction, a body whose limit exceeds the load does not roll or
 //! spin. In the plane, the only component of ω is that of rolling.
 //!
-//! A ball of radius r that rolls without slipping is slowed by ρ g/r · 5/7: with a moment ρ m g
-//! about its point of contact, where its inertia is 7/5 m r². One that spins in place loses ω at
+//! A ball of radius r that rolls without slipping is slowed by ρ g/r · 5/7. The moment about its
+//! point of contact is ρ m g, and its inertia there is 7/5 m r². One that spins in place loses ω at
 //! ζ m g/(2/5 m r²).
 //!
 //! Source: Johnson, *Contact Mechanics*, §8.4 on rolling and §8.3 on spin; Leine, Glocker, *A
