@@ -1,8 +1,10 @@
 //! A tippe top: a ball whose centre of mass is below its centre turns over, and spins on its head.
 //!
 //! The contact force passes through the point of contact. Jellett's constant therefore holds for
-//! any law of friction. It is the product of the angular momentum about the centre of mass and the
-//! vector from there to this point (Jellett, *A Treatise on the Theory of Friction*, ch. 8).
+//! any law of friction. It is the angular momentum about the centre of mass times the vector from
+//! there to the point of contact.
+//!
+//! Source: Jellett, *A Treatise on the Theory of Friction*, ch. 8.
 
 use lagrange::Simulate;
 use lagrange::contact::Stepped;

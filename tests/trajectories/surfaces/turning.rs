@@ -177,7 +177,7 @@ fn a_wheel_in_the_plane_is_slowed() {
     assert_near(&run.column("moment").expect("recorded")[1..2], &[0.002 * 2.0 * G], 1e-12);
 }
 
-/// What spins is the motion relative to the table, which the ball follows in the end.
+/// The ball spins relative to the table, which it follows in the end.
 #[test]
 fn a_turntable_turns_a_ball() {
     let time = 0.4 * 2.0 * 0.01 * 3.0 / (0.0005 * 2.0 * G);

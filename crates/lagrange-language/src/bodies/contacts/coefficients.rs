@@ -118,7 +118,7 @@ pub(super) fn turning_coefficients(
 }
 
 /// Stiffness, dissipation and stiction speeds of a compliant contact.
-pub(super) struct Compliance {
+pub(super) struct ComplianceCoefficients {
     pub(super) stiffness: AstId,
     pub(super) dissipation: Option<AstId>,
     pub(super) stiction: Option<AstId>,
@@ -129,7 +129,7 @@ pub(super) struct Compliance {
 pub(super) fn compliance(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
-) -> Option<Option<Compliance>> {
+) -> Option<Option<ComplianceCoefficients>> {
     if statement.compliance.way().is_none() {
         return Some(None);
     }
@@ -148,7 +148,7 @@ pub(super) fn compliance(
     let by_load = penetration.zip(load);
     let stiffness = stiffness
         .or_else(|| by_load.map(|(penetration, load)| translation.terms().divide(load, penetration)));
-    Some(Some(Compliance { stiffness: stiffness?, dissipation, stiction, stiction_rate }))
+    Some(Some(ComplianceCoefficients { stiffness: stiffness?, dissipation, stiction, stiction_rate }))
 }
 
 /// Reports values of the labels of a compliant contact that are negative, or zero where they must

@@ -16,7 +16,7 @@
 //! Journal of Applied Mechanics 42 (1975); Wriggers, *Computational Contact Mechanics*, 2nd ed.,
 //! §5.2.3, for the square root.
 
-use super::coefficients::Compliance;
+use super::coefficients::ComplianceCoefficients;
 use crate::bodies::plain::Obligation;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
@@ -27,10 +27,10 @@ pub(super) fn press(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
     gap: AstId,
-    compliance: &Compliance,
+    compliance: &ComplianceCoefficients,
 ) {
     let name = &statement.name;
-    let &Compliance { stiffness, dissipation, .. } = compliance;
+    let &ComplianceCoefficients { stiffness, dissipation, .. } = compliance;
     translation.obligations.push(Obligation::Opens { contact: name.clone(), gap });
     let mut terms = translation.terms();
     let (depth, nothing) = (terms.negative(gap), terms.number(0));

@@ -45,7 +45,7 @@ messages! {
     no_surface(contact, name, found) = "the contact `{contact}` needs a surface, but `{name}` is {found}";
     not_round(contact, name) = "the contact `{contact}` needs a surface, but `{name}` is not round";
     FACE_HELP =
-        "points and corners touch a face of it: declare a `plane` that is `on:` the body; a whole cuboid, rod or ball touches all faces of a cuboid: `contact name = case on crate;`";
+        "declare a `plane` that is `on:` the body, for points and corners on its face, or name a whole cuboid, rod or ball: `contact name = case on crate;`";
     unknown_surface(contact, name) = "the contact `{contact}` is on the unknown surface `{name}`";
     NO_SURFACE_HELP =
         "write `ground`, the name of a `line`, `plane` or `terrain`, of a `circle`, `sphere` or `cylinder`, or of a round body";
