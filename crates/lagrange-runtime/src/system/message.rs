@@ -103,7 +103,7 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::StepLost { step, time } => write!(
             f,
             "steps of {step:?} are below the rounding error of the time {time:?}: use longer steps, or measure \
-            time from a time closer to the start"
+            time from near the start"
         ),
         StepFailure::TooManySteps { limit } => write!(
             f,
