@@ -21,7 +21,7 @@ impl Number for Double {
 
     #[inline]
     fn from_sum(nearest: f64, remainder: f64) -> Self {
-        Double::of(nearest) + Double::of(remainder)
+        Double::from_sum(nearest, remainder)
     }
 
     #[inline(always)]
