@@ -1,86 +1,47 @@
 //! Names that stand for expressions, and named forces.
 
-use super::definitions::{define_unknowns, named_component, named_value};
+use super::definitions::{named_component, named_value};
 use super::{form, form_of_force};
 use crate::dimensions::checker::Checker;
 use crate::dimensions::kinds::{ENERGY, POWER};
 use crate::dimensions::measure::Measure;
-use crate::syntax::ast::{Action, Event, Friction, Name, Statement, StatementKind};
+use crate::syntax::ast::{AstId, Expression, Friction, Name};
 
-/// Determines the dimensions of names that stand for expressions, and of named forces.
-pub(super) fn abbreviate(checker: &mut Checker<'_>, statement: &Statement) {
-    match &statement.kind {
-        StatementKind::Let(name, value) | StatementKind::Velocity(name, value) => {
-            let value = named_value(checker, name, *value);
-            checker.scope.insert(name.text.clone(), value);
-        }
-        StatementKind::Delay { name, signal, .. } => {
-            let value = named_value(checker, name, *signal);
-            checker.scope.insert(name.text.clone(), value);
-        }
-        StatementKind::Solve(unknowns) => define_unknowns(checker, unknowns),
-        kind @ StatementKind::LetTuple(names, value) => {
-            let parts = kind.named_expressions(checker.expressions);
-            let whole = checker.value(*value);
-            for (i, name) in names.iter().enumerate() {
-                let value = match parts.get(i) {
-                    Some((_, part)) => named_value(checker, name, *part),
-                    None => named_component(checker, name, *value, whole.entry(&[i])),
-                };
-                checker.scope.insert(name.text.clone(), value.with_rates(whole.has_rates));
-            }
-        }
-        StatementKind::Constraint(name, value) => {
-            let value = checker.value(*value);
-            name_force(checker, name, &value);
-        }
-        StatementKind::Event(Event { name, value, action: Action::Impact(_), .. }) => {
-            let gap = checker.value(*value);
-            name_force(checker, name, &gap);
-        }
-        StatementKind::Friction(Friction { name, slip, .. }) => {
-            let slip = checker.value(*slip).with_rates(true);
-            name_force(checker, name, &slip);
-            if !slip.is_scalar() {
-                let force = slip.map(form_of_force);
-                checker.scope.insert(name.text.clone(), Measure::vector(force.components));
-            }
-        }
-        // These only concern other passes, or none: loops, bodies and functions with a formula no
-        // longer exist.
-        StatementKind::Parameters(_)
-        | StatementKind::Inputs(_)
-        | StatementKind::Noises(_)
-        | StatementKind::Constants(_)
-        | StatementKind::Coordinates(_)
-        | StatementKind::States(..)
-        | StatementKind::Mode(_)
-        | StatementKind::Start(_)
-        | StatementKind::History(_)
-        | StatementKind::Ranges(_)
-        | StatementKind::StateRate(..)
-        | StatementKind::RateEquation(_)
-        | StatementKind::Quaternion(_)
-        | StatementKind::Function(_)
-        | StatementKind::External(_)
-        | StatementKind::Table(_)
-        | StatementKind::Kinetic(_)
-        | StatementKind::Potential(_)
-        | StatementKind::Lagrangian(_)
-        | StatementKind::Gibbs { .. }
-        | StatementKind::Dissipation(_)
-        | StatementKind::ForceOn(..)
-        | StatementKind::ForceAt { .. }
-        | StatementKind::ForceAlong { .. }
-        | StatementKind::Torque { .. }
-        | StatementKind::Stabilise(_)
-        | StatementKind::Event(_)
-        | StatementKind::Every(_)
-        | StatementKind::Output(..)
-        | StatementKind::Emit(_)
-        | StatementKind::Reduce(_)
-        | StatementKind::Block(_)
-        | StatementKind::Scene(_) => {}
+/// Gives a name the dimension of an expression.
+pub(super) fn abbreviate(checker: &mut Checker<'_>, name: &Name, value: AstId) {
+    let value = named_value(checker, name, value);
+    checker.scope.insert(name.text.clone(), value);
+}
+
+/// Gives names the dimensions of the components of an expression.
+pub(super) fn abbreviate_components(checker: &mut Checker<'_>, names: &[Name], value: AstId) {
+    let parts = match checker.expressions.get(value) {
+        Expression::Tuple(parts) => parts.clone(),
+        _ => Vec::new(),
+    };
+    let whole = checker.value(value);
+    for (i, name) in names.iter().enumerate() {
+        let component = match parts.get(i) {
+            Some(part) => named_value(checker, name, *part),
+            None => named_component(checker, name, value, whole.entry(&[i])),
+        };
+        checker.scope.insert(name.text.clone(), component.with_rates(whole.has_rates));
+    }
+}
+
+/// Names the force of a constraint or a contact, from the expression along which it does work.
+pub(super) fn abbreviate_force(checker: &mut Checker<'_>, name: &Name, along: AstId) {
+    let along = checker.value(along);
+    name_force(checker, name, &along);
+}
+
+/// Names the force of friction: a vector if the slip velocity is one.
+pub(super) fn abbreviate_friction(checker: &mut Checker<'_>, Friction { name, slip, .. }: &Friction) {
+    let slip = checker.value(*slip).with_rates(true);
+    name_force(checker, name, &slip);
+    if !slip.is_scalar() {
+        let force = slip.map(form_of_force);
+        checker.scope.insert(name.text.clone(), Measure::vector(force.components));
     }
 }
 

@@ -4,134 +4,72 @@ use super::definitions::{named_value, require_start, value_of};
 use super::{form, form_of_force, output_key};
 use crate::dimensions::calls::total;
 use crate::dimensions::checker::Checker;
-use crate::dimensions::exponents::Exponents;
-use crate::dimensions::kinds::{ENERGY, FORCE, FREQUENCY, GIBBS, LENGTH, POWER, TIME};
+use crate::dimensions::kinds::{ENERGY, FORCE, FREQUENCY, LENGTH, POWER, TIME};
 use crate::dimensions::measure::Measure;
 use crate::dimensions::messages;
 use crate::dimensions::quantities::is_of_numbers;
 use crate::dimensions::solver::Grounds;
 use crate::syntax::ast::{
-    Action, Assignment, AstId, Definition, Event, Friction, Reduction, Statement, StatementKind,
+    Action, Assignment, AstId, Definition, Event, Friction, LimitedEntry, Name, Reduction,
 };
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::number::Number;
 use lagrange_expr::units::Dimension;
 
-/// Requires the conditions that a statement imposes on expressions.
-pub(super) fn require(checker: &mut Checker<'_>, statement: &Statement) {
-    let place = Origin::from(statement.origin.start);
-    let said = |words: &str| Grounds { words: words.to_owned(), place };
-    match &statement.kind {
-        StatementKind::Noises(list) => {
-            list.iter().for_each(|definition| demand_of_noise(checker, definition));
+/// Requires the dimensions of initial values, bounds and nominal values.
+pub(super) fn require_starts(checker: &mut Checker<'_>, list: &[Definition]) {
+    for Definition { name, range, nominal, value } in list {
+        let known = named(checker, name);
+        let limits = range.limits().map(|limit| limit.value);
+        for value in limits.chain(*nominal).chain(*value) {
+            require_start(checker, value, &known, &value_of(name));
         }
-        StatementKind::Coordinates(list) | StatementKind::States(_, list) => {
-            for Definition { name, range, nominal, value } in list {
-                let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-                let limits = range.limits().map(|limit| limit.value);
-                for value in limits.chain(*nominal).chain(*value) {
-                    require_start(checker, value, &known, &value_of(name));
-                }
-            }
-        }
-        StatementKind::Start(assignments) => {
-            require_entries(checker, assignments, messages::STARTS);
-        }
-        StatementKind::History(assignments) => {
-            require_entries(checker, assignments, messages::HISTORIES);
-        }
-        StatementKind::Ranges(entries) => {
-            for entry in entries {
-                let target = checker.value(entry.target);
-                let place = checker.expressions.origin(entry.target);
-                let reason = Grounds { words: messages::RANGES.to_owned(), place };
-                entry.values().for_each(|value| require_start(checker, value, &target, &reason));
-            }
-        }
-        StatementKind::Delay { lag, .. } => {
-            checker.require_dimension(*lag, &Dimension::of(TIME), &said(messages::LAG));
-        }
-        StatementKind::Kinetic(value) => {
-            energy(checker, *value, &said(messages::KINETIC));
-        }
-        StatementKind::Potential(value) => {
-            energy(checker, *value, &said(messages::POTENTIAL));
-        }
-        StatementKind::Lagrangian(value) => {
-            energy(checker, *value, &said(messages::LAGRANGIAN));
-        }
-        StatementKind::Gibbs { function, stated } => {
-            checker.require_dimension(*function, &Dimension::of(GIBBS), &said(messages::GIBBS));
-            energy(checker, *stated, &said(messages::LAGRANGIAN));
-        }
-        StatementKind::Dissipation(value) => {
-            checker.require_dimension(*value, &Dimension::of(POWER), &said(messages::DISSIPATION));
-        }
-        StatementKind::StateRate(name, value) => {
-            let state = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-            checker.require(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
-        }
-        StatementKind::RateEquation(difference) => {
-            checker.value(*difference);
-        }
-        StatementKind::Stabilise(rate) => {
-            checker.require_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
-        }
-        StatementKind::ForceOn(name, force) => {
-            let along = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-            work(checker, *force, &along, &said(&messages::force_on(&name.text)));
-        }
-        StatementKind::ForceAt { force, point } => {
-            let each = |exponents| Measure::vector(vec![Some(form(exponents)); 3]);
-            checker.require(*point, &each(LENGTH), &said(messages::POINT));
-            checker.require(*force, &each(FORCE), &said(messages::FORCE));
-        }
-        StatementKind::ForceAlong { force, velocity } => {
-            let along = checker.value(*velocity).with_rates(true);
-            work(checker, *force, &along, &said(messages::FORCE_ALONG));
-        }
-        StatementKind::Torque { moment, angle } => {
-            let along = checker.value(*angle);
-            work(checker, *moment, &along, &said(messages::TORQUE));
-        }
-        StatementKind::Every(clock) => {
-            checker.require_dimension(clock.period, &Dimension::of(TIME), &said(messages::PERIOD));
-            demand_of_assignments(checker, &clock.assignments);
-        }
-        StatementKind::Event(event) => demand_of_event(checker, event, place),
-        StatementKind::Friction(friction) => {
-            demand_of_friction(checker, friction, place);
-        }
-        StatementKind::Output(name, value) => {
-            let value = named_value(checker, name, *value);
-            checker.scope.insert(output_key(&name.text), value);
-        }
-        StatementKind::Reduce(reduction) => {
-            demand_of_reduction(checker, reduction, place);
-        }
-        // These only concern other passes, or none: loops, bodies and functions with a formula no
-        // longer exist.
-        StatementKind::Parameters(_)
-        | StatementKind::Inputs(_)
-        | StatementKind::Constants(_)
-        | StatementKind::Mode(_)
-        | StatementKind::Quaternion(_)
-        | StatementKind::Velocity(..)
-        | StatementKind::Let(..)
-        | StatementKind::LetTuple(..)
-        | StatementKind::Function(_)
-        | StatementKind::External(_)
-        | StatementKind::Table(_)
-        | StatementKind::Solve(_)
-        | StatementKind::Constraint(..)
-        | StatementKind::Emit(_)
-        | StatementKind::Block(_)
-        | StatementKind::Scene(_) => {}
     }
 }
 
+/// Requires that limits and nominal values have the dimensions of their entries.
+pub(super) fn require_ranges(checker: &mut Checker<'_>, entries: &[LimitedEntry]) {
+    for entry in entries {
+        let target = checker.value(entry.target);
+        let place = checker.expressions.origin(entry.target);
+        let reason = Grounds { words: messages::RANGES.to_owned(), place };
+        entry.values().for_each(|value| require_start(checker, value, &target, &reason));
+    }
+}
+
+/// Requires that the rate of a state has its dimension, divided by time.
+pub(super) fn require_rate(checker: &mut Checker<'_>, name: &Name, value: AstId, place: Origin) {
+    let rate = named(checker, name).map(|state| state.times_power(&form(FREQUENCY), &Number::ONE));
+    checker.require(value, &rate, &Grounds { words: messages::rate_of(&name.text), place });
+}
+
+/// Requires a force on a coordinate.
+pub(super) fn require_force_on(checker: &mut Checker<'_>, name: &Name, force: AstId, place: Origin) {
+    let along = named(checker, name);
+    require_work(checker, force, &along, &Grounds { words: messages::force_on(&name.text), place });
+}
+
+/// Requires a force and its point of application, component by component.
+pub(super) fn require_force_at(checker: &mut Checker<'_>, [force, point]: [AstId; 2], place: Origin) {
+    for (value, exponents, words) in [(point, LENGTH, messages::POINT), (force, FORCE, messages::FORCE)] {
+        let expected = Measure::vector(vec![Some(form(exponents)); 3]);
+        checker.require(value, &expected, &Grounds { words: words.to_owned(), place });
+    }
+}
+
+/// Requires the dimension of an output, which has a name of its own.
+pub(super) fn require_output(checker: &mut Checker<'_>, name: &Name, value: AstId) {
+    let value = named_value(checker, name, value);
+    checker.scope.insert(output_key(&name.text), value);
+}
+
+/// Returns the dimension of a name; any if it is not declared.
+fn named(checker: &Checker<'_>, name: &Name) -> Measure {
+    checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any)
+}
+
 /// Requires that assigned values have the dimensions of their entries.
-fn require_entries(checker: &mut Checker<'_>, assignments: &[Assignment], words: &str) {
+pub(super) fn require_entries(checker: &mut Checker<'_>, assignments: &[Assignment], words: &str) {
     for assignment in assignments {
         let target = checker.value(assignment.target);
         let place = checker.expressions.origin(assignment.target);
@@ -140,26 +78,24 @@ fn require_entries(checker: &mut Checker<'_>, assignments: &[Assignment], words:
     }
 }
 
-fn energy(checker: &mut Checker<'_>, value: AstId, reason: &Grounds) {
-    checker.require_dimension(value, &Dimension::of(ENERGY), reason);
-}
-
 /// Requires a force from the quantity along which it does work.
-fn work(checker: &mut Checker<'_>, force: AstId, along: &Measure, reason: &Grounds) {
+pub(super) fn require_work(checker: &mut Checker<'_>, force: AstId, along: &Measure, reason: &Grounds) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let expected = along.map(|form| work.over(form));
     checker.require(force, &expected, reason);
 }
 
 /// Requires the density of a noise to be the square of the noise times time.
-fn demand_of_noise(checker: &mut Checker<'_>, Definition { name, value, .. }: &Definition) {
-    let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-    let density = known.map(|form| form.times(form).times(&self::form(TIME)));
-    let reason = Grounds { words: messages::density_of(&name.text), place: Origin::from(name.span) };
-    value.iter().for_each(|value| require_start(checker, *value, &density, &reason));
+pub(super) fn require_densities(checker: &mut Checker<'_>, noises: &[Definition]) {
+    for Definition { name, value, .. } in noises {
+        let density = named(checker, name).map(|form| form.times(form).times(&self::form(TIME)));
+        let reason = Grounds { words: messages::density_of(&name.text), place: Origin::from(name.span) };
+        value.iter().for_each(|value| require_start(checker, *value, &density, &reason));
+    }
 }
 
-fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
+/// Requires the restitution of an impact to be a plain number, and assigned values to fit.
+pub(super) fn require_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
     checker.value(event.value);
     match &event.action {
         Action::Stop | Action::Record => {}
@@ -167,11 +103,12 @@ fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
             let reason = Grounds { words: messages::RESTITUTION.to_owned(), place };
             checker.require_dimension(*restitution, &Dimension::NONE, &reason);
         }
-        Action::Assign(assignments) => demand_of_assignments(checker, assignments),
+        Action::Assign(assignments) => require_assignments(checker, assignments),
     }
 }
 
-fn demand_of_assignments(checker: &mut Checker<'_>, assignments: &[Assignment]) {
+/// Requires that assigned values have the dimensions of their targets, plain numbers included.
+pub(super) fn require_assignments(checker: &mut Checker<'_>, assignments: &[Assignment]) {
     for assignment in assignments {
         let target = checker.value(assignment.target);
         let place = checker.expressions.origin(assignment.target);
@@ -180,7 +117,8 @@ fn demand_of_assignments(checker: &mut Checker<'_>, assignments: &[Assignment]) 
     }
 }
 
-fn demand_of_friction(checker: &mut Checker<'_>, friction: &Friction, place: Origin) {
+/// Requires limits of friction to be forces along the slip velocity.
+pub(super) fn require_friction(checker: &mut Checker<'_>, friction: &Friction, place: Origin) {
     let slip = checker.value(friction.slip);
     let slip = Measure::scalar(total(checker, friction.slip, &slip.components));
     let force = slip.map(form_of_force);
@@ -194,18 +132,14 @@ fn demand_of_friction(checker: &mut Checker<'_>, friction: &Friction, place: Ori
     }
 }
 
-fn demand_of_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: Origin) {
+/// Requires that frozen coordinates have values of their dimensions.
+pub(super) fn require_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: Origin) {
     for item in &reduction.items {
-        let coordinate = checker.scope.get(&item.coordinate.text).cloned().unwrap_or_else(Measure::any);
+        let coordinate = named(checker, &item.coordinate);
         let Some(value) = item.value.filter(|value| !is_of_numbers(checker.expressions, *value)) else {
             continue;
         };
         let reason = Grounds { words: messages::stands_for(&item.coordinate.text), place };
         checker.require(value, &coordinate, &reason);
     }
-}
-
-/// Returns the form of the rate of a coordinate.
-fn rate(coordinate: &Exponents) -> Exponents {
-    coordinate.times_power(&form(FREQUENCY), &Number::ONE)
 }
