@@ -44,9 +44,9 @@ pub use lagrange_runtime::integrate::{
     BlanesMoan4, DifferentiableStep, EulerMaruyama, EventSource, FixedStepper, Formula, GaussLegendre,
     GaussLegendre4, GaussLegendre6, Hamiltonian, ImplicitMidpoint, IntegrationError, LanesMethod,
     LanesMethodVisitor, LanesStepper, MAX_LANES, Memory, Method, Outcome, PlainGaussLegendre, Radau5,
-    RadauStepper, RungeKutta4, SettingError, StepDerivatives, StepFailure, Stepper, StochasticRungeKutta4,
-    StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational, Verner98, VernerStepper,
-    WienerPath, Work, rk4_step, undefined,
+    RadauStepper, RungeKutta4, SettingError, Step, StepDerivatives, StepFailure, Stepper,
+    StochasticRungeKutta4, StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational,
+    Verner98, VernerStepper, WienerPath, WithinStep, Work, rk4_step, undefined,
 };
 #[doc(inline)]
 pub use lagrange_runtime::run::integrate;

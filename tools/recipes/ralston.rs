@@ -10,7 +10,9 @@
 //! Source: Ralston, *Runge–Kutta methods with minimum error bounds*, 1962.
 
 use crate::integrate::explicit::TableauRow;
-use crate::integrate::fixed::{FixedSteps, Formula, LanesFormula, Memory, fixed_steps};
+use crate::integrate::fixed::{
+    FixedSteps, Formula, LanesFormula, Memory, Step, WithinStep, fixed_steps,
+};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, SuspectStep, Work};
 use crate::linalg::vector::{combined, l1_norm};
@@ -67,10 +69,7 @@ impl<M: OdeSystem + ?Sized> Formula<M> for RalstonSteps<M::State> {
     #[inline]
     fn increment(
         &mut self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        h: M::Scalar,
+        &Step { system, t, y, h }: &Step<'_, M>,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
         work.evaluations += 2;
@@ -82,17 +81,10 @@ impl<M: OdeSystem + ?Sized> Formula<M> for RalstonSteps<M::State> {
         self.start = self.rates[0];
     }
 
-    fn interpolate(
-        &mut self,
-        system: &M,
-        (from, y0): (M::Scalar, &M::State),
-        (to, y1): (M::Scalar, &M::State),
-        t: M::Scalar,
-        work: &mut Work,
-    ) -> M::State {
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, work: &mut Work) -> M::State {
         work.evaluations += 1;
-        let h = to - from;
-        cubic(Place { h, s: (t - from) / h }, [y0, y1], [&self.start, &system.rhs(to, y1)])
+        let (t, y) = within.to;
+        cubic(within.place(), within.states(), [&self.start, &within.system.rhs(t, y)])
     }
 }
 

@@ -5,7 +5,7 @@ use core::array;
 use super::padding::{filled, joined, own, parts};
 use super::step::{ContactStep, Impulses, directed};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
-use crate::integrate::{FixedStepper, Formula, Memory, Method, Stepper, Work};
+use crate::integrate::{FixedStepper, Formula, Memory, Method, Step, Stepper, WithinStep, Work};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, SettingError, StepFailure, displaced, reach};
@@ -306,10 +306,7 @@ where
 
     fn increment(
         &mut self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        h: M::Scalar,
+        &Step { system, t, y, h }: &Step<'_, M>,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, v) = parts::<M, N>(y);
@@ -349,14 +346,8 @@ where
         Ok(difference(&end, y))
     }
 
-    fn interpolate(
-        &mut self,
-        _system: &M,
-        (from, y0): (M::Scalar, &M::State),
-        (to, y1): (M::Scalar, &M::State),
-        t: M::Scalar,
-        _work: &mut Work,
-    ) -> M::State {
-        combined(y0, (t - from) / (to - from), &difference(y1, y0))
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, _work: &mut Work) -> M::State {
+        let [start, end] = within.states();
+        combined(start, within.fraction(), &difference(end, start))
     }
 }

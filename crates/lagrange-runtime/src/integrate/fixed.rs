@@ -2,6 +2,7 @@
 
 mod lanes;
 mod saved;
+mod step;
 
 use crate::integrate::clock::{Clock, check_step};
 use crate::integrate::compensated::Compensated;
@@ -12,6 +13,7 @@ use crate::system::{OdeSystem, SettingError, StepFailure};
 
 pub use self::lanes::{FixedLanes, FixedLastStep, FixedSteps, LanesFormula};
 pub use self::saved::Memory;
+pub use self::step::{Step, WithinStep};
 
 /// A formula that advances the state by a step of given length.
 ///
@@ -42,19 +44,12 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         Ok(*variables)
     }
 
-    /// Returns the change of the variables from time `t` to `t + h`. Values that are not finite are
-    /// returned unchanged.
+    /// Returns the change of the variables over a step. Values that are not finite are returned
+    /// unchanged.
     ///
     /// # Errors
     /// If the step could not be taken.
-    fn increment(
-        &mut self,
-        system: &M,
-        t: M::Scalar,
-        variables: &M::State,
-        h: M::Scalar,
-        work: &mut Work,
-    ) -> Result<M::State, StepFailure<M::Scalar>>;
+    fn increment(&mut self, step: &Step<'_, M>, work: &mut Work) -> Result<M::State, StepFailure<M::Scalar>>;
 
     /// Follows a correction of the state onto constraints at time `t`. Here `from` is the state at
     /// the end of the last increment, and `to` the corrected one.
@@ -84,16 +79,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         None
     }
 
-    /// Returns the state at time `t` between `from` and `to`, the ends of the last accepted step
-    /// with their times.
-    fn interpolate(
-        &mut self,
-        system: &M,
-        from: (M::Scalar, &M::State),
-        to: (M::Scalar, &M::State),
-        t: M::Scalar,
-        work: &mut Work,
-    ) -> M::State;
+    /// Returns the state at a time within the last accepted step.
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, work: &mut Work) -> M::State;
 }
 
 /// Implements [`Method`](super::Method) for a method whose steps have the length of its field
@@ -230,8 +217,8 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
         if t == to {
             return self.state;
         }
-        let y = self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t, &mut self.work);
-        corrected(system, t, y)
+        let within = WithinStep { system, from: (from, &self.last.1), to: (to, &self.state), t };
+        corrected(system, t, self.formula.interpolate(&within, &mut self.work))
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {
@@ -251,7 +238,8 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
 impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
     #[inline]
     fn advance(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
-        let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
+        let step = Step { system, t, y: self.variables.value(), h };
+        let increment = self.formula.increment(&step, &mut self.work)?;
         let mut variables = self.variables;
         variables.add(&increment);
         let mut state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;

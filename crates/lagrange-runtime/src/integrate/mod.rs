@@ -37,7 +37,9 @@ mod wiener;
 pub use self::canonical::Hamiltonian;
 pub use self::error::{IntegrationError, Outcome};
 pub use self::explicit::ExplicitRungeKutta;
-pub use self::fixed::{FixedLanes, FixedLastStep, FixedStepper, FixedSteps, Formula, LanesFormula, Memory};
+pub use self::fixed::{
+    FixedLanes, FixedLastStep, FixedStepper, FixedSteps, Formula, LanesFormula, Memory, Step, WithinStep,
+};
 pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };

@@ -22,8 +22,8 @@ mod lanes;
 pub use self::lanes::ClassicalLanes;
 
 use crate::integrate::explicit::{ExplicitRungeKutta, TableauRow};
-use crate::integrate::fixed::{Formula, Memory, fixed_steps};
-use crate::integrate::interpolation::{Place, cubic};
+use crate::integrate::fixed::{Formula, Memory, Step, WithinStep, fixed_steps};
+use crate::integrate::interpolation::cubic;
 use crate::integrate::method::{Method, SuspectStep, Work};
 use crate::integrate::stability::{EVALUATIONS, Watch, eigenvalue_at, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
@@ -100,14 +100,8 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
     }
 
     #[inline]
-    fn increment(
-        &mut self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        h: M::Scalar,
-        work: &mut Work,
-    ) -> Result<M::State, StepFailure<M::Scalar>> {
+    fn increment(&mut self, step: &Step<'_, M>, work: &mut Work) -> Result<M::State, StepFailure<M::Scalar>> {
+        let Step { system, t, y, h } = *step;
         let k1 = self.end.take().unwrap_or_else(|| {
             work.evaluations += 1;
             system.rhs(t, y)
@@ -115,7 +109,7 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
         work.evaluations += 3;
         let stages = RungeKuttaStages::after(k1, |t, y| system.rhs(t, y), (t, y), h);
         self.trial = stages.rates[0];
-        self.check(system, t, y, h, &stages, work)?;
+        self.check(step, &stages, work)?;
         Ok(stages.increment(h))
     }
 
@@ -129,20 +123,12 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
         longest_stable(system, t, y, work)
     }
 
-    fn interpolate(
-        &mut self,
-        system: &M,
-        (from, y0): (M::Scalar, &M::State),
-        (to, y1): (M::Scalar, &M::State),
-        t: M::Scalar,
-        work: &mut Work,
-    ) -> M::State {
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, work: &mut Work) -> M::State {
         let end = *self.end.get_or_insert_with(|| {
             work.evaluations += 1;
-            system.rhs(to, y1)
+            within.system.rhs(within.to.0, within.to.1)
         });
-        let h = to - from;
-        cubic(Place { h, s: (t - from) / h }, [y0, y1], [&self.start, &end])
+        cubic(within.place(), within.states(), [&self.start, &end])
     }
 }
 
@@ -165,10 +151,7 @@ impl<Y> Classical<Y> {
     #[inline]
     fn check<M>(
         &mut self,
-        system: &M,
-        t: M::Scalar,
-        y: &Y,
-        h: M::Scalar,
+        &Step { system, t, y, h }: &Step<'_, M>,
         stages: &RungeKuttaStages<Y>,
         work: &mut Work,
     ) -> Result<(), StepFailure<M::Scalar>>

@@ -17,6 +17,7 @@ mod pencil;
 mod velocities;
 
 use crate::integrate::canonical::constrained::constrained_velocities;
+use crate::integrate::fixed::Step;
 use crate::integrate::jacobian::Source;
 use crate::integrate::method::Work;
 use crate::linalg::pivoted::Matrix;
@@ -36,12 +37,20 @@ pub(super) type Derivatives<M> = Pencil<<M as OdeSystem>::Scalar, <M as Mechanic
 
 /// A step from coordinates and momenta.
 #[derive(Debug)]
-pub(super) struct Step<'a, M: CanonicalSystem + ?Sized> {
+pub(super) struct CanonicalStep<'a, M: CanonicalSystem + ?Sized> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
     pub(super) q: M::Coordinates,
     pub(super) p: M::Coordinates,
     pub(super) h: M::Scalar,
+}
+
+impl<'a, M: CanonicalSystem + ?Sized> CanonicalStep<'a, M> {
+    /// Splits the variables of a step into coordinates and momenta.
+    pub(super) fn of(&Step { system, t, y, h }: &Step<'a, M>) -> Self {
+        let (q, p) = split::<M>(y);
+        CanonicalStep { system, t, q, p, h }
+    }
 }
 
 /// Velocities and the mass matrix at the present state.
@@ -155,7 +164,7 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
     /// `v`.
     pub(super) fn derivatives(
         &self,
-        step: &Step<'_, M>,
+        step: &CanonicalStep<'_, M>,
         v: &M::Coordinates,
         source: Source,
         work: &mut Work,

@@ -10,9 +10,8 @@
 //! so no mass matrix must be inverted within a stage. To first order, a change of the velocities
 //! changes the residual of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
 
-use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
-use crate::integrate::fixed::Formula;
-use crate::integrate::gauss_legendre::dense::Within;
+use crate::integrate::canonical::{CanonicalStep, Derivatives, Reached, factors, magnitude};
+use crate::integrate::fixed::{Formula, Step, WithinStep};
 use crate::integrate::gauss_legendre::linearised::Linearised;
 use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::jacobian::Source;
@@ -21,7 +20,7 @@ use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::{Prediction, sum, weights};
 use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
-use crate::system::{CanonicalSystem, ScalarOf, StateVector, StepFailure, Vector, join, split};
+use crate::system::{CanonicalSystem, ScalarOf, StateVector, StepFailure, Vector, join};
 
 type CanonicalStages<M, const K: usize> = [Vector<M>; K];
 
@@ -67,18 +66,10 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         self.reached.start(system, t, y)
     }
 
-    fn increment(
-        &mut self,
-        system: &M,
-        t: M::Scalar,
-        variables: &M::State,
-        h: M::Scalar,
-        work: &mut Work,
-    ) -> Result<M::State, StepFailure<M::Scalar>> {
-        let (q, p) = split::<M>(variables);
+    fn increment(&mut self, step: &Step<'_, M>, work: &mut Work) -> Result<M::State, StepFailure<M::Scalar>> {
         let start = [self.reached.velocities; K];
-        let predicted = self.prediction.slopes(&self.reached.velocities, h);
-        let step = Step { system, t, q, p, h };
+        let predicted = self.prediction.slopes(&self.reached.velocities, step.h);
+        let step = CanonicalStep::of(step);
         let first = self.solve(&step, predicted, Source::System, work);
         first.or_else(|_| self.solve(&step, start, Source::Differences, work))
     }
@@ -105,15 +96,8 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         self.reached.accept(h);
     }
 
-    fn interpolate(
-        &mut self,
-        system: &M,
-        from: (M::Scalar, &M::State),
-        to: (M::Scalar, &M::State),
-        t: M::Scalar,
-        work: &mut Work,
-    ) -> M::State {
-        Within { system, from, to, t }.state::<K>(work)
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, work: &mut Work) -> M::State {
+        within.canonical_state::<K>(work)
     }
 }
 
@@ -122,7 +106,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
     /// stages.
     fn solve(
         &mut self,
-        step: &Step<'_, M>,
+        step: &CanonicalStep<'_, M>,
         mut stages: CanonicalStages<M, K>,
         source: Source,
         work: &mut Work,
@@ -151,7 +135,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
 
 /// The equations of the stages.
 struct CanonicalEquations<'a, M: CanonicalSystem + ?Sized, const K: usize> {
-    step: &'a Step<'a, M>,
+    step: &'a CanonicalStep<'a, M>,
     tableau: &'a Tableau<M::Scalar, K>,
     pencil: Derivatives<M>,
     linearised: Linearised<M::Scalar, M::Coordinates, K>,
@@ -164,7 +148,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Equations<M::Scalar, M::Coordi
 {
     #[inline]
     fn residual(&mut self, velocities: &CanonicalStages<M, K>, work: &mut Work) -> CanonicalStages<M, K> {
-        let Step { system, t, q, p, h } = *self.step;
+        let CanonicalStep { system, t, q, p, h } = *self.step;
         let Tableau { a, c, .. } = self.tableau;
         let mut residual = [p; K];
         for i in 0..K {

@@ -4,27 +4,17 @@
 //! stages, states and rates at the ends are therefore used instead. Source: Hairer, Nørsett,
 //! Wanner, *Solving Ordinary Differential Equations I*, §II.6.
 
+use crate::integrate::fixed::WithinStep;
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::integrate::method::Work;
 use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, OdeSystem, StateVector, join, split};
 
-/// A state with its time.
-type At<'a, M> = (<M as OdeSystem>::Scalar, &'a <M as OdeSystem>::State);
-
-/// A time within a step between two states.
-pub(super) struct Within<'a, M: OdeSystem + ?Sized> {
-    pub(super) system: &'a M,
-    pub(super) from: At<'a, M>,
-    pub(super) to: At<'a, M>,
-    pub(super) t: M::Scalar,
-}
-
-impl<M: CanonicalSystem + ?Sized> Within<'_, M> {
+impl<M: CanonicalSystem + ?Sized> WithinStep<'_, M> {
     /// Computes the state in a step of the method with K stages, with an error of the order of the
     /// method.
-    pub(super) fn state<const K: usize>(&self, work: &mut Work) -> M::State {
+    pub(super) fn canonical_state<const K: usize>(&self, work: &mut Work) -> M::State {
         match K {
             1 => self.linear(),
             2 => self.third_degree(work),
@@ -37,7 +27,7 @@ impl<M: CanonicalSystem + ?Sized> Within<'_, M> {
     /// quintic. The error is O(h⁶).
     fn sixth_order(&self, work: &mut Work) -> M::State {
         work.evaluations += 4;
-        let (Within { system, from, to, .. }, Place { h, s }) = (self, self.place());
+        let (WithinStep { system, from, to, .. }, Place { h, s }) = (self, self.place());
         let ((q0, v0), (q1, v1)) = (split::<M>(from.1), split::<M>(to.1));
         let (a0, a1) = (system.acceleration(from.0, &q0, &v0), system.acceleration(to.0, &q1, &v1));
         let change = combined(&q1, -M::Scalar::ONE, &q0);
@@ -54,8 +44,8 @@ impl<M: CanonicalSystem + ?Sized> Within<'_, M> {
     }
 }
 
-impl<M: OdeSystem + ?Sized> Within<'_, M> {
-    /// Computes the state like [`state`](Self::state) for a system whose velocities need not be
+impl<M: OdeSystem + ?Sized> WithinStep<'_, M> {
+    /// Computes the state like [`canonical_state`](Self::canonical_state) for a system whose velocities need not be
     /// rates of coordinates. For three stages the error is O(h⁵).
     pub(super) fn plain_state<const K: usize>(&self, work: &mut Work) -> M::State {
         match K {
@@ -63,11 +53,6 @@ impl<M: OdeSystem + ?Sized> Within<'_, M> {
             2 => self.third_degree(work),
             _ => self.fifth_order(work),
         }
-    }
-
-    fn place(&self) -> Place<M::Scalar> {
-        let h = self.to.0 - self.from.0;
-        Place { h, s: (self.t - self.from.0) / h }
     }
 
     /// Interpolates linearly between the ends. The error is O(h²).
@@ -80,23 +65,18 @@ impl<M: OdeSystem + ?Sized> Within<'_, M> {
         y
     }
 
-    /// Computes the rates at both ends.
-    fn rates(&self) -> [M::State; 2] {
-        [self.from, self.to].map(|(t, y)| self.system.rhs(t, y))
-    }
-
     /// Interpolates by the cubic with the right rates at the ends. The error is O(h⁴).
     fn third_degree(&self, work: &mut Work) -> M::State {
         work.evaluations += 2;
         let [f0, f1] = self.rates();
-        cubic(self.place(), [self.from.1, self.to.1], [&f0, &f1])
+        cubic(self.place(), self.states(), [&f0, &f1])
     }
 
     /// Interpolates from the states at both ends, with the rates there and at two intermediate
     /// points on the cubic. The error is O(h⁵).
     fn fifth_order(&self, work: &mut Work) -> M::State {
         work.evaluations += 4;
-        let (ends, Place { h, s }, [f0, f1]) = ([self.from.1, self.to.1], self.place(), self.rates());
+        let (ends, Place { h, s }, [f0, f1]) = (self.states(), self.place(), self.rates());
         let [first, second] = thirds().map(|s| {
             let y = cubic(Place { h, s }, ends, [&f0, &f1]);
             self.system.rhs(s.multiply_add(h, self.from.0), &y)

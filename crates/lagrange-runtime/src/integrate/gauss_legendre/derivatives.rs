@@ -7,9 +7,9 @@
 use core::array;
 
 use super::PlainGaussLegendre;
-use super::plain::{Plain, Stages, Step};
+use super::plain::{Plain, Stages};
 use super::tableau::{Coefficients, Tableau};
-use crate::integrate::fixed::Formula;
+use crate::integrate::fixed::{Formula, Step};
 use crate::integrate::jacobian::Source;
 use crate::integrate::method::{Method, Work};
 use crate::integrate::step_derivatives::{DerivativeColumns, DifferentiableStep, Slopes, StepDerivativesOf};
@@ -30,7 +30,8 @@ where
         indices: [usize; K],
     ) -> Result<StepDerivativesOf<M, K>, StepFailure<M::Scalar>> {
         let (h, mut plain, mut work) = (self.step, Plain::<M, STAGES>::new(), Work::default());
-        let end = combined(y, M::Scalar::ONE, &plain.increment(system, t, y, h, &mut work)?);
+        let step = Step { system, t, y, h };
+        let end = combined(y, M::Scalar::ONE, &plain.increment(&step, &mut work)?);
         let (stages, tableau) = (plain.stages.0, plain.tableau);
         let mut slopes: [_; STAGES] = array::from_fn(|_| Slopes::zeros(y));
         for (i, slopes) in slopes.iter_mut().enumerate() {
@@ -38,7 +39,6 @@ where
             tableau.a[i].iter().zip(&stages).for_each(|(part, slope)| add(&mut place, h * *part, slope));
             *slopes = Slopes::at(system, tableau.c[i].multiply_add(h, t), &place, &indices)?;
         }
-        let step = Step { system, t, y, h };
         let mut columns = |source| {
             let linear = plain.linearised(&step, &stages, source, &mut work)?;
             let (mut columns, mut failure) = (DerivativeColumns::<M, K>::start(y), None);

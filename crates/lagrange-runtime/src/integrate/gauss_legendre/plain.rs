@@ -5,8 +5,7 @@
 //! solution.
 
 use crate::integrate::canonical::{Pencil, magnitude};
-use crate::integrate::fixed::Formula;
-use crate::integrate::gauss_legendre::dense::Within;
+use crate::integrate::fixed::{Formula, Step, WithinStep};
 use crate::integrate::gauss_legendre::linearised::Linearised;
 use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::jacobian::Source;
@@ -60,20 +59,12 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         *y
     }
 
-    fn increment(
-        &mut self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        h: M::Scalar,
-        work: &mut Work,
-    ) -> Result<M::State, StepFailure<M::Scalar>> {
-        let slope = system.rhs(t, y);
+    fn increment(&mut self, step: &Step<'_, M>, work: &mut Work) -> Result<M::State, StepFailure<M::Scalar>> {
+        let slope = step.system.rhs(step.t, step.y);
         work.evaluations += 1;
-        let predicted = self.prediction.slopes(&slope, h);
-        let step = Step { system, t, y, h };
-        let first = self.solve(&step, predicted, Source::System, work);
-        first.or_else(|_| self.solve(&step, [slope; K], Source::Differences, work))
+        let predicted = self.prediction.slopes(&slope, step.h);
+        let first = self.solve(step, predicted, Source::System, work);
+        first.or_else(|_| self.solve(step, [slope; K], Source::Differences, work))
     }
 
     fn accept(&mut self, _t: M::Scalar) {
@@ -81,24 +72,9 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         self.prediction.learn(slopes, h);
     }
 
-    fn interpolate(
-        &mut self,
-        system: &M,
-        from: (M::Scalar, &M::State),
-        to: (M::Scalar, &M::State),
-        t: M::Scalar,
-        work: &mut Work,
-    ) -> M::State {
-        Within { system, from, to, t }.plain_state::<K>(work)
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, work: &mut Work) -> M::State {
+        within.plain_state::<K>(work)
     }
-}
-
-/// The data of a step.
-pub(super) struct Step<'a, M: OdeSystem + ?Sized> {
-    pub(super) system: &'a M,
-    pub(super) t: M::Scalar,
-    pub(super) y: &'a M::State,
-    pub(super) h: M::Scalar,
 }
 
 impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {

@@ -25,7 +25,7 @@ mod lanes;
 mod symplectic_euler;
 mod verlet;
 
-use crate::integrate::fixed::{Formula, Memory};
+use crate::integrate::fixed::{Formula, Memory, Step, WithinStep};
 use crate::integrate::interpolation::{Motion, Place, quintic};
 use crate::integrate::method::Work;
 use crate::integrate::stability::{self, Watch};
@@ -110,10 +110,7 @@ where
     #[inline]
     fn increment(
         &mut self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        h: M::Scalar,
+        &Step { system, t, y, h }: &Step<'_, M>,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, v) = split::<M>(y);
@@ -163,17 +160,10 @@ where
         Some(M::Scalar::from_f64(self.composition.stable) / square.sqrt())
     }
 
-    fn interpolate(
-        &mut self,
-        _system: &M,
-        (from, start): (M::Scalar, &M::State),
-        (to, end): (M::Scalar, &M::State),
-        t: M::Scalar,
-        _work: &mut Work,
-    ) -> M::State {
-        let ((q, v), (_, v_end)) = (split::<M>(start), split::<M>(end));
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, _work: &mut Work) -> M::State {
+        let [(q, v), (_, v_end)] = within.states().map(split::<M>);
         let Trial { h, change, accelerations, .. } = self.taken;
-        let place = Place { h, s: (t - from) / (to - from) };
+        let place = Place { h, ..within.place() };
         let (change, velocity) = quintic(place, &Motion { change, velocities: [v, v_end], accelerations });
         join::<M>(&combined(&q, M::Scalar::ONE, &change), &velocity)
     }

@@ -22,7 +22,7 @@
 //! 1365–1392, and Jay, *Lagrange–d'Alembert SPARK integrators for nonholonomic Lagrangian systems*,
 //! whose integrated constraints these are.
 
-use crate::integrate::canonical::{Derivatives, Step, magnitude};
+use crate::integrate::canonical::{CanonicalStep, Derivatives, magnitude};
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::variational::coupled::{AtPlace, Coupled, FORCES, PARTS, combined};
@@ -36,7 +36,7 @@ use crate::system::{
 /// The equations for the velocities at both ends of a step, with the multipliers at the start and
 /// in the middle.
 pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
-    step: &'a Step<'a, M>,
+    step: &'a CanonicalStep<'a, M>,
     derivatives: Derivatives<M>,
     coupled: Coupled<M>,
     /// The constraints at the start, with the velocities there.
@@ -50,7 +50,7 @@ pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
 impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
     /// Creates the equations, linearised at velocities from which an iteration starts.
     pub(super) fn new(
-        step: &'a Step<'a, M>,
+        step: &'a CanonicalStep<'a, M>,
         derivatives: Derivatives<M>,
         ends: &[M::Coordinates; 2],
     ) -> Result<Self, StepFailure<M::Scalar>> {

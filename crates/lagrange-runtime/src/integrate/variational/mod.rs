@@ -27,9 +27,9 @@ mod constrained;
 mod coupled;
 mod linearised;
 
-use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
-use crate::integrate::fixed::{Formula, fixed_steps};
-use crate::integrate::interpolation::{Place, cubic};
+use crate::integrate::canonical::{CanonicalStep, Derivatives, Reached, factors, magnitude};
+use crate::integrate::fixed::{Formula, Step, WithinStep, fixed_steps};
+use crate::integrate::interpolation::cubic;
 use crate::integrate::jacobian::Source;
 use crate::integrate::method::{Method, Work};
 use crate::integrate::newton::{self, Equations};
@@ -119,7 +119,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
     /// Computes the change of coordinates and momenta, iterating from these velocities at the ends.
     fn solve(
         &mut self,
-        step: &Step<'_, M>,
+        step: &CanonicalStep<'_, M>,
         mut ends: [Vector<M>; 2],
         source: Source,
         work: &mut Work,
@@ -142,7 +142,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
     /// Solves with constraints, with consistent momenta at the end.
     fn solve_held(
         &mut self,
-        step: &Step<'_, M>,
+        step: &CanonicalStep<'_, M>,
         derivatives: Derivatives<M>,
         ends: &[Vector<M>; 2],
         work: &mut Work,
@@ -179,17 +179,9 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         self.reached.start(system, t, y)
     }
 
-    fn increment(
-        &mut self,
-        system: &M,
-        t: M::Scalar,
-        variables: &M::State,
-        h: M::Scalar,
-        work: &mut Work,
-    ) -> Result<M::State, StepFailure<M::Scalar>> {
-        let (q, p) = split::<M>(variables);
-        let (start, predicted) = ([self.reached.velocities; 2], self.predict(h));
-        let step = Step { system, t, q, p, h };
+    fn increment(&mut self, step: &Step<'_, M>, work: &mut Work) -> Result<M::State, StepFailure<M::Scalar>> {
+        let (start, predicted) = ([self.reached.velocities; 2], self.predict(step.h));
+        let step = CanonicalStep::of(step);
         let first = self.solve(&step, predicted, Source::System, work);
         first.or_else(|_| self.solve(&step, start, Source::Differences, work))
     }
@@ -232,18 +224,10 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         self.prediction.learn([start, middle], h);
     }
 
-    fn interpolate(
-        &mut self,
-        system: &M,
-        from: (M::Scalar, &M::State),
-        to: (M::Scalar, &M::State),
-        t: M::Scalar,
-        work: &mut Work,
-    ) -> M::State {
+    fn interpolate(&mut self, within: &WithinStep<'_, M>, work: &mut Work) -> M::State {
         work.evaluations += 2;
-        let h = to.0 - from.0;
-        let rates = [system.rhs(from.0, from.1), system.rhs(to.0, to.1)];
-        cubic(Place { h, s: (t - from.0) / h }, [from.1, to.1], [&rates[0], &rates[1]])
+        let [f0, f1] = within.rates();
+        cubic(within.place(), within.states(), [&f0, &f1])
     }
 }
 
@@ -261,8 +245,11 @@ type Configuration<M> = (ScalarOf<M>, Vector<M>, Vector<M>);
 
 /// Returns the start, the middle and the end of the parabola with these velocities at its ends.
 #[inline]
-fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]) -> [Configuration<M>; 3] {
-    let Step { t, q, h, .. } = *step;
+fn places<M: CanonicalSystem + ?Sized>(
+    step: &CanonicalStep<'_, M>,
+    ends: &[Vector<M>; 2],
+) -> [Configuration<M>; 3] {
+    let CanonicalStep { t, q, h, .. } = *step;
     let n = M::Scalar::from_f64;
     let (mut middle, mut last) = (q, q);
     add(&mut middle, h * n(0.375), &ends[0]);
@@ -275,7 +262,7 @@ fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]
 /// change of the momenta.
 #[inline]
 fn balance<M: CanonicalSystem + ?Sized>(
-    step: &Step<'_, M>,
+    step: &CanonicalStep<'_, M>,
     momenta: &[Vector<M>; 3],
     rates: &[Vector<M>; 3],
 ) -> ([Vector<M>; 2], Vector<M>) {
@@ -298,7 +285,7 @@ fn balance<M: CanonicalSystem + ?Sized>(
 
 /// The equations for the velocities at both ends of a step.
 struct StepEquations<'a, M: CanonicalSystem + ?Sized> {
-    step: &'a Step<'a, M>,
+    step: &'a CanonicalStep<'a, M>,
     derivatives: Derivatives<M>,
     linearised: Linearised<M::Scalar, M::Coordinates>,
     /// The change of the momenta at the last evaluation.
