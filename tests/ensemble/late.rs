@@ -8,6 +8,8 @@ use lagrange::simulate::Remembering;
 use lagrange::system::{DelayedSystem, MechanicalSystem};
 use lagrange::{Ensembles, Simulate};
 
+use super::shortened;
+
 lagrange::system! {
     /// A process that is drawn back to its earlier value.
     #[derive(Clone, Debug)]
@@ -56,7 +58,7 @@ fn assert_mean(numbers: &Moments, exact: f64) {
 #[test]
 fn a_delayed_drift_has_its_stationary_variance() {
     let late = Late::default();
-    let motions = late.ensemble(1500).start(|_, _| [0.0]).until(12.0).with_history();
+    let motions = late.ensemble(shortened(1500)).start(|_, _| [0.0]).until(12.0).with_history();
     let squares = motions
         .method(runge_kutta(0.0625, WienerPath::of_seed(5)))
         .reduce(Moments::new(), |squares, motion| add_square(squares, motion.end().x))
@@ -70,7 +72,7 @@ fn a_delayed_drift_has_its_stationary_variance() {
 #[test]
 fn a_delayed_diffusion_has_its_mean_square() {
     let echo = Echo::default();
-    let motions = echo.ensemble(1500).start(|_, _| [1.0]).until(2.0).with_history();
+    let motions = echo.ensemble(shortened(1500)).start(|_, _| [1.0]).until(2.0).with_history();
     let squares = motions
         .method(euler(1.0 / 64.0, WienerPath::of_seed(9)))
         .reduce(Moments::new(), |squares, motion| add_square(squares, motion.end().x))
@@ -114,7 +116,7 @@ where
 #[test]
 fn a_delayed_drift_has_the_strong_order_one() {
     for late in [Late::default(), Late { lag: 0.3, ..Late::default() }] {
-        let orders = strong_orders(&late, 40);
+        let orders = strong_orders(&late, shortened(40));
         assert!(orders.iter().all(|order| (0.8..2.6).contains(order)), "{orders:?} for {late:?}");
     }
 }

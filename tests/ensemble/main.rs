@@ -33,6 +33,11 @@ lagrange::system! {
     potential = m1 * g * y1 + m2 * g * y2;
 }
 
+/// Returns a number of motions: a third of it unoptimised, where motions are slow.
+pub(crate) fn shortened(motions: usize) -> usize {
+    if cfg!(debug_assertions) { motions.div_ceil(3) } else { motions }
+}
+
 /// Returns a start of the double pendulum.
 pub(crate) fn start(_: usize, random: &mut lagrange::ensemble::Random) -> [f64; 4] {
     [2.0 + 0.1 * random.normal(), random.uniform(1.0..2.0), 0.0, 0.0]

@@ -112,12 +112,9 @@ fn checks() -> Vec<Step> {
             "lints",
             "clippy --workspace --exclude lagrange-adapters-tests --all-targets --all-features -- -D warnings",
         ),
-        // The random cases are the same in every run, with fewer mutated texts; plain `cargo
-        // verify` draws new ones. The tests include every example, which asserts its own reference
-        // values.
-        Step::new("tests and doctests", "verify --no-fail-fast")
-            .with("PROPTEST_RNG_SEED", "20")
-            .with("LAGRANGE_MUTANTS", "5000"),
+        // The random cases are the same in every run; plain `cargo verify` draws new ones. The
+        // tests include every example, which asserts its own reference values.
+        Step::new("tests and doctests", "verify --no-fail-fast").with("PROPTEST_RNG_SEED", "20"),
         // The macro is listed so that its features match the previous step, which compiled it.
         Step::new(
             "messages about missing features",
@@ -148,7 +145,9 @@ fn sweeps() -> Vec<Step> {
     vec![
         Step::new("long motions", "motions --no-fail-fast"),
         // Compiled with the settings of `cargo verify`.
-        Step::new("random texts and trees", "verify --test mutants --test spatial -- --include-ignored"),
+        Step::new("random texts, laws and trees", "verify --test mutants --test laws --test spatial")
+            .with("PROPTEST_CASES", "1024")
+            .with("LAGRANGE_MUTANTS", "20000"),
         Step::new(
             "adapters",
             "test --package lagrange-adapters-tests --package lagrange-macro \

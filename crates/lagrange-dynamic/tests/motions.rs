@@ -235,7 +235,7 @@ fn events_record_replace_and_stop_at_the_same_times() {
 #[test]
 fn switches_change_sides_at_the_same_times() {
     assert_same_bits!(Kinks, KINKS, [1.0, 0.0], 4.0, adaptive());
-    assert_same_bits!(Cords, CORDS, [-0.005, 0.3], 1.3, adaptive());
+    assert_same_bits!(Cords, CORDS, [-0.005, 0.3], 0.3, adaptive());
 }
 
 #[test]

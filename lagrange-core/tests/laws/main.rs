@@ -49,5 +49,5 @@ use proptest::prelude::ProptestConfig;
 /// Returns a fraction of the usual number of cases, for laws that are slow to check.
 fn one_in(share: u32) -> ProptestConfig {
     let usual = ProptestConfig::default();
-    ProptestConfig { cases: usual.cases / share, failure_persistence: None, ..usual }
+    ProptestConfig { cases: (usual.cases / share).max(4), failure_persistence: None, ..usual }
 }

@@ -42,7 +42,7 @@ use numbered::numbered;
 use random::Random;
 
 /// Number of cases by default.
-const USUAL: usize = 20_000;
+const USUAL: usize = if cfg!(debug_assertions) { 5_000 } else { 20_000 };
 /// One in this many cases is also derived and emitted. Unoptimised, that takes ten times as long as
 /// reading and checking.
 const WHOLE: usize = if cfg!(debug_assertions) { 16 } else { 1 };

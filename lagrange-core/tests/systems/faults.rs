@@ -8,7 +8,7 @@ use crate::tree::{Declaration, Expr, Statement, Values};
 /// Relative change of numbers.
 const CHANGE: f64 = 1e-9;
 /// Cases in which faults are planted.
-const CASES: u64 = if cfg!(debug_assertions) { 6 } else { 60 };
+const CASES: u64 = if cfg!(debug_assertions) { 3 } else { 60 };
 /// One in this many faults of a case is planted.
 const SHARE: usize = 4;
 

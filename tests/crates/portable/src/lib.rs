@@ -43,9 +43,12 @@ pub const ROWS: [Row; 10] = [
 
 #[cfg(test)]
 mod tests {
+    /// Takes half a minute unoptimised. `tools/portable.py` computes it on all targets.
+    const LONG: &str = "chaos, a million steps";
+
     #[test]
     fn bits_are_those_of_all_platforms() {
-        for row in &super::ROWS {
+        for row in super::ROWS.iter().filter(|row| !cfg!(debug_assertions) || row.name != LONG) {
             assert_eq!((row.compute)().value(), row.expected, "{}", row.name);
         }
     }
