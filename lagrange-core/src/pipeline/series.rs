@@ -73,7 +73,7 @@ impl MotionSeries {
         programs: SeriesPrograms,
         (entries, is_definite, accuracy): (usize, bool, Accuracy),
     ) -> MotionSeries {
-        let groups = Groups::new(&programs.sums);
+        let groups = Groups::new(&programs);
         let unknowns = programs.expansion.outputs().len() - programs.kept;
         let places = SlotPlaces::new(&programs, &groups, unknowns);
         let results = ResultPlaces::new(entries, &programs, &groups);

@@ -14,10 +14,15 @@
 //! | first group | v₁ | v₁ | v₂ | v₂ |
 //! | second group | F₁ | F₂ | F₃ | F₄ |
 
+use super::SeriesPrograms;
+use super::alignment::{GROUP, Group, aligned};
 use lagrange_expr::collections::OrderedMap;
 
-/// Number of products in a group.
-const GROUP: usize = 4;
+/// Maximum number of products whose factors processors keep in registers. The time of an order is
+/// then that of chains of operations, not of moves between lanes.
+const IN_REGISTERS: usize = 32;
+/// Maximum number of loads of aligned groups relative to the fewest possible: moves cost more.
+const ACCEPTABLE: f64 = 1.25;
 
 /// Products a b in groups: places of factors, four for each group.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -38,18 +43,26 @@ struct Star {
     others: Vec<(usize, usize)>,
 }
 
-/// At most four products, as shared factor, other factor and index.
-type Group = Vec<(usize, usize, usize)>;
+/// A product: its index and its factors.
+type Product = (usize, [usize; 2]);
 
 impl Groups {
-    /// Groups products, given by their factors, so that few registers are loaded.
-    pub fn new(products: &[[usize; 2]]) -> Groups {
-        let stars = stars(products);
-        let layers = (0..).map(|layer| row(&stars, layer)).take_while(|row| !row.is_empty());
-        let layered = layers.flat_map(|layer| chunks(&layer)).collect::<Vec<_>>();
-        let listed = stars.iter().flat_map(Star::products).collect::<Vec<_>>();
-        let [layered, listed] = [layered, chunks(&listed)].map(|groups| Groups::of(groups, products.len()));
-        if layered.loads() < listed.loads() { layered } else { listed }
+    /// Groups the products of these programs: those of like parts of large systems lane by lane,
+    /// others so that few registers are loaded.
+    pub fn new(programs: &SeriesPrograms) -> Groups {
+        let products = programs.sums.iter().copied().enumerate().collect::<Vec<_>>();
+        let fewest = Groups::of(with_few_loads(&products), products.len());
+        if products.len() <= IN_REGISTERS {
+            return fewest;
+        }
+        let mut groups = aligned(programs);
+        let mut is_left = vec![true; products.len()];
+        groups.iter().flatten().for_each(|&(_, _, product)| is_left[product] = false);
+        let left = products.iter().copied().filter(|(product, _)| is_left[*product]).collect::<Vec<_>>();
+        groups.extend(with_few_loads(&left));
+        let aligned = Groups::of(groups, products.len());
+        let is_acceptable = aligned.loads() as f64 <= ACCEPTABLE * fewest.loads() as f64;
+        if is_acceptable { aligned } else { fewest }
     }
 
     /// Returns the number of registers that a term of the sums loads.
@@ -58,16 +71,7 @@ impl Groups {
     }
 
     fn of(mut groups: Vec<Group>, products: usize) -> Groups {
-        let shared = |group: &Group| group.iter().map(|(a, _, _)| *a).collect::<Vec<_>>();
-        let mut sides: Vec<Vec<usize>> = Vec::new();
-        let mut side_of = |group: &Group| {
-            let side = shared(group);
-            sides.iter().position(|known| known.starts_with(&side)).unwrap_or_else(|| {
-                sides.push(side);
-                sides.len() - 1
-            })
-        };
-        let mut of_group = groups.iter().map(&mut side_of).collect::<Vec<_>>();
+        let (sides, mut of_group) = sides(&groups);
         // Groups that share factors are adjacent.
         let mut order = (0..groups.len()).collect::<Vec<_>>();
         order.sort_by_key(|&group| of_group[group]);
@@ -91,9 +95,33 @@ impl Star {
     }
 }
 
+/// Groups products so that few registers are loaded.
+fn with_few_loads(products: &[Product]) -> Vec<Group> {
+    let stars = stars(products);
+    let layers = (0..).map(|layer| row(&stars, layer)).take_while(|row| !row.is_empty());
+    let layered = layers.flat_map(|layer| chunks(&layer)).collect::<Vec<_>>();
+    let listed = chunks(&stars.iter().flat_map(Star::products).collect::<Vec<_>>());
+    let loads = |groups: &[Group]| groups.len() + sides(groups).0.len();
+    if loads(&layered) < loads(&listed) { layered } else { listed }
+}
+
+/// Returns the shared factors of groups, and the index of those of each group.
+fn sides(groups: &[Group]) -> (Vec<Vec<usize>>, Vec<usize>) {
+    let mut sides: Vec<Vec<usize>> = Vec::new();
+    let mut side_of = |group: &Group| {
+        let side = group.iter().map(|(a, _, _)| *a).collect::<Vec<_>>();
+        sides.iter().position(|known| known.starts_with(&side)).unwrap_or_else(|| {
+            sides.push(side);
+            sides.len() - 1
+        })
+    };
+    let of_group = groups.iter().map(&mut side_of).collect();
+    (sides, of_group)
+}
+
 /// Assigns each product to one of its factors, the most frequent factors first.
-fn stars(products: &[[usize; 2]]) -> Vec<Star> {
-    let mut left = products.iter().copied().enumerate().collect::<Vec<_>>();
+fn stars(products: &[Product]) -> Vec<Star> {
+    let mut left = products.to_vec();
     let mut stars = Vec::new();
     while !left.is_empty() {
         let mut counts: OrderedMap<usize, usize> = OrderedMap::default();
@@ -108,7 +136,7 @@ fn stars(products: &[[usize; 2]]) -> Vec<Star> {
             counts.iter().max_by_key(|(factor, count)| (**count, **factor)).expect("some left");
         let (taken, rest) = left.into_iter().partition(|(_, factors)| factors.contains(&factor));
         left = rest;
-        let taken: Vec<(usize, [usize; 2])> = taken;
+        let taken: Vec<Product> = taken;
         let others = taken.iter().map(|&(product, [a, b])| (product, if a == factor { b } else { a }));
         stars.push(Star { factor, others: others.collect() });
     }
@@ -131,13 +159,18 @@ fn filled(places: &[usize]) -> [usize; GROUP] {
 
 #[cfg(test)]
 mod tests {
-    use super::Groups;
+    use super::{Groups, with_few_loads};
+
+    fn grouped(products: &[[usize; 2]]) -> Groups {
+        let numbered = products.iter().copied().enumerate().collect::<Vec<_>>();
+        Groups::of(with_few_loads(&numbered), products.len())
+    }
 
     /// Sines and cosines at places 4 to 7, velocities at 2 and 3, forces from 8 on.
     #[test]
     fn a_double_pendulum_has_one_shared_side() {
         let products = [[2, 4], [2, 5], [3, 6], [3, 7], [4, 8], [5, 9], [6, 10], [7, 11]];
-        let groups = Groups::new(&products);
+        let groups = grouped(&products);
         assert_eq!(groups.shared.len(), 1);
         assert_eq!(groups.groups.len(), 2);
         assert_eq!(groups.of_group, [0, 0]);
@@ -149,7 +182,7 @@ mod tests {
         for count in 0..=all.len() {
             for step in 1..=5 {
                 let products = all.iter().copied().step_by(step).take(count).collect::<Vec<_>>();
-                let groups = Groups::new(&products);
+                let groups = grouped(&products);
                 assert!(groups.loads() <= 2 * products.len().div_ceil(4), "{products:?}");
                 for (product, factors) in products.iter().enumerate() {
                     let [group, lane] = groups.of_product[product];

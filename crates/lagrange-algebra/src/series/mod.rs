@@ -54,6 +54,7 @@
 //! computed together, in [groups](Groups). Multiples of the same values share a sum unless the
 //! system is small.
 
+mod alignment;
 mod coefficients;
 mod functions;
 mod groups;

@@ -63,8 +63,8 @@ pub trait TaylorSystem: OdeSystem {
 /// motion.
 const LARGEST_TOGETHER: usize = 16;
 
-/// Maximum number of groups whose newest factors are likely still in registers, one by one. Those
-/// of more groups are loaded in fours.
+/// Maximum number of groups whose newest factors are likely still in registers. Those of more
+/// groups are loaded.
 const MAX_IN_REGISTERS: usize = 8;
 
 /// Four numbers that are added and multiplied lane by lane.
@@ -142,7 +142,7 @@ pub struct Products<S, const SHARED: usize, const GROUPS: usize, const ARGUMENTS
     b: [[Four<S>; GROUPS]; MAX_ORDER],
     /// Factors of order zero, set once they are multiplied with the newest ones.
     first: SeriesFactors<S, SHARED, GROUPS>,
-    /// Sums without the factors of order zero and without the newest ones.
+    /// Sums without the factors of order zero and without the newest ones, except in large systems.
     inner: [Four<S>; GROUPS],
     /// Parts of the next such sums, of numbers in lanes.
     ahead: [Four<S>; GROUPS],
@@ -185,7 +185,8 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
 
     /// Computes Σ_{0<j<k−1} aⱼ bₖ₋₁₋ⱼ for N groups starting at `group`, whose factors a are at the
     /// indices `shared`. It does not depend on results of step k − 1, so it need not wait for that
-    /// step.
+    /// step. In large systems, the remaining products are added, since groups do not wait for each
+    /// other.
     #[inline(always)]
     pub fn add_up<const FUSED: bool, const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
         if size_of::<S>() > LARGEST_TOGETHER {
@@ -196,13 +197,27 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
             if let [shared] = last {
                 self.add_up_in_lanes(k, group + N - 1, [*shared]);
             }
-            return;
+        } else {
+            let inner = 1..k.saturating_sub(1);
+            let (a, b) = (self.a.get(inner.clone()), self.b.get(inner));
+            let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
+            let sums = inner_sums::<FUSED, _, _, _, N>(a, b, shared, group);
+            self.inner[group..group + N].copy_from_slice(&sums);
         }
-        let inner = 1..k.saturating_sub(1);
-        let (a, b) = (self.a.get(inner.clone()), self.b.get(inner));
-        let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
-        let sums = inner_sums::<FUSED, _, _, _, N>(a, b, shared, group);
-        self.inner[group..group + N].copy_from_slice(&sums);
+        if GROUPS > MAX_IN_REGISTERS && k > 0 {
+            for (place, a) in shared.into_iter().enumerate() {
+                self.add_newest::<FUSED>(k - 1, group + place, a);
+            }
+        }
+    }
+
+    /// Adds the products with the factors of step `last`, the newest ones, to the sum of a group.
+    #[inline(always)]
+    fn add_newest<const FUSED: bool>(&mut self, last: usize, group: usize, a: usize) {
+        // The product of both factors of order zero occurs only once.
+        let first = if last == 0 { &Four::ZERO } else { &self.b[0][group] };
+        let early = self.inner[group].plus::<FUSED>(&self.a[last][a], first);
+        self.inner[group] = early.plus::<FUSED>(&self.a[0][a], &self.b[last][group]);
     }
 
     /// Computes the sums of groups of products of numbers in lanes, which fill the registers.
@@ -254,20 +269,29 @@ impl<S: Number, const SHARED: usize, const GROUPS: usize, const ARGUMENTS: usize
         // Sums pass through memory. Otherwise the optimiser would propagate the lane order of later
         // code into the loops, as permutations for each term.
         core::hint::black_box(&mut self.inner);
+        if GROUPS > MAX_IN_REGISTERS {
+            return self.loaded();
+        }
         let (first_a, first_b) = &self.first;
         let mut sums = [[S::ZERO; 4]; GROUPS];
         for group in 0..GROUPS {
             let a = shared[group];
-            if GROUPS > MAX_IN_REGISTERS {
-                let early = self.inner[group].plus::<FUSED>(&Four(newest_a[a]), &Four(first_b[group]));
-                sums[group] = early.plus::<FUSED>(&Four(first_a[a]), &Four(newest_b[group])).0;
-                continue;
-            }
             for lane in 0..4 {
                 let inner = self.inner[group].0[lane];
                 let early = product_sum::<FUSED, S>(newest_a[a][lane], first_b[group][lane], inner);
                 sums[group][lane] = product_sum::<FUSED, S>(first_a[a][lane], newest_b[group][lane], early);
             }
+        }
+        sums
+    }
+
+    /// Returns the sums as they are. A closure would be compiled without the instructions of its
+    /// caller.
+    #[inline(always)]
+    fn loaded(&self) -> [[S; 4]; GROUPS] {
+        let mut sums = [[S::ZERO; 4]; GROUPS];
+        for (sum, inner) in sums.iter_mut().zip(&self.inner) {
+            *sum = inner.0;
         }
         sums
     }

@@ -43,7 +43,7 @@ pub(in crate::emit) fn write_taylor(writer: &mut MethodWriter<'_>) -> Result<(),
 
 /// Writes the expansion; `None` if a constant is too large, which is recorded.
 fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<Taylor> {
-    let groups = Groups::new(&programs.sums);
+    let groups = Groups::new(programs);
     let is_in_lanes = groups.groups.len() <= MAX_GROUPS_IN_LANES && are_for_lanes(writer, programs);
     let initial = optimise(&programs.initial, writer.model.accuracy);
     let start = writer.lowered_program(&initial, is_in_lanes, |values| quote!([#(#values),*]));
