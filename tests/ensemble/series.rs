@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use lagrange::Ensembles;
 use lagrange::ensemble::{Ensemble, Failure, SharedSystem};
-use lagrange::integrate::Taylor;
+use lagrange::integrate::{StepFailure, Taylor};
 use lagrange::system::TaylorSystem;
 
 use crate::references::{Numbers, state};
@@ -276,6 +276,20 @@ fn motions_fail_as_they_do_alone() {
         MIRROR.ensemble(20).start(start).until(9.0).method(Taylor::tolerance(1e-9))
     };
     assert_eq!(failures(mirrors), [1, 4, 7, 10, 13, 16, 19]);
+}
+
+#[test]
+fn stiff_motions_are_refused_among_others() {
+    static MOTOR: Motor = Motor { k: 0.3, r: 1.5, inductance: 0.05 };
+    let motors = || {
+        let motions = MOTOR.ensemble(9).start(|index, _| [0.1 * index as f64, -1.0, 0.0]).until(2000.0);
+        let motions =
+            motions.parameters(|index, motor| motor.inductance = if index == 3 { 1e-5 } else { 0.05 });
+        motions.method(Taylor::tolerance(1e-8))
+    };
+    assert_eq!(failures(motors), [3]);
+    let ends = motors().run().expect("runs");
+    assert!(matches!(ends.failures()[0].cause, StepFailure::Stiff { .. }), "{:?}", ends.failures());
 }
 
 /// The level (1 − t/2)² is left to a single run where it reaches zero.

@@ -34,6 +34,7 @@ mod spatial;
 #[path = "../mechanisms/spatial_slider_crank.rs"]
 mod spatial_slider_crank;
 mod stiff;
+mod stiff_series;
 mod systems;
 mod taylor;
 mod throws;

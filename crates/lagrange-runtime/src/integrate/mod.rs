@@ -27,6 +27,7 @@ mod rk4;
 mod splitting;
 mod stability;
 mod step_derivatives;
+mod stiffness;
 mod stochastic;
 mod taylor;
 mod undefined;

@@ -7,10 +7,12 @@
 use super::Taylor;
 use super::polynomial::{increment, largest, slope};
 use super::rule::{LAST_ORDERS, LastOrders, SHORT, StepRule};
+use super::stiffness::is_at_limit;
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::lane_wise::{Counts, are_finite, chosen, is_equal, smaller};
-use crate::integrate::method::{LanesMethod, LanesStepper, Work};
+use crate::integrate::method::{LanesMethod, LanesStepper, MAX_LANES, Work};
+use crate::integrate::stiffness::{Stiffness, are_many};
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Domain, Equations, MAX_ORDER, SideBySide, StateVector};
 
@@ -28,6 +30,7 @@ pub struct TaylorLanes<S: Number, Y> {
     is_taken: S::Mask,
     /// Numbers of expansions, and of those that led on.
     counts: Counts,
+    stiffness: [Stiffness; MAX_LANES],
 }
 
 /// Series of motions in lanes; Y is the state and P the storage for products.
@@ -78,6 +81,7 @@ impl<T: Scalar> LanesMethod<T> for Taylor<T> {
             length: -S::ONE,
             is_taken: S::Mask::splat(false),
             counts: Counts::new(),
+            stiffness: [Stiffness::default(); MAX_LANES],
         }
     }
 
@@ -96,6 +100,7 @@ impl<T: Scalar> LanesMethod<T> for Taylor<T> {
         stepper.clock.take(lane, &other.clock, from);
         stepper.state.take(lane, &other.state, from);
         stepper.counts.take(lane, &other.counts, from);
+        stepper.stiffness[lane] = other.stiffness[from];
         // Coefficients are not copied, so the motion is expanded again.
         stepper.length.set_lane(lane, -T::ONE);
     }
@@ -162,11 +167,28 @@ where
         (turns & !*is_first) | (!leads_on & !is_equal(clock.time(), self.end))
     }
 
+    /// Returns the lanes whose motions appear stiff from the coefficients ahead.
+    #[cold]
+    #[inline(never)]
+    fn look_stiff(&mut self, ahead: &[Y]) -> [bool; MAX_LANES] {
+        let mut look_stiff = [false; MAX_LANES];
+        let Some(stability) = self.rule.stability else { return look_stiff };
+        let lengths = (self.length, self.end - self.clock.time());
+        let are_at_limit = is_at_limit(&stability, lengths, self.state.value(), ahead);
+        for (lane, looks_stiff) in look_stiff.iter_mut().enumerate().take(S::LANES) {
+            let stiffness = &mut self.stiffness[lane];
+            if self.is_taken.lane(lane) && stiffness.is_due(self.counts.taken(lane)) {
+                *looks_stiff = stiffness.count(are_at_limit.lane(lane));
+            }
+        }
+        look_stiff
+    }
+
     /// Abandons motions.
     #[cold]
-    fn give_up(&mut self, which: S::Mask) {
+    fn give_up(&mut self, which: impl Fn(usize) -> bool) {
         for lane in 0..S::LANES {
-            if which.lane(lane) || self.counts.tried(lane) > self.most_expansions() {
+            if which(lane) || self.counts.tried(lane) > self.most_expansions() {
                 self.clock.set_time(lane, S::Element::NAN);
             }
         }
@@ -238,7 +260,11 @@ where
         self.is_taken = is_taken;
         let are_spent = self.counts.count::<S>(is_taken, self.most_expansions());
         if are_spent || needs_run.any() {
-            self.give_up(needs_run);
+            self.give_up(|lane| needs_run.lane(lane));
+        }
+        if (is_taken & are_many((self.length, self.end - self.clock.time()))).any() {
+            let look_stiff = self.look_stiff(ahead);
+            self.give_up(|lane| look_stiff[lane]);
         }
     }
 

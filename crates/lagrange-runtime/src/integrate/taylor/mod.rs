@@ -15,6 +15,7 @@ mod lanes;
 mod polynomial;
 mod rule;
 mod stepper;
+mod stiffness;
 mod widest;
 
 use crate::integrate::method::{LanesMethodVisitor, Method};
@@ -43,6 +44,9 @@ pub struct Taylor<S> {
     pub longest_step: Option<S>,
     /// Maximum number of attempted steps, including rejected ones.
     pub max_steps: u64,
+    /// True if the integration should fail when stability rather than the tolerance limits the
+    /// steps.
+    pub refuses_stiff: bool,
     /// True if products and sums are rounded once where the processor can, which is faster.
     /// Otherwise, a single motion has the same bits on all processors of a target. True by default.
     pub fused: bool,
@@ -70,6 +74,7 @@ impl<S: Scalar> Taylor<S> {
             order: None,
             longest_step: None,
             max_steps: 100_000_000,
+            refuses_stiff: true,
             fused: true,
         }
     }

@@ -1,6 +1,8 @@
 //! The accuracy of steps along series, for one motion or several in lanes.
 
 use super::Taylor;
+use super::stiffness::stability;
+use crate::integrate::stiffness::StabilityLimit;
 use crate::integrate::verner::tolerance::{Tolerated, longest_step};
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Domain, MAX_ORDER, SideBySide, StateVector};
@@ -35,6 +37,8 @@ pub(super) struct StepRule<S> {
     pub(super) longest: [S; 2],
     /// The orders 1, 2, … of coefficients.
     pub(super) orders: [S; MAX_ORDER],
+    /// The stability limit, if steps limited by stability are refused.
+    pub(super) stability: Option<StabilityLimit<S>>,
     tolerated: Tolerated<S>,
     /// The part of a rate that is rounding.
     rounding: S,
@@ -75,6 +79,7 @@ impl<S: Scalar> StepRule<S> {
                 longest_step(settings.longest_step, span, true),
             ],
             orders,
+            stability: settings.refuses_stiff.then(|| stability(order)),
             tolerated: Tolerated::new(settings.relative, settings.absolute, domain),
             rounding,
         }
@@ -85,6 +90,10 @@ impl<S: Scalar> StepRule<S> {
     pub(super) fn in_lanes<L: SideBySide<Element = S>>(&self) -> StepRule<L> {
         let LastOrders { last_terms, reciprocals } = self.last_orders;
         let Tolerated { relative, absolute, domain } = self.tolerated;
+        let stability = self.stability.map(|StabilityLimit { stable, near }| StabilityLimit {
+            stable: L::splat(stable),
+            near: L::splat(near),
+        });
         StepRule {
             order: self.order,
             fused: self.fused,
@@ -95,6 +104,7 @@ impl<S: Scalar> StepRule<S> {
             },
             longest: self.longest.map(L::splat),
             orders: self.orders.map(L::splat),
+            stability,
             tolerated: Tolerated { relative: L::splat(relative), absolute: L::splat(absolute), domain },
             rounding: L::splat(self.rounding),
         }

@@ -3,12 +3,14 @@
 use super::Taylor;
 use super::expansion::Expansion;
 use super::rule::StepRule;
+use super::stiffness::is_at_limit;
 use super::widest::{WideTask, compute};
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
 use crate::integrate::method::{Stepper, Work};
-use crate::linalg::vector::combined;
+use crate::integrate::stiffness::{LimitedStep, StiffnessTest};
+use crate::linalg::vector::{combined, l1_norm};
 use crate::scalar::{Number, Scalar};
 use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
 use crate::tolerance::SAME_STATE;
@@ -29,6 +31,7 @@ pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
     /// Index of the expansion at the present state.
     present: usize,
     series: M::Series,
+    stiffness: StiffnessTest<M::Scalar>,
     work: Work,
 }
 
@@ -93,6 +96,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
             expansions: [expansion; 2],
             present: 0,
             series: M::series(),
+            stiffness: StiffnessTest::new(),
             work: Work::default(),
         };
         stepper.restart(system, t, y)?;
@@ -138,6 +142,22 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let task = Expand { system, rule: &self.rule, series: &mut self.series, expansion: present };
         compute(task, self.rule.fused);
         self.work.evaluations += 1;
+    }
+
+    /// Stops with an error if stability limits the next step towards `limit`.
+    #[cold]
+    #[inline(never)]
+    fn refuse_stiff(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
+        let Some(stability) = self.rule.stability else { return Ok(()) };
+        let Expansion { t, y, order, length: h, coefficients } = &self.expansions[self.present];
+        let coefficients = &coefficients[..*order];
+        let is_at_limit = is_at_limit(&stability, (*h, limit - *t), y, coefficients);
+        if !self.stiffness.count(is_at_limit && *order == self.rule.order) {
+            return Ok(());
+        }
+        let (rate, direction) = (&coefficients[0], coefficients[order - 1]);
+        let step = LimitedStep { t: *t, h: *h, point: (y, rate), direction, change: *h * l1_norm(rate) };
+        self.stiffness.refuse(system, step, (stability, self.rule.tolerance), &mut self.work)
     }
 
     /// Tries a step of this length.
@@ -241,6 +261,9 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
     }
 
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
+        if self.stiffness.is_due(self.work.steps) {
+            self.refuse_stiff(system, limit)?;
+        }
         let mut next = self.length(limit);
         let mut lost = None;
         loop {

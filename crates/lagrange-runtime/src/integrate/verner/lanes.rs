@@ -14,7 +14,7 @@ use super::control::POWER;
 use super::lanes_control::LanesControl;
 use super::lanes_dense::{StepEnd, VernerLastStep};
 use super::stage::{STAGES, Stage};
-use super::stiffness::{Stiffness, are_many, is_at_limit};
+use super::stiffness::is_at_limit;
 use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
@@ -25,6 +25,7 @@ use crate::integrate::compensated::Compensated;
 use crate::integrate::explicit::TableauRow;
 use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
 use crate::integrate::method::{LanesMethod, LanesStepper, MAX_LANES, Work};
+use crate::integrate::stiffness::{Stiffness, are_many};
 use crate::linalg::vector::combined;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Domain, Equations, SideBySide, StateVector};

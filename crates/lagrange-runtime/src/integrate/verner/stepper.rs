@@ -4,7 +4,7 @@ use super::Verner98;
 use super::control::{Control, POWER};
 use super::dense::{Span, complete, defect, interpolate};
 use super::stage::RATES;
-use super::stiffness::{Fading, STABLE, Stiffness};
+use super::stiffness::{is_at_limit, stability};
 use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
@@ -14,19 +14,12 @@ use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
 use crate::integrate::method::{Stepper, Work};
-use crate::integrate::stability::{EVALUATIONS, largest_eigenvalue};
-use crate::linalg::vector::{combined, l1_distance, l1_norm};
+use crate::integrate::stiffness::{LimitedStep, StiffnessTest};
+use crate::linalg::vector::{combined, l1_distance};
 use crate::scalar::Number;
-use crate::system::{OdeSystem, StateVector, StepFailure, have_modes};
-use crate::tolerance::DEFECT;
+use crate::system::{OdeSystem, StateVector, StepFailure};
+use crate::tolerance::{DEFECT, SAME_STATE};
 
-/// Fraction of the longest stable step above which steps count as limited by stability.
-const NEAR: f64 = 0.7;
-/// Minimum ratio of an eigenvalue times the state to the rates of the motion for the eigenvalue to
-/// count as fast.
-const FAST: f64 = 100.0;
-/// Minimum relative change of the state in a step for the motion to count as moving.
-const SLOWEST: f64 = 1e-9;
 /// The parts of a step at which the defect of the interpolant is evaluated. They are the middle of
 /// the widest gap between stages, and near the end, where the defect of smooth motions is large.
 pub(super) const CHECKED: [f64; 2] = [0.34, 0.94];
@@ -44,8 +37,7 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     /// The interval from the start to the end known at the start.
     span: M::Scalar,
     control: Control<M::Scalar>,
-    stiffness: Stiffness,
-    fading: Fading<M::Scalar>,
+    stiffness: StiffnessTest<M::Scalar>,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
     /// Clock and state before the last step.
@@ -85,8 +77,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             settings,
             span: end - t,
             control: Control::new(M::Scalar::ZERO),
-            stiffness: Stiffness::default(),
-            fading: Fading::UNKNOWN,
+            stiffness: StiffnessTest::new(),
             clock,
             state,
             before: (clock, state),
@@ -192,10 +183,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             return Ok(Judgement::Lost(cause));
         }
         if self.settings.refuses_stiff && self.stiffness.is_due(self.work.steps) {
-            let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
-            if self.stiffness.watch((h, limit - clock.time()), one, other) {
-                self.refuse_stiff(system, h, &ends)?;
-            }
+            self.refuse_stiff(system, (h, limit - clock.time()), &ends)?;
         }
         self.work.steps += 1;
         self.control.accept(h.abs(), error);
@@ -216,33 +204,28 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
     }
 
-    /// Stops with an error if steps of length `h` are at the stability limit. The two states `ends`
-    /// differ in the direction of fastest growth.
+    /// Stops with an error if stability limits steps of length `h`, given the remaining time. Two
+    /// stages lie at the end of the step; their states `ends` differ in the direction of fastest
+    /// growth.
     fn refuse_stiff(
         &mut self,
         system: &M,
-        h: M::Scalar,
+        (h, ahead): (M::Scalar, M::Scalar),
         ends: &[M::State; 2],
     ) -> Result<(), StepFailure<M::Scalar>> {
-        let t = self.clock.time();
-        let direction = combined(&ends[0], -M::Scalar::ONE, &ends[1]);
-        let change = l1_distance(self.state.value(), &ends[0]);
-        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), &ends[0], change, &direction);
-        self.work.evaluations += EVALUATIONS;
-        self.stiffness = Stiffness::default();
-        let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
-        let is_at_limit = h.abs() > M::Scalar::from_f64(NEAR) * limit;
-        let (size, speed) = (l1_norm(&ends[0]), l1_norm(&self.rates[14]));
-        // A motion that is slower than its tolerance, or has ended, may continue with the steps
-        // that stability permits.
-        let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
-        let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
-        if !(is_at_limit && goes_on && is_fast) || self.fading.is_fading(self.work.steps, limit) {
+        let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
+        if !self.stiffness.count(is_at_limit((h, ahead), one, other, SAME_STATE.part::<M::Scalar>())) {
             return Ok(());
         }
+        let step = LimitedStep {
+            t: self.clock.time(),
+            h,
+            point: one,
+            direction: combined(&ends[0], -M::Scalar::ONE, &ends[1]),
+            change: l1_distance(self.state.value(), &ends[0]),
+        };
         let tolerance = self.settings.relative.max(self.settings.absolute);
-        let wants_jacobian = !have_modes(system.events()) && system.jacobian(t, self.state.value()).is_none();
-        Err(StepFailure::Stiff { limit, tolerance, wants_jacobian })
+        self.stiffness.refuse(system, step, (stability(), tolerance), &mut self.work)
     }
 
     /// Computes the state after a step of length `h`, whose stages are known.
