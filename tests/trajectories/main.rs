@@ -15,6 +15,7 @@ mod drift;
 mod elliptic;
 mod ends;
 mod extinction;
+mod extremes;
 #[path = "../mechanisms/four_bar.rs"]
 mod four_bar;
 mod free_bodies;
