@@ -59,12 +59,75 @@ def whip(_, y):
     return [w, u, v, fx * cosine + (fz - 9.81) * sine, -fx, -fz - 9.81]
 
 
+def elastic_rod():
+    """The matrices of mass, damping, stiffness and inertial coupling, and the moments of the rod, over its density."""
+    density, young, width, length, circle = 7870.0, 0.2e12, 0.008, 0.3, 3.1415927
+    volume, springs = width**2 * length, young * width**2 / length
+    mass = density * volume * np.array([[0.5, 0, 0, 0], [0, 0.5, 0, 0], [0, 0, 8, 1], [0, 0, 1, 2]])
+    bending = circle**4 * (width / length) ** 2
+    stiffness = springs * np.diag([bending / 24, 2 * bending / 3, 16 / 3, 7 / 3])
+    stiffness[2, 3] = stiffness[3, 2] = -8 / 3 * springs
+    damping = np.diag([5, 25, 0.5 * 230.8375455264791, 0.5 * 421.7421837156818])
+    damping[2, 3] = damping[3, 2] = -0.5 * 262.688487992052
+    coupling = np.zeros((4, 4))
+    coupling[0, 2], coupling[0, 3], coupling[1, 3] = -16 / circle**3, 8 / circle**3 - 1 / circle, 0.5 / circle
+    coupling = density * volume * (coupling - coupling.T)
+    along = density * volume * np.array([0, 0, 2 / 3, 1 / 6])
+    across = density * volume * np.array([2 / circle, 0, 0, 0])
+    turning_along = density * volume * length * np.array([0, 0, 1 / 3, 1 / 6])
+    turning_across = density * volume * length * np.array([1 / circle, -0.5 / circle, 0, 0])
+    return mass, damping, stiffness, coupling, along, across, turning_along, turning_across
+
+
+ROD = elastic_rod()
+
+
+def slider_crank(_, y):
+    """A crank that turns at 150 rad/s, an elastic rod, a slider.
+
+    Angle of the crank, four deflections of the rod, and their rates. The angle of the rod follows from them. Accelerations and the
+    forces in the rod's end solve one linear system, as in problem CRANK of Mazzia and Magherini, *Test Set for Initial Value Problem
+    Solvers*, 2.4, with damping.
+    """
+    mass, damping, stiffness, coupling, along, across, turning_along, turning_across = ROD
+    short, long, rod_mass, rod_inertia, slider = 0.15, 0.3, 0.151104, 0.0045339259, 0.075552
+    turn, crank, q, u = 150.0, y[0], y[1:5], y[5:]
+    rod = np.arcsin(-short * np.sin(crank) / (long + q[3]))
+    sine, cosine = np.sin(rod), np.cos(rod)
+    spin = -(short * np.cos(crank) * turn + sine * u[3]) / ((long + q[3]) * cosine)
+    s, c = np.sin(crank - rod), np.cos(crank - rod)
+    # Accelerations of the rod's angle, the slider and the deflections, then the forces of both constraints.
+    matrix = np.zeros((8, 8), dtype=np.asarray(y).dtype)
+    matrix[0, 0] = rod_inertia + q @ mass @ q + 2 * turning_along @ q
+    matrix[0, 2:6] = matrix[2:6, 0] = turning_across + q @ coupling
+    matrix[1, 1] = slider
+    matrix[2:6, 2:6] = mass
+    gradients = np.zeros((2, 6), dtype=matrix.dtype)
+    gradients[:, 0] = (long + q[3]) * cosine, (long + q[3]) * sine
+    gradients[:, 1] = 0, 1
+    gradients[:, 5] = sine, -cosine
+    matrix[6:, :6], matrix[:6, 6:] = gradients, gradients.T
+    forces = np.zeros(8, dtype=matrix.dtype)
+    forces[0] = short * turn**2 * (0.5 * long * rod_mass * s + s * (along @ q) - c * (across @ q))
+    forces[0] -= 2 * spin * (turning_along @ u + u @ mass @ q)
+    forces[2:6] = spin**2 * (mass @ q + turning_along) + short * turn**2 * (c * along + s * across) + 2 * spin * (coupling @ u)
+    forces[2:6] -= stiffness @ q + damping @ u
+    reach, stretching = (long + q[3]) * spin**2, 2 * spin * u[3]
+    forces[6] = short * np.sin(crank) * turn**2 + reach * sine - stretching * cosine
+    forces[7] = -(short * np.cos(crank) * turn**2 + reach * cosine + stretching * sine)
+    return [turn, *u, *np.linalg.solve(matrix, forces)[2:6]]
+
+
+# Of the test set: without vibrations at first.
+SLIDER_CRANK = [0, 0, 0, 0.103339863e-4, 0.169327969e-4, 0.444896105, 0.463434311e-2, -0.178591076e-5, -0.268938672e-5]
+
 # Name, equations, start, times, the size of each component.
 MOTIONS = [
     ("elastic_pendulum", elastic_pendulum, [1, 1, 0, 0], [1, 4], [1, 1, 1, 1]),
     ("relaxation", relaxation, [2, 0.5, 0, 0], [5, 20], [1, 1, 1, 1]),
     ("bounce", bounce, [0.5, 0], [0.3, 0.6], [1e-3, 1]),
     ("stick_slip", stick_slip, [0, 0, 0], [5, 7.5, 20], [1, 1e-5, 1e-2]),
+    ("slider_crank", slider_crank, SLIDER_CRANK, [0.02, 0.1], [1] + 4 * [1e-4] + 4 * [0.1]),
     ("whip", whip, [1, np.sin(1), -np.cos(1) - 1, 0, 0, 0], [0.5, 1], [1, 1, 1, 1, 1, 1]),
 ]
 

@@ -87,7 +87,7 @@ fn references(motion: &str) -> Vec<(f64, Vec<f64>)> {
 /// Runs to all reference times, and checks that the error stays within ten tolerances relative to
 /// `sizes` and the state.
 #[track_caller]
-fn assert_keeps<M, const N: usize>(
+pub(crate) fn assert_keeps<M, const N: usize>(
     system: &M,
     (motion, start, sizes): (&str, M::State, [f64; N]),
     compared: impl Fn(f64, &M::State) -> [f64; N],

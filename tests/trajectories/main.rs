@@ -31,6 +31,7 @@ mod quaternions;
 #[path = "../references/mod.rs"]
 mod references;
 mod series_of_functions;
+mod slider_crank;
 mod spatial;
 #[path = "../mechanisms/spatial_slider_crank.rs"]
 mod spatial_slider_crank;
