@@ -128,7 +128,8 @@ fn motions_may_take_picoseconds_or_millennia() {
         assert_swings::<f64>(unit, &Radau5::tolerance(1e-9), 1e-6);
         assert_swings::<f64>(unit, &RungeKutta4 { step: 1e-3 * unit }, 1e-9);
     }
-    // Squares of accelerations of 10²⁴ would be infinite, and rates of 10⁻⁶ are within the tolerance.
+    // Squares of accelerations of 10²⁴ would be infinite, and rates of 10⁻⁶ are within the
+    // tolerance.
     for unit in [1e-6, 1e-3, 1e3] {
         assert_swings::<f32>(unit, &Verner98::tolerance(1e-6), 2e-3);
         assert_swings::<f32>(unit, &Taylor::tolerance(1e-6), 2e-3);

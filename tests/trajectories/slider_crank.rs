@@ -8,10 +8,9 @@ use crate::damped::{TOLERANCES, assert_keeps};
 lagrange::system! {
     /// A crank that turns steadily, an elastic rod and a slider, with the damping of the rod.
     ///
-    /// Two sines across the rod and two quadratic functions along it, over its ends. Source: Mazzia
-    /// and Magherini, *Test Set for Initial Value Problem Solvers*, 2.4, problem CRANK; Simeon,
-    /// "Modelling a flexible slider crank mechanism by a mixed system of DAEs and PDEs",
-    /// *Mathematical Modelling of Systems* 2 (1996) 1–18.
+    /// Two sines across the rod and two quadratic functions along it, over its ends. Sources:
+    /// Mazzia and Magherini, *Test Set for Initial Value Problem Solvers*, 2.4, problem CRANK.
+    /// Simeon, *Mathematical Modelling of Systems* 2 (1996) 1–18.
     #[derive(Clone, Debug)]
     pub(crate) struct SliderCrank;
 

@@ -1,8 +1,8 @@
 //! Products of parts that a system repeats, such as pairs of planets, lane by lane.
 //!
 //! The values between sums and factors are computed number by number. If each lane of a group
-//! belongs to one of four like parts, these computations are the same in all lanes, and compilers
-//! perform them side by side. Otherwise, moving numbers between lanes takes most of the time of an
+//! belongs to one of four like parts, they are the same in all lanes. Compilers then perform them
+//! side by side. Otherwise, moving numbers between lanes takes most of the time of an
 //! order.
 //!
 //! # Three distances
