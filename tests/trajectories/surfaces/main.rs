@@ -4,6 +4,8 @@
 //! `cargo motions --test surfaces` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
+mod cart;
+mod euler_disk;
 mod flat;
 mod rim;
 mod terrain;
