@@ -74,8 +74,8 @@ Options:
       --limits        stop joints at their limits, and inputs at their efforts (urdf)
       --friction      give joints their dry friction (urdf)
       --contacts      let spheres that collide touch the ground (urdf)
-      --corners LINK  let corners of boxes that a link collides as touch the ground, too;
-                      once for each link (urdf)
+      --corners LINK  let corners of boxes and rims of cylinders that a link collides as
+                      touch the ground, too; once for each link (urdf)
       --trust-inertia accept moments of inertia that no body has (urdf)
   -h, --help          print this
   -V, --version       print the version

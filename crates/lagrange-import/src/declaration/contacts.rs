@@ -10,12 +10,14 @@ use crate::rotation::roll_pitch_yaw;
 /// Coefficient of friction on the ground, which files do not specify.
 const FRICTION: &str = "0.6";
 
-/// A contact point, or the centre of a ball in contact.
+/// A contact point, or the centre of a ball or of a rim in contact.
 struct Point<'r> {
     name: String,
     link: usize,
     at: [Decimal; 3],
     radius: Option<&'r Decimal>,
+    /// The axis, if it is the centre of a rim.
+    axis: Option<[Decimal; 3]>,
 }
 
 impl Writer<'_> {
@@ -45,15 +47,15 @@ impl Writer<'_> {
         }
     }
 
-    /// Writes contacts of spheres and of box corners with the ground, for links that move.
+    /// Writes contacts of spheres, box corners and rims of cylinders with the ground, for links
+    /// that move.
     pub(super) fn contacts(&mut self, style: &Style) {
         let robot = self.robot;
         let moving = robot.links.iter().enumerate().filter(|(link, _)| !self.at_rest[*link]);
         let shapes = moving.flat_map(|(index, link)| {
             let touches = move |shape: &&Shape| match shape.solid {
                 Solid::Sphere => style.has_contacts,
-                Solid::Box => style.cornered.contains(&index),
-                Solid::Cylinder => false,
+                Solid::Box | Solid::Cylinder => style.cornered.contains(&index),
             };
             link.collisions().filter(touches).map(move |shape| (index, shape))
         });
@@ -81,23 +83,34 @@ impl Writer<'_> {
         }
     }
 
-    /// Returns the centre of a sphere, or the corners of a box.
+    /// Returns the centre of a sphere, the corners of a box, or the centres of the ends of a
+    /// cylinder.
     fn points<'s>(&mut self, link: usize, shape: &'s Shape) -> Vec<Point<'s>> {
-        let name = &self.links[link];
-        if shape.solid == Solid::Sphere {
-            let name = self.identifiers.take(&format!("{name}_touch"), "contact", &["friction"]);
-            return vec![Point { name, link, at: shape.at.clone(), radius: shape.dimensions.first() }];
-        }
-        let endings = (0..8).flat_map(|i| [format!("{i}"), format!("{i}_friction")]).collect::<Vec<_>>();
+        let (name, radius) = (&self.links[link], shape.dimensions.first());
+        let (kind, places, axis) = match shape.solid {
+            Solid::Sphere => {
+                let name = self.identifiers.take(&format!("{name}_touch"), "contact", &["friction"]);
+                return vec![Point { name, link, at: shape.at.clone(), radius, axis: None }];
+            }
+            Solid::Box => ("corner", corners(shape), None),
+            Solid::Cylinder => ("rim", ends(shape), Some(placed(shape, [0.0, 0.0, 1.0], 0.0))),
+        };
+        let radius = radius.filter(|_| axis.is_some());
+        let endings = (0..places.len()).flat_map(|i| [format!("{i}"), format!("{i}_friction")]);
+        let endings = endings.collect::<Vec<_>>();
         let endings = endings.iter().map(String::as_str).collect::<Vec<_>>();
-        let name = self.identifiers.take(&format!("{name}_corner"), "contact", &endings);
-        let corners = corners(shape).into_iter().enumerate();
-        corners.map(|(i, at)| Point { name: format!("{name}[{i}]"), link, at, radius: None }).collect()
+        let name = self.identifiers.take(&format!("{name}_{kind}"), "contact", &endings);
+        let point = |(i, at)| Point { name: format!("{name}[{i}]"), link, at, radius, axis: axis.clone() };
+        places.into_iter().enumerate().map(point).collect()
     }
 
-    fn contact(&mut self, Point { name, link, at, radius }: &Point<'_>, friction: Option<&String>) {
-        let properties =
-            [friction.map(|mu| format!("friction: {mu};")), radius.map(|r| format!("radius: {r};"))];
+    fn contact(&mut self, Point { name, link, at, radius, axis }: &Point<'_>, friction: Option<&String>) {
+        let size = if axis.is_some() { "rim" } else { "radius" };
+        let properties = [
+            friction.map(|mu| format!("friction: {mu};")),
+            radius.map(|r| format!("{size}: {r};")),
+            axis.as_ref().map(|axis| format!("axis: {};", vector(axis))),
+        ];
         let properties = properties.into_iter().flatten().collect::<Vec<_>>();
         let head = format!("contact {name} = {}.point{} on ground", self.links[*link], vector(at));
         self.page.block(&head, &properties);
@@ -107,16 +120,25 @@ impl Writer<'_> {
 
 /// Returns the corners of a box in the axes of the link, with X changing fastest.
 fn corners(shape: &Shape) -> Vec<[Decimal; 3]> {
-    let rotation = roll_pitch_yaw(shape.turned.each_ref().map(Decimal::value));
-    let corner = |i: usize| -> [Decimal; 3] {
-        let local = |axis: usize| {
-            let half = 0.5 * shape.dimensions.get(axis).map_or(0.0, Decimal::value);
-            if i >> axis & 1 == 0 { -half } else { half }
-        };
-        [0, 1, 2].map(|row| {
-            let turned = (0..3).map(|axis| rotation[row][axis] * local(axis)).sum::<f64>();
-            Decimal::rounded(shape.at[row].value() + turned)
-        })
+    let corner = |i: usize| {
+        let half = |axis: usize| 0.5 * shape.dimensions.get(axis).map_or(0.0, Decimal::value);
+        placed(shape, [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -half(axis) } else { half(axis) }), 1.0)
     };
     (0..8).map(corner).collect()
+}
+
+/// Returns the centres of the ends of a cylinder in the axes of the link.
+fn ends(shape: &Shape) -> Vec<[Decimal; 3]> {
+    let half = 0.5 * shape.dimensions.get(1).map_or(0.0, Decimal::value);
+    [-half, half].map(|along| placed(shape, [0.0, 0.0, along], 1.0)).to_vec()
+}
+
+/// Returns coordinates of a shape in the axes of the link. The share of its place is 1 for a point
+/// and 0 for a direction.
+fn placed(shape: &Shape, local: [f64; 3], share: f64) -> [Decimal; 3] {
+    let rotation = roll_pitch_yaw(shape.turned.each_ref().map(Decimal::value));
+    [0, 1, 2].map(|row| {
+        let turned = (0..3).map(|axis| rotation[row][axis] * local[axis]).sum::<f64>();
+        Decimal::rounded(share * shape.at[row].value() + turned)
+    })
 }

@@ -30,7 +30,7 @@ pub(crate) struct Style {
     pub(crate) has_friction: bool,
     /// True if collision spheres touch the ground.
     pub(crate) has_contacts: bool,
-    /// Links whose corners of collision boxes touch the ground.
+    /// Links whose corners of collision boxes and rims of collision cylinders touch the ground.
     pub(crate) cornered: Vec<usize>,
 }
 

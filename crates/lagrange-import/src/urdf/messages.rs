@@ -52,12 +52,13 @@ messages! {
     NEGATIVE_FRICTION = "the dry friction is negative, so the motion would gain energy";
     FRICTION_LEFT_OUT = "the dry friction of a joint with several coordinates is ignored";
     BOX_LEFT_OUT = "its collision shape is a box, for which no contact is added";
-    BOX_LEFT_OUT_HELP = "`--corners LINK` makes contacts of the corners of its boxes";
-    SHAPE_LEFT_OUT = "it collides as a cylinder or a mesh, which does not become a contact";
+    CYLINDER_LEFT_OUT = "its collision shape is a cylinder, for which no contact is added";
+    LEFT_OUT_HELP = "`--corners LINK` makes contacts of the corners of its boxes and the rims of its cylinders";
+    SHAPE_LEFT_OUT = "it collides as a mesh, which does not become a contact";
     SHAPE_LEFT_OUT_HELP = "declare points of it: `contact name = link.point(X, Y, Z) on ground { friction: mu; }`";
     NOTHING_TOUCHES = "no moving link has a sphere as its collision shape";
     LEVEL = "its collision shape stays at a constant height, so no contact is added";
-    NO_CORNERS = "it has no moving collision box, so there are no corners for contacts";
+    NO_CORNERS = "it has no moving collision box or cylinder, so there are no corners or rims for contacts";
     FEWER_EVENTS_HELP = "for other methods, import fewer limits, friction or contacts, or remove some from the file";
     MIMIC_HELP = "revolute, continuous and prismatic joints that move a mass have one";
     element(tag, name) = "{tag} {}", quoted(name);

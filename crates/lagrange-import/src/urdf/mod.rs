@@ -54,6 +54,7 @@
 //! | friction of `<dynamics>`, with [`Options::has_friction`] | `friction NAME_friction = dot(q), value;` |
 //! | spheres of `<collision>`, with [`Options::has_contacts`] | `contact LINK_touch = link.point(x, y, z) on ground { friction: mu; radius: r; }`, with a parameter for the coefficient of friction |
 //! | boxes of `<collision>` of the links in [`Options::corners`] | `contact LINK_corner[0] = link.point(x, y, z) on ground { friction: mu; }`, and seven others |
+//! | cylinders of `<collision>` of these links | `contact LINK_rim[0] = link.point(x, y, z) on ground { friction: mu; rim: r; axis: (a, b, c); }`, and another one for the other end |
 //! | other boxes, cylinders and meshes of `<collision>`, with [`Options::has_contacts`] | a warning |
 //! | damping of `<dynamics>` | `damping` |
 //! | `<mimic>` | a constraint between the two coordinates |
@@ -112,8 +113,8 @@ pub struct Options {
     pub has_friction: bool,
     /// True if collision spheres become contacts with the ground.
     pub has_contacts: bool,
-    /// Names of links in the file. The corners of their collision boxes become contacts with the
-    /// ground.
+    /// Names of links in the file. The corners of their collision boxes, and the rims of their
+    /// collision cylinders, become contacts with the ground.
     pub corners: Vec<String>,
     /// True if impossible inertia becomes parameters, about which the compiler warns, instead of a
     /// mistake.

@@ -14,6 +14,7 @@ pub(super) fn report(source: &mut Source<'_>, robot: &Robot, options: &Options) 
     let at_rest = if options.is_free { vec![false; robot.links.len()] } else { robot.fixed_in_root() };
     let moving = robot.links.iter().zip(at_rest).filter(|(_, at_rest)| !at_rest).map(|(link, _)| link);
     let has = |link: &Link, solid| link.collisions().any(|shape| shape.solid == solid);
+    let has_edges = |link: &Link| has(link, Solid::Box) || has(link, Solid::Cylinder);
     let has_corners = |link: &Link| options.corners.contains(&link.name);
     if options.has_contacts {
         moving.clone().for_each(|link| report_left_out(source, link, has_corners(link)));
@@ -28,7 +29,7 @@ pub(super) fn report(source: &mut Source<'_>, robot: &Robot, options: &Options) 
             near.into_iter().for_each(|near| mistake.help(messages::did_you_mean(near)));
             continue;
         };
-        if !moving.clone().any(|moving| moving.name == *name && has(moving, Solid::Box)) {
+        if !moving.clone().any(|moving| moving.name == *name && has_edges(moving)) {
             source.error_at(link_place(link), messages::NO_CORNERS);
         }
     }
@@ -50,10 +51,14 @@ fn report_joint(source: &mut Source<'_>, joint: &Joint, options: &Options) {
 
 fn report_left_out(source: &mut Source<'_>, link: &Link, has_corners: bool) {
     let has = |solid| link.collisions().any(|shape| shape.solid == solid);
-    if has(Solid::Box) && !has_corners {
-        source.warning_at(link_place(link), messages::BOX_LEFT_OUT).help(messages::BOX_LEFT_OUT_HELP);
+    for (solid, message) in
+        [(Solid::Box, messages::BOX_LEFT_OUT), (Solid::Cylinder, messages::CYLINDER_LEFT_OUT)]
+    {
+        if has(solid) && !has_corners {
+            source.warning_at(link_place(link), message).help(messages::LEFT_OUT_HELP);
+        }
     }
-    if has(Solid::Cylinder) || link.collides_as_mesh {
+    if link.collides_as_mesh {
         source.warning_at(link_place(link), messages::SHAPE_LEFT_OUT).help(messages::SHAPE_LEFT_OUT_HELP);
     }
 }

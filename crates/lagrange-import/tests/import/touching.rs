@@ -20,7 +20,8 @@ fn all() -> Options {
 fn leg() -> String {
     let shapes = r#"<collision><origin xyz="0 0 -0.2"/><geometry><sphere radius="0.02"/></geometry></collision>
         <collision><origin xyz="0.1 0 0" rpy="0 0 1.5707963267948966"/><geometry><box size="0.4 0.2 0.1"/></geometry></collision>
-        <collision><geometry><cylinder radius="1" length="1"/></geometry></collision>"#;
+        <collision><origin xyz="0 0.3 0" rpy="0 -1.5707963267948966 0"/>
+            <geometry><cylinder radius="0.1" length="1"/></geometry></collision>"#;
     robot(shapes, r#"<limit lower="-2.5" upper="-0.5" effort="20"/><dynamics friction="0.3"/>"#)
 }
 
@@ -49,12 +50,18 @@ fn stops_friction_and_contacts_are_written_if_they_are_wanted() {
     contact arm_corner[5] = arm.point(0.2, 0.2, 0.05) on ground { friction: mu; }
     contact arm_corner[6] = arm.point(0, -0.2, 0.05) on ground { friction: mu; }
     contact arm_corner[7] = arm.point(0, 0.2, 0.05) on ground { friction: mu; }
+    contact arm_rim[0] = arm.point(0.5, 0.3, 0) on ground { friction: mu; rim: 0.1; axis: (-1, 0, 0); }
+    contact arm_rim[1] = arm.point(-0.5, 0.3, 0) on ground { friction: mu; rim: 0.1; axis: (-1, 0, 0); }
 }
 ";
     assert!(imported.declaration.ends_with(lines), "{}", imported.declaration);
+    assert!(messages(&leg(), &options).is_empty());
     assert_eq!(
-        messages(&leg(), &options),
-        ["it collides as a cylinder or a mesh, which does not become a contact"]
+        messages(&leg(), &all()),
+        [
+            "its collision shape is a box, for which no contact is added",
+            "its collision shape is a cylinder, for which no contact is added"
+        ]
     );
     let plain = import(&leg(), &Options::default()).expect("a robot").declaration;
     assert!(
@@ -97,7 +104,7 @@ fn impossible_requests_are_reported() {
         (
             robot("", ""),
             cornered("arm"),
-            &["it has no moving collision box, so there are no corners for contacts"],
+            &["it has no moving collision box or cylinder, so there are no corners or rims for contacts"],
         ),
     ];
     for (text, options, expected) in cases {
