@@ -35,7 +35,7 @@ pub use drawn::{DrawnScene, PlacedHeight, PlacedItem, PlacedPart};
 pub use layout::{Layout, Place};
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
-pub use programs::{Programs, Range, Reaction, TickingClock, TouchingPrograms};
+pub use programs::{BoundedQuantity, Programs, Range, Reaction, TickingClock, TouchingPrograms};
 pub use routines::{Backend, Call, Code, LISTS, Numbers};
 pub use series::{MotionSeries, ResultPlaces, SlotPlaces};
 pub use system::{Derived, System, parse, parse_adding, parse_with};

@@ -11,6 +11,7 @@ mod columns;
 mod conserved;
 mod constrained_references;
 mod constraints;
+mod contact_quantities;
 mod contacts;
 mod control;
 mod declarations;

@@ -313,10 +313,6 @@ impl<const CAPACITY: usize, const N: usize, const K: usize> ContactSystem<N, K> 
         self.names.needs_steps
     }
 
-    fn restitution_varies(&self, k: usize) -> bool {
-        self.names.reactions.get(k).is_some_and(|reaction| reaction.restitution_varies)
-    }
-
     fn limit_reverses(&self, k: usize) -> bool {
         self.names.reactions.get(k).is_some_and(|reaction| reaction.limit_reverses)
     }

@@ -39,6 +39,12 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         let values = self.evaluate(&self.programs().unknown_values, t, y);
         self.names.unknowns.iter().copied().zip(values).collect()
     }
+
+    /// Computes the distances of centres in compliant contacts, by name.
+    fn distances(&self, t: f64, y: &Inline<CAPACITY>) -> Vec<(&'static str, f64)> {
+        let values = self.evaluate(&self.programs().distances, t, y);
+        self.names.round_contacts.iter().copied().zip(values).collect()
+    }
 }
 
 impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
@@ -59,7 +65,7 @@ impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
         let fields = self.names.fields.iter().copied().zip(self.numeric.fields().iter().copied());
         let inputs = fields.skip(parameters).collect::<Vec<_>>();
         let found = undefined(self, (t, y, rates), &inputs, |q, v| self.mass_matrix(t, q, v))?;
-        Some(found.with_unknowns(t, &self.unknowns(t, y)))
+        Some(found.with_unknowns(t, &self.unknowns(t, y)).with_contacts(t, &self.distances(t, y)))
     }
 
     fn domain(&self) -> &'static Domain {

@@ -11,7 +11,7 @@ use std::sync::{Mutex, PoisonError};
 
 use lagrange_core::emit::{ReactionOfSystem, Variables};
 use lagrange_core::model::EntryLimits;
-use lagrange_core::pipeline::Programs;
+use lagrange_core::pipeline::{BoundedQuantity, Programs};
 use lagrange_core::syntax::ast;
 use lagrange_runtime::event::{DeclaredEvent, Direction};
 use lagrange_runtime::system::{Description, Domain, EntryRange, MatrixLayout, RangedKind};
@@ -41,6 +41,10 @@ pub(crate) struct Names {
     pub(crate) needs_steps: Option<&'static str>,
     /// Names of algebraic unknowns.
     pub(crate) unknowns: Texts,
+    /// Names of compliant contacts with round surfaces.
+    pub(crate) round_contacts: Texts,
+    /// Quantities of contacts, with the names of these.
+    pub(crate) quantities: &'static [(RangedKind, &'static str)],
     /// The reason why the motion has no Taylor series, if it has none.
     pub(crate) without_series: Option<&'static str>,
     /// Names of entries of the state.
@@ -73,9 +77,11 @@ pub(crate) fn names_of(programs: &Programs) -> &'static Names {
     static KNOWN: Mutex<Option<HashMap<String, &'static Names>>> = Mutex::new(None);
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let known = known.get_or_insert_default();
-    let Programs { variables, layout, are_holonomic, unknowns, .. } = programs;
+    let Programs { variables, layout, are_holonomic, unknowns, round_contacts, quantities, .. } = programs;
     let reason = without_series(programs);
-    let all = format!("{variables:?}{layout:?}{are_holonomic:?}{unknowns:?}{reason:?}");
+    let all = format!(
+        "{variables:?}{layout:?}{are_holonomic:?}{unknowns:?}{round_contacts:?}{quantities:?}{reason:?}"
+    );
     known.entry(all).or_insert_with(|| kept(programs))
 }
 
@@ -121,6 +127,8 @@ fn kept(programs: &Programs) -> &'static Names {
         room: Room::of(programs).unwrap_or(Room::Small),
         needs_steps: variables.needs_steps.as_deref().map(text),
         unknowns: texts(&programs.unknowns),
+        round_contacts: texts(&programs.round_contacts),
+        quantities: Vec::leak(programs.quantities.iter().map(quantity).collect()),
         without_series: without_series(programs).map(text),
         #[cfg(feature = "fit")]
         state: texts(&variables.state_names()),
@@ -130,9 +138,14 @@ fn kept(programs: &Programs) -> &'static Names {
 }
 
 fn named(reaction: &ReactionOfSystem) -> NamedReaction {
-    let &ReactionOfSystem { mode, event, restitution_varies, limit_reverses, gradient_jumps, .. } = reaction;
+    let &ReactionOfSystem { mode, event, limit_reverses, gradient_jumps, .. } = reaction;
     let name = text(&reaction.name);
-    NamedReaction { name, mode, event, restitution_varies, limit_reverses, gradient_jumps }
+    NamedReaction { name, mode, event, limit_reverses, gradient_jumps }
+}
+
+/// Returns a quantity with the name of its contact.
+fn quantity(BoundedQuantity { contact, quantity, .. }: &BoundedQuantity) -> (RangedKind, &'static str) {
+    (RangedKind::OfContact(text(quantity)), text(contact))
 }
 
 /// Returns the ranges and the nominal values of the entries of the state.

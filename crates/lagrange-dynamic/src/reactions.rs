@@ -74,7 +74,6 @@ pub(crate) struct NamedReaction {
     pub(crate) name: &'static str,
     pub(crate) mode: ModeOfReaction,
     pub(crate) event: Option<usize>,
-    pub(crate) restitution_varies: bool,
     pub(crate) limit_reverses: bool,
     pub(crate) gradient_jumps: bool,
 }

@@ -1,7 +1,7 @@
 //! An interpreted system, with its switches.
 
 use lagrange_core::limits;
-use lagrange_core::pipeline::{NumericSystem, Programs, Range};
+use lagrange_core::pipeline::{BoundedQuantity, NumericSystem, Programs, Range};
 use lagrange_runtime::contact::Mode;
 use lagrange_runtime::event::{MAX_LOCATED, SwitchedSystem, Switches};
 use lagrange_runtime::system::{OutOfRange, RangedKind, StateVector};
@@ -51,10 +51,10 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         !self.modes.is_empty()
     }
 
-    /// Checks that parameters are in their declared ranges.
+    /// Checks that parameters, and quantities of contacts, are in their ranges.
     pub(crate) fn check_parameters(&self) -> Result<(), OutOfRange<f64>> {
         let programs = self.programs();
-        programs.ranges.iter().try_for_each(|Range { parameter, bounds }| {
+        let parameters = programs.ranges.iter().try_for_each(|Range { parameter, bounds }| {
             let name = self.names.fields[*parameter];
             let unit = programs.variables.unit(name);
             let unit = self.names.description.units.iter().find(|(_, known)| Some(*known) == unit);
@@ -68,7 +68,22 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
                 bounds.into(),
                 unit,
             )
-        })
+        });
+        parameters.and_then(|()| self.check_quantities())
+    }
+
+    /// Checks quantities of contacts.
+    fn check_quantities(&self) -> Result<(), OutOfRange<f64>> {
+        let programs = self.programs();
+        let mut values = self.numeric.evaluate(&programs.quantity_values, 0.0, &[], &[]).into_iter();
+        let named = programs.quantities.iter().zip(self.names.quantities);
+        for (BoundedQuantity { bounds, .. }, (kind, contact)) in named {
+            let value = values.next().unwrap_or(f64::NAN);
+            let range =
+                bounds.map(|included| bound(included.and_then(|included| Some((values.next()?, included)))));
+            OutOfRange::check(*kind, contact, value, range.into(), "")?;
+        }
+        Ok(())
     }
 }
 

@@ -164,7 +164,10 @@ fn check_output_names(elaborator: &mut Elaborator<'_>) {
     let has_regressor = elaborator.products().contains(&Product::Regressor);
     let groups: [(bool, &[&str]); 9] = [
         (!elaborator.declaration.has_start(), &["start"]),
-        (elaborator.declaration.ranges().next().is_none(), &["check_parameters"]),
+        (
+            elaborator.declaration.ranges().next().is_none() && elaborator.quantities.is_empty(),
+            &["check_parameters"],
+        ),
         (elaborator.velocities_are_rates(), &["position_rates"]),
         (
             elaborator.constraints.is_empty(),
@@ -301,6 +304,8 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         events: elaborator.events.into_iter().map(|(event, _)| event).collect(),
         clocks: elaborator.clocks.into_iter().map(|(clock, _)| clock).collect(),
         reactions: elaborator.reactions.into_iter().map(|(reaction, _)| reaction).collect(),
+        quantities: elaborator.quantities,
+        distances: elaborator.distances,
         outputs: elaborator.outputs,
         scene: elaborator.scene,
         rates,

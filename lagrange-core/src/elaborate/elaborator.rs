@@ -12,7 +12,7 @@ use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{
     Action, Availability, Clock, Constraint, Coordinate, Delay, Event, GibbsFunction, Load, Orientation,
-    Output, Parameter, Product, Reaction, Reduction, Scene, Speed,
+    Output, Parameter, Product, Quantity, Reaction, Reduction, Scene, Speed,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Report, nearest};
@@ -89,6 +89,10 @@ pub(super) struct Elaborator<'a> {
     pub(super) delays: Vec<(Delay, Span)>,
     /// Ranges of parameters so far, keyed by their bounds in the syntax tree.
     pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
+    /// Quantities of contacts that depend on parameters, with their ranges.
+    pub(super) quantities: Vec<Quantity>,
+    /// Distances of the centres of compliant contacts.
+    pub(super) distances: Vec<(Name, ExprId)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
     /// Ranges and nominal values of entries of the state.
     pub(super) limits: Vec<DeclaredLimits>,
@@ -153,6 +157,8 @@ impl<'a> Elaborator<'a> {
             noises: Vec::new(),
             delays: Vec::new(),
             ranges: Vec::new(),
+            quantities: Vec::new(),
+            distances: Vec::new(),
             coordinates: Vec::new(),
             limits: Vec::new(),
             states: Vec::new(),

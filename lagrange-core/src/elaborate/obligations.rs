@@ -6,6 +6,7 @@ use super::matter;
 use super::messages::events;
 use super::messages::inertia as words;
 use super::operand::Operand;
+use crate::model::Bound;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Diagnostic, Origin};
 use lagrange_expr::expr::evaluate;
@@ -36,6 +37,13 @@ pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obli
             Obligation::Tensor { body, tensor } => tensor_is_physical(elaborator, body, tensor),
             Obligation::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
             Obligation::Opens { contact, gap } => opens(elaborator, contact, *gap),
+            Obligation::InRange { contact, quantity, value, lower } => {
+                bounded_below(elaborator, contact, quantity, *value, *lower);
+            }
+            Obligation::Apart { contact, distance } => {
+                let distance = scalar(elaborator, *distance);
+                elaborator.distances.extend(distance.map(|distance| (contact.clone(), distance)));
+            }
         }
     }
 }
@@ -187,6 +195,20 @@ fn opens(elaborator: &mut Elaborator, contact: &Name, syntax: AstId) {
         let message = events::gap_without_coordinate(&contact.text);
         elaborator.evaluator.report.error(contact.span, message).help(events::GAP_HELP);
     }
+}
+
+/// Adds the lower bound of a quantity of a contact that depends on parameters alone. It is checked
+/// at the start of runs.
+fn bounded_below(
+    elaborator: &mut Elaborator,
+    contact: &Name,
+    quantity: &str,
+    value: AstId,
+    (bound, is_included): (AstId, bool),
+) {
+    let [Some(value), Some(bound)] = [value, bound].map(|syntax| scalar(elaborator, syntax)) else { return };
+    let range = [Some(Bound { value: bound, is_included }), None];
+    elaborator.bound_quantity(contact, quantity, value, range);
 }
 
 /// Returns the value of a scalar expression; other shapes have been reported where they are used.

@@ -1,11 +1,11 @@
-//! Ranges of parameters.
+//! Ranges of parameters, and of quantities of contacts.
 
 use super::assigned::Bounds;
 use super::elaborator::Elaborator;
 use super::messages::ranges as messages;
-use crate::model::Bound;
-use lagrange_expr::expr::{ExprId, evaluate};
-use lagrange_language::syntax::ast::{AllowedRange, AstId, Definition, Limit};
+use crate::model::{Bound, Quantity};
+use lagrange_expr::expr::{Dependencies, ExprId, evaluate};
+use lagrange_language::syntax::ast::{AllowedRange, AstId, Definition, Limit, Name};
 use lagrange_language::syntax::print;
 
 /// Returns the range of a parameter, once for all elements of an array. The default must be within
@@ -29,6 +29,25 @@ pub(super) fn range_of(
         check_default(elaborator, definition, (syntax, default), bounds);
     }
     bounds
+}
+
+impl Elaborator<'_> {
+    /// Adds the bounds of a quantity of a contact, if it depends on parameters alone.
+    pub(super) fn bound_quantity(
+        &mut self,
+        contact: &Name,
+        quantity: &str,
+        value: ExprId,
+        range: [Option<Bound>; 2],
+    ) {
+        let graph = &self.evaluator.graph;
+        let values = range.iter().flatten().map(|bound| bound.value).chain([value]);
+        let all = values.fold(Dependencies::NONE, |all, value| all | graph.dependencies(value));
+        if all == Dependencies::PARAMETER {
+            let (contact, quantity) = (contact.clone(), quantity.to_owned());
+            self.quantities.push(Quantity { contact, quantity, value, range });
+        }
+    }
 }
 
 /// Returns the bounds of a range.

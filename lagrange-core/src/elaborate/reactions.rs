@@ -10,7 +10,7 @@ use super::messages::events as messages;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::shared_contacts::{contact_of, warn_of_square};
-use crate::model::{Action, Reaction, ReactionKind};
+use crate::model::{Action, Bound, Reaction, ReactionKind};
 use lagrange_algebra::calculus::{Degree, Degrees};
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
@@ -20,6 +20,14 @@ use lagrange_language::syntax::ast::{self, AstId, Direction, Name};
 pub(super) fn add_contact(elaborator: &mut Elaborator<'_>, event: &ast::Event, restitution: AstId) {
     let gap = gap_and_rate(elaborator, event);
     let restitution = sound_restitution(elaborator, restitution, &event.name);
+    if let Some(restitution) = restitution {
+        let bound = |bound: i64| {
+            let value = elaborator.evaluator.graph.number(bound);
+            Some(Bound { value, is_included: true })
+        };
+        let range = [0, 1].map(bound);
+        elaborator.bound_quantity(&event.name, messages::RESTITUTION_OF_CONTACT, restitution, range);
+    }
     let parts = gap.and_then(|(gap, velocity)| {
         Some((velocity, ReactionKind::Contact { gap, restitution: restitution? }))
     });

@@ -124,6 +124,8 @@ impl<'a> Reducer<'a> {
             clocks: Vec::new(),
             noises: Vec::new(),
             reactions: Vec::new(),
+            quantities: model.quantities.clone(),
+            distances: Vec::new(),
             outputs,
             scene,
             rates,
@@ -289,6 +291,10 @@ fn places(model: &mut Model) -> Vec<&mut ExprId> {
         places.push(&mut parameter.symbol);
         places.extend(&mut parameter.default);
         places.extend(parameter.range.iter_mut().flatten().map(|bound| &mut bound.value));
+    }
+    for quantity in &mut model.quantities {
+        places.push(&mut quantity.value);
+        places.extend(quantity.range.iter_mut().flatten().map(|bound| &mut bound.value));
     }
     places.extend(model.coordinates.iter_mut().flat_map(|c| [&mut c.position, &mut c.rate]));
     places.extend(model.speeds.iter_mut().flat_map(|s| [&mut s.velocity, &mut s.acceleration]));

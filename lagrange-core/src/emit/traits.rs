@@ -138,15 +138,17 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let found = quote! {
         #krate::integrate::undefined(self, (#time, #state, #rates), &[#(#inputs),*], #mass_matrix)
     };
-    let found = match &members.unknowns {
-        None => found,
-        Some(unknowns) => {
+    let unknowns = members.unknowns.as_ref().map(|unknowns| quote!(.with_unknowns(#time, &{ #unknowns })));
+    let contacts = members.distances.as_ref().map(|apart| quote!(.with_contacts(#time, &{ #apart })));
+    let found = match (&unknowns, &contacts) {
+        (None, None) => found,
+        _ => {
             let found_first = local("found");
             quote! {
                 let #found_first = #found?;
                 let (#positions, #velocities) = #krate::system::split::<Self>(#state);
                 let (#positions, #velocities) = (&#positions, &#velocities);
-                ::core::option::Option::Some(#found_first.with_unknowns(#time, &{ #unknowns }))
+                ::core::option::Option::Some(#found_first #unknowns #contacts)
             }
         }
     };

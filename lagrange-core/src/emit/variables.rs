@@ -4,9 +4,7 @@ use proc_macro2::TokenStream;
 
 use super::base::fields::split_indices;
 use super::base::shape::{Shape, Touch};
-use super::features::contacts::{
-    events_of_rows, jumping_gradients, needs_steps, reversing_limits, varying_restitutions,
-};
+use super::features::contacts::{events_of_rows, jumping_gradients, needs_steps, reversing_limits};
 use super::features::orientations::written_velocity;
 use super::features::ports::column_names;
 use super::features::regressor::regressor_names;
@@ -114,8 +112,6 @@ pub struct ReactionOfSystem {
     pub mode: ModeOfReaction,
     /// Index of the event at which the mode changes.
     pub event: Option<usize>,
-    /// True if the coefficient of restitution depends on time or the state.
-    pub restitution_varies: bool,
     /// True if the limit of friction contains constraint forces.
     pub limit_reverses: bool,
     /// True if the gradient of the gap jumps.
@@ -194,8 +190,7 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
 /// Returns the reactions in the order of their rows.
 fn reactions(shape: &Shape<'_>, model: &Model) -> Vec<ReactionOfSystem> {
     let (places, events) = (shape.reactions(), events_of_rows(shape));
-    let (varying, reversing) = (varying_restitutions(model), reversing_limits(model));
-    let jumping = jumping_gradients(model);
+    let (reversing, jumping) = (reversing_limits(model), jumping_gradients(model));
     let reaction = |(k, &place): (usize, &usize)| {
         let (name, touch) = shape.touching[place];
         let mode = match touch {
@@ -208,7 +203,6 @@ fn reactions(shape: &Shape<'_>, model: &Model) -> Vec<ReactionOfSystem> {
             name: shape.written(name).to_owned(),
             mode,
             event: events[k],
-            restitution_varies: varying[k],
             limit_reverses: reversing[k],
             gradient_jumps: jumping[k],
         }

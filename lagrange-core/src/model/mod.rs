@@ -69,6 +69,10 @@ pub struct Model {
     pub clocks: Vec<Clock>,
     /// Contacts and friction, in declaration order.
     pub reactions: Vec<Reaction>,
+    /// Quantities of contacts that depend on parameters alone, with their ranges.
+    pub quantities: Vec<Quantity>,
+    /// Distances of the centres of compliant contacts, which must not be zero.
+    pub distances: Vec<(Name, ExprId)>,
     /// Declared outputs.
     pub outputs: Vec<Output>,
     /// Rigid bodies, as far as they are requested.
@@ -130,6 +134,19 @@ pub struct Parameter {
     /// Default value, free of symbols.
     pub default: Option<ExprId>,
     /// Lower and upper bound of the values.
+    pub range: [Option<Bound>; 2],
+}
+
+/// A quantity of a contact with a range.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// Name of the contact.
+    pub contact: Name,
+    /// Description in words that precede the name.
+    pub quantity: String,
+    /// Value, a function of parameters alone.
+    pub value: ExprId,
+    /// Lower and upper bound, functions of parameters.
     pub range: [Option<Bound>; 2],
 }
 

@@ -2,12 +2,12 @@
 
 use lagrange_expr::expr::ExprId;
 
-/// A bound of the values of a parameter.
+/// A bound of the values of a parameter, or of a quantity of a contact.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Bound {
-    /// Value of the bound, free of symbols.
+    /// Value of the bound; that of a parameter is free of symbols.
     pub value: ExprId,
-    /// True if a parameter may have this value.
+    /// True if the bound is a possible value.
     pub is_included: bool,
 }
 

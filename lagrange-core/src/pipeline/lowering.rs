@@ -3,7 +3,7 @@
 use super::drawn::{DrawnScene, PlacedHeight, placed_items};
 use super::layout::Layout;
 use super::phases::DerivedPart;
-use super::programs::{Programs, Range, Reaction, TickingClock, TouchingPrograms};
+use super::programs::{BoundedQuantity, Programs, Range, Reaction, TickingClock, TouchingPrograms};
 use super::series::MotionSeries;
 use super::system::Derived;
 use crate::derive::Equations;
@@ -11,7 +11,7 @@ use crate::emit::{
     NamedRoots, ReactionTerms, Variables, by_fields, by_state, by_state_and_inputs, on_sides,
     separate_events, series_programs, system_matrix, variables,
 };
-use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, SampledHeight, Speed};
+use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, Quantity, SampledHeight, Speed};
 use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::{Labels, NewtonProgram, Program, lower, optimise};
 use lagrange_expr::accuracy::Accuracy;
@@ -72,6 +72,8 @@ impl<'a> Lowering<'a> {
             layout: self.layout(),
             defaults: self.defaults(),
             ranges: self.ranges(),
+            quantities: self.quantities(),
+            quantity_values: self.quantity_values(),
             start: (!self.model.start.is_empty()).then(|| self.as_declared(&self.model.start)),
             position_rates: self.on_sides(&rates),
             accelerations: self.on_sides(&accelerations),
@@ -113,6 +115,13 @@ impl<'a> Lowering<'a> {
             regressor_parameters: self.regressor_parameters(),
             outputs: self.outputs(),
             drawing: self.drawing(),
+            round_contacts: self
+                .model
+                .distances
+                .iter()
+                .map(|(name, _)| self.declaration.written(&name.text).to_owned())
+                .collect(),
+            distances: self.on_sides(&self.model.distances.iter().map(|(_, root)| *root).collect::<Vec<_>>()),
             unknowns: unknowns.iter().map(|(_, name)| name.clone()).collect(),
             unknown_values: self.on_sides(&unknowns.iter().map(|(root, _)| *root).collect::<Vec<_>>()),
             solutions: self.solutions(),
@@ -167,6 +176,22 @@ impl<'a> Lowering<'a> {
         let parameters = self.model.parameters.iter().enumerate();
         let limited = parameters.filter(|(_, parameter)| parameter.range.iter().any(Option::is_some));
         limited.map(|(parameter, of)| Range { parameter, bounds: of.range.each_ref().map(bound) }).collect()
+    }
+
+    fn quantities(&self) -> Vec<BoundedQuantity> {
+        let bounded = |Quantity { contact, quantity, range, .. }: &Quantity| BoundedQuantity {
+            contact: self.declaration.written(&contact.text).to_owned(),
+            quantity: quantity.clone(),
+            bounds: range.map(|bound| Some(bound?.is_included)),
+        };
+        self.model.quantities.iter().map(bounded).collect()
+    }
+
+    fn quantity_values(&self) -> Program {
+        let values = |Quantity { value, range, .. }: &Quantity| {
+            [*value].into_iter().chain(range.iter().flatten().map(|bound| bound.value)).collect::<Vec<_>>()
+        };
+        self.as_declared(&self.model.quantities.iter().flat_map(values).collect::<Vec<_>>())
     }
 
     fn position_residuals(&mut self) -> Program {

@@ -30,6 +30,10 @@ pub struct Programs {
     pub defaults: Vec<f64>,
     /// Bounds of parameters.
     pub ranges: Vec<Range>,
+    /// Quantities of contacts that are bounded.
+    pub quantities: Vec<BoundedQuantity>,
+    /// Each of these quantities with its bounds, functions of parameters alone.
+    pub quantity_values: Program,
     /// Declared initial state, if any part of it is declared.
     pub start: Option<Program>,
     /// Rates of the positions.
@@ -104,6 +108,10 @@ pub struct Programs {
     pub drawing: Option<DrawnScene>,
     /// Algebraic unknowns in the rates.
     pub unknowns: Vec<String>,
+    /// Names of compliant contacts with round surfaces.
+    pub round_contacts: Vec<String>,
+    /// Distances of the centres in these contacts.
+    pub distances: Program,
     /// Values of the algebraic unknowns.
     pub unknown_values: Program,
     /// Functions that solve equations.
@@ -156,6 +164,17 @@ pub struct Range {
     pub bounds: [Option<(f64, bool)>; 2],
 }
 
+/// A quantity of a contact that is bounded.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct BoundedQuantity {
+    /// Name of the contact.
+    pub contact: String,
+    /// Description in words that precede the name.
+    pub quantity: String,
+    /// True for each bound that there is and that is included, lower and upper.
+    pub bounds: [Option<bool>; 2],
+}
+
 impl Programs {
     /// Returns all programs except those of solutions and of the steps of series.
     pub fn all(&self) -> impl Iterator<Item = &Program> {
@@ -163,6 +182,7 @@ impl Programs {
         let of_constraints =
             [&self.position_residuals, &self.correction, &self.mass_times, &self.regressor_parameters];
         let of_events = [&self.switches, &self.event_functions, &self.unknown_values, &self.diffusion];
+        let of_contacts = [&self.quantity_values, &self.distances];
         let of_delays = [&self.delayed_signals, &self.lags].into_iter().chain(&self.past_signals);
         let replaced = self.reactions.iter().filter_map(|reaction| match reaction {
             Reaction::Replace(program) => Some(program),
@@ -183,8 +203,8 @@ impl Programs {
             .chain(self.switch_times.iter().flatten())
             .chain(of_series)
             .chain(self.touching.as_ref().map(|touching| &touching.terms));
-        let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events).chain(of_delays);
-        fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
+        let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events).chain(of_contacts);
+        fixed.chain(of_delays).chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
     }
 
     /// Returns the functions of the user's crate called by programs, without repetition.

@@ -107,3 +107,89 @@ fn disks_in_single_precision_fall_on_their_faces() {
         assert_near(&[p, q], &[0.0; 2], 0.1);
     }
 }
+
+lagrange::system! {
+    /// A disk without thickness, and a can, with the rims of their shapes.
+    #[derive(Clone, Debug)]
+    struct Shapes<S>;
+
+    param r = 0.1, h = 0.3;
+    gravity = (0, 0, -9.81);
+    body plate { mass: 1; shape: disk(r); }
+    free plate;
+    contact face = plate on ground { friction: 0.4; }
+    body can { mass: 2; shape: solid_cylinder(r, h); }
+    free can;
+    contact end = can on ground { friction: 0.6; }
+}
+
+/// Returns both bodies at rest, the plate at `height` with the inclination `tilt`.
+fn shapes<S: lagrange::Scalar>([height, tilt]: [f64; 2]) -> [S; 26] {
+    let (sin, cos) = (0.5 * tilt).sin_cos();
+    let mut start = [0.0; 26];
+    start[..7].copy_from_slice(&[0.0, 0.0, height, cos, sin, 0.0, 0.0]);
+    start[7..14].copy_from_slice(&[1.0, 0.0, 0.15, 1.0, 0.0, 0.0, 0.0]);
+    start.map(S::from_f64)
+}
+
+/// At the exact height the rounded kink is no overlap, whatever the number type and the
+/// inclination. Further down, bodies overlap.
+#[test]
+fn event_driven_runs_start_at_the_exact_height_of_a_rim() {
+    for tilt in [0.0, 1e-12, 1e-9, 1e-8, 1e-6, 1e-4, 1e-2, 0.3] {
+        let height = 0.1 * f64::sin(tilt);
+        let system = Shapes::<f64>::default();
+        let run = system.simulate(shapes([height, tilt])).until(1e-3).run().expect("starts");
+        let closed = run.system_at_end().map(|end| (end.face, end.end_0, end.end_1));
+        assert_eq!(closed, Some((Contact::Closed, Contact::Closed, Contact::Open)), "{tilt}");
+        let lower = [height - 1e-9, tilt];
+        let said = system.simulate(shapes(lower)).until(1e-3).run().map(drop).expect_err("overlaps");
+        assert!(said.to_string().contains("the gap of the contact `face` is -1."), "{said}");
+    }
+    for tilt in [0.0, 0.01, 0.3] {
+        let height = 0.1 * f64::sin(tilt);
+        let run = Shapes::<f32>::default().simulate(shapes([height, tilt])).until(1e-3).run();
+        assert!(run.is_ok(), "{tilt} {:?}", run.err());
+    }
+}
+
+/// A flat plate and a standing can remain where they are, and press with their weights.
+#[test]
+fn flat_rims_rest_in_event_driven_runs() {
+    let start = shapes::<f64>([0.0; 2]);
+    let run = Shapes::<f64>::default().simulate(start).until(1.0).run().expect("rests");
+    assert_near(&run.last(), &start, 1e-9);
+    let end = run.system_at_end().expect("both rest");
+    let last = run.last();
+    let forces = end.reactions(1.0, &last[..14].try_into().unwrap(), &last[14..].try_into().unwrap());
+    assert_near(&[forces[0], forces[3]], &[G, 2.0 * G], 1e-9);
+    let single = Shapes::<f32>::default().simulate(shapes([0.0; 2])).until(0.5).run().expect("rests");
+    assert_near(&single.last().map(f64::from), &start, 1e-5);
+}
+
+lagrange::system! {
+    /// The bodies of `Shapes` with rims that are written out.
+    #[derive(Clone, Debug)]
+    struct Written;
+
+    param r = 0.1, h = 0.3;
+    gravity = (0, 0, -9.81);
+    body plate { mass: 1; shape: disk(r); }
+    free plate;
+    contact face = plate on ground { friction: 0.4; rim: r; }
+    body can { mass: 2; shape: solid_cylinder(r, h); }
+    free can;
+    contact low = can.point(0, 0, -h/2) on ground { friction: 0.6; rim: r; }
+    contact high = can.point(0, 0, h/2) on ground { friction: 0.6; rim: r; }
+}
+
+#[test]
+fn shapes_give_the_rims_that_could_be_written() {
+    let mut start = shapes::<f64>([0.2, 0.7]);
+    start[9] = 0.3;
+    start[17..20].copy_from_slice(&[3.0, 1.0, -2.0]);
+    start[23..26].copy_from_slice(&[2.0, 1.0, 0.5]);
+    let by_shape = Shapes::<f64>::default().simulate(start).until(1.0).method(Stepped::every(1e-3)).run();
+    let written = Written::default().simulate(start).until(1.0).method(Stepped::every(1e-3)).run();
+    assert_eq!(by_shape.expect("falls").last(), written.expect("falls").last());
+}

@@ -25,16 +25,18 @@ use super::object::{self, Object, Surface};
 use super::plain::{Drawn, DrawnKind, LoadOrigin};
 use super::space::vectors::{Triple, minus, plus, scale, zero_triple};
 use super::surfaces::scene_vector;
-use super::touching::{Touching, touching};
+use super::touching::{Touching, touching, touching_at};
 use super::translation::Translation;
 use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, StatementKind};
-use coefficients::{Coefficient, coefficients, compliance, limit, radius, restitution, turning_coefficients};
+use coefficients::{
+    Coefficient, coefficients, compliance, limit, oblige, radius, restitution, turning_coefficients,
+};
 use compliant::{press, rub_smoothly};
 use faces::{between_blocks, block_that_touches, is_between_blocks, surface_of_block};
 use geometry::{ContactGeometry, geometry, relative_motion, slip_of};
 use labels::check_labels;
 pub(super) use labels::{default_compliance, mention_defaults};
-use rim::on_rim;
+use rim::{on_rim, rim_of_shape, stated_rim};
 use terrain::over_terrain;
 use touched::{is_block, surface_named};
 use turning::resist_turning;
@@ -122,16 +124,34 @@ fn geometry_of(
     if is_between_blocks(translation, statement) {
         return between_blocks(translation, statement, (touching, surface), radius);
     }
-    if let Some(rim) = statement.rim {
+    oblige_surface(translation, statement, surface);
+    let rim = match statement.rim {
+        Some(written) => Some(stated_rim(translation, statement, written)?),
+        None => rim_of_shape(translation, statement).map(|(rim, ..)| rim),
+    };
+    if let Some(rim) = rim {
         return on_rim(translation, statement, (rim, radius), (touching, surface));
     }
-    let radius = radius.or(touching.radius).unwrap_or_else(|| translation.terms().number(0));
+    let zero = translation.terms().number(0);
+    if let Some(own) = touching.radius {
+        oblige(translation, statement, words::RADIUS_OF_BODY.to_owned(), own, (zero, true));
+    }
+    let radius = radius.or(touching.radius).unwrap_or(zero);
     let ball = (touching.center, radius);
     let geometry = match &surface.height {
         Some(height) => over_terrain(translation, statement, (surface, height), ball),
         None => geometry(translation, statement, surface, ball),
     };
     Some((touching, geometry))
+}
+
+/// Obliges the stated direction and the radius of a surface to be longer than zero.
+fn oblige_surface(translation: &mut Translation<'_>, statement: &ast::Contact, surface: &Surface) {
+    let (name, zero) = (&statement.surface.text, translation.terms().number(0));
+    if let Some(length) = surface.length {
+        oblige(translation, statement, words::length_of_direction(name), length, (zero, false));
+    }
+    oblige(translation, statement, words::radius_of_surface(name), surface.radius, (zero, false));
 }
 
 /// Declares the names of an invalid contact, whose error was reported.
@@ -162,9 +182,12 @@ fn touching_part(translation: &mut Translation<'_>, statement: &ast::Contact) ->
         error.help(words::GROUND_TOUCHES_HELP);
         return None;
     }
-    match is_between_blocks(translation, statement) {
-        true => block_that_touches(translation, statement),
-        false => touching(translation, statement),
+    if is_between_blocks(translation, statement) {
+        return block_that_touches(translation, statement);
+    }
+    match rim_of_shape(translation, statement) {
+        Some((_, link, center)) => Some(touching_at(translation, link, center)),
+        None => touching(translation, statement),
     }
 }
 

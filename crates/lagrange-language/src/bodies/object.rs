@@ -121,6 +121,8 @@ pub(super) struct Surface {
     pub(super) place: [AstId; 3],
     /// The normal of a plane, the axis of a cylinder or the vertical of a terrain, of length one.
     pub(super) direction: [AstId; 3],
+    /// The length of the vector that states the direction, unless its components are numbers.
+    pub(super) length: Option<AstId>,
     /// Two perpendicular directions in a plane, of length one, whose cross product is its normal;
     /// the axes of the coordinates of a terrain.
     pub(super) tangents: [[AstId; 3]; 2],

@@ -396,6 +396,24 @@ pub enum Obligation {
         /// Its gap.
         gap: AstId,
     },
+    /// A quantity of a contact is within bounds. Runs check it if it depends on parameters.
+    InRange {
+        /// The contact.
+        contact: Name,
+        /// Description in words that precede the name of the contact.
+        quantity: String,
+        /// It.
+        value: AstId,
+        /// Lower bound, with true if it is included.
+        lower: (AstId, bool),
+    },
+    /// The centres of a compliant contact do not coincide.
+    Apart {
+        /// The contact.
+        contact: Name,
+        /// Their distance.
+        distance: AstId,
+    },
     /// The stated moment of inertia should be that of the shape.
     SameInertia {
         /// The body.

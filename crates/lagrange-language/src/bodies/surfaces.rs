@@ -80,8 +80,8 @@ pub(super) fn declare_broken_surface(translation: &mut Translation<'_>, statemen
     let radius = translation.terms().invalid();
     let [place, direction] = [[radius; 3]; 2];
     let (kind, tangents) = (statement.kind, [place; 2]);
-    let (carrier, turning, height) = (None, radius, None);
-    let surface = Surface { kind, carrier, place, direction, tangents, radius, height, turning };
+    let (carrier, turning, length, height) = (None, radius, None, None);
+    let surface = Surface { kind, carrier, place, direction, length, tangents, radius, height, turning };
     translation.names.declare(&statement.name.text, Object::Surface(Box::new(surface)));
 }
 
@@ -99,10 +99,10 @@ fn own_surface(translation: &mut Translation<'_>, statement: &ast::Surface) -> O
     let place = own_place(translation, name, *place);
     let radius = own_radius(translation, *kind, name, *radius);
     let direction = own_direction(translation, *kind, name, *direction);
-    let (direction, tangents) = direction?;
+    let StatedDirection { unit: direction, tangents, length } = direction?;
     let height = own_height(translation, statement)?;
     let (kind, carrier, radius, turning) = (*kind, None, radius?, translation.terms().number(0));
-    Some(Surface { kind, carrier, place, direction, tangents, radius, height, turning })
+    Some(Surface { kind, carrier, place, direction, length, tangents, radius, height, turning })
 }
 
 fn own_place(translation: &mut Translation<'_>, name: &Name, place: Option<AstId>) -> Triple {
@@ -197,31 +197,41 @@ fn own_direction(
     kind: SurfaceKind,
     name: &Name,
     direction: Option<AstId>,
-) -> Option<(Triple, [Triple; 2])> {
+) -> Option<StatedDirection> {
+    let length = None;
     if kind == SurfaceKind::Terrain {
         let is_spatial = translation.space.is_some();
         let mut terms = translation.terms();
         let [x, y, z] = [0, 1, 2].map(|axis| unit(&mut terms, axis));
-        return Some(if is_spatial { (z, [x, y]) } else { (y, [x, z]) });
+        let (unit, tangents) = if is_spatial { (z, [x, y]) } else { (y, [x, z]) };
+        return Some(StatedDirection { unit, tangents, length });
     }
     if !matches!(kind, SurfaceKind::Plane | SurfaceKind::Cylinder) {
         let zero = zero_triple(&mut translation.terms());
-        return Some((zero, [zero; 2]));
+        return Some(StatedDirection { unit: zero, tangents: [zero; 2], length });
     }
     unit_direction(translation, name, kind.labels()[2], direction)
 }
 
-/// Returns a unit direction with two tangents; the third axis by default.
+/// A unit direction with two tangents.
+pub(super) struct StatedDirection {
+    pub(super) unit: Triple,
+    pub(super) tangents: [Triple; 2],
+    /// The length of the stated vector, unless its components are numbers.
+    pub(super) length: Option<AstId>,
+}
+
+/// Returns the direction of a vector; the third axis by default.
 pub(super) fn unit_direction(
     translation: &mut Translation<'_>,
     name: &Name,
     label: &str,
     direction: Option<AstId>,
-) -> Option<(Triple, [Triple; 2])> {
+) -> Option<StatedDirection> {
     let Some(written_direction) = direction else {
         let mut terms = translation.terms();
         let [x, y, z] = [0, 1, 2].map(|axis| unit(&mut terms, axis));
-        return Some((z, [x, y]));
+        return Some(StatedDirection { unit: z, tangents: [x, y], length: None });
     };
     let vector = fixed_triple(translation, written_direction, &words::direction_of(&name.text));
     if let Some(numbers) = triple_of_numbers(translation, vector) {
@@ -236,7 +246,8 @@ pub(super) fn unit_direction(
         let columns = transposed(written(&mut translation.terms(), frame_along(numbers)));
         let [x, y, z] = columns;
         let mut terms = translation.terms();
-        return Some((z, [y, x.map(|component| terms.negative(component))]));
+        let tangents = [y, x.map(|component| terms.negative(component))];
+        return Some(StatedDirection { unit: z, tangents, length: None });
     }
     let mut terms = translation.terms();
     let whole = terms.vector(&vector);
@@ -244,7 +255,7 @@ pub(super) fn unit_direction(
     let normal = vector.map(|component| terms.divide(component, length));
     let normal = bind_vector(translation, &format!("{}_direction", name.text), normal);
     let tangents = tangents_of(&mut translation.terms(), normal);
-    Some((normal, tangents))
+    Some(StatedDirection { unit: normal, tangents, length: Some(length) })
 }
 
 /// Returns two perpendicular directions whose cross product is the unit direction n. If a

@@ -148,10 +148,15 @@ fn touching_link(translation: &mut Translation<'_>, object: AstId) -> Option<Tou
             (link, own, None)
         }
     };
+    Some(Touching { radius, ..touching_at(translation, body, own) })
+}
+
+/// Returns the touching point of a link at these coordinates.
+pub(super) fn touching_at(translation: &mut Translation<'_>, body: usize, own: Triple) -> Touching {
     let center = place_on_link(translation, body, own);
     let velocity = velocity_on_link(translation, body, own);
     let spin = spin_of_link(translation, body);
-    Some(Touching { body, center, velocity, spin, radius })
+    Touching { body, center, velocity, spin, radius: None }
 }
 
 /// Returns the velocity at a place of the body in the plane or the link in space, and the angular
@@ -221,6 +226,6 @@ pub(super) fn surface_of(translation: &mut Translation<'_>, body: usize) -> Opti
         }
     };
     let tangents = [[zero; 3]; 2];
-    let (carrier, height) = (Some(body), None);
-    Some(Surface { kind, carrier, place, direction, tangents, radius, height, turning: zero })
+    let (carrier, length, height) = (Some(body), None, None);
+    Some(Surface { kind, carrier, place, direction, length, tangents, radius, height, turning: zero })
 }

@@ -6,10 +6,12 @@
 //!
 //! Cuboids and rods on each other touch in contact points, which are numbered in the same way. Two
 //! cuboids have up to eight of them, a rod has two, and a ball on one of them has one.
+//!
+//! A cylinder on anything else touches with the rims of its two ends.
 
 use crate::syntax::ast::{
-    ArrayExpression, AstId, Block, CONTACT_POINT, Declaration, Expression, Expressions, Name, Range,
-    Repetition, SceneStatement, Shape, Statement, StatementKind,
+    ArrayExpression, AstId, Block, CONTACT_POINT, Contact, Declaration, END, Expression, Expressions, Name,
+    Range, Repetition, SceneStatement, Shape, Statement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::number::Number;
@@ -22,6 +24,7 @@ const VARIABLE: &str = "corner number";
 const POINTS_OF_CUBOIDS: usize = 8;
 const POINTS_OF_RODS: usize = 2;
 const POINTS_OF_BALLS: usize = 1;
+const ENDS_OF_CYLINDERS: usize = 2;
 
 /// The points in which a shape may touch.
 #[derive(Clone, Copy, Default)]
@@ -31,6 +34,8 @@ struct PointCounts {
     points: usize,
     /// True if edges touch it between their ends, where no corner is.
     is_cylinder: bool,
+    /// Ends of a cylinder in space.
+    ends: usize,
 }
 
 /// Numbers of points by the names of bodies or of their arrays.
@@ -103,7 +108,11 @@ fn corner_counts(statements: &[Statement]) -> CornerCounts {
 impl PointCounts {
     fn of(shape: &Shape) -> Self {
         let is_cylinder = matches!(shape.solid.text.as_str(), "solid_cylinder" | "hollow_cylinder");
-        PointCounts { corners: shape.corner_count(), points: contact_points(shape), is_cylinder }
+        let ends = match (shape.solid.text.as_str(), shape.dimensions.len()) {
+            ("solid_cylinder", 2) | ("hollow_cylinder", 3) => ENDS_OF_CYLINDERS,
+            _ => 0,
+        };
+        PointCounts { corners: shape.corner_count(), points: contact_points(shape), is_cylinder, ends }
     }
 }
 
@@ -129,7 +138,10 @@ fn corners_of(kind: &StatementKind, expressions: &Expressions, counts: &CornerCo
         Expression::Array(ArrayExpression::Element(name)) => &name.text,
         _ => return None,
     };
-    let PointCounts { corners, points, .. } = *counts.get(name)?;
+    let PointCounts { corners, points, ends, .. } = *counts.get(name)?;
+    if ends > 0 && is_whole && has_ends(contact, counts) {
+        return Some(Numbered { body, function: END, count: ends });
+    }
     let surface = counts.get(&contact.surface.text).copied().unwrap_or_default();
     let is_in_ball = contact.is_inside && surface.points == POINTS_OF_BALLS;
     let have_edges = points.max(surface.points) > POINTS_OF_BALLS;
@@ -139,6 +151,11 @@ fn corners_of(kind: &StatementKind, expressions: &Expressions, counts: &CornerCo
         _ => ("corner", corners),
     };
     (count > 0).then_some(Numbered { body, function, count })
+}
+
+/// True if a cylinder touches with its ends: on no other body, and without a radius or a rim.
+fn has_ends(contact: &Contact, counts: &CornerCounts) -> bool {
+    !counts.contains(&contact.surface.text) && contact.radius.or(contact.rim).is_none()
 }
 
 /// Writes `for k in 0..count { contact name[k] = body.corner(k) on … }`.

@@ -33,8 +33,8 @@ pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
 pub use contacts::{Compliance, Contact, ContactDefaults, FrictionNames};
 pub use definitions::{AllowedRange, Definition, EmitItem, Limit, LimitedEntry, Mode, StateKind};
 pub use expressions::{
-    ArrayExpression, BinaryOperator, CONTACT_POINT, CONTACT_POINT_LENGTH, Condition, Expression, Expressions,
-    Fold, IN_AXES, Range,
+    ArrayExpression, BinaryOperator, CONTACT_POINT, CONTACT_POINT_LENGTH, Condition, END, Expression,
+    Expressions, Fold, IN_AXES, Range,
 };
 pub use id::AstId;
 pub use keywords::{Keyword, Soft};

@@ -17,9 +17,6 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{SettingError, StateVector, StepFailure, Violation, reach};
 use crate::tolerance::{INSTANT, TOUCHING};
 
-const NO_FORCES: &str = "no forces of contacts and friction are consistent with this state: friction is too \
-strong for rigid bodies that slip this way (Painlevé paradox)";
-
 /// Returns the system for a motion that starts from this state. Contacts that touch and press are
 /// closed. Friction at rest sticks if it can, and otherwise slips in the direction of the load.
 /// `None` if the system already has these modes.
@@ -30,7 +27,6 @@ strong for rigid bodies that slip this way (Painlevé paradox)";
 /// If any of these holds:
 /// - the system [needs steps](ContactSystem::NEEDS_STEPS);
 /// - a gap or a limit of friction is negative;
-/// - a coefficient of restitution that does not depend on the state is not from 0 to 1;
 /// - a value is not finite;
 /// - no modes fit.
 pub fn begin<M, const N: usize, const K: usize>(
@@ -48,15 +44,19 @@ where
     let (terms, modes) = (system.terms(t, &q, &v), system.modes());
     let is_finite = |values: &[M::Scalar; K]| values.iter().all(|value| value.is_finite());
     if !(is_finite(&terms.gaps) && is_finite(&terms.rates)) {
-        return Err(StepFailure::NotFinite);
+        return Err(terms.not_finite(system, t, &q));
     }
-    terms.restitutions(system, &modes, |k| !system.restitution_varies(k))?;
     terms.check_limits(system, &modes, &terms.rows)?;
-    let position = Position::of(system, &terms, [t, M::Scalar::ZERO], (&q, &v));
+    let mut position = Position::of(system, &terms, [t, M::Scalar::ZERO], (&q, &v));
+    for k in (0..K).filter(|k| system.gradient_jumps(*k)) {
+        if position.is_beyond[k] && terms.is_flat(system, k, t, &q) {
+            (position.is_beyond[k], position.is_touching[k]) = (false, true);
+        }
+    }
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
         return Err(StepFailure::Violated(Violation::of_gap(system.reaction_name(k), terms.gaps[k])));
     }
-    let settled = terms.settle(&modes, &position, None)?;
+    let settled = terms.settle(system, &modes, &position, None)?;
     Ok((settled != modes).then(|| system.in_modes(settled)))
 }
 
@@ -141,12 +141,16 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     ///
     /// # Errors
     /// If there are none, or if something is not finite.
-    pub(super) fn settle(
+    pub(super) fn settle<M>(
         &self,
+        system: &M,
         modes: &[Mode; K],
         position: &Position<K>,
         ended: Option<(usize, Choice<S>)>,
-    ) -> Result<[Mode; K], StepFailure<S>> {
+    ) -> Result<[Mode; K], StepFailure<S>>
+    where
+        M: ContactSystem<N, K, Scalar = S>,
+    {
         let mut choices = [Choice::Only(Rule::Smooth); K];
         let giving_way =
             ended.filter(|(_, choice)| *choice == Choice::GiveWay).map(|_| Forces::under(self, modes));
@@ -180,7 +184,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         if !balance.is_finite() {
             return Err(StepFailure::NotFinite);
         }
-        let settled = balance.settle(&choices).ok_or(StepFailure::Stuck(NO_FORCES))?;
+        let Some(settled) = balance.settle(&choices) else {
+            return Err(self.inconsistent(system, modes, [&position.is_touching, &position.is_still]));
+        };
         let mut result = *modes;
         for k in 0..K {
             let is_limited = balance.fixed(k, &settled.reactions) > nothing();

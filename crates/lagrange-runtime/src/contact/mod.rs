@@ -30,7 +30,7 @@
 //!   the direction of the load. If friction is so strong that no forces are consistent (Painlevé's
 //!   paradox), the contact jams: an impact without approach stops its slip. A motion that would
 //!   have to start in this state, or that remains inconsistent after a jam, ends with
-//!   [`StepFailure::Stuck`].
+//!   [`StepFailure::Painleve`].
 //! - **Impacts on touching bodies are simultaneous.** Two equal touching balls that are hit
 //!   elastically by a third leave with 2/3 of its speed, and it rebounds with 1/3. If they are
 //!   slightly apart, they are hit one after the other, and the last one leaves with the full speed,
@@ -65,9 +65,11 @@
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth
 //! Mechanics*, 3rd ed., §5.
 
+mod blame;
 mod choice;
 mod complementarity;
 mod cone;
+mod flatness;
 mod forces;
 mod guards;
 mod heading;
@@ -221,10 +223,6 @@ pub trait ContactSystem<const N: usize, const K: usize>: MechanicalSystem + Size
     /// whose points jump. `None` for other systems.
     const NEEDS_STEPS: Option<&'static str> = None;
 
-    /// True for each reaction whose coefficient of restitution depends on time or the state. Such a
-    /// coefficient is checked at impacts only, others also at the start of a motion.
-    const RESTITUTIONS_VARY: [bool; K] = [false; K];
-
     /// True for each friction whose limit contains constraint forces, which press from either side:
     /// such a limit counts by its magnitude. Other limits must not be negative.
     const LIMITS_REVERSE: [bool; K] = [false; K];
@@ -240,10 +238,11 @@ pub trait ContactSystem<const N: usize, const K: usize>: MechanicalSystem + Size
     #[must_use]
     fn in_modes(&self, modes: [Mode; K]) -> Self;
 
-    /// Checks parameters with a declared range.
+    /// Checks parameters with a declared range, and quantities of contacts that depend on
+    /// parameters.
     ///
     /// # Errors
-    /// If a parameter is out of range.
+    /// If one is out of range.
     fn check(&self) -> Result<(), StepFailure<Self::Scalar>> {
         Ok(())
     }
@@ -284,12 +283,6 @@ pub trait ContactSystem<const N: usize, const K: usize>: MechanicalSystem + Size
     /// Returns [`NEEDS_STEPS`](Self::NEEDS_STEPS), for systems in which it is no constant.
     fn needs_steps(&self) -> Option<&'static str> {
         Self::NEEDS_STEPS
-    }
-
-    /// Returns an entry of [`RESTITUTIONS_VARY`](Self::RESTITUTIONS_VARY), for systems in which it
-    /// is no constant.
-    fn restitution_varies(&self, k: usize) -> bool {
-        Self::RESTITUTIONS_VARY[k]
     }
 
     /// Returns an entry of [`LIMITS_REVERSE`](Self::LIMITS_REVERSE), for systems in which it is no

@@ -135,12 +135,12 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         ended: Option<(usize, Choice<M::Scalar>)>,
     ) -> Result<[Mode; K], StepFailure<M::Scalar>> {
         let (terms, modes) = (self.terms(v), self.system.modes());
-        let settled = terms.settle(&modes, position, ended);
+        let settled = terms.settle(self.system, &modes, position, ended);
         let fits = match &settled {
             Ok(settled) => !ended.is_some_and(|(k, choice)| {
                 choice == Choice::Only(Rule::Absent) && is_drawn_in(&terms, settled, k)
             }),
-            Err(cause) => !matches!(cause, StepFailure::Stuck(_)),
+            Err(cause) => !matches!(cause, StepFailure::Stuck(_) | StepFailure::Painleve { .. }),
         };
         let is_pressed = array::from_fn(|k| position.is_touching[k] && position.is_still[k]);
         let Some(jam) = (!fits).then(|| terms.jam(v, &modes, &is_pressed)).flatten() else { return settled };
@@ -149,7 +149,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             *is_still |= stays;
         }
         halt(&self.terms(v), v, jam.is_still);
-        self.terms(v).settle(&modes, position, None)
+        self.terms(v).settle(self.system, &modes, position, None)
     }
 }
 

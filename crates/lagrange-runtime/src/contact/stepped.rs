@@ -322,7 +322,7 @@ where
         }
         let mut step = ContactStep::new(terms, &metric, &modes, [h, closed]);
         if !step.is_finite() {
-            return Err(StepFailure::NotFinite);
+            return Err(step.terms.not_finite(system, t, &q));
         }
         let restitutions = step.terms.restitutions(system, &modes, |_| true)?;
         if step.terms.may_have_negative_limits(&modes) {

@@ -169,7 +169,6 @@ where
 
     const REACTIONS: [&'static str; K] = M::REACTIONS;
     const NEEDS_STEPS: Option<&'static str> = M::NEEDS_STEPS;
-    const RESTITUTIONS_VARY: [bool; K] = M::RESTITUTIONS_VARY;
     const LIMITS_REVERSE: [bool; K] = M::LIMITS_REVERSE;
     const GRADIENTS_JUMP: [bool; K] = M::GRADIENTS_JUMP;
 
@@ -214,10 +213,6 @@ where
 
     fn needs_steps(&self) -> Option<&'static str> {
         self.plant.needs_steps()
-    }
-
-    fn restitution_varies(&self, k: usize) -> bool {
-        self.plant.restitution_varies(k)
     }
 
     fn limit_reverses(&self, k: usize) -> bool {

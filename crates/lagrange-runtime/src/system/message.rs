@@ -81,6 +81,14 @@ pub(crate) fn explain<S: Debug>(
             "the limit of friction `{friction}` is negative ({value:?}); it is the magnitude of a force, which \
             always opposes the slip velocity"
         ),
+        StepFailure::Painleve { contact, coefficient, critical } => {
+            write!(
+                f,
+                "the coefficient of friction {coefficient:?} of contact `{contact}` leaves no consistent forces for bodies \
+                that slip this way (Painlevé paradox)"
+            )?;
+            critical.as_ref().map_or(Ok(()), |critical| write!(f, "; it must be less than {critical:?}"))
+        }
         StepFailure::Residual { reaction, value } => write!(
             f,
             "the impulse of `{reaction}` over a step misses the law of contacts by the rate {value:?}, more than the \

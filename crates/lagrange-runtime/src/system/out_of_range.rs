@@ -1,9 +1,9 @@
-//! Parameters and entries of the state outside of their declared ranges.
+//! Parameters, entries of the state and quantities of contacts outside of their ranges.
 
 use core::fmt::{Debug, Display, Formatter, Result as Written};
 use core::ops::{Bound, RangeBounds};
 
-/// The kind of a quantity with a declared range.
+/// The kind of a quantity with a range.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RangedKind {
     /// A parameter of the system.
@@ -14,6 +14,9 @@ pub enum RangedKind {
     Velocity,
     /// A first-order or a discrete state.
     State,
+    /// A quantity of a contact, in words that precede its name, such as `stiffness of contact`. It
+    /// depends on parameters.
+    OfContact(&'static str),
 }
 
 impl Display for RangedKind {
@@ -23,11 +26,13 @@ impl Display for RangedKind {
             RangedKind::Coordinate => "coordinate",
             RangedKind::Velocity => "velocity",
             RangedKind::State => "state",
+            RangedKind::OfContact(quantity) => quantity,
         })
     }
 }
 
-/// A parameter, or an entry of the state, with a value outside of its declared range, or NaN.
+/// A parameter, an entry of the state, or a quantity of a contact, with a value outside of its
+/// range, or NaN.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OutOfRange<S> {
     /// Its kind.

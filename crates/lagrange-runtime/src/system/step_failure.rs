@@ -73,7 +73,7 @@ pub enum StepFailure<S> {
     },
     /// A state violates a constraint and cannot be brought onto it.
     Violated(Violation<S>),
-    /// A parameter, or an entry of the state, is outside of its declared range.
+    /// A parameter, an entry of the state, or a quantity of a contact is outside of its range.
     OutOfRange(OutOfRange<S>),
     /// A delay is not positive and finite, or too short for the run.
     Delay {
@@ -84,7 +84,7 @@ pub enum StepFailure<S> {
         /// The reason.
         fault: DelayFault<S>,
     },
-    /// A coefficient of restitution is not between 0 and 1.
+    /// A coefficient of restitution that depends on time or the state is not between 0 and 1.
     Restitution {
         /// The name of the contact.
         contact: &'static str,
@@ -104,6 +104,16 @@ pub enum StepFailure<S> {
         reaction: &'static str,
         /// The violation, as a rate.
         value: S,
+    },
+    /// No forces of contacts fit the state: friction is so strong that a contact that slips would
+    /// have to be pulled (Painlevé's paradox).
+    Painleve {
+        /// The name of the contact.
+        contact: &'static str,
+        /// Its coefficient of friction while it slips.
+        coefficient: S,
+        /// The coefficient from which the paradox occurs in this contact alone, if it does.
+        critical: Option<S>,
     },
     /// No motion continues from here, for this reason: no contact forces or friction fit the state,
     /// or a method of another crate failed.
@@ -199,7 +209,9 @@ impl<S> StepFailure<S> {
     pub fn is_refusal(&self) -> bool {
         match self {
             StepFailure::Setting(_) | StepFailure::Delay { .. } => true,
-            StepFailure::OutOfRange(outside) => outside.kind == RangedKind::Parameter,
+            StepFailure::OutOfRange(outside) => {
+                matches!(outside.kind, RangedKind::Parameter | RangedKind::OfContact(_))
+            }
             _ => false,
         }
     }

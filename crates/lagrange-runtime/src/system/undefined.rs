@@ -59,6 +59,13 @@ pub enum Undefined<S> {
         /// Time of the evaluation.
         time: S,
     },
+    /// The gap or the normal of a contact.
+    Contact {
+        /// Its name.
+        name: &'static str,
+        /// Time of the evaluation.
+        time: S,
+    },
     /// The mass matrix, which is singular, so that accelerations do not follow from forces.
     MassMatrix {
         /// The velocity of the first pivot that is lost in rounding when velocities are eliminated
@@ -128,6 +135,17 @@ impl<S: Scalar> Undefined<S> {
             (Undefined::Rate { .. } | Undefined::MassMatrix { .. }, Some(&(name, _))) => {
                 Undefined::Unknown { name, time }
             }
+            _ => self,
+        }
+    }
+
+    /// Replaces the number with the first of these contacts whose centres coincide, if there is
+    /// one. Each has the distance of its centres or, on a cylinder, from the axis.
+    #[must_use]
+    pub fn with_contacts(self, time: S, distances: &[(&'static str, S)]) -> Self {
+        let concentric = distances.iter().find(|(_, distance)| *distance == S::ZERO);
+        match (self, concentric) {
+            (Undefined::Rate { .. }, Some(&(name, _))) => Undefined::Contact { name, time },
             _ => self,
         }
     }
@@ -209,6 +227,11 @@ impl<S: Debug> Display for Undefined<S> {
             Undefined::Unknown { name, time } => write!(
                 f,
                 "there is no solution for `{name}` at time {time:?}: its equation has none there, or Newton's method does not reach it from the start"
+            ),
+            Undefined::Contact { name, time } => write!(
+                f,
+                "the gap or normal of contact `{name}` is undefined at time {time:?}: its centres coincide, or a ball does \
+                 not fit terrain"
             ),
             Undefined::MassMatrix { velocity, pivot, time } => write!(
                 f,

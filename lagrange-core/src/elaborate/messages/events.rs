@@ -36,6 +36,7 @@ messages! {
         "write `falling` if the function is positive where they are apart, `rising` if it is negative there";
 
     RESTITUTION = "a coefficient of restitution";
+    RESTITUTION_OF_CONTACT = "coefficient of restitution of contact";
     restitution_out_of_range(value) = "the coefficient of restitution {value} is not between 0 and 1";
     RESTITUTION_HELP =
         "it is the ratio of the speeds after and before: 0 if bodies stay together, 1 if no energy is lost";

@@ -38,8 +38,6 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) is_damped: bool,
     /// The body of `SwitchedSystem::switch_times`, if any time is known.
     pub(in crate::emit) switch_times: Option<TokenStream>,
-    /// True for each reaction whose coefficient of restitution depends on time or the state.
-    pub(in crate::emit) restitutions_vary: Vec<bool>,
     /// The reason why only steps can simulate a system with contacts.
     pub(in crate::emit) needs_steps: Option<String>,
     /// True for each friction whose limit contains constraint forces.
@@ -52,7 +50,7 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) motions: TokenStream,
     /// Ranges and nominal values of the entries of the state.
     pub(in crate::emit) limits: Vec<EntryLimits>,
-    /// The body of `check_parameters`, if any parameter has a range.
+    /// The body of `check_parameters`, if any parameter or quantity of a contact has a range.
     pub(in crate::emit) ranges: Option<TokenStream>,
     /// The body of `start`, if initial values are declared.
     pub(in crate::emit) start: Option<TokenStream>,
@@ -77,6 +75,9 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) solvers: TokenStream,
     /// Statements and a list of the unknowns in rates, each with its name and its value.
     pub(in crate::emit) unknowns: Option<TokenStream>,
+    /// Statements and a list of the distances of compliant contacts, each with the name of the
+    /// contact.
+    pub(in crate::emit) distances: Option<TokenStream>,
     /// Parameters of the regressor, if requested.
     pub(in crate::emit) regressor: Option<Regressed>,
     /// True if tests in the user's crate check laws.

@@ -35,7 +35,6 @@ pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&st
         write_hooks(writer);
     }
     writer.members.terms = touching_terms(writer);
-    writer.members.restitutions_vary = varying_restitutions(writer.model);
     writer.members.limits_reverse = reversing_limits(writer.model);
     writer.members.gradients_jump = jumping_gradients(writer.model);
     writer.members.needs_steps = needs_steps(writer.shape, writer.model);
@@ -85,17 +84,6 @@ fn write_acceleration(
     };
     writer.push_method("acceleration", docs, accelerations.len(), body, counts);
     counts
-}
-
-/// Returns true for each reaction with a coefficient of restitution that depends on time or the
-/// state.
-pub(in crate::emit) fn varying_restitutions(model: &Model) -> Vec<bool> {
-    let graph = &model.graph;
-    let varies = |kind: &ReactionKind| match kind {
-        ReactionKind::Contact { restitution, .. } => graph.dependencies(*restitution).may_change(),
-        _ => false,
-    };
-    model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
 }
 
 /// Returns the reason why only steps can simulate a system, if there is one.
@@ -201,7 +189,6 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
                 ::core::option::Option::Some(#message);
         }
     });
-    let vary = flags("RESTITUTIONS_VARY", &members.restitutions_vary);
     let reverse = flags("LIMITS_REVERSE", &members.limits_reverse);
     let jump = flags("GRADIENTS_JUMP", &members.gradients_jump);
     quote! {
@@ -209,7 +196,6 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
         impl #bounds #krate::contact::ContactSystem<#nv, #k> for #name #generics {
             const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
             #needs_steps
-            #vary
             #reverse
             #jump
             #modes

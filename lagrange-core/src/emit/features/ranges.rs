@@ -1,4 +1,5 @@
-//! Check that parameters are in their declared ranges, and the domain of the state.
+//! Check that parameters are in their declared ranges, and quantities of contacts in theirs. The
+//! domain of the state.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -6,38 +7,83 @@ use quote::{format_ident, quote};
 use super::orientations::written_velocity;
 use crate::emit::base::fields::places;
 use crate::emit::base::members::Members;
+use crate::emit::base::method::Arguments;
 use crate::emit::base::shape::{Shape, doc, length};
 use crate::emit::base::writer::MethodWriter;
-use crate::model::{Bound, EntryLimits};
+use crate::model::{Bound, EntryLimits, Quantity};
 use lagrange_algebra::code::float;
 
-/// Writes the limits of the state, and the body of `check_parameters` if any parameter has a range.
+/// Writes the limits of the state, and the body of `check_parameters` if any parameter or quantity
+/// of a contact has a range.
 pub(in crate::emit) fn write_ranges(writer: &mut MethodWriter<'_>) {
     writer.members.limits = writer.model.entry_limits();
+    let (parameters, quantities) = (parameter_checks(writer), quantity_checks(writer));
+    if parameters.is_none() && quantities.is_none() {
+        return;
+    }
+    let end = quantities.unwrap_or_else(|| quote!(::core::result::Result::Ok(())));
+    writer.members.ranges = Some(quote!(#parameters #end));
+}
+
+/// Writes the checks of quantities of contacts with the final result, if there are any.
+fn quantity_checks(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
+    let quantities = writer.model.quantities.clone();
+    if quantities.is_empty() {
+        return None;
+    }
+    let (shape, krate) = (writer.shape, writer.shape.krate);
+    let values = |quantity: &Quantity| {
+        let bounds = quantity.range.iter().flatten().map(|bound| bound.value);
+        [quantity.value].into_iter().chain(bounds).collect::<Vec<_>>()
+    };
+    let roots = quantities.iter().flat_map(values).collect::<Vec<_>>();
+    let collect = |results: &[TokenStream]| {
+        let mut results = results.iter();
+        let checks = quantities.iter().map(|Quantity { contact, quantity, range, .. }| {
+            let value = results.next();
+            let [lower, upper] = range.map(|bound| written_bound(bound, &mut results));
+            let contact = shape.written(contact);
+            quote! {
+                #krate::system::OutOfRange::check(
+                    #krate::system::RangedKind::OfContact(#quantity), #contact, #value, (#lower, #upper), ""
+                )?;
+            }
+        });
+        let checks = checks.collect::<TokenStream>();
+        quote!(#checks ::core::result::Result::Ok(()))
+    };
+    Some(writer.lowered_as_declared(&roots, Arguments::None, collect).0)
+}
+
+/// Writes a bound with the next of these values.
+fn written_bound<'v>(
+    bound: Option<Bound>,
+    values: &mut impl Iterator<Item = &'v TokenStream>,
+) -> TokenStream {
+    let value = bound.and_then(|_| values.next());
+    match bound {
+        None => quote!(::core::ops::Bound::Unbounded),
+        Some(bound) if bound.is_included => quote!(::core::ops::Bound::Included(#value)),
+        Some(_) => quote!(::core::ops::Bound::Excluded(#value)),
+    }
+}
+
+/// Writes the checks of parameters, if any has a range.
+fn parameter_checks(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
     let parameters = writer.model.parameters.clone();
     let limits = parameters.iter().flat_map(|parameter| &parameter.range).flatten();
     let values = limits.map(|limit| limit.value).collect::<Vec<_>>();
     if values.is_empty() {
-        return;
+        return None;
     }
-    let Some(body) = writer.constants(&values) else { return };
+    let body = writer.constants(&values)?;
     let (shape, krate) = (writer.shape, writer.shape.krate);
     let mut values = body.outputs.iter();
-    let mut bound = |bound: &Option<Bound>| match bound {
-        None => quote!(::core::ops::Bound::Unbounded),
-        Some(bound) => {
-            let value = values.by_ref().take(1);
-            match bound.is_included {
-                true => quote!(::core::ops::Bound::Included(#(#value)*)),
-                false => quote!(::core::ops::Bound::Excluded(#(#value)*)),
-            }
-        }
-    };
     let places = places(&shape.number_fields());
     let checks = parameters.iter().zip(&shape.fields).zip(places).filter_map(|((parameter, name), place)| {
         let [lower, upper] = &parameter.range;
         lower.as_ref().or(upper.as_ref())?;
-        let range = [bound(lower), bound(upper)];
+        let range = [lower, upper].map(|bound| written_bound(*bound, &mut values));
         let written = shape.written(name);
         let unit = shape.shown_unit(&name.text);
         Some(quote! {
@@ -47,18 +93,18 @@ pub(in crate::emit) fn write_ranges(writer: &mut MethodWriter<'_>) {
         })
     });
     let (checks, statements) = (checks.collect::<TokenStream>(), &body.statements);
-    writer.members.ranges = Some(quote!(#statements #checks ::core::result::Result::Ok(())));
+    Some(quote!(#statements #checks))
 }
 
 /// Writes the method `check_parameters`.
 pub(in crate::emit) fn check_method(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, scalar, body) = (shape.krate, shape.scalar(), members.ranges.as_ref()?);
     let docs = [
-        "Checks that parameters are in their declared ranges. Runs do so before the first step.",
+        "Checks that parameters, and quantities of contacts, are in their ranges. Runs do so before the first step.",
         "",
         "# Errors",
         "",
-        "The first parameter that is outside of its range, or NaN.",
+        "The first one that is outside of its range, or NaN.",
     ];
     let docs = docs.map(doc);
     Some(quote! {

@@ -19,6 +19,7 @@ const LONGEST_EQUATION: u64 = 60;
 /// Writes the unknowns on which accelerations and rates of states depend, so that errors name the
 /// one without a value.
 pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
+    write_distances(writer);
     let rates = [&writer.equations.accelerations[..], &writer.model.position_rates()].concat();
     let graph = &writer.model.graph;
     let (mut roots, mut names) = (Vec::new(), Vec::new());
@@ -35,6 +36,17 @@ pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
     }
     let (body, _) = writer.lowered(&roots, Arguments::State, |values| quote!([#((#names, #values)),*]));
     writer.members.unknowns = Some(body);
+}
+
+/// Writes the distances of the centres of compliant contacts, so that errors name one that is zero.
+fn write_distances(writer: &mut MethodWriter<'_>) {
+    let (names, roots): (Vec<_>, Vec<_>) = writer.model.distances.iter().cloned().unzip();
+    if roots.is_empty() {
+        return;
+    }
+    let names = names.iter().map(|name| writer.shape.written(name)).collect::<Vec<_>>();
+    let (body, _) = writer.lowered(&roots, Arguments::State, |values| quote!([#((#names, #values)),*]));
+    writer.members.distances = Some(body);
 }
 
 /// Writes a function for each unknown that methods mention, or for those that are solved for

@@ -77,11 +77,11 @@ const _: () = {
                 theta_dot: S::ONE / l,
             }
         }
-        /// Checks that parameters are in their declared ranges. Runs do so before the first step.
+        /// Checks that parameters, and quantities of contacts, are in their ranges. Runs do so before the first step.
         ///
         /// # Errors
         ///
-        /// The first parameter that is outside of its range, or NaN.
+        /// The first one that is outside of its range, or NaN.
         pub fn check_parameters(
             &self,
         ) -> ::core::result::Result<(), ::lagrange::system::OutOfRange<S>> {

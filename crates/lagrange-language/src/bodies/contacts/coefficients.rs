@@ -1,9 +1,12 @@
 //! Coefficients of friction and restitution, the compliance and the radius of a contact.
+//!
+//! Numbers out of range are reported. Runs check values that depend on parameters.
 
 use crate::bodies::constants::number;
 use crate::bodies::expressions::mention;
 use crate::bodies::mass_geometry::property;
 use crate::bodies::messages::contacts as words;
+use crate::bodies::plain::Obligation;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId};
@@ -20,27 +23,28 @@ pub(super) fn coefficients(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
 ) -> Option<Option<[Coefficient; 2]>> {
-    let given = [statement.friction.or(statement.kinetic), statement.friction.or(statement.fixed)];
-    let [Some(kinetic), Some(fixed)] = given else { return Some(None) };
     let name = &statement.name.text;
-    let [kinetic, fixed] =
-        [kinetic, fixed].map(|written| Coefficient { written, value: mention(translation, written) });
-    let sizes = [kinetic, fixed].map(|coefficient| size_of(translation, coefficient.value));
-    let is_negative = |size: &Option<f64>| size.is_some_and(|size| size < 0.0);
-    let (written, message, help) = match sizes {
-        [kinetic_size, _] if is_negative(&kinetic_size) => {
-            (kinetic.written, words::negative_coefficient(name), words::NEGATIVE_COEFFICIENT_HELP)
-        }
-        [_, fixed_size] if is_negative(&fixed_size) => {
-            (fixed.written, words::negative_coefficient(name), words::NEGATIVE_COEFFICIENT_HELP)
-        }
-        [Some(low), Some(high)] if high < low => {
-            (fixed.written, words::static_below_kinetic(name), words::STATIC_BELOW_KINETIC_HELP)
-        }
-        _ => return Some(Some([kinetic, fixed])),
+    let mut coefficient = |label: &'static str, written: AstId| {
+        let coefficient = Coefficient { written, value: mention(translation, written) };
+        let words = (words::negative_coefficient(name), words::NEGATIVE_COEFFICIENT_HELP);
+        is_in_range(translation, statement, (label, coefficient), true, words).then_some(coefficient)
     };
-    translation.report.error(translation.expressions.origin(written), message).help(help);
-    None
+    if let Some(friction) = statement.friction {
+        return coefficient("friction", friction).map(|both| Some([both; 2]));
+    }
+    let (Some(kinetic), Some(fixed)) = (statement.kinetic, statement.fixed) else { return Some(None) };
+    let (kinetic, fixed) = (coefficient("kinetic", kinetic)?, coefficient("static", fixed)?);
+    let sizes = [kinetic, fixed].map(|coefficient| size_of(translation, coefficient.value));
+    if let [Some(low), Some(high)] = sizes
+        && high < low
+    {
+        let origin = translation.expressions.origin(fixed.written);
+        let error = translation.report.error(origin, words::static_below_kinetic(name));
+        error.help(words::STATIC_BELOW_KINETIC_HELP);
+        return None;
+    }
+    oblige(translation, statement, words::label("static"), fixed.value, (kinetic.value, true));
+    Some(Some([kinetic, fixed]))
 }
 
 /// Returns the coefficient of restitution, 0 by default.
@@ -60,13 +64,40 @@ pub(super) fn restitution(translation: &mut Translation<'_>, statement: &ast::Co
 pub(super) fn radius(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Option<AstId>> {
     let Some(written) = statement.radius else { return Some(None) };
     let value = property(translation, written, &words::radius_of(&statement.name.text));
-    if size_of(translation, value).is_none_or(|size| size >= 0.0) {
-        return Some(Some(value));
+    let words = (words::negative_radius(&statement.name.text), words::NEGATIVE_RADIUS_HELP);
+    let radius = Coefficient { written, value };
+    is_in_range(translation, statement, ("radius", radius), true, words).then_some(Some(value))
+}
+
+/// Reports a number below zero, or zero unless it `may_be_zero`. Runs check other values. False
+/// after an error.
+pub(super) fn is_in_range(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    (label, Coefficient { written, value }): (&str, Coefficient),
+    may_be_zero: bool,
+    (message, help): (String, &str),
+) -> bool {
+    let is_wrong = |size: f64| size < 0.0 || size == 0.0 && !may_be_zero;
+    if size_of(translation, value).is_some_and(is_wrong) {
+        translation.report.error(translation.expressions.origin(written), message).help(help);
+        return false;
     }
-    let origin = translation.expressions.origin(written);
-    let message = words::negative_radius(&statement.name.text);
-    translation.report.error(origin, message).help(words::NEGATIVE_RADIUS_HELP);
-    None
+    let zero = translation.terms().number(0);
+    oblige(translation, statement, words::label(label), value, (zero, may_be_zero));
+    true
+}
+
+/// Obliges a quantity of a contact to have this lower bound, which may be included.
+pub(super) fn oblige(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    quantity: String,
+    value: AstId,
+    lower: (AstId, bool),
+) {
+    let contact = statement.name.clone();
+    translation.obligations.push(Obligation::InRange { contact, quantity, value, lower });
 }
 
 fn size_of(translation: &Translation<'_>, value: AstId) -> Option<f64> {
@@ -105,14 +136,10 @@ pub(super) fn turning_coefficients(
     let [rolling, spinning] =
         [(statement.rolling, "rolling"), (statement.spinning, "spinning")].map(|(written, kind)| {
             let written = written?;
-            let value = mention(translation, written);
-            if size_of(translation, value).is_some_and(|size| size < 0.0) {
-                let message = words::negative_turning(kind, name);
-                let error = translation.report.error(translation.expressions.origin(written), message);
-                error.help(words::NEGATIVE_TURNING_HELP);
-                is_sound = false;
-            }
-            Some(Coefficient { written, value })
+            let coefficient = Coefficient { written, value: mention(translation, written) };
+            let words = (words::negative_turning(kind, name), words::NEGATIVE_TURNING_HELP);
+            is_sound &= is_in_range(translation, statement, (kind, coefficient), true, words);
+            Some(coefficient)
         });
     is_sound.then_some(TurningCoefficients { rolling, spinning })
 }
@@ -172,11 +199,10 @@ fn are_possible(
         statement.compliance.values().into_iter().zip(values).zip(words)
     {
         let (Some(written), Some(value)) = (written, value) else { continue };
-        let is_wrong = |size: f64| size < 0.0 || size == 0.0 && label != "dissipation";
-        if size_of(translation, value).is_some_and(is_wrong) {
-            translation.report.error(translation.expressions.origin(written), message).help(help);
-            are_possible = false;
-        }
+        let coefficient = Coefficient { written, value };
+        let may_be_zero = label == "dissipation";
+        are_possible &=
+            is_in_range(translation, statement, (label, coefficient), may_be_zero, (message, help));
     }
     are_possible
 }

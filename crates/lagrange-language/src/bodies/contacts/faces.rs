@@ -91,8 +91,8 @@ pub(super) fn surface_of_block(
     let zero = translation.terms().number(0);
     let [place, direction] = [[zero; 3]; 2];
     let (kind, carrier, tangents) = (SurfaceKind::Plane, Some(index), [place; 2]);
-    let height = None;
-    Some(Surface { kind, carrier, place, direction, tangents, radius: zero, height, turning: zero })
+    let (length, height) = (None, None);
+    Some(Surface { kind, carrier, place, direction, length, tangents, radius: zero, height, turning: zero })
 }
 
 /// The geometry of a contact point of two blocks.

@@ -20,6 +20,7 @@
 //! Source: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, ch. 4.
 
 use crate::bodies::object::Surface;
+use crate::bodies::plain::Obligation;
 use crate::bodies::space::vectors::{Triple, cross, inner, minus, plus, scale, unit};
 use crate::bodies::surfaces::{bind_vector, scene_vector, tangents_of};
 use crate::bodies::terms::TermWriter;
@@ -96,6 +97,10 @@ fn away_from(
     let whole = scene_vector(translation, arm);
     let distance = translation.terms().call("norm", &[whole]);
     let distance = translation.bind(&format!("{name}_distance"), distance);
+    if statement.compliance.way().is_some() {
+        let contact = statement.name.clone();
+        translation.obligations.push(Obligation::Apart { contact, distance });
+    }
     let mut terms = translation.terms();
     (distance, arm.map(|component| terms.divide(component, distance)))
 }

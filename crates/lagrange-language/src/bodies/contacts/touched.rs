@@ -68,7 +68,8 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
         };
         let (place, radius) = (zero_triple(&mut terms), terms.number(0));
         let (carrier, turning, height) = (None, radius, None);
-        let ground = Surface { kind, carrier, place, direction, tangents, radius, height, turning };
+        let length = None;
+        let ground = Surface { kind, carrier, place, direction, length, tangents, radius, height, turning };
         if !has_drawn(translation, &name.text) {
             draw_if_wanted(translation, &name.text, &ground);
         }
@@ -104,6 +105,6 @@ fn surface_of_line(translation: &mut Translation<'_>, line: usize) -> Surface {
     let [tangent, normal] = terms.axes(angle).map(|[x, y]| [x, y, zero]);
     let down = unit(&mut terms, 2).map(|component| terms.negative(component));
     let (place, tangents) = ([x, y, zero], [tangent, down]);
-    let (kind, height) = (SurfaceKind::Line, None);
-    Surface { kind, carrier: body, place, direction: normal, tangents, radius: zero, height, turning }
+    let (kind, length, height) = (SurfaceKind::Line, None, None);
+    Surface { kind, carrier: body, place, direction: normal, length, tangents, radius: zero, height, turning }
 }

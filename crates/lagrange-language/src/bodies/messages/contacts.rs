@@ -5,6 +5,11 @@ use lagrange_expr::diagnostics::messages;
 messages! {
     pub(in crate::bodies):
 
+    label(label) = "`{label}` of contact";
+    length_of_direction(name) = "length of the direction of `{name}` in contact";
+    radius_of_surface(name) = "radius of `{name}` in contact";
+    RADIUS_OF_BODY = "radius of the body in contact";
+    LENGTH_OF_AXIS = "length of `axis` of contact";
     TOUCHING_POINT = "a touching point";
     place_of(name) = "the position of `{name}`";
     radius_of(name) = "the radius of `{name}`";

@@ -49,6 +49,10 @@ pub const IN_AXES: &str = "in";
 /// many there are, and the centre, axes, half sizes and radius of both blocks.
 pub const CONTACT_POINT: &str = "contact point";
 
+/// The function of the end of a cylinder, a circle, which no identifier is called. It takes a body
+/// and the number of the end.
+pub const END: &str = "end of a cylinder";
+
 /// Numbers of a contact point: its places in both blocks, its normal, a tangent and a distance.
 pub const CONTACT_POINT_LENGTH: usize = 13;
 
