@@ -53,7 +53,7 @@ macro_rules! refused {
     ($system:expr $(, $method:expr)?) => {{
         let system = $system;
         let checked = system.check_parameters().expect_err("a value out of range");
-        assert!(matches!(checked.kind, RangedKind::OfContact(_)));
+        assert_eq!(checked.kind, RangedKind::OfContact);
         let error = system.simulate(START).until(0.1).run().map(drop).expect_err("a run");
         assert!(error.cause.is_refusal() && error.to_string().starts_with(&checked.to_string()), "{error}");
         $(

@@ -282,10 +282,10 @@ fn motions_fail_as_they_do_alone() {
 fn stiff_motions_are_refused_among_others() {
     static MOTOR: Motor = Motor { k: 0.3, r: 1.5, inductance: 0.05 };
     let motors = || {
-        let motions = MOTOR.ensemble(9).start(|index, _| [0.1 * index as f64, -1.0, 0.0]).until(2000.0);
+        let motions = MOTOR.ensemble(9).start(|index, _| [0.1 * index as f64, -1.0, 0.0]);
         let motions =
             motions.parameters(|index, motor| motor.inductance = if index == 3 { 1e-5 } else { 0.05 });
-        motions.method(Taylor::tolerance(1e-8))
+        motions.until(2000.0).method(Taylor::tolerance(1e-8))
     };
     assert_eq!(failures(motors), [3]);
     let ends = motors().run().expect("runs");

@@ -11,7 +11,7 @@ use std::sync::{Mutex, PoisonError};
 
 use lagrange_core::emit::{ReactionOfSystem, Variables};
 use lagrange_core::model::EntryLimits;
-use lagrange_core::pipeline::{BoundedQuantity, Programs};
+use lagrange_core::pipeline::Programs;
 use lagrange_core::syntax::ast;
 use lagrange_runtime::event::{DeclaredEvent, Direction};
 use lagrange_runtime::system::{Description, Domain, EntryRange, MatrixLayout, RangedKind};
@@ -43,8 +43,8 @@ pub(crate) struct Names {
     pub(crate) unknowns: Texts,
     /// Names of compliant contacts with round surfaces.
     pub(crate) round_contacts: Texts,
-    /// Quantities of contacts, with the names of these.
-    pub(crate) quantities: &'static [(RangedKind, &'static str)],
+    /// Quantities of contacts, in words.
+    pub(crate) quantities: Texts,
     /// The reason why the motion has no Taylor series, if it has none.
     pub(crate) without_series: Option<&'static str>,
     /// Names of entries of the state.
@@ -128,7 +128,7 @@ fn kept(programs: &Programs) -> &'static Names {
         needs_steps: variables.needs_steps.as_deref().map(text),
         unknowns: texts(&programs.unknowns),
         round_contacts: texts(&programs.round_contacts),
-        quantities: Vec::leak(programs.quantities.iter().map(quantity).collect()),
+        quantities: Vec::leak(programs.quantities.iter().map(|quantity| text(&quantity.words)).collect()),
         without_series: without_series(programs).map(text),
         #[cfg(feature = "fit")]
         state: texts(&variables.state_names()),
@@ -141,11 +141,6 @@ fn named(reaction: &ReactionOfSystem) -> NamedReaction {
     let &ReactionOfSystem { mode, event, limit_reverses, gradient_jumps, .. } = reaction;
     let name = text(&reaction.name);
     NamedReaction { name, mode, event, limit_reverses, gradient_jumps }
-}
-
-/// Returns a quantity with the name of its contact.
-fn quantity(BoundedQuantity { contact, quantity, .. }: &BoundedQuantity) -> (RangedKind, &'static str) {
-    (RangedKind::OfContact(text(quantity)), text(contact))
 }
 
 /// Returns the ranges and the nominal values of the entries of the state.

@@ -77,11 +77,11 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
         let programs = self.programs();
         let mut values = self.numeric.evaluate(&programs.quantity_values, 0.0, &[], &[]).into_iter();
         let named = programs.quantities.iter().zip(self.names.quantities);
-        for (BoundedQuantity { bounds, .. }, (kind, contact)) in named {
+        for (BoundedQuantity { bounds, .. }, words) in named {
             let value = values.next().unwrap_or(f64::NAN);
             let range =
                 bounds.map(|included| bound(included.and_then(|included| Some((values.next()?, included)))));
-            OutOfRange::check(*kind, contact, value, range.into(), "")?;
+            OutOfRange::check(RangedKind::OfContact, words, value, range.into(), "")?;
         }
         Ok(())
     }

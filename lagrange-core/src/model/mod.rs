@@ -150,6 +150,13 @@ pub struct Quantity {
     pub range: [Option<Bound>; 2],
 }
 
+impl Quantity {
+    /// Returns a description with the name of the contact as the user wrote it.
+    pub fn in_words(&self, contact: &str) -> String {
+        format!("{} `{contact}`", self.quantity)
+    }
+}
+
 /// A white noise.
 #[derive(Clone, Debug)]
 pub struct Noise {

@@ -179,10 +179,9 @@ impl<'a> Lowering<'a> {
     }
 
     fn quantities(&self) -> Vec<BoundedQuantity> {
-        let bounded = |Quantity { contact, quantity, range, .. }: &Quantity| BoundedQuantity {
-            contact: self.declaration.written(&contact.text).to_owned(),
-            quantity: quantity.clone(),
-            bounds: range.map(|bound| Some(bound?.is_included)),
+        let bounded = |quantity: &Quantity| BoundedQuantity {
+            words: quantity.in_words(self.declaration.written(&quantity.contact.text)),
+            bounds: quantity.range.map(|bound| Some(bound?.is_included)),
         };
         self.model.quantities.iter().map(bounded).collect()
     }

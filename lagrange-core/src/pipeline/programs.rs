@@ -167,10 +167,8 @@ pub struct Range {
 /// A quantity of a contact that is bounded.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct BoundedQuantity {
-    /// Name of the contact.
-    pub contact: String,
-    /// Description in words that precede the name.
-    pub quantity: String,
+    /// Description with the name of the contact.
+    pub words: String,
     /// True for each bound that there is and that is included, lower and upper.
     pub bounds: [Option<bool>; 2],
 }

@@ -132,7 +132,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: Pass) {
         StatementKind::Ranges(entries) => during(Require, &|c| require_ranges(c, entries)),
         StatementKind::Kinetic(value) => during(Require, &of_dimension(*value, ENERGY, messages::KINETIC)),
         StatementKind::Potential(value) => {
-            during(Require, &of_dimension(*value, ENERGY, messages::POTENTIAL))
+            during(Require, &of_dimension(*value, ENERGY, messages::POTENTIAL));
         }
         StatementKind::Lagrangian(value) => {
             during(Require, &of_dimension(*value, ENERGY, messages::LAGRANGIAN));

@@ -14,9 +14,8 @@ pub enum RangedKind {
     Velocity,
     /// A first-order or a discrete state.
     State,
-    /// A quantity of a contact, in words that precede its name, such as `stiffness of contact`. It
-    /// depends on parameters.
-    OfContact(&'static str),
+    /// A quantity of a contact that depends on parameters, such as its stiffness.
+    OfContact,
 }
 
 impl Display for RangedKind {
@@ -26,7 +25,7 @@ impl Display for RangedKind {
             RangedKind::Coordinate => "coordinate",
             RangedKind::Velocity => "velocity",
             RangedKind::State => "state",
-            RangedKind::OfContact(quantity) => quantity,
+            RangedKind::OfContact => "quantity",
         })
     }
 }
@@ -37,7 +36,8 @@ impl Display for RangedKind {
 pub struct OutOfRange<S> {
     /// Its kind.
     pub kind: RangedKind,
-    /// Its name; `m[2]` for an element of an array.
+    /// Its name; `m[2]` for an element of an array. Words with the name of the contact for a
+    /// quantity of a contact.
     pub name: &'static str,
     /// Its value.
     pub value: S,
@@ -68,7 +68,11 @@ impl<S: Debug> Display for OutOfRange<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
         let OutOfRange { kind, name, value, range, unit } = self;
         let space = if unit.is_empty() { "" } else { " " };
-        write!(f, "the {kind} `{name}` is {value:?}{space}{unit}, but it must be ")?;
+        match kind {
+            RangedKind::OfContact => write!(f, "the {name}")?,
+            _ => write!(f, "the {kind} `{name}`")?,
+        }
+        write!(f, " is {value:?}{space}{unit}, but it must be ")?;
         match range {
             (Bound::Included(lower), Bound::Included(upper)) => write!(f, "from {lower:?} to {upper:?}")?,
             (lower, upper) => {

@@ -210,7 +210,7 @@ impl<S> StepFailure<S> {
         match self {
             StepFailure::Setting(_) | StepFailure::Delay { .. } => true,
             StepFailure::OutOfRange(outside) => {
-                matches!(outside.kind, RangedKind::Parameter | RangedKind::OfContact(_))
+                matches!(outside.kind, RangedKind::Parameter | RangedKind::OfContact)
             }
             _ => false,
         }

@@ -39,13 +39,13 @@ fn quantity_checks(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
     let roots = quantities.iter().flat_map(values).collect::<Vec<_>>();
     let collect = |results: &[TokenStream]| {
         let mut results = results.iter();
-        let checks = quantities.iter().map(|Quantity { contact, quantity, range, .. }| {
+        let checks = quantities.iter().map(|quantity| {
             let value = results.next();
-            let [lower, upper] = range.map(|bound| written_bound(bound, &mut results));
-            let contact = shape.written(contact);
+            let [lower, upper] = quantity.range.map(|bound| written_bound(bound, &mut results));
+            let words = quantity.in_words(shape.written(&quantity.contact));
             quote! {
                 #krate::system::OutOfRange::check(
-                    #krate::system::RangedKind::OfContact(#quantity), #contact, #value, (#lower, #upper), ""
+                    #krate::system::RangedKind::OfContact, #words, #value, (#lower, #upper), ""
                 )?;
             }
         });

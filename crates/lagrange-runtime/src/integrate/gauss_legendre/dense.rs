@@ -45,8 +45,8 @@ impl<M: CanonicalSystem + ?Sized> WithinStep<'_, M> {
 }
 
 impl<M: OdeSystem + ?Sized> WithinStep<'_, M> {
-    /// Computes the state like [`canonical_state`](Self::canonical_state) for a system whose velocities need not be
-    /// rates of coordinates. For three stages the error is O(h⁵).
+    /// Computes the state like [`canonical_state`](Self::canonical_state) for a system whose
+    /// velocities need not be rates of coordinates. For three stages the error is O(h⁵).
     pub(super) fn plain_state<const K: usize>(&self, work: &mut Work) -> M::State {
         match K {
             1 => self.linear(),
