@@ -217,10 +217,10 @@ fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_an_error() {
     };
     for (e, share) in [(1.01, 1.0), (-0.01, 1.0), (f64::NAN, 1.0), (0.6, 2.0), (f64::INFINITY, 1.0)] {
         let refused = cause(Restituted { e, share, ..Restituted::default() }, [0.5, 0.0]);
-        let Err((StepFailure::OutOfRange(OutOfRange { name: "floor", value, .. }), said, 0.0)) = refused
-        else {
+        let Err((StepFailure::OutOfRange(OutOfRange { name, value, .. }), said, 0.0)) = refused else {
             panic!("{refused:?}")
         };
+        assert_eq!(name, "coefficient of restitution of contact `floor`");
         assert_eq!(value.to_bits(), (e * share).to_bits());
         let wanted = format!(
             "the coefficient of restitution of contact `floor` is {value:?}, but it must be from 0.0 to 1.0"

@@ -72,7 +72,7 @@ fn a_delayed_drift_has_its_stationary_variance() {
 #[test]
 fn a_delayed_diffusion_has_its_mean_square() {
     let echo = Echo::default();
-    let motions = echo.ensemble(shortened(1500)).start(|_, _| [1.0]).until(2.0).with_history();
+    let motions = echo.ensemble(1500).start(|_, _| [1.0]).until(2.0).with_history();
     let squares = motions
         .method(euler(1.0 / 64.0, WienerPath::of_seed(9)))
         .reduce(Moments::new(), |squares, motion| add_square(squares, motion.end().x))
