@@ -72,8 +72,8 @@ def mdbook():
     own = OWN_MDBOOK / "bin" / "mdbook"
     found = shutil.which("mdbook") or (own if own.is_file() else None)
     if not found:
-        # It is compiled once and runs for a second, so less optimisation is faster.
-        settings = {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "1", "CARGO_PROFILE_RELEASE_LTO": "off"}
+        # It is compiled once and runs for a second, so no optimisation is faster.
+        settings = {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "0", "CARGO_PROFILE_RELEASE_LTO": "off"}
         install = ["cargo", "install", "--locked", f"mdbook@{MDBOOK_VERSION}", "--no-default-features", "--features", "search", "--root"]
         subprocess.run([*install, OWN_MDBOOK], env={**os.environ, **settings}, check=True, cwd="/")
     return found or own

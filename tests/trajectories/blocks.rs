@@ -1,7 +1,9 @@
 //! Cuboids and rods that touch with faces and edges, in steps, against closed forms.
+//!
+//! `cargo motions --test blocks` runs these tests.
+#![cfg(any(not(debug_assertions), clippy))]
 
 mod stacks;
-#[cfg(any(not(debug_assertions), clippy))]
 mod walls;
 
 use lagrange::Simulate;
@@ -148,13 +150,10 @@ fn the_body_below_may_be_named_first() {
 }
 
 /// The distance v²/(2 μ g), with an error of the order of the step.
-/// Lengths of steps. Unoptimised steps are slow.
-const STEPS: [f64; 2] = if cfg!(debug_assertions) { [4e-3, 2e-3] } else { [1e-3, 5e-4] };
-
 #[test]
 fn a_box_slides_on_a_box_until_friction_stops_it() {
     let distance = 1.0 / (2.0 * 0.3 * G);
-    for h in STEPS {
+    for h in [1e-3, 5e-4] {
         let run = pushed(&Pair { mu: 0.3, ..Pair::default() }, 1.0, 0.4, h);
         let [plank, x, y, z] = [0, 7, 8, 9].map(|entry| run.last()[entry]);
         assert!((x + 1.0 - distance).abs() < 0.6 * h, "{x}");
@@ -271,14 +270,11 @@ fn rise([before, after]: [[f64; 26]; 2], [from, to]: [f64; 2], h: f64) -> f64 {
     to - from - work.iter().sum::<f64>()
 }
 
-/// Number of throws.
-const THROWS: usize = if cfg!(debug_assertions) { 1 } else { 20 };
-
 /// Only explicit gyroscopic moments remain, with up to half of h² |ω × J ω|²/J. The energy itself
 /// rises where overlaps are removed. `LAGRANGE_THROWS=1000` throws more often.
 #[test]
 fn thrown_boxes_gain_no_energy_but_by_displacements() {
-    let count = std::env::var("LAGRANGE_THROWS").ok().and_then(|count| count.parse().ok()).unwrap_or(THROWS);
+    let count = std::env::var("LAGRANGE_THROWS").ok().and_then(|count| count.parse().ok()).unwrap_or(20);
     let (mut seed, mut worst, mut largest) = (1, 0.0_f64, 0.0_f64);
     for throw in 0..count {
         let mut start: [f64; 26] = state([at(0.0, 0.0, 0.1), at(0.0, 0.0, 0.9)]);

@@ -1,17 +1,11 @@
 //! Bodies that lie and roll on each other, in steps.
-//!
-//! Unoptimised steps of the tower need more stack than a thread of tests has; `cargo motions --test
-//! blocks` runs it.
 
 use lagrange::Simulate;
 use lagrange::contact::Stepped;
 
-#[cfg(any(not(debug_assertions), clippy))]
-use super::G;
-use super::{at, state};
+use super::{G, at, state};
 
 /// Ten cubes on each other.
-#[cfg(any(not(debug_assertions), clippy))]
 mod tower {
     lagrange::system! {
         #[derive(Clone, Debug)]
@@ -24,7 +18,6 @@ mod tower {
         output load = sum(k in 0..8, touch[0][k].normal);
     }
 }
-#[cfg(any(not(debug_assertions), clippy))]
 use tower::Tower;
 
 /// A ball on a block, which the ground holds.
@@ -58,7 +51,6 @@ fn a_ball_rolls_on_a_face() {
 }
 
 /// `LAGRANGE_SECONDS=60` lets the tower stand for longer.
-#[cfg(any(not(debug_assertions), clippy))]
 #[test]
 fn a_tower_of_ten_stands() {
     let seconds = std::env::var("LAGRANGE_SECONDS").ok().and_then(|count| count.parse().ok()).unwrap_or(2.0);

@@ -19,7 +19,7 @@ use roxmltree::{Document, Node};
 use systems::SYSTEMS;
 
 const OPTIONS: [&str; 7] =
-    ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+    ["-std=c99", "-O1", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
 /// Kinds of instances, as in `unit.h`.
 const STEPS: &str = "0";
