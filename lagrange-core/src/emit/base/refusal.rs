@@ -38,7 +38,7 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
         Refusal::Derivatives(missing) => report_missing(declaration, missing, report),
         Refusal::Size => report_hopeless(declaration, report),
         Refusal::Exclusion(product, exclusion) => {
-            let message = messages::excluded(*product, exclusion.words());
+            let message = messages::excluded(product.name(), exclusion.words());
             report.error(demand(declaration, *product), message).help(messages::without(*product));
         }
         Refusal::Series(cause) => {

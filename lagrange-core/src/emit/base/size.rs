@@ -47,9 +47,9 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
         return;
     }
     let of_size = |rate: f64| rate * size as f64;
-    let message =
-        messages::expensive(size, of_size(SECONDS_TO_CHECK), of_size(SECONDS_TO_OPTIMISE), of_size(BYTES));
-    report.expensive(declaration.name.span, message).help(messages::expensive_help());
+    let (checking, optimising) = (of_size(SECONDS_TO_CHECK), of_size(SECONDS_TO_OPTIMISE));
+    let message = messages::expensive(size, checking, optimising, of_size(BYTES) / 1e9);
+    report.expensive(declaration.name.span, message).help(messages::expensive_help(messages::SMALLER));
 }
 
 /// A kind of declared names whose number is limited.
@@ -214,5 +214,5 @@ fn coupled_by_one_square(model: &Model) -> usize {
 
 /// Reports a system that is too large to be compiled.
 pub(in crate::emit) fn report_hopeless(declaration: &Declaration, report: &mut Report) {
-    report.error(declaration.name.span, messages::hopeless(MAX_OPERATIONS)).help(messages::smaller());
+    report.error(declaration.name.span, messages::hopeless(MAX_OPERATIONS)).help(messages::SMALLER);
 }

@@ -44,7 +44,7 @@ pub fn series_programs(
     switches: &[Switch],
 ) -> Result<SeriesPrograms, String> {
     derived_series(model, equations, switches).map_err(|refusal| match refusal {
-        WithoutSeries::Exclusion(exclusion) => messages::excluded(Product::Taylor, exclusion.words()),
+        WithoutSeries::Exclusion(exclusion) => messages::excluded(Product::Taylor.name(), exclusion.words()),
         WithoutSeries::Form(cause) => messages::without_series(&cause),
     })
 }
