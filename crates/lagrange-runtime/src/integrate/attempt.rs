@@ -5,6 +5,37 @@ use crate::integrate::clock::{Clock, least_step};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
+/// Implements [`Method`](super::Method) for settings with a field `longest_step`, except for the
+/// order and the check. The arguments are the name of the method and its stepper.
+macro_rules! adaptive_steps {
+    ($name:expr, $Stepper:ident) => {
+        type Stepper = $Stepper<M>;
+
+        fn name(&self) -> &'static str {
+            $name
+        }
+
+        fn start(
+            &self,
+            system: &M,
+            t: M::Scalar,
+            y: &M::State,
+            end: M::Scalar,
+        ) -> Result<Self::Stepper, $crate::system::StepFailure<M::Scalar>> {
+            $crate::integrate::Method::<M>::check(self)?;
+            $Stepper::start(*self, system, t, y, end)
+        }
+
+        fn with_longest_step(
+            self,
+            longest: M::Scalar,
+        ) -> Result<Self, $crate::system::SettingError<M::Scalar>> {
+            Ok(Self { longest_step: Some(longest), ..self })
+        }
+    };
+}
+pub(super) use adaptive_steps;
+
 /// The length of a step and the clock after it.
 #[derive(Clone, Copy)]
 pub(super) struct Attempt<S> {

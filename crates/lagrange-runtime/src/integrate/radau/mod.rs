@@ -20,10 +20,11 @@ mod newton;
 mod stepper;
 mod tableau;
 
+use crate::integrate::attempt::adaptive_steps;
 use crate::integrate::method::Method;
 use crate::integrate::verner::tolerance::{Tolerated, check_precision, check_settings};
 use crate::scalar::Scalar;
-use crate::system::{Domain, OdeSystem, SettingError, StepFailure};
+use crate::system::{Domain, OdeSystem, SettingError};
 
 pub use self::stepper::RadauStepper;
 
@@ -108,11 +109,7 @@ impl<S: Scalar> Radau5<S> {
 }
 
 impl<M: OdeSystem + ?Sized> Method<M> for Radau5<M::Scalar> {
-    type Stepper = RadauStepper<M>;
-
-    fn name(&self) -> &'static str {
-        "Radau IIA 5"
-    }
+    adaptive_steps! { "Radau IIA 5", RadauStepper }
 
     fn order(&self) -> u32 {
         5
@@ -121,20 +118,5 @@ impl<M: OdeSystem + ?Sized> Method<M> for Radau5<M::Scalar> {
     fn check(&self) -> Result<(), SettingError<M::Scalar>> {
         check_precision([self.relative, self.absolute], LEAST_OF_COEFFICIENTS)?;
         check_settings([self.relative, self.absolute], &[self.first_step, self.longest_step])
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        Method::<M>::check(self)?;
-        RadauStepper::start(*self, system, t, y, end)
-    }
-
-    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>> {
-        Ok(Radau5 { longest_step: Some(longest), ..self })
     }
 }

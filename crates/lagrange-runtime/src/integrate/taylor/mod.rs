@@ -18,10 +18,11 @@ mod stepper;
 mod stiffness;
 mod widest;
 
+use crate::integrate::attempt::adaptive_steps;
 use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::integrate::verner::tolerance::check_settings;
 use crate::scalar::Scalar;
-use crate::system::{MAX_ORDER, SettingError, StepFailure, TaylorSystem};
+use crate::system::{MAX_ORDER, SettingError, TaylorSystem};
 
 pub use self::stepper::TaylorStepper;
 
@@ -120,11 +121,7 @@ impl<S: Scalar> Taylor<S> {
 }
 
 impl<M: TaylorSystem + ?Sized> Method<M> for Taylor<M::Scalar> {
-    type Stepper = TaylorStepper<M>;
-
-    fn name(&self) -> &'static str {
-        "Taylor series"
-    }
+    adaptive_steps! { "Taylor series", TaylorStepper }
 
     fn order(&self) -> u32 {
         self.chosen_order(0) as u32
@@ -137,22 +134,7 @@ impl<M: TaylorSystem + ?Sized> Method<M> for Taylor<M::Scalar> {
         check_settings([self.relative, self.absolute], &[self.longest_step])
     }
 
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        Method::<M>::check(self)?;
-        TaylorStepper::start(self, system, t, y, end)
-    }
-
     fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
         if M::IN_LANES { Ok(visitor.visit(*self)) } else { Err(visitor) }
-    }
-
-    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>> {
-        Ok(Taylor { longest_step: Some(longest), ..self })
     }
 }

@@ -79,7 +79,7 @@ impl<M: TaylorSystem + ?Sized> WideTask for Expand<'_, M> {
 
 impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     pub(super) fn start(
-        settings: &Taylor<M::Scalar>,
+        settings: Taylor<M::Scalar>,
         system: &M,
         t: M::Scalar,
         y: &M::State,
@@ -89,7 +89,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let (order, length) = (settings.chosen_order(system.product_groups()), M::Scalar::ZERO);
         let expansion = Expansion { t, y: *y, order, length, coefficients: [M::State::ZERO; MAX_ORDER] };
         let mut stepper = TaylorStepper {
-            rule: StepRule::new(settings, order, end - t, system.domain()),
+            rule: StepRule::new(&settings, order, end - t, system.domain()),
             max_steps: settings.max_steps,
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),

@@ -22,10 +22,11 @@ mod stiffness;
 mod tableau;
 pub(super) mod tolerance;
 
+use crate::integrate::attempt::adaptive_steps;
 use crate::integrate::explicit::{ExplicitRungeKutta, TableauRow};
 use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, SettingError, StepFailure};
+use crate::system::{OdeSystem, SettingError};
 
 use self::lanes::ROWS;
 pub use self::lanes::VernerLanes;
@@ -84,11 +85,7 @@ const LEAST_OF_COEFFICIENTS: f64 = 5e-19;
 const AT_REST: f64 = 1e-3;
 
 impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
-    type Stepper = VernerStepper<M>;
-
-    fn name(&self) -> &'static str {
-        "Verner 9(8)"
-    }
+    adaptive_steps! { "Verner 9(8)", VernerStepper }
 
     fn order(&self) -> u32 {
         9
@@ -97,21 +94,6 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
     fn check(&self) -> Result<(), SettingError<M::Scalar>> {
         check_precision([self.relative, self.absolute], LEAST_OF_COEFFICIENTS)?;
         check_settings([self.relative, self.absolute], &[self.first_step, self.longest_step])
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        Method::<M>::check(self)?;
-        VernerStepper::start(*self, system, t, y, end)
-    }
-
-    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>> {
-        Ok(Verner98 { longest_step: Some(longest), ..self })
     }
 
     fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
