@@ -13,7 +13,7 @@ use crate::integrate::{Method, Verner98};
 use crate::scalar::Number;
 use crate::simulate::{
     Drive, InitialState, Law, Sampling, Undriven, Variables, Verdict, WithHistory, columns_of,
-    default_method, inputs, uncounted,
+    default_method, inputs, tolerance_setters, uncounted,
 };
 use crate::system::{
     ControlledSystem, DelayedSystem, EntryRange, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf,
@@ -138,20 +138,7 @@ pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
 }
 
 impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
-    /// Sets the tolerated error of a step, as [in a single
-    /// run](crate::simulate::Simulation::tolerance): 1e-9 by default for `f64`.
-    pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
-        self.method.relative = tolerance;
-        self.method.absolute = tolerance;
-        self
-    }
-
-    /// Sets the tolerated error of a step in the units of the state. Call it after
-    /// [`tolerance`](Self::tolerance), which then is relative only.
-    pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
-        self.method.absolute = tolerance;
-        self
-    }
+    tolerance_setters!();
 }
 
 impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {

@@ -10,9 +10,12 @@ use crate::simulate::columns_of;
 use crate::simulate::energy;
 use crate::simulate::held;
 use crate::simulate::inputs;
+use crate::simulate::run_setters;
 use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputSystem};
 
 impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
+    run_setters!(batch.plan);
+
     /// Adds a column: a value computed from time and state, at the end of each motion or for each
     /// sample. The function receives the system of the motion. Parameters are columns already if
     /// motions have [separate ones](super::Motions::parameters).
@@ -77,26 +80,6 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     {
         self.batch.plan.control(period, Box::new(move |index| held(controller(index))));
         self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
-        self
-    }
-
-    /// Sets the maximum number of steps, including rejected ones, after which a motion fails.
-    pub fn max_steps(mut self, limit: u64) -> Self {
-        self.batch.plan.settings.max_steps = Some(limit);
-        self
-    }
-
-    /// Sets the maximum length of a step, as [in a single
-    /// run](crate::simulate::Simulation::longest_step).
-    pub fn longest_step(mut self, longest: M::Scalar) -> Self {
-        self.batch.plan.settings.longest_step = Some(longest);
-        self
-    }
-
-    /// Makes every motion end a step at each of these times and start the next one there, for
-    /// forces with a jump or kink.
-    pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
-        self.batch.plan.settings.restarts.extend(times);
         self
     }
 }

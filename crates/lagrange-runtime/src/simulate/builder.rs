@@ -12,6 +12,7 @@ use crate::simulate::observer::{acceleration_names, columns_of, energy};
 use crate::simulate::plan::{Plan, RunPlan};
 use crate::simulate::progress::{Callbacks, Progress, Verdict};
 use crate::simulate::sampling::Sampling;
+use crate::simulate::setters::{run_setters, tolerance_setters};
 use crate::system::{Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, ScalarOf};
 use crate::tolerance::DEFAULT_TOLERANCE;
 
@@ -124,26 +125,12 @@ pub(crate) fn default_method<S: Scalar>() -> Verner98<S> {
 }
 
 impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
-    /// Sets the error tolerance of a step. It is relative for components of the state that are
-    /// larger than one, and absolute for smaller ones. The default is 1e-9 for `f64` and 1.2e-6 for
-    /// `f32`.
-    ///
-    /// The error at the end is the sum of these errors, as propagated by the motion.
-    pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
-        self.method.relative = tolerance;
-        self.method.absolute = tolerance;
-        self
-    }
-
-    /// Sets the absolute error tolerance of a step, in the units of the state. Call it after
-    /// [`tolerance`](Self::tolerance), which then applies only to the relative error.
-    pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
-        self.method.absolute = tolerance;
-        self
-    }
+    tolerance_setters!();
 }
 
 impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
+    run_setters!(plan);
+
     /// Integrates by this method instead of the adaptive one.
     pub fn method<N>(self, method: N) -> Simulation<'a, M, N, D, E>
     where
@@ -271,32 +258,6 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         react: impl FnMut(&M, &Event<M::Scalar, M::State>) -> Action<M::State> + 'a,
     ) -> Self {
         self.plan.watch(name, direction, (Box::new(value), Box::new(react)));
-        self
-    }
-
-    /// Sets the maximum number of steps, including rejected ones, after which an error is returned.
-    /// The default method is limited to a hundred million steps; other methods have no limit.
-    pub fn max_steps(mut self, limit: u64) -> Self {
-        self.plan.settings.max_steps = Some(limit);
-        self
-    }
-
-    /// Sets the maximum length of a step, so that steps do not skip effects that last about a
-    /// quarter of it. By default, steps are at most a twentieth of the run, and a quarter with
-    /// Taylor series. While the system is at rest, they are at most a two-hundredth. Methods with a
-    /// fixed step length report an error.
-    pub fn longest_step(mut self, longest: M::Scalar) -> Self {
-        self.plan.settings.longest_step = Some(longest);
-        self
-    }
-
-    /// Ends a step at each of these times and starts the next one there, for forces with jumps or
-    /// kinks at known times. Times outside the run have no effect; further calls add times.
-    ///
-    /// Nothing is evaluated exactly at such a time, so it does not matter which side a jump belongs
-    /// to.
-    pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
-        self.plan.settings.restarts.extend(times);
         self
     }
 

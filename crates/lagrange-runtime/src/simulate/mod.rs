@@ -67,6 +67,7 @@ mod record;
 mod run;
 mod sampling;
 mod sensitivity;
+mod setters;
 mod start;
 mod table;
 mod trajectory;
@@ -123,6 +124,8 @@ pub(crate) use self::sensitivity::uncounted;
 #[cfg(feature = "fit")]
 pub(crate) use self::sensitivity::varied;
 pub use self::sensitivity::{Differentiated, Sensitive, Stacked, Variables, Varied};
+#[cfg(feature = "ensemble")]
+pub(crate) use self::setters::{run_setters, tolerance_setters};
 pub use self::start::InitialState;
 #[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
 pub(crate) use self::table::TIME;
