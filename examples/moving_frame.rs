@@ -1,7 +1,7 @@
 //! Velocity and acceleration of a point of a moving body, relative to another point.
 //!
-//! A plate flies through the plane. Its own axes start at the corner P; Q is one of its points, ρ
-//! leads from P to Q. With e_z × (x, y) = (−y, x)
+//! A plate flies through the plane. The body-fixed axes start at the corner P; Q is one of its
+//! points, ρ leads from P to Q. With e_z × (x, y) = (−y, x)
 //!
 //! ```text
 //! v_Q = v_P + ω e_z × ρ,    a_Q = a_P + ω̇ e_z × ρ − ω² ρ

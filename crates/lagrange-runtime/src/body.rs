@@ -58,7 +58,7 @@ pub struct Motion<S> {
     pub centroid: [S; 2],
     /// The position of the centre of mass.
     pub center: [S; 2],
-    /// The angle φ by which the body's own axes are rotated.
+    /// The angle φ by which the body-fixed axes are rotated.
     pub angle: S,
     /// The velocity of the centre of mass.
     pub velocity: [S; 2],
@@ -92,7 +92,7 @@ impl<S: Scalar> Acceleration<S> {
 
 /// Places and directions.
 impl<S: Scalar> Motion<S> {
-    /// Rotates a direction from the body's own axes into the plane.
+    /// Rotates a direction from body-fixed axes into the plane.
     #[must_use]
     pub fn vector(&self, [x, y]: [S; 2]) -> [S; 2] {
         let (sin, cos) = self.angle.sin_cos();
@@ -112,7 +112,7 @@ impl<S: Scalar> Motion<S> {
         sum(self.centroid, self.turned_back(difference(place, self.center)))
     }
 
-    /// Returns a direction of the plane in the body's own axes.
+    /// Returns a direction of the plane in body-fixed axes.
     fn turned_back(&self, [x, y]: [S; 2]) -> [S; 2] {
         let (sin, cos) = self.angle.sin_cos();
         [cos * x + sin * y, cos * y - sin * x]

@@ -2,7 +2,7 @@
 //!
 //! The inverse dynamics is τ = Y π + τ₀. The first parameters π are those of the bodies. Each has
 //! its mass m, first moments h = m c, and the tensor of inertia J about the body-fixed origin. Let
-//! this origin accelerate by a, less free fall. In its own axes the body needs the force f and,
+//! this origin accelerate by a, less free fall. In body-fixed axes the body needs the force f and,
 //! about its origin, the moment n:
 //!
 //! > f = m a + α × h + ω × (ω × h),  n = J α + ω × J ω + h × a

@@ -50,7 +50,8 @@ impl BodyMotion {
         self.values[0]
     }
 
-    /// Returns the moment of inertia, or the tensor in rows, about the centre of mass in own axes.
+    /// Returns the moment of inertia, or the tensor in rows, about the centre of mass in body-fixed
+    /// axes.
     pub(crate) fn inertia(&self) -> &[ExprId] {
         self.part([1, 1], [1, 9])
     }
@@ -60,7 +61,7 @@ impl BodyMotion {
         self.part([4, 13], [2, 3])
     }
 
-    /// Returns the rotation from own axes to those of the world in space, in rows.
+    /// Returns the rotation from body-fixed axes to those of the world in space, in rows.
     pub(crate) fn rotation(&self) -> Option<&[ExprId]> {
         self.is_in_space().then(|| &self.values[16..25])
     }
@@ -119,9 +120,10 @@ pub struct InertialBody {
     pub parameters: [ExprId; InertialBody::PARAMETERS.len()],
     /// T − V of the body.
     pub lagrangian: ExprId,
-    /// Velocity of the origin, then angular velocity, in own axes; affine in the velocities.
+    /// Velocity of the origin, then angular velocity, in body-fixed axes; affine in the velocities.
     pub twist: [ExprId; 6],
-    /// Acceleration of the origin less that of free fall, then angular acceleration, in own axes.
+    /// Acceleration of the origin less that of free fall, then angular acceleration, in body-fixed
+    /// axes.
     pub change: [ExprId; 6],
 }
 

@@ -34,7 +34,7 @@ const TOP: Pair = Pair {
 };
 
 /// An arm that turns about a vertical axis and bends at its elbow. The accelerations of its two
-/// links are in their own axes. Its motor is in no Gibbs function.
+/// links are in body-fixed axes. Its motor is in no Gibbs function.
 const ARM: Pair = Pair {
     energies: "coord yaw, shoulder, elbow, motor;
         let (c1, s1) = (cos(shoulder), sin(shoulder));

@@ -65,7 +65,7 @@ pub(crate) enum Expr {
     Inner(Box<Expr>, Box<Expr>),
     KineticEnergy(Box<Expr>, Box<Expr>),
     SpringEnergy(Box<Expr>, Box<Expr>),
-    /// A point of a body, in its own axes.
+    /// A point of a body, in body-fixed axes.
     Point(String, Vec<Expr>),
     /// A direction in the axes of a body.
     Direction(String, Vec<Expr>),

@@ -90,7 +90,7 @@ impl Named for Link {
 }
 
 impl Link {
-    /// Converts a position from the link's own axes to the world; [`own`](Self::own) is the
+    /// Converts a position from body-fixed axes to the world; [`own`](Self::own) is the
     /// inverse.
     pub(super) fn place_of(&self, own: Vector) -> Vector {
         add(self.origin, apply(&self.rotation, own))

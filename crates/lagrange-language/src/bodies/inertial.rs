@@ -1,5 +1,5 @@
-//! Bodies as needed by the regressor of inverse dynamics: their motion in own axes and their ten
-//! inertial parameters about the body-fixed origin.
+//! Bodies as needed by the regressor of inverse dynamics: their motion in body-fixed axes and their
+//! ten inertial parameters about the body-fixed origin.
 //!
 //! A body in the plane is treated as one in space that turns about its third axis.
 

@@ -74,9 +74,10 @@ pub struct InertialBody {
     pub parameters: [AstId; 10],
     /// T − V of the body.
     pub lagrangian: AstId,
-    /// Velocity of the origin, then angular velocity, in own axes.
+    /// Velocity of the origin, then angular velocity, in body-fixed axes.
     pub twist: [AstId; 6],
-    /// Acceleration of the origin less that of free fall, then angular acceleration, in own axes.
+    /// Acceleration of the origin less that of free fall, then angular acceleration, in body-fixed
+    /// axes.
     pub change: [AstId; 6],
 }
 
@@ -106,7 +107,8 @@ pub struct SpatialMotion {
     pub body: Name,
     /// Its mass.
     pub mass: AstId,
-    /// xx, yy, zz, xy, xz, yz of its tensor of inertia about the centre of mass, in its own axes.
+    /// xx, yy, zz, xy, xz, yz of its tensor of inertia about the centre of mass, in body-fixed
+    /// axes.
     pub tensor: [AstId; 6],
     /// The centre of mass in own coordinates.
     pub centroid: [AstId; 3],

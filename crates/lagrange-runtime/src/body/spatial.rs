@@ -1,6 +1,6 @@
 //! The motion of rigid bodies in space.
 //!
-//! The rotation R maps the body's own axes to the world. ω and α = ω̇ are in world axes, and ρ = R
+//! The rotation R maps body-fixed axes to the world. ω and α = ω̇ are in world axes, and ρ = R
 //! (own − centroid). The point Q of a body with the centre of mass S then has
 //!
 //! ```text
@@ -44,15 +44,15 @@ use crate::linalg::vector::{combined, difference, dot};
 pub struct SpatialMotion<S> {
     /// The mass.
     pub mass: S,
-    /// The tensor of inertia about the centre of mass in the body's own axes, in rows. It is zero
+    /// The tensor of inertia about the centre of mass in body-fixed axes, in rows. It is zero
     /// for a body that never turns and declares none.
     pub inertia: [Triple<S>; 3],
     /// The centre of mass in own coordinates.
     pub centroid: Triple<S>,
     /// The position of the centre of mass.
     pub center: Triple<S>,
-    /// The rotation R from own axes to those of the world, in rows: its columns are the body's
-    /// axes.
+    /// The rotation R from body-fixed axes to those of the world, in rows: its columns are the
+    /// body's axes.
     pub rotation: [Triple<S>; 3],
     /// The velocity of the centre of mass.
     pub velocity: Triple<S>,
@@ -66,13 +66,13 @@ pub struct SpatialMotion<S> {
 
 /// Places and directions.
 impl<S: Scalar> SpatialMotion<S> {
-    /// Computes R a: rotates a direction from own axes into the world.
+    /// Computes R a: rotates a direction from body-fixed axes into the world.
     #[must_use]
     pub fn vector(&self, own: Triple<S>) -> Triple<S> {
         self.rotation.map(|row| dot(&row, &own))
     }
 
-    /// Computes Rᵀ v, the components of a world vector in own axes: the inverse of
+    /// Computes Rᵀ v, the components of a world vector in body-fixed axes: the inverse of
     /// [`vector`](SpatialMotion::vector).
     #[must_use]
     pub fn to_body(self, vector: Triple<S>) -> Triple<S> {
@@ -140,7 +140,7 @@ impl<S: Scalar> SpatialMotion<S> {
         S::from_f64(0.5) * twice
     }
 
-    /// Returns ω and J ω in own axes.
+    /// Returns ω and J ω in body-fixed axes.
     fn own_spin(&self) -> [Triple<S>; 2] {
         let own = self.to_body(self.angular_velocity);
         [own, self.inertia.map(|row| dot(&row, &own))]

@@ -259,7 +259,7 @@ fn what_time_alone_moves_is_left_out_of_jacobians() {
 }
 
 /// The bias contains the part due to time alone. The accelerations of outputs come from the
-/// recursion in own axes.
+/// recursion in body-fixed axes.
 #[test]
 fn jacobians_times_accelerations_and_biases_are_accelerations() {
     for (text, name, outputs) in [(ARM, "slider", ["alpha", "a"]), (CARRIED, "rod", ["w_dot", "v_dot"])] {

@@ -182,9 +182,9 @@ fn corner_of_link(translation: &mut Translation<'_>, link: usize, index: AstId) 
     corner(translation, &name.text, shape.as_ref(), index)
 }
 
-/// Returns the velocity or acceleration of a point that is fixed in a link, in the link's own axes.
+/// Returns the velocity or acceleration of a point that is fixed in a link, in body-fixed axes.
 ///
-/// With v the velocity of the point in own axes, the acceleration is v̇ + ω × v.
+/// With v the velocity of the point in body-fixed axes, the acceleration is v̇ + ω × v.
 pub(in crate::bodies) fn rate_of_link_point(
     translation: &mut Translation<'_>,
     function: &str,

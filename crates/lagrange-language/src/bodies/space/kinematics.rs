@@ -1,10 +1,10 @@
 //! Poses and motions of bodies and frames in world axes, as emitted code returns them.
 //!
-//! Motions are those of the recursion in own axes, rotated to world axes. Twists are written joint
-//! by joint along the path to a frame. A turn by θ about the axis e through the point o adds θ̇ e
-//! to ω. It also adds θ̇ e × (r − o) to the velocity of the origin r. A move by s along e adds ṡ e
-//! to the velocity. The coefficients of the rates are thus the geometric Jacobian, independent of
-//! the recursion.
+//! Motions are those of the recursion in body-fixed axes, rotated to world axes. Twists are written
+//! joint by joint along the path to a frame. A turn by θ about the axis e through the point o adds
+//! θ̇ e to ω. It also adds θ̇ e × (r − o) to the velocity of the origin r. A move by s along e adds
+//! ṡ e to the velocity. The coefficients of the rates are thus the geometric Jacobian, independent
+//! of the recursion.
 //!
 //! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*,
 //! §3.1.
@@ -93,7 +93,7 @@ fn motion(
 }
 
 /// Returns velocity and acceleration of a point that is fixed in a frame, in the world. With v its
-/// velocity in own axes, its acceleration in these is v̇ + ω × v.
+/// velocity in body-fixed axes, its acceleration in these is v̇ + ω × v.
 fn rates_of_point(terms: &mut TermWriter<'_>, pose: &Pose, point: Triple) -> [Triple; 2] {
     let velocity = pose.velocity_of(terms, point);
     let rate = velocity.map(|component| terms.rate(component));

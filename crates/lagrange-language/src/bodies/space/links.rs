@@ -34,7 +34,7 @@ pub(super) struct Path {
     pub(super) steps: Vec<(FrameStep, Pose)>,
 }
 
-/// Mass of a rigid body and its distribution in the body's own axes.
+/// Mass of a rigid body and its distribution in body-fixed axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassProperties {
     pub(super) mass: AstId,

@@ -166,7 +166,7 @@ pub struct Body {
     pub origin: Option<AstId>,
     /// `centroid: (X, Y);`, the centre of mass in the body's own coordinates.
     pub centroid: Option<AstId>,
-    /// `angle: e;`, by which the body's own axes are turned.
+    /// `angle: e;`, by which the body-fixed axes are turned.
     pub angle: Option<AstId>,
     /// `angles: (e, e, e);`, applied one after the other about the axes of `sequence`.
     pub angles: Option<AstId>,
