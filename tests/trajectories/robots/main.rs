@@ -3,7 +3,10 @@
 //! `cargo motions --test robots` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
+mod humanoid;
 mod trot;
+
+const G: f64 = 9.81;
 
 /// Checks that all numbers are this one, within a tolerance.
 #[track_caller]
