@@ -3,6 +3,7 @@
 //! `cargo motions --test robots` runs these tests.
 #![cfg(any(not(debug_assertions), clippy))]
 
+mod hand;
 mod humanoid;
 mod trot;
 
