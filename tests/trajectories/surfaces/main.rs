@@ -7,6 +7,7 @@
 mod cart;
 mod euler_disk;
 mod flat;
+mod rattleback;
 mod rim;
 mod terrain;
 mod tippe_top;
