@@ -4,8 +4,8 @@
 macro_rules! tolerance_setters {
     () => {
         /// Sets the error tolerance of a step. It is relative for components of the state that are
-        /// larger than one, and absolute for smaller ones. The default is 1e-9 for `f64` and 1.2e-6 for
-        /// `f32`.
+        /// larger than one, and absolute for smaller ones. The default is 1e-9 for `f64` and 1.2e-6
+        /// for `f32`.
         ///
         /// The error at the end is the sum of these errors, as propagated by the motion.
         pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
@@ -36,18 +36,18 @@ macro_rules! run_setters {
 
         /// Sets the maximum length of a step, so that steps do not skip effects that last about a
         /// quarter of it. By default, steps are at most a twentieth of the run, and a quarter with
-        /// Taylor series. While the system is at rest, they are at most a two-hundredth. Methods with a
-        /// fixed step length report an error.
+        /// Taylor series. While the system is at rest, they are at most a two-hundredth. Methods
+        /// with a fixed step length report an error.
         pub fn longest_step(mut self, longest: M::Scalar) -> Self {
             self.$($plan).+.settings.longest_step = Some(longest);
             self
         }
 
-        /// Ends a step at each of these times and starts the next one there, for forces with jumps or
-        /// kinks at known times. Times outside the run have no effect; further calls add times.
+        /// Ends a step at each of these times and starts the next one there, for forces with jumps
+        /// or kinks at known times. Times outside the run have no effect; further calls add times.
         ///
-        /// Nothing is evaluated exactly at such a time, so it does not matter which side a jump belongs
-        /// to.
+        /// Nothing is evaluated exactly at such a time, so it does not matter which side a jump
+        /// belongs to.
         pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
             self.$($plan).+.settings.restarts.extend(times);
             self
