@@ -1,7 +1,7 @@
 //! A rattleback: an ellipsoid whose principal axes are turned against those of its inertia.
 //!
-//! Its gap is the height of the lowest point, by the support function of the ellipsoid, and its
-//! slip velocity that of the material point there. Both are formulas of the declaration. Spun in
+//! Its gap is the height of the lowest point, by the support function of the ellipsoid. Its slip
+//! velocity is that of the material point there. Both are formulas of the declaration. Spun in
 //! one sense it goes on, in the other it rattles until it spins back.
 //!
 //! References are by `tools/rattleback.py`: equations of rolling without slipping in body axes.
