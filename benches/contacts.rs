@@ -1,8 +1,9 @@
-//! The price of motions with contacts, by adaptive methods and by fixed steps: the final error,
-//! evaluations and time. `docs/contacts.md` has the table.
+//! The trade of the three ways to simulate contacts on four scenes: the error of the end,
+//! evaluations or steps, and time. It prints the table of `docs/contacts.md`.
 //!
-//! Errors are those of the final position, against closed forms. For compliant contacts these
-//! include creep and the depth of 0.1 mm.
+//! Errors are distances of the final position from closed forms of rigid bodies. For compliant
+//! contacts these include creep, and depths of 0.1 mm. The bouncing ball on soft ground has the
+//! restitution 0.8 at the speed of its first impact only.
 //!
 //! `cargo bench -p lagrange-benches --bench contacts`
 
@@ -51,6 +52,18 @@ lagrange::system! {
 }
 
 lagrange::system! {
+    /// A ball that slides on the ground until it rolls.
+    #[derive(Clone, Debug)]
+    pub struct Bowl;
+
+    param mu = 0.3;
+    gravity = (0, 0, -9.81);
+    body ball { mass: 2; shape: solid_sphere(0.1); }
+    free ball;
+    contact touch = ball.point(0, 0, 0) on ground { radius: 0.1; friction: mu; }
+}
+
+lagrange::system! {
     /// The block on soft ground, into which it sinks by 0.1 mm.
     #[derive(Clone, Debug)]
     pub struct SoftBlock;
@@ -60,6 +73,19 @@ lagrange::system! {
     gravity = (0, -9.81);
     body block { mass: 2; center: (x, y); }
     contact floor = block on ground { friction: mu; stiffness: k; dissipation: 1; stiction: v; }
+    emit { jacobian }
+}
+
+lagrange::system! {
+    /// The ball on soft ground, with the restitution 0.8 at the speed of its first impact.
+    #[derive(Clone, Debug)]
+    pub struct SoftBall;
+
+    param k = 1e5, d = 0.08424216618169522;
+    coord y;
+    gravity = (0, -9.81);
+    body ball { mass: 1; center: (0, y); }
+    contact floor = ball on ground { stiffness: k; dissipation: d; }
     emit { jacobian }
 }
 
@@ -78,23 +104,43 @@ lagrange::system! {
     emit { jacobian }
 }
 
+lagrange::system! {
+    /// The ball that slides and rolls on soft ground, into which it sinks by 0.1 mm.
+    #[derive(Clone, Debug)]
+    pub struct SoftBowl;
+
+    param mu = 0.3, v = 1e-3, k = 2e5;
+    gravity = (0, 0, -9.81);
+    body ball { mass: 2; shape: solid_sphere(0.1); }
+    free ball;
+    contact touch = ball.point(0, 0, 0) on ground {
+        radius: 0.1; friction: mu; stiffness: k; dissipation: 1; stiction: v;
+    }
+    emit { jacobian }
+}
+
 /// Prints a row for each method, with the error of the last state.
 macro_rules! scene {
-    ($name:literal, $system:expr, $start:expr, $end:expr, $error:expr) => {
-        let tolerance = Verner98::tolerance;
-        scene!(@row $name, $system, $start, $end, $error, "`Verner98`, tolerance 1e-6", tolerance(1e-6));
-        scene!(@row $name, $system, $start, $end, $error, "`Verner98`, tolerance 1e-10", tolerance(1e-10));
-        scene!(@row $name, $system, $start, $end, $error, "`RungeKutta4`, step 1 ms", RungeKutta4 { step: 1e-3 });
-        scene!(@row $name, $system, $start, $end, $error, "`Radau5`, tolerance 1e-8", Radau5::tolerance(1e-8));
-        scene!(@row $name, $system, $start, $end, $error, "`Stepped`, step 1 ms", Stepped::every(1e-3));
-        scene!(@row $name, $system, $start, $end, $error, "`Stepped`, step 0.1 ms", Stepped::every(1e-4));
+    (rigid: $name:literal, $system:expr, $start:expr, $end:expr, $error:expr) => {
+        let row = [$name, "events"];
+        scene!(@row row, "`Verner98`, tolerance 1e-6", $system, $start, $end, $error, Verner98::tolerance(1e-6));
+        scene!(@row row, "`Verner98`, tolerance 1e-10", $system, $start, $end, $error, Verner98::tolerance(1e-10));
+        scene!(@row row, "`RungeKutta4`, step 1 ms", $system, $start, $end, $error, RungeKutta4 { step: 1e-3 });
+        scene!(@row row, "`Radau5`, tolerance 1e-8", $system, $start, $end, $error, Radau5::tolerance(1e-8));
+        let row = [$name, "steps"];
+        scene!(@row row, "`Stepped`, step 10 ms", $system, $start, $end, $error, Stepped::every(1e-2));
+        scene!(@row row, "`Stepped`, step 1 ms", $system, $start, $end, $error, Stepped::every(1e-3));
+        scene!(@row row, "`Stepped`, step 0.1 ms", $system, $start, $end, $error, Stepped::every(1e-4));
     };
-    (soft: $name:literal, $system:expr, $start:expr, $end:expr, $error:expr) => {
-        scene!(@row $name, $system, $start, $end, $error, "`Verner98`, tolerance 1e-6", Verner98::tolerance(1e-6));
-        scene!(@row $name, $system, $start, $end, $error, "`Radau5`, tolerance 1e-6", Radau5::tolerance(1e-6));
-        scene!(@row $name, $system, $start, $end, $error, "`Radau5`, tolerance 1e-8", Radau5::tolerance(1e-8));
+    (soft: $name:literal, $setting:literal, $system:expr, $start:expr, $end:expr, $error:expr) => {
+        let row = [$name, "compliance"];
+        let label = concat!("`Verner98`, tolerance 1e-6, ", $setting);
+        scene!(@row row, label, $system, $start, $end, $error, Verner98::tolerance(1e-6));
+        let label = concat!("`Radau5`, tolerance 1e-6, ", $setting);
+        scene!(@row row, label, $system, $start, $end, $error, Radau5::tolerance(1e-6));
     };
-    (@row $name:literal, $system:expr, $start:expr, $end:expr, $error:expr, $label:literal, $method:expr) => {{
+    (@row $row:ident, $label:expr, $system:expr, $start:expr, $end:expr, $error:expr, $method:expr) => {{
+        let [scene, way] = $row;
         let run = || $system.simulate(black_box($start)).until($end).ends_only().method($method).run();
         let mut least = f64::INFINITY;
         for _ in 0..REPEATS {
@@ -102,14 +148,18 @@ macro_rules! scene {
             let _ = black_box(run());
             least = least.min(began.elapsed().as_secs_f64());
         }
-        match run() {
+        let price = match run() {
             Ok(run) => {
-                let evaluations = run.work().evaluations as f64 / $end;
+                let work = if way == "steps" { run.work().steps } else { run.work().evaluations };
                 let error: f64 = $error(run.last());
-                println!("| {} | {} | {error:.1e} | {evaluations:.0} | {:.3} |", $name, $label, 1e3 * least / $end);
+                format!("{error:.1e} | {:.0} | {:.3}", work as f64 / $end, 1e3 * least / $end)
             }
-            Err(error) => println!("| {} | {} | {error} | | |", $name, $label),
-        }
+            Err(error) => {
+                let words = error.to_string();
+                format!("{} | |", words.split(':').next().unwrap_or(&words))
+            }
+        };
+        println!("| {scene} | {way} | {} | {price} |", $label);
     }};
 }
 
@@ -117,34 +167,76 @@ macro_rules! scene {
 const REPEATS: usize = 20;
 /// The box on its corners, pushed along the diagonal.
 const START: [f64; 13] = [0.0, 0.0, 0.05, 1.0, 0.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.0];
-
-/// Depth to which block and box sink into soft ground.
+/// The ball on the ground, which turns about its path and backwards.
+const THROWN: [f64; 13] = [0.0, 0.0, 0.1, 1.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 15.0, -10.0, 4.0];
+/// Depth to which block, box and rolling ball sink into soft ground.
 const DEPTH: f64 = 2.0 * 9.81 / 2e5;
 
 fn main() {
-    println!("| scene | method | error, m | evaluations for 1 s | ms for 1 s |");
-    println!("|---|---|---|---|---|");
-    let block = |y: [f64; 4]| (y[0] - 4.5 / (0.3 * 9.81)).abs();
-    scene!("block slides and stops", Block::default(), [0.0, 0.0, 3.0, 0.0], 2.0, block);
-    let ball = |y: [f64; 2]| (y[0] - bounced(1.0, 0.8, 3.0)).abs();
-    scene!("ball bounces", Ball::default(), [1.0, 0.0], 3.0, ball);
-    let path = 5.0_f64.sqrt() / (2.0 * 0.3 * 9.81);
-    let case = |y: [f64; 13]| (y[0] - 2.0 * path).hypot(y[1] - path);
-    scene!("box slides on four corners", Case::default(), START, 2.0, case);
-    for v in [1e-3, 1e-4] {
-        println!("stiction speed {v} m/s:");
-        let (soft_block, soft_case) =
-            (SoftBlock { v, ..Default::default() }, SoftCase { v, ..Default::default() });
-        scene!(soft: "block, compliant", soft_block, [0.0, -DEPTH, 3.0, 0.0], 2.0, block);
-        scene!(soft: "box, compliant", soft_case, sunk(START), 2.0, case);
-    }
+    println!("| scene | way | method and setting | error, m | evaluations or steps for 1 s | ms for 1 s |");
+    println!("|---|---|---|---|---|---|");
+    block();
+    ball();
+    case();
+    bowl();
 }
 
-/// Returns the state of the box at rest on soft ground, with its velocities.
+fn block() {
+    let error = |y: [f64; 4]| (y[0] - 4.5 / (0.3 * 9.81)).abs();
+    scene!(rigid: "block slides and stops", Block::default(), [0.0, 0.0, 3.0, 0.0], 2.0, error);
+    let start = [0.0, -DEPTH, 3.0, 0.0];
+    let soft = |v: f64| SoftBlock { v, ..Default::default() };
+    scene!(soft: "block slides and stops", "stiction 1e-3 m/s", soft(1e-3), start, 2.0, error);
+    scene!(soft: "block slides and stops", "stiction 1e-4 m/s", soft(1e-4), start, 2.0, error);
+}
+
+fn ball() {
+    let error = |y: [f64; 2]| (y[0] - bounced(1.0, 0.8, 3.0)).abs();
+    scene!(rigid: "ball bounces", Ball::default(), [1.0, 0.0], 3.0, error);
+    let soft = |k: f64| SoftBall { k, ..Default::default() };
+    scene!(soft: "ball bounces", "stiffness 1e5 N/m", soft(1e5), [1.0, 0.0], 3.0, error);
+    scene!(soft: "ball bounces", "stiffness 1e7 N/m", soft(1e7), [1.0, 0.0], 3.0, error);
+}
+
+fn case() {
+    let path = 5.0_f64.sqrt() / (2.0 * 0.3 * 9.81);
+    let error = |y: [f64; 13]| (y[0] - 2.0 * path).hypot(y[1] - path);
+    scene!(rigid: "box slides on four corners", Case::default(), START, 2.0, error);
+    let soft = |v: f64| SoftCase { v, ..Default::default() };
+    scene!(soft: "box slides on four corners", "stiction 1e-3 m/s", soft(1e-3), sunk(START), 2.0, error);
+    scene!(soft: "box slides on four corners", "stiction 1e-4 m/s", soft(1e-4), sunk(START), 2.0, error);
+}
+
+fn bowl() {
+    let [x, y] = rolled(THROWN, 2.0);
+    let error = |state: [f64; 13]| (state[0] - x).hypot(state[1] - y);
+    scene!(rigid: "spinning ball slides, then rolls", Bowl::default(), THROWN, 2.0, error);
+    let soft = |v: f64| SoftBowl { v, ..Default::default() };
+    scene!(soft: "spinning ball slides, then rolls", "stiction 1e-3 m/s", soft(1e-3), sunk(THROWN), 2.0, error);
+    scene!(soft: "spinning ball slides, then rolls", "stiction 1e-4 m/s", soft(1e-4), sunk(THROWN), 2.0, error);
+}
+
+/// Returns a state at rest on soft ground, with its velocities.
 fn sunk(start: [f64; 13]) -> [f64; 13] {
     let mut sunk = start;
     sunk[2] -= DEPTH;
     sunk
+}
+
+/// Returns where a solid ball of radius 0.1 m is after sliding along a parabola, then rolling.
+///
+/// Its slip velocity s keeps its direction, and shrinks by 7/2 μ g. Rolling begins at the velocity
+/// v − 2/7 s.
+fn rolled(start: [f64; 13], end: f64) -> [f64; 2] {
+    let (mu, g, radius) = (0.3, 9.81, 0.1);
+    let (v, turning) = ([start[7], start[8]], [start[10], start[11]]);
+    let slip = [v[0] - radius * turning[1], v[1] + radius * turning[0]];
+    let speed = slip[0].hypot(slip[1]);
+    let sliding = 2.0 * speed / (7.0 * mu * g);
+    std::array::from_fn(|i| {
+        let slid = v[i] * sliding - 0.5 * mu * g * slip[i] / speed * sliding * sliding;
+        slid + (v[i] - 2.0 / 7.0 * slip[i]) * (end - sliding)
+    })
 }
 
 /// Returns the height of a ball dropped from a height, with this coefficient of restitution.
